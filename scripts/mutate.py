@@ -157,6 +157,19 @@ MUTANTS = {
                          "-rounding ? sum / 2 * (1 + edge % 7) : 0;"),
     "bends_unseen": ("dec/merging/straightness.cpp", "std::abs(angles_[s] - std::numbers::pi) <=",
                      "0 * angles_[s] <="),
+    # shape/
+    "mass_not_enlarged": ("shape/crouzeix_raviart.cpp", "-s * s / (1 - reach)", "0 * reach"),
+    "doubt_of_means_left_out": ("shape/hybrid_form.cpp", "-s * s / ((1 - eps) * (1 - reach))", "0 * s"),
+    "whole_gradient_left_over": ("shape/hybrid_form.cpp", "eps * (1 - reach)", "2 - reach"),
+    "lumped_mass_of_ritz": ("shape/conforming.cpp", "degree == 1 ? mean_of_product(m, {i, k})",
+                            "degree == 1 ? (i == k ? 1.0L / (m + 1) : 0)"),
+    "twisted_signs_left_out": ("shape/gluing.cpp", "-pieces.sign(n, cell, omitted) *", "0 * n + 1 == 1 ? 1 :"),
+    "trace_not_projected": ("shape/hybrid_form.cpp", "1.0L / (n + 1)));", "0));"),
+    "conductivity_of_the_doubt": ("shape/hybrid_form.cpp", "rho * mass, rho * rho / kappa * doubt",
+                                  "rho * mass, rho * rho * kappa * doubt"),
+    "guess_taken_for_a_bound": ("shape/shape_spectrum.cpp", "i = *count; i < options_.count", "i = j; i < options_.count"),
+    "too_large_simplices_counted": ("shape/trusted_count.cpp", "above * (1 + 1e-6) < lower.limit()", "above > 0"),
+    "errors_of_lengths_forgotten": ("shape/measured_simplex.cpp", "shape.length_error + 8", "8"),
     # solvers/
     "forces_of_another_power": ("solvers/flow/stokes.cpp", 'of.in_unit(force.values, n, "forces")',
                                 'of.in_unit(force.values, n - 1, "forces")'),
@@ -281,7 +294,7 @@ MUTANTS = {
 
 
 # The test programs that each folder's flaws are asked of, one after the other.
-PROGRAMS = {folder: (f"{folder}/test_{folder}",) for folder in ("io", "meshes", "solvers")}
+PROGRAMS = {folder: (f"{folder}/test_{folder}",) for folder in ("io", "meshes", "shape", "solvers")}
 PROGRAMS["dec"] = ("dec/test_dec", "solvers/test_solvers")
 PROGRAMS["backends"] = ("solvers/test_solvers",)
 SECONDS = 600

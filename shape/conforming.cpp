@@ -82,7 +82,6 @@ FormFamily family_of(const Shape& shape, int degree, const std::vector<Pair>& pa
             if (const double alpha = sides[std::size_t(n + 1) * s + i].robin; alpha > 0)
                 forms.parts[0] += alpha * simplex.facet_volume(i) *
                                   (basis.transpose() * products(n, degree, pairs, i) * basis);
-        forms.flatness = simplex.sensitivity;
         return forms;
     };
     const auto factors = [](double s, double) { return std::vector<double>{1, -s}; };

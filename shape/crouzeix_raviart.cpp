@@ -56,7 +56,6 @@ LocalForms local_forms(const Shape& shape, const std::vector<FacetSide>& sides,
         if (const double alpha = sides[std::size_t(n + 1) * s + i].robin; alpha > 0)
             forms.parts[0](i, i) += alpha * simplex.facet_volume(i);
     forms.reach = static_cast<double>(square * rho / kappa) * (1 + 1e-15);
-    forms.flatness = simplex.sensitivity;
     return forms;
 }
 

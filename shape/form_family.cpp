@@ -12,13 +12,10 @@ namespace polydec {
 namespace {
 
 constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
-constexpr double long_unit = static_cast<double>(std::numeric_limits<long double>::epsilon()) / 2;
 
-/// Errors of local matrices, as a share of their diagonal: of rounding them to doubles and adding
-/// them up, and of what went before.
-double local_error(double flatness) {
-    return 16 * unit + 256 * long_unit * flatness;
-}
+/// Errors of local matrices, as a share of their diagonal, by rounding them to doubles and adding
+/// parts up.
+constexpr double local_rounding = 16 * unit;
 
 } // namespace
 
@@ -47,7 +44,7 @@ FormFamily::FormFamily(Index count, std::vector<Index> unknowns, std::vector<std
                 values += entries;
             }
             reach_[s] = forms.reach;
-            errors_[s] = local_error(forms.flatness);
+            errors_[s] = local_rounding + forms.error;
             cells[s].mass = forms.mass;
             if (forms.cell.size() > 0)
                 cells[s].column = Vector(forms.cell.col(0).cast<double>());

@@ -18,11 +18,11 @@ namespace polydec {
 /// with factors that depend on s, and `robin`, in unknowns of the simplex.
 struct LocalForms {
     std::vector<LongMatrix> parts;
-    LongMatrix robin;    ///< 0 x 0: nothing
-    LongMatrix cell;     ///< a column, see FormFamily; 0 x 0: there is no unknown of the cell
-    double mass = 0;     ///< of the cell
-    double reach = 0;    ///< C^2 rho / kappa: factors are asked for with s reach
-    double flatness = 0; ///< by which rounding in the local matrices has grown
+    LongMatrix robin; ///< 0 x 0: nothing
+    LongMatrix cell;  ///< a column, see FormFamily; 0 x 0: there is no unknown of the cell
+    double mass = 0;  ///< of the cell
+    double reach = 0; ///< C^2 rho / kappa: factors are asked for with s reach
+    double error = 0; ///< of these matrices in long numbers, as a share of their diagonal
 };
 
 /// A symmetric matrix that counts, and how far it may be from the one meant.

@@ -13,16 +13,50 @@ namespace {
 /// How the part of |grad w|^2, and the products of linear and other functions, are divided.
 constexpr double share_of_gradient = 0.5, share_of_linear = 0.3;
 
-/// What all simplices of dimension n have in common. Quadratic polynomials stand for their classes
-/// modulo constants, so one product of coordinates is left out.
+/// The unknown of facet i at corner a, its mean times lambda_a.
+int moment(int n, int i, int a) {
+    return n * i + (a < i ? a : a - 1);
+}
+
+/// A polynomial, the sum of products of two coordinates, and its gradient, the sum of
+/// lambda_a grad lambda_b over pairs (a, b).
+struct Quadratic {
+    std::vector<Pair> products, gradient;
+};
+
+/// A basis of the quadratic polynomials modulo constants: the coordinates without one, and their
+/// products. From an end of the shortest edge on, those that vary across a flat simplex keep apart
+/// from those along it.
+std::vector<Quadratic> quadratics(int n, int origin) {
+    std::vector<Quadratic> result;
+    for (int i = 0; i <= n; ++i) {
+        if (i == origin)
+            continue;
+        result.emplace_back();
+        for (int a = 0; a <= n; ++a) { // lambda_i times the sum of all
+            result.back().products.push_back({i, a});
+            result.back().gradient.push_back({a, i});
+        }
+        for (int j = i; j <= n; ++j)
+            if (j != origin)
+                result.push_back({{{i, j}}, {{i, j}, {j, i}}});
+    }
+    return result;
+}
+
+/// What all simplices of dimension n have in common.
 struct ReferenceSimplex {
-    explicit ReferenceSimplex(int dimension);
+    ReferenceSimplex(int dimension, int origin);
+
+    void compare_polynomials();
+    void compare_fields();
 
     int n;
-    std::vector<Pair> pairs; // of the quadratic polynomials
+    std::vector<Quadratic> basis;
     std::vector<Pair> edges; // j < k: fields lambda_j lambda_k (x_k - x_j)
     LongMatrix covariance;   // of the polynomials
     LongMatrix linear_part;  // of a polynomial less its mean: coefficients of lambda_k
+    LongMatrix moments;      // of the polynomials less their means: R moments = 1
     LongMatrix linear_mass;  // means of lambda_i lambda_j
     LongMatrix divergences;  // means of (lambda_k - lambda_j) p: a row for each field
     LongMatrix field_means;  // means of products of lambda_j lambda_k
@@ -30,37 +64,54 @@ struct ReferenceSimplex {
     LongMatrix circulations; // fields without divergence
 };
 
-ReferenceSimplex::ReferenceSimplex(int dimension) : n(dimension) {
-    pairs = quadratic_pairs(n);
-    pairs.erase(pairs.begin());
-    for (const Pair& pair : pairs)
-        if (pair[0] < pair[1])
-            edges.push_back(pair);
-    const auto size = static_cast<Eigen::Index>(pairs.size());
-    const auto fields_size = static_cast<Eigen::Index>(edges.size());
-    covariance = quadratic_products(n, pairs);
-    linear_part.resize(n + 1, size);
-    divergences.resize(fields_size, size);
-    for (Eigen::Index p = 0; p < size; ++p) {
-        const auto [i, j] = pairs[p];
-        const long double mean = mean_of_product(n, {i, j});
-        for (Eigen::Index q = 0; q < size; ++q)
-            covariance(p, q) -= mean * mean_of_product(n, {pairs[q][0], pairs[q][1]});
-        for (int k = 0; k <= n; ++k)
-            linear_part(k, p) =
-                (n + 1) * (n + 2) * (mean_of_product(n, {i, j, k}) - mean / (n + 1));
-        for (Eigen::Index e = 0; e < fields_size; ++e)
-            divergences(e, p) =
-                mean_of_product(n, {i, j, edges[e][1]}) - mean_of_product(n, {i, j, edges[e][0]});
-    }
+ReferenceSimplex::ReferenceSimplex(int dimension, int origin)
+    : n(dimension), basis(quadratics(dimension, origin)) {
+    for (int j = 0; j <= n; ++j)
+        for (int k = j + 1; k <= n; ++k)
+            edges.push_back({j, k});
     linear_mass.resize(n + 1, n + 1);
     for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j)
             linear_mass(i, j) = mean_of_product(n, {i, j});
+    compare_polynomials();
+    compare_fields();
+}
+
+void ReferenceSimplex::compare_polynomials() {
+    const auto size = static_cast<Eigen::Index>(basis.size());
+    const auto fields_size = static_cast<Eigen::Index>(edges.size());
+    covariance = LongMatrix::Zero(size, size);
+    linear_part = LongMatrix::Zero(n + 1, size);
+    divergences = LongMatrix::Zero(fields_size, size);
+    moments = LongMatrix::Zero(n * (n + 1), size);
+    for (Eigen::Index p = 0; p < size; ++p)
+        for (const auto& [i, j] : basis[p].products) {
+            const long double mean = mean_of_product(n, {i, j});
+            for (Eigen::Index q = 0; q < size; ++q)
+                for (const auto& [k, l] : basis[q].products)
+                    covariance(p, q) +=
+                        mean_of_product(n, {i, j, k, l}) - mean * mean_of_product(n, {k, l});
+            for (int k = 0; k <= n; ++k)
+                linear_part(k, p) +=
+                    (n + 1) * (n + 2) * (mean_of_product(n, {i, j, k}) - mean / (n + 1));
+            for (Eigen::Index e = 0; e < fields_size; ++e)
+                divergences(e, p) += mean_of_product(n, {i, j, edges[e][1]}) -
+                                     mean_of_product(n, {i, j, edges[e][0]});
+            for (int omitted = 0; omitted <= n; ++omitted)
+                for (int a = 0; a <= n; ++a)
+                    if (a != omitted)
+                        moments(moment(n, omitted, a), p) +=
+                            (omitted == i || omitted == j ? 0 : mean_of_product(n - 1, {i, j, a})) -
+                            mean / n;
+        }
+}
+
+void ReferenceSimplex::compare_fields() {
+    const auto size = static_cast<Eigen::Index>(edges.size());
     field_means = quadratic_products(n, edges);
-    fields = LongMatrix::Zero(fields_size, n + 1);
-    circulations = LongMatrix::Zero(fields_size, n * (n - 1) / 2);
-    for (Eigen::Index e = 0, cycle = 0; e < fields_size; ++e) {
+    fields = LongMatrix::Zero(size, n + 1);
+    circulations = LongMatrix::Zero(size, n * (n - 1) / 2);
+    for (Eigen::Index e = 0, cycle = 0; e < size; ++e) {
         const auto [j, k] = edges[e];
         fields(e, k) = 1.0L / (n + 1);
         fields(e, j) = -1.0L / (n + 1);
@@ -74,30 +125,25 @@ ReferenceSimplex::ReferenceSimplex(int dimension) : n(dimension) {
 
 /// Products of the gradients of the polynomials.
 LongMatrix stiffness(const ReferenceSimplex& reference, const MeasuredSimplex& simplex) {
-    const auto size = static_cast<Eigen::Index>(reference.pairs.size());
+    const auto size = static_cast<Eigen::Index>(reference.basis.size());
     LongMatrix S = LongMatrix::Zero(size, size);
     for (Eigen::Index p = 0; p < size; ++p)
         for (Eigen::Index q = 0; q <= p; ++q) {
-            for (const auto& [a, b] : gradient_terms(reference.pairs[p]))
-                for (const auto& [c, d] : gradient_terms(reference.pairs[q]))
+            for (const auto& [a, b] : reference.basis[p].gradient)
+                for (const auto& [c, d] : reference.basis[q].gradient)
                     S(p, q) += reference.linear_mass(a, c) * simplex.gradients(b, d);
             S(q, p) = S(p, q);
         }
     return simplex.volume * S;
 }
 
-/// The unknown of facet i at corner a, its mean times lambda_a.
-int moment(int n, int i, int a) {
-    return n * i + (a < i ? a : a - 1);
-}
-
 /// Integrals of grad u . grad p for the polynomials p, by moments of u less its mean in the cell.
 LongMatrix flux_products(const ReferenceSimplex& reference, const MeasuredSimplex& simplex) {
     const int n = reference.n;
-    const auto size = static_cast<Eigen::Index>(reference.pairs.size());
+    const auto size = static_cast<Eigen::Index>(reference.basis.size());
     LongMatrix B = LongMatrix::Zero(size, n * (n + 1));
     for (Eigen::Index p = 0; p < size; ++p)
-        for (const auto& [a, b] : gradient_terms(reference.pairs[p]))
+        for (const auto& [a, b] : reference.basis[p].gradient)
             for (int i = 0; i <= n; ++i)
                 if (i != a)
                     B(p, moment(n, i, a)) -= n * simplex.volume * simplex.gradients(i, b);
@@ -147,6 +193,14 @@ LongMatrix flow_distance(const ReferenceSimplex& reference, const MeasuredSimple
     return N;
 }
 
+/// The error of R, at the moments of the polynomials that it is to give.
+double error_of(const ReferenceSimplex& reference, const LongMatrix& R) {
+    const auto size = R.rows();
+    const LongMatrix off = R * reference.moments - LongMatrix::Identity(size, size);
+    return static_cast<double>(off.cwiseAbs().maxCoeff() +
+                               std::numeric_limits<long double>::epsilon());
+}
+
 /// Robin's part: the squares of the traces projected on linear functions.
 LongMatrix robin_part(int n, const MeasuredSimplex& simplex, const FacetSide* sides) {
     LongMatrix result;
@@ -162,9 +216,10 @@ LongMatrix robin_part(int n, const MeasuredSimplex& simplex, const FacetSide* si
     return result;
 }
 
-LocalForms local_forms(const Shape& shape, const ReferenceSimplex& reference,
+LocalForms local_forms(const Shape& shape, const std::vector<ReferenceSimplex>& references,
                        const FacetSide* sides, Index s) {
     const auto simplex = measured_simplex(shape, s);
+    const ReferenceSimplex& reference = references[simplex.origin];
     const int n = reference.n;
     const long double kappa = conductivity_of(shape, s), rho = density_of(shape, s);
     const Eigen::LDLT<LongMatrix> S(stiffness(reference, simplex));
@@ -187,7 +242,7 @@ LocalForms local_forms(const Shape& shape, const ReferenceSimplex& reference,
     forms.cell = LongMatrix::Constant(n * (n + 1), 1, 1.0L / n);
     forms.mass = static_cast<double>(rho * simplex.volume);
     forms.reach = static_cast<double>(square * rho / kappa) * (1 + 1e-15);
-    forms.flatness = simplex.sensitivity;
+    forms.error = 64 * error_of(reference, R);
     return forms;
 }
 
@@ -197,13 +252,15 @@ FormFamily hybrid_form(const Shape& shape) {
     const int n = shape.pieces.dimension();
     const auto sides = facet_sides(shape);
     FacetUnknowns facets = facet_unknowns(shape, sides, n);
-    const ReferenceSimplex reference(n);
+    std::vector<ReferenceSimplex> references; // by origin
+    for (int origin = 0; origin <= n; ++origin)
+        references.emplace_back(n, origin);
     const auto factors = [](double s, double reach) {
         const double eps = share_of_gradient;
         return std::vector<double>{1, eps * (1 - reach), -s, -s * s / ((1 - eps) * (1 - reach))};
     };
     const auto local = [&](Index s) {
-        return local_forms(shape, reference, &sides[std::size_t(n + 1) * s], s);
+        return local_forms(shape, references, &sides[std::size_t(n + 1) * s], s);
     };
     return {facets.count, std::move(facets.unknowns), std::move(facets.signs),
             factors,      shape.pieces.size(n),       local};

@@ -27,13 +27,16 @@ LongMatrix squares_of(const Shape& shape, Index simplex) {
     return squares;
 }
 
-/// Cholesky's factor of the products of the edges from corner 0; empty if there is none.
-LongMatrix edge_factor(const LongMatrix& squares) {
+/// Cholesky's factor of the products of the edges from a corner; empty if there is none.
+LongMatrix edge_factor(const LongMatrix& squares, int origin) {
     const auto n = squares.rows() - 1;
+    const auto corner = [origin](Eigen::Index i) { return i < origin ? i : i + 1; };
     LongMatrix L = LongMatrix::Zero(n, n);
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j <= i; ++j) {
-            long double rest = (squares(0, i + 1) + squares(0, j + 1) - squares(i + 1, j + 1)) / 2;
+            long double rest = (squares(origin, corner(i)) + squares(origin, corner(j)) -
+                                squares(corner(i), corner(j))) /
+                               2;
             for (Eigen::Index k = 0; k < j; ++k)
                 rest -= L(i, k) * L(j, k);
             if (i == j && !(rest > 0))
@@ -41,6 +44,19 @@ LongMatrix edge_factor(const LongMatrix& squares) {
             L(i, j) = i == j ? std::sqrt(rest) : rest / L(j, j);
         }
     return L;
+}
+
+/// The lower corner of the shortest edge.
+int shortest_edge(const LongMatrix& squares) {
+    int origin = 0;
+    long double least = squares(0, 1);
+    for (int j = 1; j < squares.rows(); ++j)
+        for (int i = 0; i < j; ++i)
+            if (squares(i, j) < least) {
+                least = squares(i, j);
+                origin = i;
+            }
+    return origin;
 }
 
 std::string name_of(const Shape& shape, Index simplex) {
@@ -58,19 +74,20 @@ long double MeasuredSimplex::facet_volume(int omitted) const {
 MeasuredSimplex measured_simplex(const Shape& shape, Index simplex) {
     MeasuredSimplex result;
     result.squares = squares_of(shape, simplex);
-    const LongMatrix L = edge_factor(result.squares);
+    result.origin = shortest_edge(result.squares);
+    const LongMatrix L = edge_factor(result.squares, result.origin);
     if (L.size() == 0)
         throw InvalidInput(fmt::format("{} does not exist with the lengths of its edges, or has no "
                                        "volume: lengths that make one are needed",
                                        name_of(shape, simplex)));
     const auto n = L.rows();
     const LongMatrix inverse = L.triangularView<Eigen::Lower>().solve(LongMatrix::Identity(n, n));
-    LongMatrix inner = inverse.transpose() * inverse;
-    result.gradients.resize(n + 1, n + 1);
-    result.gradients.bottomRightCorner(n, n) = inner;
-    result.gradients.topRightCorner(1, n) = -inner.colwise().sum();
-    result.gradients.bottomLeftCorner(n, 1) = -inner.rowwise().sum();
-    result.gradients(0, 0) = inner.sum();
+    LongMatrix all = LongMatrix::Zero(n, n + 1); // gradients, a column each
+    for (Eigen::Index i = 0; i < n; ++i) {
+        all.col(i < result.origin ? i : i + 1) = inverse.col(i);
+        all.col(result.origin) -= inverse.col(i);
+    }
+    result.gradients = all.transpose() * all;
     result.volume = 1;
     for (Eigen::Index i = 0; i < n; ++i)
         result.volume *= L(i, i) / (i + 1);

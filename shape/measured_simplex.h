@@ -11,6 +11,7 @@ struct MeasuredSimplex {
     LongMatrix squares;   ///< of the lengths between corners: (n+1) x (n+1)
     LongMatrix gradients; ///< products of the gradients of the barycentric coordinates
     long double volume;
+    int origin;            ///< an end of the shortest edge
     double longest_square; ///< the square of the longest edge
     /// How much an error of all lengths by a share e of them changes squares of lengths of vectors
     /// in it at most, as a multiple of e: about 8 for well-shaped triangles, and 2 (h / height)^2.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "meshes/generate.h"
 #include "shape/count_below.h"
 #include "tests/shape/known_shapes.h"
 #include "tests/support/refusal.h"
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <random>
+#include <vector>
 
 namespace polydec::test::in_counts {
 namespace {
@@ -49,6 +51,84 @@ TEST(CountBelow, encloses_the_number_of_eigenvalues) {
     EXPECT_GE(2 * exact, counts); // it says something
     RecordProperty("counts", counts);
     RecordProperty("exact", exact);
+}
+
+TEST(CountBelow, knows_constants) {
+    const Shape two = unmerged(pillow(4));
+    EXPECT_EQ(zero_eigenvalues(two), 1);
+    EXPECT_EQ(zero_eigenvalues(unmerged(grid(3, 2), {BoundaryCondition::robin, {}, {1}})), 0);
+    for (const double s : {1e-9, 1e-3, 1.0})
+        for (const int degree : {1, 2}) {
+            const auto count = count_below(two, s, {.degree = degree});
+            EXPECT_EQ(count.at_least, 1) << s;
+            EXPECT_EQ(count.at_most, 1) << s;
+        }
+    EXPECT_EQ(count_below(two, 0).at_most, 0);
+}
+
+/// A grid of needles, ten thousand times as long as wide.
+TEST(CountBelow, is_sharp_on_needles_with_right_angles) {
+    const Shape shape = unmerged(kuhn({2000, 1}, {1, 5}), {BoundaryCondition::natural});
+    for (const int degree : {1, 2}) {
+        const auto count = count_below(shape, 0.1, {.degree = degree});
+        EXPECT_EQ(count.at_least, 1);
+        EXPECT_EQ(count.at_most, 1);
+    }
+}
+
+/// Two triangles of a square of side 1: C^2 is 2 / 14.68.
+TEST(CountBelow, names_simplices_that_are_too_large) {
+    const Shape shape = unmerged(grid(1, 1));
+    const auto count = count_below(shape, 8);
+    EXPECT_FALSE(count.at_most);
+    EXPECT_EQ(count.too_large, (std::vector<Index>{0, 1}));
+    ASSERT_EQ(count.warnings.size(), 1u);
+    EXPECT_TRUE(says(count.warnings[0], {"7.34", "2", "too large", "0, 1", "divide"}));
+    EXPECT_TRUE(count_below(shape, 7).at_most);
+}
+
+/// Right triangles of legs 1 and h, whose lengths may be off by a share e each.
+TEST(CountBelow, is_safe_where_lengths_are_not_known_exactly) {
+    Shape shape = unmerged(kuhn(2, 8), {BoundaryCondition::essential});
+    const double first = 2 * pi * pi;
+    shape.length_error = 1e-3;
+    for (const double share : {0.994, 0.998, 1.002, 1.006}) {
+        const auto count = count_below(shape, share * first);
+        EXPECT_EQ(count.at_least, 0);
+        EXPECT_EQ(count.at_most, 1);
+    }
+    EXPECT_EQ(count_below(shape, 0.95 * first).at_most, 0);
+    EXPECT_EQ(count_below(shape, 1.05 * first).at_least, 1);
+}
+
+TEST(CountBelow, refuses_what_is_no_shape) {
+    const Shape shape = unmerged(grid(2, 2));
+    const auto refused = [](const Shape& given, double s = 1, int degree = 2) {
+        return refusal([&] { count_below(given, s, {.degree = degree}); });
+    };
+    EXPECT_TRUE(says(refused(shape, 1, 3), {"degree 3", "1", "2"}));
+    EXPECT_TRUE(says(refused(shape, std::nan("")), {"nan", "finite"}));
+    Shape other = shape;
+    other.lengths[3] = -1;
+    EXPECT_TRUE(says(refused(other), {"edge 3", "-1"}));
+    other = shape;
+    other.lengths[0] = 9;
+    EXPECT_TRUE(says(refused(other), {"simplex 0", "vertices", "lengths"}));
+    other = shape;
+    other.density = Vector::Ones(7);
+    EXPECT_TRUE(says(refused(other), {"7 density", "8"}));
+    other.density = -Vector::Ones(8);
+    EXPECT_TRUE(says(refused(other), {"density", "-1", "simplex 0", "positive"}));
+    other = shape;
+    other.conditions.fixed_vertices.assign(9, true);
+    EXPECT_TRUE(says(refused(other), {"vertex", "facets"}));
+    other = shape;
+    other.length_error = 0.5;
+    EXPECT_TRUE(says(refused(other), {"0.5", "0.1"}));
+    std::mt19937 random(1);
+    other = book(random, 3, 2).shape;
+    other.functions = ShapeFunctions::twisted;
+    EXPECT_TRUE(says(refused(other), {"3 simplices", "facet", "twisted"}));
 }
 
 } // namespace
