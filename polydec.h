@@ -108,6 +108,7 @@
 #include "meshes/unjoined_boundary.h"
 #include "meshes/weld.h"
 #include "shape/count_below.h"
+#include "shape/flipped.h"
 #include "shape/shape.h"
 #include "shape/shape_spectrum.h"
 #include "solvers/absorbing_layer.h"

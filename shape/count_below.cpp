@@ -2,6 +2,7 @@
 #include "shape/count_below.h"
 
 #include "base/errors.h"
+#include "shape/one_forms.h"
 #include "shape/trusted_count.h"
 
 #include <fmt/format.h>
@@ -12,14 +13,17 @@ namespace polydec {
 
 CountBelow count_below(const Shape& shape, double s, const CountOptions& options) {
     check(shape);
-    check_degree(options.degree);
+    check_level(options.level);
     if (!std::isfinite(s))
         throw InvalidInput(fmt::format("eigenvalues below {}: expected a finite number", s));
     if (!(s > 0)) // the form is semidefinite
         return {.at_least = 0, .at_most = 0};
-    const ConformingForm conforming(shape, options.degree);
-    return enclosed_count(shape, conforming.family(), lower_form(shape, options.degree), s,
-                          metric_ratio(shape), options.linear_solver);
+    if (are_one_forms(shape, options.degree))
+        return one_form_count(shape, s, options);
+    const Shape of = options.degree == 0 ? shape : top_forms(shape);
+    const ConformingForm conforming(of, options.level);
+    return enclosed_count(of, conforming.family(), lower_form(of, options.level), s,
+                          metric_ratio(of), options.linear_solver);
 }
 
 } // namespace polydec

@@ -51,6 +51,13 @@ Shape shape_of(const Discretization& mesh, const BoundaryConditions& conditions)
     return shape;
 }
 
+Shape top_forms(const Shape& shape) {
+    Shape result = shape;
+    result.conditions = exchanged(shape.conditions);
+    result.functions = ShapeFunctions::twisted;
+    return result;
+}
+
 void check(const Shape& shape) {
     const Pieces& pieces = shape.pieces;
     const int n = pieces.dimension();

@@ -36,6 +36,10 @@ struct Shape {
 Shape shape_of(const Discretization& mesh,
                const BoundaryConditions& conditions = {BoundaryCondition::natural});
 
+/// The shape whose functions have the spectrum of n-forms, densities: twisted ones, free where
+/// n-forms are essential and 0 where these are natural.
+Shape top_forms(const Shape& shape);
+
 /// Throws InvalidInput, saying what it is and naming edge, simplex or facet, unless lengths are
 /// positive numbers, one for each edge, weights as many positive ones as there are simplices,
 /// Robin's coefficients positive, and at most two simplices at each facet if functions are twisted.

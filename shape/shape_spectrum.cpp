@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "dec/metric/simplex_geometry.h"
 #include "shape/lower_guesses.h"
+#include "shape/one_forms.h"
 #include "shape/trusted_count.h"
 
 #include <fmt/format.h>
@@ -24,8 +25,8 @@ public:
         : shape_(shape),
           options_(options),
           ratio_(metric_ratio(shape)),
-          conforming_(shape, options.degree),
-          lower_(lower_form(shape, options.degree)) {
+          conforming_(shape, options.level),
+          lower_(lower_form(shape, options.level)) {
         result_.zeros = std::min(zero_eigenvalues(shape), options.count);
     }
 
@@ -69,7 +70,7 @@ void Enclosing::find_upper() {
     if (options_.count > family.size())
         throw InvalidInput(fmt::format("{} eigenvalues of a shape: the mesh has {} functions of "
                                        "degree {}, so 1 to {} can be had; refine it for more",
-                                       options_.count, family.size(), options_.degree,
+                                       options_.count, family.size(), options_.level,
                                        family.size()));
     tell("upper bounds");
     const auto one = [&](double a, double b) {
@@ -99,7 +100,7 @@ void Enclosing::take_modes() {
     const auto& pairs = conforming_.pairs();
     const GluedPoints& points = conforming_.points();
     result_.modes = DenseMatrix::Zero(pieces.size(0), options_.count);
-    if (options_.degree == 2)
+    if (options_.level == 2)
         result_.edge_modes = DenseMatrix::Zero(pieces.size(1), options_.count);
     const int n = dimension();
     std::size_t entry = 0;
@@ -149,7 +150,7 @@ void Enclosing::prove_lower() {
     tell("lower bounds");
     const Index count = options_.count;
     result_.lower = Vector::Zero(count);
-    const DenseMatrix moments = facet_moments(shape_, options_.degree, conforming_, pairs_.vectors);
+    const DenseMatrix moments = facet_moments(shape_, options_.level, conforming_, pairs_.vectors);
     const Vector guesses =
         lower_guesses(lower_, moments, result_.upper * ratio_, options_.linear_solver, dimension());
     constexpr double cluster = 1e-2; // of the width
@@ -193,14 +194,17 @@ void Enclosing::warn() {
 
 ShapeSpectrum shape_spectrum(const Shape& shape, const ShapeSpectrumOptions& options) {
     check(shape);
-    check_degree(options.degree);
+    check_level(options.level);
     if (options.count < 1)
         throw InvalidInput(
             fmt::format("{} eigenvalues of a shape: expected 1 at least", options.count));
     if (!(options.width >= 0))
         throw InvalidInput(
             fmt::format("enclosures of width {}: expected a share of at least 0", options.width));
-    return Enclosing(shape, options).enclose();
+    if (are_one_forms(shape, options.degree))
+        return one_form_spectrum(shape, options);
+    const Shape of = options.degree == 0 ? shape : top_forms(shape);
+    return Enclosing(of, options).enclose();
 }
 
 Vector widths(const ShapeSpectrum& spectrum) {

@@ -12,8 +12,12 @@
 namespace polydec {
 
 struct ShapeSpectrumOptions {
+    /// Of forms: 0, functions; n, densities, which are twisted functions under exchanged
+    /// conditions (see top_forms); on a surface without weights 1, whose positive eigenvalues are
+    /// those of 0-forms and 2-forms together (Hodge).
+    int degree = 0;
     Index count = 10;
-    int degree = 2;   ///< 1 or 2, see CountOptions
+    int level = 2;    ///< 1 or 2, see CountOptions
     double width = 0; ///< (upper - lower) / upper above which results warn; 0: none is asked for
     std::string linear_solver = "auto";
     std::string eigen_solver = "auto";
@@ -30,8 +34,8 @@ struct ShapeSpectrum {
     double count_at = 0;
     CountBelow count;
     /// Columns: approximate eigenfunctions, of norm 1 by b, at the vertices of the pieces, and for
-    /// degree 2 at the midpoints of the edges, between which they are quadratic. Twisted ones are
-    /// given as one simplex at the point sees them.
+    /// level 2 at the midpoints of the edges, between which they are quadratic. Twisted ones are
+    /// given as one simplex at the point sees them. None for 1-forms.
     DenseMatrix modes;
     DenseMatrix edge_modes;
     Index factorizations = 0; ///< for counts
@@ -43,8 +47,8 @@ struct ShapeSpectrum {
 /// Every lower bound is proved by a count of its own (see count_below), however it was found; where
 /// none succeeds it is that of the eigenvalue before, with a warning. Lengths may be off by the
 /// length_error of the shape. Proofs: docs/what-is-proved.md. Throws InvalidInput for a count
-/// below 1 or above the number of functions there are, another degree, a negative width, and shapes
-/// that check refuses; SolverFailure if the upper bounds cannot be had.
+/// below 1 or above the number of functions there are, another level or degree, a negative width,
+/// and shapes that check refuses; SolverFailure if the upper bounds cannot be had.
 ShapeSpectrum shape_spectrum(const Shape& shape, const ShapeSpectrumOptions& options = {});
 
 /// (upper - lower) / upper, 0 for eigenvalues known to be 0.

@@ -38,11 +38,11 @@ CountBelow enclosed_count(const Shape& shape, const FormFamily& conforming, cons
     return result;
 }
 
-void check_degree(int degree) {
-    if (degree != 1 && degree != 2)
-        throw InvalidInput(fmt::format("bounds of degree {}: expected 1 (linear and "
+void check_level(int level) {
+    if (level != 1 && level != 2)
+        throw InvalidInput(fmt::format("bounds of level {}: expected 1 (linear and "
                                        "Crouzeix-Raviart) or 2 (quadratic and hybrid)",
-                                       degree));
+                                       level));
 }
 
 std::string warning_of_large(const Shape& shape, const std::vector<Index>& simplices, double s,

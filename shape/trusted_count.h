@@ -20,8 +20,8 @@ Index trusted_count(const FormFamily& family, double s, Direction direction,
 CountBelow enclosed_count(const Shape& shape, const FormFamily& conforming, const FormFamily& lower,
                           double s, double ratio, const std::string& engine);
 
-/// The degrees that there are: 1 and 2. Throws InvalidInput for others.
-void check_degree(int degree);
+/// The levels that there are: 1 and 2. Throws InvalidInput for others.
+void check_level(int level);
 
 /// That these simplices allow bounds below `limit` alone, where s is wanted.
 std::string warning_of_large(const Shape& shape, const std::vector<Index>& simplices, double s,

@@ -36,7 +36,7 @@ TEST(CountBelow, encloses_the_number_of_eigenvalues) {
         for (int j = 0; j < 5; ++j) {
             const double s = 150 * std::pow(random() / 4294967296.0, 2);
             for (const int degree : {1, 2}) {
-                const auto count = count_below(known.shape, s, {.degree = degree});
+                const auto count = count_below(known.shape, s, {.level = degree});
                 const Index truth = below(known.eigenvalues, s);
                 EXPECT_LE(count.at_least, truth) << known.name << i << " " << s << " " << degree;
                 if (!count.at_most)
@@ -59,7 +59,7 @@ TEST(CountBelow, knows_constants) {
     EXPECT_EQ(zero_eigenvalues(unmerged(grid(3, 2), {BoundaryCondition::robin, {}, {1}})), 0);
     for (const double s : {1e-9, 1e-3, 1.0})
         for (const int degree : {1, 2}) {
-            const auto count = count_below(two, s, {.degree = degree});
+            const auto count = count_below(two, s, {.level = degree});
             EXPECT_EQ(count.at_least, 1) << s;
             EXPECT_EQ(count.at_most, 1) << s;
         }
@@ -70,7 +70,7 @@ TEST(CountBelow, knows_constants) {
 TEST(CountBelow, is_sharp_on_needles_with_right_angles) {
     const Shape shape = unmerged(kuhn({2000, 1}, {1, 5}), {BoundaryCondition::natural});
     for (const int degree : {1, 2}) {
-        const auto count = count_below(shape, 0.1, {.degree = degree});
+        const auto count = count_below(shape, 0.1, {.level = degree});
         EXPECT_EQ(count.at_least, 1);
         EXPECT_EQ(count.at_most, 1);
     }
@@ -103,10 +103,10 @@ TEST(CountBelow, is_safe_where_lengths_are_not_known_exactly) {
 
 TEST(CountBelow, refuses_what_is_no_shape) {
     const Shape shape = unmerged(grid(2, 2));
-    const auto refused = [](const Shape& given, double s = 1, int degree = 2) {
-        return refusal([&] { count_below(given, s, {.degree = degree}); });
+    const auto refused = [](const Shape& given, double s = 1, int level = 2) {
+        return refusal([&] { count_below(given, s, {.level = level}); });
     };
-    EXPECT_TRUE(says(refused(shape, 1, 3), {"degree 3", "1", "2"}));
+    EXPECT_TRUE(says(refused(shape, 1, 3), {"level 3", "1", "2"}));
     EXPECT_TRUE(says(refused(shape, std::nan("")), {"nan", "finite"}));
     Shape other = shape;
     other.lengths[3] = -1;

@@ -29,7 +29,7 @@ struct Row {
 };
 
 void expect(const Row& row) {
-    const auto found = shape_spectrum(row.shape, {.count = row.number + 1, .degree = row.degree});
+    const auto found = shape_spectrum(row.shape, {.count = row.number + 1, .level = row.degree});
     const double lower = found.lower[row.number], upper = found.upper[row.number];
     const auto what = row.name + ", degree " + std::to_string(row.degree);
     EXPECT_LE(lower, row.truth * (1 + 1e-14)) << what;
@@ -92,7 +92,7 @@ TEST(ShapeSpectrum, of_surfaces_is_enclosed_as_closely_as_was_measured) {
         const double truth = first[frequency / 2];
         for (const int degree : {1, 2}) {
             const auto sphere =
-                shape_spectrum(unmerged(icosphere(frequency)), {.count = 4, .degree = degree});
+                shape_spectrum(unmerged(icosphere(frequency)), {.count = 4, .level = degree});
             EXPECT_LE(sphere.lower[3], truth * (1 + 1e-4));
             EXPECT_GE(sphere.upper[1], truth * (1 - 1e-4));
         }
@@ -122,7 +122,7 @@ TEST(ShapeSpectrum, encloses_every_eigenvalue_of_random_shapes) {
     for (int i = 0; i < 40; ++i) {
         const KnownShape known = random_shape(random);
         for (const int degree : {1, 2}) {
-            const auto found = shape_spectrum(known.shape, {.count = 4, .degree = degree});
+            const auto found = shape_spectrum(known.shape, {.count = 4, .level = degree});
             for (Index j = 0; j < 4; ++j) {
                 const double truth = known.eigenvalues[j];
                 EXPECT_LE(found.lower[j], truth * (1 + 1e-12)) << known.name << i << " " << j;
@@ -145,7 +145,7 @@ TEST(ShapeSpectrum, of_a_mesh_and_of_its_refinements_meet) {
         double least[2] = {1e300, 1e300}, most[2] = {0, 0};
         for (int step = 0; step < 4; ++step) {
             for (const int degree : {1, 2}) {
-                const auto found = shape_spectrum(unmerged(mesh), {.count = 6, .degree = degree});
+                const auto found = shape_spectrum(unmerged(mesh), {.count = 6, .level = degree});
                 for (const int which : {0, 1}) {
                     const Index j = which == 0 ? 1 : 5;
                     most[which] = std::max(most[which], found.lower[j]);
@@ -164,7 +164,7 @@ TEST(ShapeSpectrum, has_orders_2_and_4_on_a_square) {
         std::vector<double> below, above;
         for (const int n : {8, 16, 32}) {
             const auto found =
-                shape_spectrum(unmerged(kuhn(2, n), dirichlet), {.count = 1, .degree = degree});
+                shape_spectrum(unmerged(kuhn(2, n), dirichlet), {.count = 1, .level = degree});
             below.push_back(2 * pi * pi - found.lower[0]);
             above.push_back(found.upper[0] - 2 * pi * pi);
         }

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "shape/one_forms.h"
+
+#include "base/errors.h"
+#include "shape/gluing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace polydec {
+
+namespace {
+
+/// The first of two ascending lists without what they begin with, together, behind zeros.
+Vector merged(const Vector& a, Index begin_a, const Vector& b, Index begin_b, Index zeros,
+              Index count) {
+    Vector all(a.size() - begin_a + b.size() - begin_b);
+    all << a.tail(a.size() - begin_a), b.tail(b.size() - begin_b);
+    std::sort(all.begin(), all.end());
+    Vector result = Vector::Zero(count);
+    for (Index j = zeros; j < count; ++j)
+        result[j] = all[j - zeros];
+    return result;
+}
+
+/// The Betti number b_1 of the surface relative to its essential edges, by Euler's characteristic.
+/// Points do not join what meets at them alone.
+Index harmonic_one_forms(const Shape& shape) {
+    const Pieces& pieces = shape.pieces;
+    const auto sides = facet_sides(shape);
+    const auto vertices = glued_points(shape, sides, {{0, 0}, {1, 1}, {2, 2}});
+    std::vector<bool> is_essential(pieces.size(1), false);
+    for (const FacetSide& side : sides)
+        is_essential[side.facet] = side.is_essential;
+    const auto edges =
+        static_cast<Index>(std::count(is_essential.begin(), is_essential.end(), false));
+    const Index characteristic = vertices.count - edges + pieces.size(2);
+    return zero_eigenvalues(shape) + zero_eigenvalues(top_forms(shape)) - characteristic;
+}
+
+} // namespace
+
+bool are_one_forms(const Shape& shape, int degree) {
+    const int n = shape.pieces.dimension();
+    if (degree == 0 || degree == n)
+        return false;
+    if (degree != 1 || n != 2)
+        throw InvalidInput(fmt::format("{}-forms of a shape of dimension {}: expected degree 0 or "
+                                       "{}, or 1 on a surface; others have no such bounds",
+                                       degree, n, n));
+    if (shape.conductivity.size() > 0 || shape.density.size() > 0)
+        throw InvalidInput("1-forms of a shape with weights: these are known for functions alone");
+    refuse_robin(shape.pieces, shape.conditions, "1-forms of a shape");
+    return true;
+}
+
+ShapeSpectrum one_form_spectrum(const Shape& shape, const ShapeSpectrumOptions& options) {
+    ShapeSpectrum result;
+    result.zeros = std::min(harmonic_one_forms(shape), options.count);
+    // positive ones: as many of each as are wanted of both, and one for the gap behind
+    const auto spectrum = [&](const Shape& of) {
+        ShapeSpectrumOptions more = options;
+        more.degree = 0;
+        more.count = std::max<Index>(options.count - result.zeros, 1) + zero_eigenvalues(of);
+        return shape_spectrum(of, more);
+    };
+    const ShapeSpectrum functions = spectrum(shape), densities = spectrum(top_forms(shape));
+    result.lower = merged(functions.lower, functions.zeros, densities.lower, densities.zeros,
+                          result.zeros, options.count);
+    result.upper = merged(functions.upper, functions.zeros, densities.upper, densities.zeros,
+                          result.zeros, options.count);
+    result.factorizations = functions.factorizations + densities.factorizations + 2;
+    result.count_at = std::min(functions.count_at, densities.count_at);
+    result.count = one_form_count(shape, result.count_at,
+                                  {.level = options.level, .linear_solver = options.linear_solver});
+    for (const ShapeSpectrum* const part : {&functions, &densities})
+        result.warnings.insert(result.warnings.end(), part->warnings.begin(), part->warnings.end());
+    return result;
+}
+
+CountBelow one_form_count(const Shape& shape, double s, const CountOptions& options) {
+    CountOptions of_functions = options;
+    of_functions.degree = 0;
+    const CountBelow functions = count_below(shape, s, of_functions);
+    const CountBelow densities = count_below(top_forms(shape), s, of_functions);
+    if (!(s > 0))
+        return functions;
+    const Index zeros =
+        harmonic_one_forms(shape) - zero_eigenvalues(shape) - zero_eigenvalues(top_forms(shape));
+    CountBelow result = functions;
+    result.at_least = functions.at_least + densities.at_least + zeros;
+    if (functions.at_most && densities.at_most)
+        result.at_most = *functions.at_most + *densities.at_most + zeros;
+    return result;
+}
+
+} // namespace polydec
