@@ -30,15 +30,27 @@ double error_of_flips(const IntrinsicDelaunay& flips) {
     return rounding + 2 * flips.statistics.added_length / flips.lengths.minCoeff();
 }
 
+/// Of each n-simplex; none if there are none.
+Vector weights_of(const Discretization& mesh, const CellData& weights, const char* what) {
+    return weights.is_empty() ? Vector() : weights.on(mesh, what, Range::positive);
+}
+
 } // namespace
 
-Shape shape_of(const Discretization& mesh, const BoundaryConditions& conditions) {
+Shape shape_of(const Discretization& mesh, const BoundaryConditions& conditions,
+               const CellData& conductivity, const CellData& density) {
     const Pieces& pieces = mesh.pieces();
     const int n = pieces.dimension();
-    if (!conditions.facets.empty() && mesh.complex().size(n) != pieces.size(n))
-        throw InvalidInput("conditions by facet on a mesh with merged cells: a shape consists of "
-                           "the simplices, so discretize it with the criterion none");
-    Shape shape{.pieces = pieces, .lengths = {}, .conditions = conditions};
+    const bool are_by_cell =
+        !conditions.facets.empty() || !conductivity.is_empty() || !density.is_empty();
+    if (are_by_cell && mesh.complex().size(n) != pieces.size(n))
+        throw InvalidInput("conditions by facet or weights on a mesh with merged cells: a shape "
+                           "consists of the simplices, so discretize it with the criterion none");
+    Shape shape{.pieces = pieces,
+                .lengths = {},
+                .conditions = conditions,
+                .conductivity = weights_of(mesh, conductivity, "conductivity"),
+                .density = weights_of(mesh, density, "density")};
     const SimplexMetric metric = mesh.metric();
     shape.lengths =
         metric.points() != nullptr ? edge_lengths(pieces, *metric.points()) : *metric.lengths();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "complex/pieces.h"
+#include "dec/cell_data.h"
 #include "dec/discretization.h"
 #include "dec/forms/boundary_conditions.h"
 
@@ -31,10 +32,11 @@ struct Shape {
 };
 
 /// The shape of a mesh: its simplices, or those that flips have made of them, which are the same
-/// surface, never merged cells; lengths are those of the input. Conditions by facet need a mesh
-/// without merged cells. Throws InvalidInput for others.
+/// surface, never merged cells; lengths are those of the input. Conditions by facet and weights
+/// need a mesh without merged cells. Throws InvalidInput for others, and like CellData and check.
 Shape shape_of(const Discretization& mesh,
-               const BoundaryConditions& conditions = {BoundaryCondition::natural});
+               const BoundaryConditions& conditions = {BoundaryCondition::natural},
+               const CellData& conductivity = {}, const CellData& density = {});
 
 /// The shape whose functions have the spectrum of n-forms, densities: twisted ones, free where
 /// n-forms are essential and 0 where these are natural.

@@ -6,12 +6,15 @@
 #include "base/printable.h"
 #include "io/checkpoint.h"
 #include "io/pictures/draw_modes.h"
+#include "shape/flipped.h"
+#include "shape/shape_spectrum.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/conditions.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
+#include "tools/shape_answer.h"
 #include "tools/spectrum_answer.h"
 
 #include <fmt/format.h>
@@ -34,6 +37,8 @@ struct SpectrumArguments {
     PictureArguments picture;
     std::filesystem::path checkpoint;
     bool resume = false;
+    bool of_shape = false;
+    ShapeSpectrumOptions shape = {};
 };
 
 /// Vectors as they are found, in a file, and what it is of.
@@ -149,6 +154,60 @@ void run_spectrum(SpectrumArguments arguments) {
     tell(answer, log, arguments.mesh.tell);
 }
 
+/// Of the simplices that were given, after flips: merged cells are no part of the shape.
+void run_spectrum_of_shape(SpectrumArguments arguments) {
+    Log log;
+    const ConditionValues asked(arguments.conditions);
+    arguments.mesh.merge = false;
+    arguments.mesh.star = name(StarKind::galerkin); // of which nothing is asked
+    const Discretization mesh = load(arguments.mesh, log);
+    const auto boundary = asked.on(mesh).value_or(built_in_conditions(Side::primal));
+    log.timing.begin("solve");
+    const auto since = std::chrono::steady_clock::now();
+    ShapeSpectrumOptions& options = arguments.shape;
+    options.degree = arguments.spectrum.degree;
+    options.count = arguments.spectrum.count;
+    options.linear_solver = arguments.spectrum.linear_solver;
+    options.eigen_solver = arguments.spectrum.eigen_solver;
+    const FlippedShape shape = flipped(shape_of(mesh, boundary));
+    const auto found = computed_on(arguments.mesh.mesh, [&] {
+        const Progress progress;
+        options.progress = [&](std::string_view what) { progress(what); };
+        return shape_spectrum(shape.shape, options);
+    });
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
+    log.warn(found.warnings);
+    tell(ShapeEigenvalues(found, options, shape.shape, shape.flips,
+                          in_words(boundary, mesh.complex(), options.degree), seconds.count()),
+         log, arguments.mesh.tell);
+}
+
+/// The options of the shape, with which these forms need not be named.
+void add_shape(CLI::App& command, SpectrumArguments& arguments, CLI::Option* side,
+               CLI::Option* degree) {
+    auto* of_shape = command
+                         .add_flag_callback(
+                             "--of-shape",
+                             [&arguments, side, degree] {
+                                 arguments.of_shape = true;
+                                 side->required(false);
+                                 degree->required(false);
+                             },
+                             "enclose the eigenvalues of the shape itself, not of its mesh: of\n"
+                             "functions, or of forms of degree n, or 1 on surfaces; cells are not\n"
+                             "merged, and edges of surfaces are flipped")
+                         ->excludes(side);
+    command
+        .add_option("--level", arguments.shape.level,
+                    "of the shape: bounds of order 2 (1) or 4 (2)")
+        ->capture_default_str()
+        ->needs(of_shape);
+    command
+        .add_option("--width", arguments.shape.width,
+                    "of the shape: warn where (at most - at least) / at most is above this")
+        ->needs(of_shape);
+}
+
 } // namespace
 
 void add_spectrum(CLI::App& app) {
@@ -157,8 +216,11 @@ void add_spectrum(CLI::App& app) {
     const auto arguments = std::make_shared<SpectrumArguments>();
     add_mesh_arguments(*command, arguments->mesh);
     add_star(*command, arguments->mesh, StarKind::automatic);
-    add_side(*command, arguments->spectrum.side)->required();
-    command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")->required();
+    auto* side = add_side(*command, arguments->spectrum.side)->required();
+    auto* degree =
+        command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")
+            ->required();
+    add_shape(*command, *arguments, side, degree);
     command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")
         ->capture_default_str();
     add_conditions(*command, arguments->conditions,
@@ -193,9 +255,12 @@ void add_spectrum(CLI::App& app) {
         "  polydec spectrum sphere.obj --side dual --degree 1 --count 16 --json\n"
         "  polydec spectrum plate.msh --side dual --degree 0 --natural\n"
         "  polydec spectrum plate.msh --side primal --degree 0 --robin 2.5\n"
+        "  polydec spectrum spot.obj --of-shape --count 5 --width 2e-4\n"
         "  polydec spectrum engine.msh --side primal --degree 0 --count 1000 \\\n"
         "      --checkpoint engine.checkpoint --resume --json");
-    command->callback([arguments] { run_spectrum(*arguments); });
+    command->callback([arguments] {
+        arguments->of_shape ? run_spectrum_of_shape(*arguments) : run_spectrum(*arguments);
+    });
 }
 
 } // namespace polydec::tools

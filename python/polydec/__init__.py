@@ -36,6 +36,7 @@ from ._lists import CellList, Polygons
 from ._mesh import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, write_mesh
 from ._periodic import PeriodicMesh, glue, periodic
 from ._plot import plot, to_meshio, to_pyvista
+from ._shape import CountBelow, ShapeSpectrum, count_below, shape_spectrum
 from ._solvers import (DarcyFlow, DarcySolver, HodgeParts, HodgeSolver, PoissonSolver, darcy,
                        harmonic_forms, hodge_decomposition, poisson)
 from ._sources import (CurlCurlSolution, FormSolution, HodgeLaplaceSolver, StokesFlow, StokesSolver,
@@ -46,19 +47,20 @@ from ._waves import AbsorbingLayer, Leapfrog, WaveState, stable_step, wave
 
 __all__ = [
     "__version__", "meshes", "AbsorbingLayer", "Backend", "BackendUnavailable", "CellList",
-    "Cells", "Certificate", "Checkpoint", "Cochain", "Complex", "ConditionedCells",
+    "Cells", "Certificate", "Checkpoint", "Cochain", "Complex", "ConditionedCells", "CountBelow",
     "CurlCurlSolution", "DarcyFlow", "DarcySolver", "Eigenpairs", "Error", "Evolution",
     "FlowSolver", "FluxTransport", "FormSolution", "GeodesicDistance", "HeatSolver",
     "HodgeLaplaceSolver", "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
     "IoError", "Leapfrog", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page",
     "ParallelTransport", "PeriodicMesh", "PoissonSolver", "PolydecWarning", "Polygons", "Series", "ShallowWater",
+    "ShapeSpectrum",
     "Solution", "SolverFailure", "Spectrum", "StokesFlow", "StokesSolver", "WaveState", "as_mesh",
-    "backends", "boundary_de_rham", "darcy", "de_rham", "discretize", "fingerprint", "flat",
+    "backends", "boundary_de_rham", "count_below", "darcy", "de_rham", "discretize", "fingerprint", "flat",
     "flow_of_velocity", "flow_of_vorticity", "flux_form", "flux_sharp", "flux_through_boundary",
     "geodesic_distance", "glue", "gradient", "harmonic_forms", "heat", "hodge_decomposition",
     "hodge_laplace", "inflow", "interior_product", "lie_derivative", "load_engine", "outward_flow",
     "periodic", "plot", "poisson", "primal_dual_wedge", "read_checkpoint", "read_lengths", "read_mesh",
-    "register_eigen_solver", "register_linear_solver", "set_memory_limit", "sharp_pd", "sharp_pp",
+    "register_eigen_solver", "register_linear_solver", "set_memory_limit", "shape_spectrum", "sharp_pd", "sharp_pp",
     "smallest_eigenpairs", "solve", "spectrum", "split_polygons", "stable_step", "to_meshio",
     "to_pyvista", "view", "wave", "wedge", "whitney_at_centroids", "whitney_form",
     "write_checkpoint", "write_lengths", "write_mesh", "write_vtu",

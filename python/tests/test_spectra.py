@@ -112,3 +112,32 @@ def test_robins_condition(square, side):
     assert abs(hardly.eigenvalues - free).max() < 1e-6
     with pytest.raises(polydec.InvalidInput, match=said("facet 0", "Robin")):
         polydec.spectrum(square, side=side, count=3, robin=2.0, coexact=True)
+
+
+def test_shapes_are_enclosed():
+    """The eigenvalues of the unit square, not of its mesh."""
+    grid = polydec.meshes.grid(6, 6)
+    truth = np.pi ** 2 * np.array([2, 5, 5, 8])
+    for level in (1, 2):
+        found = polydec.shape_spectrum(grid, count=4, essential=True, level=level)
+        assert (found.lower <= truth).all() and (truth <= found.upper).all()
+        assert found.modes.shape == (49, 4) and found.zeros == 0 and (found.widths > 0).all()
+    assert found.count.at_least <= 4 <= found.count_at and "4 values [" in repr(found)
+    free = polydec.shape_spectrum(grid, count=3, conductivity=2.0, density=8.0)
+    assert free.zeros == 1 and free.widths[0] == 0
+    assert free.lower[1] <= np.pi ** 2 / 4 <= free.upper[1]
+    two = np.repeat([1.0, 10.0], 36)[np.argsort(np.argsort(np.arange(72)))]
+    assert polydec.shape_spectrum(grid, count=2, density=two, flips=False).upper[1] < np.pi ** 2
+    forms = polydec.shape_spectrum(grid, degree=1, count=2)
+    assert (forms.lower <= np.pi ** 2).all() and (forms.upper >= np.pi ** 2).all()
+    assert polydec.count_below(grid, 25, essential=True) == (1, 1)
+    assert polydec.count_below(polydec.discretize(grid, merge=False), 25, essential=True) == (1, 1)
+    with pytest.warns(polydec.PolydecWarning, match="too large"):
+        assert polydec.count_below(grid, 1e4, essential=True).at_most is None
+    with pytest.warns(polydec.PolydecWarning, match="wider"):
+        polydec.shape_spectrum(grid, count=2, width=1e-9)
+    with pytest.raises(polydec.InvalidInput, match=said("level 3")):
+        polydec.count_below(grid, 1, level=3)
+    merged = polydec.discretize(grid)
+    with pytest.raises(polydec.InvalidInput, match=said("merged cells")):
+        polydec.shape_spectrum(merged, conductivity=2.0)

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: MIT
+"""Eigenvalues of the shape itself, enclosed between two bounds."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from . import _core
+from ._arrays import Floats, Values
+from ._cell_data import CellNumbers, cell_data
+from ._complex import CellsLike, Complex, Progress, as_complex, discretize
+from ._cells import Cells
+from ._conditions import conditions_or_none
+
+
+class CountBelow(NamedTuple):
+    """Bounds of the number of eigenvalues below some number; `at_most` is None where simplices are too
+    large to say."""
+
+    at_least: int
+    at_most: int | None
+
+
+@dataclass(frozen=True)
+class ShapeSpectrum:
+    """The smallest eigenvalues of a shape, each between `lower` and `upper`.
+
+    Attributes
+    ----------
+    lower, upper : numpy.ndarray
+        Ascending, with multiplicity.
+    zeros : int
+        How many are known to be 0.
+    count_at : float
+        A number behind them.
+    count : CountBelow
+        The eigenvalues below that.
+    modes : numpy.ndarray
+        Columns: approximate eigenfunctions at the vertices. None for 1-forms (no columns).
+    simplices, flips, factorizations : int
+        What was computed on, how many edges were flipped before, and the counts that prove it.
+    """
+
+    lower: Floats
+    upper: Floats
+    zeros: int
+    count_at: float
+    count: CountBelow
+    modes: Floats
+    simplices: int
+    flips: int
+    factorizations: int
+
+    @property
+    def widths(self) -> Floats:
+        """(upper - lower) / upper; 0 where the eigenvalue is known to be 0."""
+        widths: Floats = np.zeros(len(self.upper))
+        positive = slice(self.zeros, None)
+        widths[positive] = 1 - self.lower[positive] / self.upper[positive]
+        return widths
+
+    def __repr__(self) -> str:
+        shown = ", ".join(f"[{low:.6g}, {high:.6g}]" for low, high in zip(self.lower[:4], self.upper[:4]))
+        return f"ShapeSpectrum({len(self.upper)} values {shown}{', ..' if len(self.upper) > 4 else ''})"
+
+
+def _parts(mesh: CellsLike, essential: Any, robin: Any, conductivity: Any, density: Any, flips: bool) -> Any:
+    complex = as_complex(mesh) if isinstance(mesh, Cells) else discretize(mesh, merge=False, star="galerkin")
+    assert isinstance(complex, Complex)
+    return (complex._mesh, conditions_or_none(complex, essential, robin),
+            cell_data(complex, conductivity, "conductivities"), cell_data(complex, density, "densities"), flips)
+
+
+def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: int = 2, width: float = 0.0,
+                   essential: Any = None, robin: Values | None = None, conductivity: CellNumbers | None = None,
+                   density: CellNumbers | None = None, flips: bool = True, linear_solver: str = "auto",
+                   eigen_solver: str = "auto", progress: Progress | None = None) -> ShapeSpectrum:
+    """Encloses the smallest eigenvalues of the Laplacian on the shape itself: the continuous problem.
+
+    The shape is made of flat simplices: a plane domain, a polyhedral surface, which may branch and need not
+    be orientable, or a solid. Every bound is proved; see "What is proved" in the documentation.
+
+    Parameters
+    ----------
+    mesh : a mesh as `discretize` takes it, or what it makes without merging
+    degree : int
+        0 for functions; the dimension for densities; on surfaces 1 as well.
+    count : int
+        How many.
+    level : {1, 2}
+        Bounds of order 2 or 4.
+    width : float
+        Warns where (upper - lower) / upper is above it.
+    essential, robin
+        As for `spectrum`, of forms of this degree.
+    conductivity, density : float, array_like, Cochain or callable, optional
+        kappa and rho in -div kappa grad u = lambda rho u.
+    flips : bool
+        Whether edges of surfaces are flipped before, which changes no eigenvalue.
+    linear_solver, eigen_solver : str
+        Names of engines; see `backends`.
+    progress : callable, optional
+        Told what is being done. What it raises ends the work.
+
+    Raises
+    ------
+    InvalidInput
+        For conditions or weights on merged cells, and weights that are not positive.
+    SolverFailure
+        If eigenvalues cannot be had or counted.
+
+    Examples
+    --------
+    >>> import numpy as np, polydec
+    >>> square = polydec.meshes.grid(8, 8)
+    >>> found = polydec.shape_spectrum(square, count=1, essential=True)
+    >>> bool(found.lower[0] <= 2 * np.pi ** 2 <= found.upper[0] and found.widths[0] < 1e-3)
+    True
+    """
+    given = _parts(mesh, essential, robin, conductivity, density, flips)
+    found = _core.shape_spectrum(*given, degree, count, level, width, linear_solver, eigen_solver, progress)
+    return ShapeSpectrum(**{**found, "count": CountBelow(*found["count"])})
+
+
+def count_below(mesh: CellsLike, s: float, *, degree: int = 0, level: int = 2, essential: Any = None,
+                robin: Values | None = None, conductivity: CellNumbers | None = None,
+                density: CellNumbers | None = None, flips: bool = True, linear_solver: str = "auto") -> CountBelow:
+    """How many eigenvalues of the shape lie below s: two bounds, each proved by a count of inertia.
+
+    Parameters
+    ----------
+    s : float
+    mesh, degree, level, essential, robin, conductivity, density, flips, linear_solver
+        As for `shape_spectrum`.
+
+    Examples
+    --------
+    >>> import polydec
+    >>> polydec.count_below(polydec.meshes.grid(8, 8), 25, essential=True)    # 2 pi^2, then 5 pi^2
+    CountBelow(at_least=1, at_most=1)
+    """
+    given = _parts(mesh, essential, robin, conductivity, density, flips)
+    return CountBelow(*_core.count_below(*given, s, degree, level, linear_solver))

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "tools/shape_answer.h"
+
+#include <fmt/format.h>
+
+namespace polydec::tools {
+
+namespace {
+
+std::string count_in_words(const ShapeSpectrum& found, int level) {
+    const auto& [at_least, at_most, too_large, warnings] = found.count;
+    const char* const by = level == 1 ? "linear and Crouzeix-Raviart functions"
+                                      : "quadratic functions and the hybrid method of degree 1";
+    const std::string many = !at_most               ? fmt::format("at least {}", at_least)
+                             : at_least == *at_most ? fmt::format("exactly {}", at_least)
+                                                    : fmt::format("{} to {}", at_least, *at_most);
+    return fmt::format("proved: {} eigenvalues of the shape lie below {:.8g} ({}, {} counts of "
+                       "inertia)",
+                       many, found.count_at, by, found.factorizations);
+}
+
+} // namespace
+
+void ShapeEigenvalues::write(JsonWriter& json) const {
+    json.member("degree", degree);
+    json.object("shape", [&] {
+        json.member("lower", spectrum.lower);
+        json.member("upper", spectrum.upper);
+        json.member("zeros", spectrum.zeros);
+        json.object("count_below", [&] {
+            json.member("s", spectrum.count_at);
+            json.member("at_least", spectrum.count.at_least);
+            json.member("at_most", spectrum.count.at_most);
+        });
+        json.member(dimension == 2 ? "triangles" : "simplices", simplices);
+        json.member("flips", flips);
+        json.member("level", level);
+        json.member("factorizations", spectrum.factorizations);
+    });
+    json.member("conditions", conditions);
+    json.member("seconds", seconds);
+}
+
+void ShapeEigenvalues::write(Text& text) const {
+    text("Laplacian of {} on the shape itself, {} smallest eigenvalues\n"
+         "{} {} after {} flips\n{}\n\n{:>5}  {:>16}  {:>16}  {:>9}\n",
+         degree == 0 ? "functions" : fmt::format("{}-forms", degree), spectrum.upper.size(),
+         simplices, dimension == 2 ? "triangles" : "simplices", flips, conditions, "", "at least",
+         "at most", "width");
+    const Vector wide = widths(spectrum);
+    for (Index i = 0; i < spectrum.upper.size(); ++i)
+        if (i < spectrum.zeros)
+            text("{:>5}  {:>16}  {:>16}  {:>9}\n", i, 0, 0, "exact");
+        else
+            text("{:>5}  {:>16.10g}  {:>16.10g}  {:>9.1e}\n", i, spectrum.lower[i],
+                 spectrum.upper[i], wide[i]);
+    text("\n{}\n{:.2f} s\n", count_in_words(spectrum, level), seconds);
+}
+
+} // namespace polydec::tools

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "shape/shape_spectrum.h"
+#include "tools/answer.h"
+
+#include <string>
+
+namespace polydec::tools {
+
+/// What is told of the spectrum of a shape.
+struct ShapeEigenvalues : Answer {
+    const ShapeSpectrum& spectrum;
+    int degree, level;
+    Index simplices, flips;
+    int dimension;
+    std::string conditions; ///< on the boundary, in words
+    double seconds;
+
+    ShapeEigenvalues(const ShapeSpectrum& found, const ShapeSpectrumOptions& options,
+                     const Shape& shape, Index flipped, std::string words, double took)
+        : spectrum(found),
+          degree(options.degree),
+          level(options.level),
+          simplices(shape.pieces.size(shape.pieces.dimension())),
+          flips(flipped),
+          dimension(shape.pieces.dimension()),
+          conditions(std::move(words)),
+          seconds(took) {}
+    void write(JsonWriter& json) const override;
+    void write(Text& text) const override;
+};
+
+} // namespace polydec::tools
