@@ -191,6 +191,7 @@ PICTURES = {
     "operators": overview.operators,
     "geodesics": overview.geodesics,
     "trust": overview.trust,
+    "what-is-proved": overview.what_is_proved,
     "endings": overview.endings,
     "way_of_the_data": overview.way_of_the_data,
 }

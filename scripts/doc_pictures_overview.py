@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The pictures of pages about the whole, and of docs/geodesics.md, for doc_pictures.py."""
+import math
+
 from doc_drawing import (BLACK, BLUE, GREY, LIGHT_BLUE, LIGHT_GREY, LIGHT_ORANGE, ORANGE, RED,
                          Picture, plus, polar)
 
@@ -110,6 +112,30 @@ def trust():
     box(picture, (17, 25), (step * 5 + width, 44), LIGHT_ORANGE,
         "refused with a reason, or told with a warning: never silent")
     return picture.svg("Six gates between a file and an answer; each may refuse or warn")
+
+
+def what_is_proved():
+    """Widths of enclosures of 2 pi^2 on the unit square, as shape_spectrum gives them, by triangles."""
+    picture = Picture(760, 260)
+    picture.frame(90, 40, 1)
+
+    def place(triangles, width):
+        return (math.log2(triangles / 64) * 95, (math.log10(width) + 6) * 40)
+
+    for power in range(-6, 0):
+        picture.path([(0, (power + 6) * 40), (600, (power + 6) * 40)], LIGHT_GREY, 1)
+        picture.text((0, (power + 6) * 40), f"1e{power}", GREY, 12, "end", (-8, 4))
+    for color, name, widths in ((ORANGE, "level 1: order 2", (5.1e-2, 1.28e-2, 3.21e-3)),
+                                (BLUE, "level 2: order 4", (5.41e-4, 3.28e-5, 2.07e-6))):
+        points = [place(128 * 4 ** i, width) for i, width in enumerate(widths)]
+        picture.path(points, color, 2.5)
+        for i, point in enumerate(points):
+            picture.dot(point, color)
+            picture.text((point[0], 0), str(128 * 4 ** i), GREY, 12, shift=(0, 18))
+        picture.text(points[-1], name, color, 13, "end", (-4, -14))
+    picture.text((300, 0), "triangles", GREY, 12, shift=(0, 34))
+    return picture.svg("Widths of enclosures of the first eigenvalue of the unit square by triangles: of "
+                       "order 2 at level 1, of order 4 at level 2")
 
 
 def endings():

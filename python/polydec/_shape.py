@@ -66,7 +66,8 @@ class ShapeSpectrum:
         return f"ShapeSpectrum({len(self.upper)} values {shown}{', ..' if len(self.upper) > 4 else ''})"
 
 
-def _parts(mesh: CellsLike, essential: Any, robin: Any, conductivity: Any, density: Any, flips: bool) -> Any:
+def _parts(mesh: CellsLike, essential: Any, robin: Any, conductivity: Any, density: Any,
+           flips: bool) -> tuple[_core.Discretization, _core.Conditions | None, _core.CellData, _core.CellData, bool]:
     complex = as_complex(mesh) if isinstance(mesh, Cells) else discretize(mesh, merge=False, star="galerkin")
     assert isinstance(complex, Complex)
     return (complex._mesh, conditions_or_none(complex, essential, robin),
@@ -121,7 +122,8 @@ def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: 
     """
     given = _parts(mesh, essential, robin, conductivity, density, flips)
     found = _core.shape_spectrum(*given, degree, count, level, width, linear_solver, eigen_solver, progress)
-    return ShapeSpectrum(**{**found, "count": CountBelow(*found["count"])})
+    found["count"] = CountBelow(*found["count"])
+    return ShapeSpectrum(**found)
 
 
 def count_below(mesh: CellsLike, s: float, *, degree: int = 0, level: int = 2, essential: Any = None,
