@@ -107,6 +107,7 @@
 #include "meshes/unit_of_length.h"
 #include "meshes/unjoined_boundary.h"
 #include "meshes/weld.h"
+#include "shape/bisection.h"
 #include "shape/count_below.h"
 #include "shape/flipped.h"
 #include "shape/shape.h"

@@ -170,6 +170,9 @@ MUTANTS = {
     "guess_taken_for_a_bound": ("shape/shape_spectrum.cpp", "i = *count; i < options_.count", "i = j; i < options_.count"),
     "too_large_simplices_counted": ("shape/trusted_count.cpp", "above * (1 + 1e-6) < lower.limit()", "above > 0"),
     "errors_of_lengths_forgotten": ("shape/measured_simplex.cpp", "shape.length_error + 8", "8"),
+    "median_of_another_triangle": ("shape/bisection.cpp", "i == omitted ? -0.25L : 0.5L", "i == omitted ? -0.2L : 0.5L"),
+    "conditions_of_parts_lost": ("shape/bisection.cpp", "edges_[edge].error, edges_[edge].parent);", "edges_[edge].error, -1);"),
+    "orientation_of_parts": ("shape/bisection.cpp", "replaced == 1 ? -whole.orientation", "replaced == 3 ? -whole.orientation"),
     # solvers/
     "forces_of_another_power": ("solvers/flow/stokes.cpp", 'of.in_unit(force.values, n, "forces")',
                                 'of.in_unit(force.values, n - 1, "forces")'),

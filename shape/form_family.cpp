@@ -186,6 +186,37 @@ CountedMatrix FormFamily::sum(const Factors& factors, double s) const {
     return result;
 }
 
+Vector FormFamily::local_values(const Factors& factors, double s, const DenseMatrix& X) const {
+    const auto simplices = static_cast<Index>(reach_.size());
+    const std::size_t entries = std::size_t(width_) * width_;
+    Vector result(simplices);
+    const auto sum = [&](const Factors& of, Index t) {
+        const auto each = of(s, s * reach_[t]);
+        DenseMatrix Q = DenseMatrix::Zero(width_, width_);
+        for (Index p = 0; p < parts_; ++p)
+            Q += each[p] *
+                 Eigen::Map<const DenseMatrix>(
+                     values_.data() + entries * (std::size_t(parts_) * t + p), width_, width_);
+        return Q;
+    };
+    for (Index t = 0; t < simplices; ++t) {
+        DenseMatrix Y = DenseMatrix::Zero(width_, X.cols());
+        for (Index i = 0; i < width_; ++i) {
+            const std::size_t at = std::size_t(width_) * t + i;
+            if (unknowns_[at] >= 0)
+                Y.row(i) = signs_[at] * X.row(unknowns_[at]);
+        }
+        if (!cells_.empty()) {
+            const Vector coupling = sum(factors_, t) * cells_[t].column;
+            const double pivot = cells_[t].column.dot(coupling) - s * cells_[t].mass;
+            const Eigen::RowVectorXd u = coupling.transpose() * Y / pivot;
+            Y -= cells_[t].column * u;
+        }
+        result[t] = (Y.transpose() * sum(factors, t) * Y).trace();
+    }
+    return result;
+}
+
 std::optional<Index> negative_eigenvalues(const FormFamily& family, double s,
                                           const std::string& engine, int domain_dimension) {
     CountedMatrix at = family.at(s);

@@ -60,6 +60,10 @@ public:
     /// The same with other factors.
     CountedMatrix sum(const Factors& factors, double s) const;
 
+    /// What each simplex has of the sum of parts with these factors, summed over the columns of X;
+    /// unknowns of cells are those that make Q(s) stationary.
+    Vector local_values(const Factors& factors, double s, const DenseMatrix& X) const;
+
 private:
     struct Cell {
         Vector column;

@@ -63,12 +63,12 @@ bool rotate(const FormFamily& family, DenseMatrix& X, Vector& values, DenseMatri
 
 } // namespace
 
-Vector lower_guesses(const FormFamily& family, DenseMatrix X, const Vector& given,
-                     const std::string& engine, int domain_dimension) {
+LowerGuesses lower_guesses(const FormFamily& family, DenseMatrix X, const Vector& given,
+                           const std::string& engine, int domain_dimension) {
     Vector values = given;
     DenseMatrix residuals;
     if (!rotate(family, X, values, residuals) || !rotate(family, X, values, residuals))
-        return given;
+        return {given, X};
     // errors are of functions far above; in between, so that none of these is blown up
     const double shift = std::min(0.7 * values.maxCoeff(), 0.9 * family.limit());
     MatrixFacts facts;
@@ -78,20 +78,21 @@ Vector lower_guesses(const FormFamily& family, DenseMatrix X, const Vector& give
     facts.domain_dimension = domain_dimension;
     const auto solver = make_linear_solver(engine);
     Vector better = values;
+    LowerGuesses best{values, X};
     try {
         solver->factorize(family.at(shift).matrix, facts);
         for (int step = 0; step < 2; ++step) {
             X -= solver->solve(residuals);
             if (!X.allFinite() || !rotate(family, X, better, residuals))
-                return values;
-            values = better;
+                return best;
+            best = {better, X};
         }
     } catch (const OutOfMemory&) {
         throw;
     } catch (const SolverFailure&) {
-        return values;
+        return best;
     }
-    return values;
+    return best;
 }
 
 } // namespace polydec

@@ -71,6 +71,7 @@ ShapeSpectrum one_form_spectrum(const Shape& shape, const ShapeSpectrumOptions& 
     result.upper = merged(functions.upper, functions.zeros, densities.upper, densities.zeros,
                           result.zeros, options.count);
     result.factorizations = functions.factorizations + densities.factorizations + 2;
+    result.simplices = std::max(functions.simplices, densities.simplices);
     result.count_at = std::min(functions.count_at, densities.count_at);
     result.count = one_form_count(shape, result.count_at,
                                   {.level = options.level, .linear_solver = options.linear_solver});

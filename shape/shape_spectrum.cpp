@@ -4,6 +4,8 @@
 #include "backends/spectra/certified_eigensolver.h"
 #include "base/errors.h"
 #include "dec/metric/simplex_geometry.h"
+#include "shape/bisection.h"
+#include "shape/flipped.h"
 #include "shape/lower_guesses.h"
 #include "shape/one_forms.h"
 #include "shape/trusted_count.h"
@@ -13,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace polydec {
@@ -30,14 +33,26 @@ public:
         result_.zeros = std::min(zero_eigenvalues(shape), options.count);
     }
 
-    ShapeSpectrum enclose() {
+    /// Simplices that are too large for good lower bounds.
+    std::vector<Index> coarse() {
         find_upper();
+        constexpr double most = 0.3; // of s C^2
+        return lower_.beyond(result_.upper[options_.count - 1] / (ratio_ * most));
+    }
+
+    /// After coarse().
+    ShapeSpectrum enclose() {
         take_modes();
         prove_lower();
         count_all();
         warn();
-        return std::move(result_);
+        result_.simplices = shape_.pieces.size(dimension());
+        return result_;
     }
+
+    /// The simplices that make enclosures wide: a share of their indicators is that of all. After
+    /// enclose().
+    std::vector<Index> marked() const;
 
 private:
     void tell(std::string_view what) const {
@@ -60,6 +75,7 @@ private:
     ConformingForm conforming_;
     FormFamily lower_;
     CertifiedEigenpairs pairs_;
+    LowerGuesses guessed_;
     std::vector<std::pair<double, Index>> counts_; // s, and at most so many below
     ShapeSpectrum result_;
 };
@@ -151,8 +167,9 @@ void Enclosing::prove_lower() {
     const Index count = options_.count;
     result_.lower = Vector::Zero(count);
     const DenseMatrix moments = facet_moments(shape_, options_.level, conforming_, pairs_.vectors);
-    const Vector guesses =
+    guessed_ =
         lower_guesses(lower_, moments, result_.upper * ratio_, options_.linear_solver, dimension());
+    const Vector& guesses = guessed_.values;
     constexpr double cluster = 1e-2; // of the width
     for (Index j = count - 1; j >= result_.zeros; --j) {
         const double width = cluster * (result_.upper[j] - guesses[j]);
@@ -177,6 +194,27 @@ void Enclosing::count_all() {
     result_.factorizations += result_.count.at_most ? 2 : 1;
 }
 
+std::vector<Index> Enclosing::marked() const {
+    // the gradient that no quadratic function has, and the doubt of the mass
+    const auto factors = [](double s, double) { return std::vector<double>{0, 1, 0, 2 * s * s}; };
+    Vector indicators = Vector::Zero(shape_.pieces.size(dimension()));
+    for (Index j = result_.zeros; j < options_.count; ++j) {
+        const double s = guessed_.values[j];
+        indicators += lower_.local_values(factors, s, guessed_.vectors.col(j)) / s;
+    }
+    std::vector<Index> order(indicators.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return indicators[a] > indicators[b]; });
+    constexpr double bulk = 0.5; // Doerfler 1996
+    double rest = bulk * indicators.sum();
+    std::size_t count = 0;
+    while (count < order.size() && rest > 0)
+        rest -= indicators[order[count++]];
+    order.resize(count);
+    return order;
+}
+
 void Enclosing::warn() {
     const double top = result_.upper[options_.count - 1] / ratio_;
     if (const auto too_large = lower_.beyond(top); !too_large.empty())
@@ -188,6 +226,28 @@ void Enclosing::warn() {
             fmt::format("{} of {} enclosures are wider than the share of {:.3g} that is asked for, "
                         "the widest {:.3g}: refine the mesh",
                         rough, options_.count, options_.width, wide.maxCoeff()));
+}
+
+/// On the shape as it is, or on triangles bisected until all is as narrow as asked for.
+ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
+    const Index vertices = shape.pieces.size(0), triangles = shape.pieces.size(2);
+    for (;;) {
+        Enclosing enclosing(shape, options);
+        const bool may_refine = shape.pieces.size(2) < options.max_triangles;
+        auto marked = enclosing.coarse();
+        if (!may_refine || marked.empty()) {
+            ShapeSpectrum result = enclosing.enclose();
+            if (!may_refine || widths(result).maxCoeff() <= options.width) {
+                if (shape.pieces.size(2) > triangles) {
+                    result.modes = DenseMatrix(result.modes.topRows(vertices));
+                    result.edge_modes = {};
+                }
+                return result;
+            }
+            marked = enclosing.marked();
+        }
+        shape = flipped(bisected(shape, marked)).shape;
+    }
 }
 
 } // namespace
@@ -204,7 +264,11 @@ ShapeSpectrum shape_spectrum(const Shape& shape, const ShapeSpectrumOptions& opt
     if (are_one_forms(shape, options.degree))
         return one_form_spectrum(shape, options);
     const Shape of = options.degree == 0 ? shape : top_forms(shape);
-    return Enclosing(of, options).enclose();
+    if (options.max_triangles > 0 && (shape.pieces.dimension() != 2 || options.level != 2))
+        throw InvalidInput(fmt::format("triangles are bisected up to {}: expected a surface, at "
+                                       "level 2",
+                                       options.max_triangles));
+    return enclosed(of, options);
 }
 
 Vector widths(const ShapeSpectrum& spectrum) {

@@ -19,6 +19,9 @@ struct ShapeSpectrumOptions {
     Index count = 10;
     int level = 2;    ///< 1 or 2, see CountOptions
     double width = 0; ///< (upper - lower) / upper above which results warn; 0: none is asked for
+    /// Triangles of surfaces at level 2 may be bisected up to so many, where enclosures are wider
+    /// than `width`; 0: none are.
+    Index max_triangles = 0;
     std::string linear_solver = "auto";
     std::string eigen_solver = "auto";
     std::function<void(std::string_view)> progress = {}; ///< told what is being done, at each step
@@ -35,10 +38,12 @@ struct ShapeSpectrum {
     CountBelow count;
     /// Columns: approximate eigenfunctions, of norm 1 by b, at the vertices of the pieces, and for
     /// level 2 at the midpoints of the edges, between which they are quadratic. Twisted ones are
-    /// given as one simplex at the point sees them. None for 1-forms.
+    /// given as one simplex at the point sees them. None for 1-forms; at vertices alone where
+    /// triangles were bisected.
     DenseMatrix modes;
     DenseMatrix edge_modes;
     Index factorizations = 0; ///< for counts
+    Index simplices = 0;      ///< that the enclosures were found on
     std::vector<std::string> warnings = {};
 };
 
@@ -48,7 +53,8 @@ struct ShapeSpectrum {
 /// none succeeds it is that of the eigenvalue before, with a warning. Lengths may be off by the
 /// length_error of the shape. Proofs: docs/what-is-proved.md. Throws InvalidInput for a count
 /// below 1 or above the number of functions there are, another level or degree, a negative width,
-/// and shapes that check refuses; SolverFailure if the upper bounds cannot be had.
+/// bisection at level 1 or in another dimension, and shapes that check refuses; SolverFailure if
+/// the upper bounds cannot be had.
 ShapeSpectrum shape_spectrum(const Shape& shape, const ShapeSpectrumOptions& options = {});
 
 /// (upper - lower) / upper, 0 for eigenvalues known to be 0.

@@ -32,7 +32,7 @@ void ShapeEigenvalues::write(JsonWriter& json) const {
             json.member("at_least", spectrum.count.at_least);
             json.member("at_most", spectrum.count.at_most);
         });
-        json.member(dimension == 2 ? "triangles" : "simplices", simplices);
+        json.member(dimension == 2 ? "triangles" : "simplices", spectrum.simplices);
         json.member("flips", flips);
         json.member("level", level);
         json.member("factorizations", spectrum.factorizations);
@@ -45,8 +45,8 @@ void ShapeEigenvalues::write(Text& text) const {
     text("Laplacian of {} on the shape itself, {} smallest eigenvalues\n"
          "{} {} after {} flips\n{}\n\n{:>5}  {:>16}  {:>16}  {:>9}\n",
          degree == 0 ? "functions" : fmt::format("{}-forms", degree), spectrum.upper.size(),
-         simplices, dimension == 2 ? "triangles" : "simplices", flips, conditions, "", "at least",
-         "at most", "width");
+         spectrum.simplices, dimension == 2 ? "triangles" : "simplices", flips, conditions, "",
+         "at least", "at most", "width");
     const Vector wide = widths(spectrum);
     for (Index i = 0; i < spectrum.upper.size(); ++i)
         if (i < spectrum.zeros)

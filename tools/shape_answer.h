@@ -12,7 +12,7 @@ namespace polydec::tools {
 struct ShapeEigenvalues : Answer {
     const ShapeSpectrum& spectrum;
     int degree, level;
-    Index simplices, flips;
+    Index flips;
     int dimension;
     std::string conditions; ///< on the boundary, in words
     double seconds;
@@ -22,7 +22,6 @@ struct ShapeEigenvalues : Answer {
         : spectrum(found),
           degree(options.degree),
           level(options.level),
-          simplices(shape.pieces.size(shape.pieces.dimension())),
           flips(flipped),
           dimension(shape.pieces.dimension()),
           conditions(std::move(words)),

@@ -177,7 +177,8 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
     });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
     log.warn(found.warnings);
-    tell(ShapeEigenvalues(found, options, shape.shape, shape.flips,
+    const Index before = mesh.passage().is_identity() ? 0 : mesh.passage().flips().statistics.flips;
+    tell(ShapeEigenvalues(found, options, shape.shape, before + shape.flips,
                           in_words(boundary, mesh.complex(), options.degree), seconds.count()),
          log, arguments.mesh.tell);
 }
@@ -205,6 +206,12 @@ void add_shape(CLI::App& command, SpectrumArguments& arguments, CLI::Option* sid
     command
         .add_option("--width", arguments.shape.width,
                     "of the shape: warn where (at most - at least) / at most is above this")
+        ->needs(of_shape);
+    command
+        .add_option("--max-triangles", arguments.shape.max_triangles,
+                    "of the shape: bisect triangles of a surface where widths are above\n"
+                    "--width, up to so many (0: none)")
+        ->capture_default_str()
         ->needs(of_shape);
 }
 

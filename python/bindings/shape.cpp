@@ -20,7 +20,7 @@ FlippedShape shape_from(const Discretization& mesh, const GivenConditions& condi
 
 py::dict shape_spectrum_of(const Discretization& mesh, const GivenConditions& conditions,
                            const CellData& conductivity, const CellData& density, bool flips,
-                           int degree, Index count, int level, double width,
+                           int degree, Index count, int level, double width, Index max_triangles,
                            const std::string& linear_solver, const std::string& eigen_solver,
                            const py::object& progress) {
     ShapeSpectrumOptions options;
@@ -28,15 +28,14 @@ py::dict shape_spectrum_of(const Discretization& mesh, const GivenConditions& co
     options.count = count;
     options.level = level;
     options.width = width;
+    options.max_triangles = max_triangles;
     options.linear_solver = linear_solver;
     options.eigen_solver = eigen_solver;
     options.progress = listener(progress);
     Index flip_count = 0;
-    Index simplices = 0;
     ShapeSpectrum found = unlocked([&] {
         const auto shape = shape_from(mesh, conditions, conductivity, density, flips);
         flip_count = shape.flips;
-        simplices = shape.shape.pieces.size(mesh.dimension());
         return shape_spectrum(shape.shape, options);
     });
     warn(found.warnings);
@@ -45,7 +44,7 @@ py::dict shape_spectrum_of(const Discretization& mesh, const GivenConditions& co
                     py::arg("zeros") = found.zeros, py::arg("count_at") = found.count_at,
                     py::arg("count") = py::make_tuple(found.count.at_least, found.count.at_most),
                     py::arg("modes") = array(std::move(found.modes)),
-                    py::arg("simplices") = simplices, py::arg("flips") = flip_count,
+                    py::arg("simplices") = found.simplices, py::arg("flips") = flip_count,
                     py::arg("factorizations") = found.factorizations);
 }
 

@@ -392,7 +392,7 @@ def smallest_eigenpairs(A: MatrixParts, M: Floats | MatrixParts, count: int, cer
                         progress: _Progress) -> dict[str, Any]: ...
 def shape_spectrum(mesh: Discretization, conditions: Conditions | None, conductivity: CellData,
                    density: CellData, flips: bool, degree: int, count: int, level: int,
-                   width: float, linear_solver: str, eigen_solver: str,
+                   width: float, max_triangles: int, linear_solver: str, eigen_solver: str,
                    progress: _Progress) -> dict[str, Any]: ...
 def count_below(mesh: Discretization, conditions: Conditions | None, conductivity: CellData,
                 density: CellData, flips: bool, s: float, degree: int, level: int,

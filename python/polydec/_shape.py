@@ -75,6 +75,7 @@ def _parts(mesh: CellsLike, essential: Any, robin: Any, conductivity: Any, densi
 
 
 def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: int = 2, width: float = 0.0,
+                   max_triangles: int = 0,
                    essential: Any = None, robin: Values | None = None, conductivity: CellNumbers | None = None,
                    density: CellNumbers | None = None, flips: bool = True, linear_solver: str = "auto",
                    eigen_solver: str = "auto", progress: Progress | None = None) -> ShapeSpectrum:
@@ -94,6 +95,8 @@ def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: 
         Bounds of order 2 or 4.
     width : float
         Warns where (upper - lower) / upper is above it.
+    max_triangles : int
+        Triangles of surfaces are bisected up to so many, at level 2, where widths are above `width`.
     essential, robin
         As for `spectrum`, of forms of this degree.
     conductivity, density : float, array_like, Cochain or callable, optional
@@ -121,7 +124,7 @@ def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: 
     True
     """
     given = _parts(mesh, essential, robin, conductivity, density, flips)
-    found = _core.shape_spectrum(*given, degree, count, level, width, linear_solver, eigen_solver, progress)
+    found = _core.shape_spectrum(*given, degree, count, level, width, max_triangles, linear_solver, eigen_solver, progress)
     found["count"] = CountBelow(*found["count"])
     return ShapeSpectrum(**found)
 

@@ -128,6 +128,8 @@ def test_shapes_are_enclosed():
     assert free.lower[1] <= np.pi ** 2 / 4 <= free.upper[1]
     two = np.repeat([1.0, 10.0], 36)[np.argsort(np.argsort(np.arange(72)))]
     assert polydec.shape_spectrum(grid, count=2, density=two, flips=False).upper[1] < np.pi ** 2
+    fine = polydec.shape_spectrum(grid, count=2, width=1e-5, max_triangles=2000)
+    assert fine.widths.max() <= 1e-5 and fine.simplices > 72 and len(fine.modes) == 49
     forms = polydec.shape_spectrum(grid, degree=1, count=2)
     assert (forms.lower <= np.pi ** 2).all() and (forms.upper >= np.pi ** 2).all()
     assert polydec.count_below(grid, 25, essential=True) == (1, 1)
