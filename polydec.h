@@ -109,6 +109,7 @@
 #include "meshes/weld.h"
 #include "shape/bisection.h"
 #include "shape/count_below.h"
+#include "shape/exact_distance.h"
 #include "shape/flipped.h"
 #include "shape/shape.h"
 #include "shape/shape_spectrum.h"

@@ -3,8 +3,8 @@
 
 #include "base/errors.h"
 #include "complex/surfaces/corner_fan.h"
+#include "dec/metric/side_lengths.h"
 #include "dec/metric/triangle.h"
-#include "dec/surfaces/side_lengths.h"
 
 #include <fmt/format.h>
 

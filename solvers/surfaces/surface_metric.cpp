@@ -3,8 +3,8 @@
 
 #include "backends/registry.h"
 #include "complex/disjoint_sets.h"
+#include "dec/metric/side_lengths.h"
 #include "dec/metric/triangle.h"
-#include "dec/surfaces/side_lengths.h"
 
 #include <fmt/format.h>
 

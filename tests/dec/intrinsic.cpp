@@ -5,7 +5,7 @@
 #include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
 #include "dec/metric/circumcentric_volumes.h"
-#include "dec/surfaces/side_lengths.h"
+#include "dec/metric/side_lengths.h"
 #include "meshes/generate.h"
 #include "tests/support/families.h"
 #include "tests/support/glued.h"

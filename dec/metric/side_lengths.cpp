@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/surfaces/side_lengths.h"
+#include "dec/metric/side_lengths.h"
 
 #include "base/errors.h"
 #include "dec/metric/triangle.h"

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "shape/sources.h"
+
+#include "base/errors.h"
+#include "complex/disjoint_sets.h"
+
+#include <fmt/format.h>
+
+namespace polydec {
+
+void check_sources(const Triangles& surface, std::span<const Index> sources) {
+    DisjointSets sets(surface.vertices());
+    for (Index h = 0; h < 3 * surface.triangles(); ++h)
+        sets.join(surface.tail(h), surface.head(h));
+    std::vector<bool> reached(std::size_t(surface.vertices()), false);
+    for (const Index v : sources) {
+        if (v < 0 || v >= surface.vertices())
+            throw InvalidInput(fmt::format("vertex {} is given as a source: expected one of 0 to "
+                                           "{}",
+                                           v, surface.vertices() - 1),
+                               {.vertices = {v}});
+        reached[sets.find(v).element] = true;
+    }
+    for (Index v = 0; v < surface.vertices(); ++v)
+        if (!reached[sets.find(v).element])
+            throw InvalidInput(fmt::format("no source is connected to vertex {}: give every "
+                                           "component of the surface a source",
+                                           v),
+                               {.vertices = {v}});
+}
+
+} // namespace polydec

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "shape/unfolded_triangles.h"
+
+#include "complex/disjoint_sets.h"
+#include "dec/metric/side_lengths.h"
+#include "dec/metric/triangle.h"
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace polydec {
+
+namespace {
+
+/// The half-edges, sorted by a number that each has, and where each number begins.
+template <class Number>
+void group(Index halfedges, Index numbers, Number number, std::vector<Index>& begins,
+           std::vector<Index>& members) {
+    begins.assign(std::size_t(numbers) + 1, 0);
+    for (Index h = 0; h < halfedges; ++h)
+        ++begins[number(h) + 1];
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    members.resize(halfedges);
+    std::vector<Index> next(begins.begin(), begins.end() - 1);
+    for (Index h = 0; h < halfedges; ++h)
+        members[next[number(h)]++] = h;
+}
+
+} // namespace
+
+UnfoldedTriangles::UnfoldedTriangles(const Triangles& surface, const Vector& lengths) {
+    check_lengths(surface, lengths);
+    const Index halfedges = 3 * surface.triangles();
+    if (halfedges > 0)
+        unit_ = std::exp2(std::ilogb(lengths.maxCoeff()));
+    sides_.reserve(halfedges);
+    for (Index h = 0; h < halfedges; ++h) {
+        const auto length = [&](Index side) { return lengths[surface.edge(side)] / unit_; };
+        const double a = length(surface.next(h)), b = length(surface.previous(h)), c = length(h);
+        const double area = triangle_area(a, b, c);
+        sides_.push_back({c, (c * c + (b - a) * (b + a)) / (2 * b * c), 2 * area / (b * c),
+                          surface.tail(h), surface.edge(h), surface.sign(h)});
+    }
+    group(
+        halfedges, surface.edges(), [&](Index h) { return surface.edge(h); }, side_begins_,
+        sides_of_);
+    group(
+        halfedges, surface.vertices(), [&](Index h) { return surface.tail(h); }, corner_begins_,
+        corners_of_);
+    find_bends(surface);
+}
+
+void UnfoldedTriangles::find_bends(const Triangles& surface) {
+    // the link of a vertex: its corners join the ends of edges there
+    const auto end = [&](Index h, bool tail) {
+        return 2 * surface.edge(h) + ((surface.sign(h) > 0) == tail ? 0 : 1);
+    };
+    DisjointSets ends(2 * surface.edges());
+    for (Index h = 0; h < 3 * surface.triangles(); ++h)
+        ends.join(end(h, true), end(surface.previous(h), false));
+
+    constexpr double rounding = 1e-12;
+    may_bend_.assign(surface.vertices(), false);
+    for (Index v = 0; v < surface.vertices(); ++v) {
+        double angles = 0;
+        Index free_ends = 0;
+        bool is_simple = true;
+        for (const Index h : corners_of(v)) {
+            angles += std::atan2(sides_[h].sine, sides_[h].cosine);
+            is_simple &= ends.find(end(h, true)).element ==
+                         ends.find(end(corners_of(v).front(), true)).element;
+            for (const Index side : {h, surface.previous(h)}) {
+                const auto count = sides_of(surface.edge(side)).size();
+                is_simple &= count <= 2;
+                free_ends += count == 1;
+            }
+        }
+        const double most = free_ends == 0 ? 2 * std::numbers::pi : std::numbers::pi;
+        may_bend_[v] = !is_simple || angles > most * (1 + rounding);
+    }
+}
+
+} // namespace polydec

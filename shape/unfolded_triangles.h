@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/surfaces/glued_surface.h"
+
+#include <span>
+#include <vector>
+
+namespace polydec {
+
+/// A surface as straight lines see it that run from triangle to triangle: each triangle in a plane
+/// of its own, by lengths alone.
+class UnfoldedTriangles {
+public:
+    /// A side of a triangle, with the angle at its tail.
+    struct Side {
+        double length, cosine, sine;
+        Index tail, edge;
+        int sign;
+    };
+
+    /// Throws InvalidInput, naming edge or triangle, for lengths that are none of triangles with
+    /// area.
+    UnfoldedTriangles(const Triangles& surface, const Vector& lengths);
+
+    Index vertices() const { return static_cast<Index>(may_bend_.size()); }
+    Index triangles() const { return static_cast<Index>(sides_.size() / 3); }
+    Index edges() const { return static_cast<Index>(side_begins_.size()) - 1; }
+
+    /// What the lengths below are measured in: a power of 2 near the longest edge.
+    double unit() const { return unit_; }
+
+    const Side& side(Index halfedge) const { return sides_[halfedge]; }
+
+    /// The half-edges of an edge, one for each triangle there.
+    std::span<const Index> sides_of(Index edge) const {
+        return {sides_of_.data() + side_begins_[edge], sides_of_.data() + side_begins_[edge + 1]};
+    }
+
+    /// The corners at a vertex, each as the half-edge whose tail it is.
+    std::span<const Index> corners_of(Index vertex) const {
+        return {corners_of_.data() + corner_begins_[vertex],
+                corners_of_.data() + corner_begins_[vertex + 1]};
+    }
+
+    /// Whether a shortest path may bend at a vertex: unless the triangles around it are one circle
+    /// with angles of 2 pi at most, or one fan with pi at most.
+    bool may_bend(Index vertex) const { return may_bend_[vertex]; }
+
+private:
+    void find_bends(const Triangles& surface);
+
+    double unit_ = 1;
+    std::vector<Side> sides_;
+    std::vector<Index> side_begins_, sides_of_, corner_begins_, corners_of_;
+    std::vector<bool> may_bend_;
+};
+
+} // namespace polydec

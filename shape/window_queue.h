@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/index.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace polydec {
+
+/// The points of a side of a triangle that one place sees along straight lines, through the
+/// triangles that these cross, and the triangle behind the side. The side runs along the first axis
+/// of a plane from its tail at 0, the triangle is above it and the place below.
+struct Window {
+    double begin, end;   ///< along the side
+    double along, below; ///< the place is at (along, -below)
+    double offset;       ///< distance of the place
+    Index side;          ///< half-edge of the triangle behind; or -1 - v, for vertex v itself
+    Index turns;         ///< how often in a row it turned around the tail, or minus: the head
+    bool has_branched;   ///< whether it crossed an edge of three or more triangles
+    std::uint32_t key;   ///< of the queue
+};
+
+/// Windows, taken by ascending distance, as far as 12 binary digits tell: the order matters for
+/// speed alone, and a coarser one is faster. A window that comes too late counts as one of the
+/// last distance taken.
+/// Source: Ahuja, Mehlhorn, Orlin, Tarjan, Faster algorithms for the shortest path problem, J. ACM
+/// 37, 1990 (radix heap).
+class WindowQueue {
+public:
+    bool is_empty() const { return size_ == 0; }
+    std::size_t size() const { return size_; }
+
+    /// The distance is not negative.
+    void push(Window window, double distance) {
+        const auto digits = std::bit_cast<std::uint32_t>(static_cast<float>(distance));
+        window.key = std::max(digits >> dropped_digits, last_);
+        shelf(window.key).push_back(window);
+        ++size_;
+    }
+
+    /// There must be one.
+    Window pop() {
+        if (shelves_[0].empty())
+            sort_next();
+        const Window window = shelves_[0].back();
+        shelves_[0].pop_back();
+        --size_;
+        return window;
+    }
+
+private:
+    static constexpr int dropped_digits = 12; // of the 24 of a float
+
+    std::vector<Window>& shelf(std::uint32_t key) { return shelves_[std::bit_width(key ^ last_)]; }
+
+    /// Moves the windows of the first shelf that has some to those before it.
+    void sort_next() {
+        const auto first = std::find_if(shelves_.begin(), shelves_.end(),
+                                        [](const auto& some) { return !some.empty(); });
+        const auto by_key = [](const Window& a, const Window& b) { return a.key < b.key; };
+        last_ = std::min_element(first->begin(), first->end(), by_key)->key;
+        for (const Window& window : *first)
+            shelf(window.key).push_back(window);
+        first->clear();
+    }
+
+    std::array<std::vector<Window>, 33> shelves_; // by the highest bit that differs from the last
+    std::uint32_t last_ = 0;
+    std::size_t size_ = 0;
+};
+
+} // namespace polydec

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+#include "shape/exact_distance.h"
+
+#include "dec/surfaces/intrinsic_delaunay.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "tests/shape/shapes.h"
+#include "tests/solvers/glued_samples.h"
+#include "tests/support/families.h"
+#include "tests/support/refusal.h"
+#include "tests/support/says.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace polydec::test::in_exact_distance {
+namespace {
+
+Vector from(const Shape& shape, std::vector<Index> sources) {
+    return exact_distance(shape.surface, shape.lengths, sources);
+}
+
+Vector from(const GluedSample& sample, std::vector<Index> sources) {
+    return exact_distance(sample.surface, sample.lengths, sources);
+}
+
+/// Points in the plane and their distances from all images of another one, the least.
+double from_images(const Eigen::Vector2d& x, const std::vector<Eigen::Vector2d>& images) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& image : images)
+        least = std::min(least, (x - image).norm());
+    return least;
+}
+
+TEST(ExactDistance, on_flat_tori_is_the_shortest_to_an_image) {
+    for (const Index n : {1, 2, 3, 7, 12})
+        for (const Closing closing : {Closing::torus, Closing::klein_bottle}) {
+            const auto torus = flat(n, closing);
+            const Index source = n * n / 3;
+            const Vector d = from(torus, {source});
+            std::vector<Eigen::Vector2d> images;
+            for (int i = -2; i <= 2; ++i)
+                for (int j = -2; j <= 2; ++j) {
+                    const bool turns = closing == Closing::klein_bottle && i % 2 != 0;
+                    images.emplace_back(torus.points(source, 0) + i,
+                                        (turns ? -1 : 1) * torus.points(source, 1) + j);
+                }
+            for (Index v = 0; v < d.size(); ++v)
+                EXPECT_NEAR(d[v], from_images(torus.points.row(v).transpose(), images), 1e-14);
+        }
+}
+
+TEST(ExactDistance, between_opposite_corners_of_a_cube_is_the_root_of_5) {
+    for (const int n : {1, 2, 5}) {
+        const Mesh mesh = cube(n);
+        const Shape shape = test::shape(mesh);
+        Index corner = -1, opposite = -1;
+        for (Index v = 0; v < shape.surface.vertices(); ++v) {
+            const auto point = mesh.points.row(shape.vertices[v]);
+            corner = point.maxCoeff() < 1e-12 ? v : corner;
+            opposite = point.minCoeff() > 1 - 1e-12 ? v : opposite;
+        }
+        EXPECT_NEAR(from(shape, {corner})[opposite], std::sqrt(5.0), 1e-14) << n;
+    }
+}
+
+/// The plane folded onto a regular tetrahedron by half turns about the points of a lattice.
+TEST(ExactDistance, on_the_regular_tetrahedron_is_that_in_the_plane_folded_onto_it) {
+    const Eigen::Vector2d a(1, 0), b(0.5, std::sqrt(0.75));
+    const std::array<Eigen::Vector3d, 4> apexes{
+        Eigen::Vector3d(1, 1, 1) / std::sqrt(8.0), Eigen::Vector3d(1, -1, -1) / std::sqrt(8.0),
+        Eigen::Vector3d(-1, 1, -1) / std::sqrt(8.0), Eigen::Vector3d(-1, -1, 1) / std::sqrt(8.0)};
+    // where the corners of the four faces lie in the plane; equal apexes differ by 2 lattice steps
+    const std::vector<std::array<int, 3>> faces{{0, 1, 2}, {1, 3, 2}, {1, 0, 3}, {2, 3, 0}};
+    const std::vector<std::array<Eigen::Vector2d, 3>> places{
+        {Eigen::Vector2d::Zero(), a, b}, {a, a + b, b}, {a, 2 * a, a + b}, {b, a + b, 2 * b}};
+    const int n = 6;
+    std::vector<Eigen::Matrix3d> triangles, flat;
+    for (std::size_t f = 0; f < 4; ++f) {
+        Eigen::Matrix3d corners, placed = Eigen::Matrix3d::Zero();
+        for (int i = 0; i < 3; ++i) {
+            corners.col(i) = apexes[faces[f][i]];
+            placed.col(i).head<2>() = places[f][i];
+        }
+        triangles.push_back(corners), flat.push_back(placed);
+    }
+    const Mesh mesh = divided(triangles, n), plane = divided(flat, n);
+    const Shape shape = test::shape(mesh);
+    // some place of each vertex: the triangles of both have the same order
+    std::vector<Eigen::Vector2d> place(std::size_t(mesh.points.rows()));
+    for (Index t = 0; t < mesh.simplices.rows(); ++t)
+        for (int i = 0; i < 3; ++i)
+            place[mesh.simplices(t, i)] =
+                plane.points.row(plane.simplices(t, i)).head<2>().transpose();
+    for (Index source = 0; source < shape.surface.vertices(); source += 5) {
+        std::vector<Eigen::Vector2d> images;
+        for (int i = -4; i <= 4; ++i)
+            for (int j = -4; j <= 4; ++j)
+                for (const int sign : {1, -1})
+                    images.push_back(sign * place[shape.vertices[source]] + 2 * i * a + 2 * j * b);
+        const Vector d = from(shape, {source});
+        for (Index v = 0; v < d.size(); ++v)
+            EXPECT_NEAR(d[v], from_images(place[shape.vertices[v]], images), 1e-13);
+    }
+}
+
+TEST(ExactDistance, on_cones_is_straight_or_through_the_tip) {
+    constexpr double pi = std::numbers::pi;
+    constexpr Index sectors = 12, rings = 5;
+    for (const double angle : {0.01, 1.0, pi, 1.9 * pi, 2 * pi, 2.1 * pi, 3 * pi, 7 * pi}) {
+        const Shape shape = cone(angle, sectors, rings);
+        for (const Index source : {Index(0), Index(1 + 2 * sectors), 4 * sectors}) {
+            const Vector d = from(shape, {source});
+            const auto radius = [](Index v) { return v == 0 ? 0 : 1 + (v - 1) / sectors; };
+            for (Index v = 0; v < d.size(); ++v) {
+                const Index steps = std::abs((v - 1) % sectors - (source - 1) % sectors);
+                const double between =
+                    double(std::min(steps, sectors - steps)) * angle / double(sectors);
+                const double r = double(radius(v)), s = double(radius(source));
+                const double exact =
+                    between >= pi ? r + s
+                                  : std::hypot(r - s, 2 * std::sin(between / 2) * std::sqrt(r * s));
+                EXPECT_NEAR(d[v], exact, 1e-13) << angle << " " << source << " " << v;
+            }
+        }
+    }
+}
+
+TEST(ExactDistance, crosses_the_spine_of_a_book_straight_into_every_page) {
+    constexpr int n = 4;
+    std::vector<Eigen::Matrix3d> pages;
+    std::vector<Eigen::Vector3d> outward;
+    for (const double angle : {0.1, 1.5, 4.0, 5.0}) {
+        outward.emplace_back(std::cos(angle), std::sin(angle), 0);
+        add_parallelogram(pages, Eigen::Vector3d::Zero(), outward.back(), Eigen::Vector3d::UnitZ());
+    }
+    const Mesh mesh = divided(pages, n);
+    const Shape shape = test::shape(mesh);
+    for (Index source = 0; source < shape.surface.vertices(); source += 7) {
+        const Vector d = from(shape, {source});
+        const Eigen::Vector3d p = mesh.points.row(shape.vertices[source]).transpose();
+        for (Index v = 0; v < d.size(); ++v) {
+            const Eigen::Vector3d q = mesh.points.row(shape.vertices[v]).transpose();
+            const double r = p.head<2>().norm(), s = q.head<2>().norm();
+            const bool same_page = (s * p.head<2>() - r * q.head<2>()).norm() < 1e-12;
+            EXPECT_NEAR(d[v], std::hypot(p[2] - q[2], same_page ? r - s : r + s), 1e-14);
+        }
+    }
+}
+
+TEST(ExactDistance, from_all_the_boundary_of_a_square_is_that_to_the_nearest_side) {
+    const auto square = glued(grid(4, 4));
+    std::vector<Index> boundary;
+    const auto to_side = [&](Index v) {
+        return std::min(square.points.row(v).minCoeff(), 1 - square.points.row(v).maxCoeff());
+    };
+    for (Index v = 0; v < square.surface.vertices(); ++v)
+        if (to_side(v) == 0)
+            boundary.push_back(v);
+    const Vector d = from(square, boundary);
+    for (Index v = 0; v < d.size(); ++v)
+        EXPECT_EQ(d[v], to_side(v));
+}
+
+TEST(ExactDistance, in_the_plane_is_straight_on_any_triangles_and_bends_around_holes) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const Mesh even = grid(14, 9);
+        Mesh mesh = perturbed(even, 0.03, seed);
+        for (Index v = 0; v < even.points.rows(); ++v)
+            if (even.points.row(v).minCoeff() == 0 || even.points.row(v).maxCoeff() == 1)
+                mesh.points.row(v) = even.points.row(v); // a convex boundary
+        const auto plane = glued(mesh);
+        for (const Index source : {0, 71}) {
+            const Vector d = from(plane, {source});
+            for (Index v = 0; v < d.size(); ++v)
+                EXPECT_NEAR(d[v], (plane.points.row(v) - plane.points.row(source)).norm(), 1e-13);
+        }
+    }
+    // a square without its upper right quarter: its corner at (1/2, 1/2) is in the way
+    Mesh mesh = grid(8, 8);
+    Simplices kept(mesh.simplices.rows() * 3 / 4, 3);
+    Index t = 0;
+    for (Index s = 0; s < mesh.simplices.rows(); ++s) {
+        Eigen::RowVector2d center = Eigen::RowVector2d::Zero();
+        for (int i = 0; i < 3; ++i)
+            center += mesh.points.row(mesh.simplices(s, i)) / 3;
+        if (center.minCoeff() < 0.5)
+            kept.row(t++) = mesh.simplices.row(s);
+    }
+    mesh.simplices = kept;
+    const Shape shape = test::shape(mesh);
+    const auto place = [&](Index v) -> Eigen::RowVector2d {
+        return mesh.points.row(shape.vertices[v]);
+    };
+    const Eigen::RowVector2d corner(0.5, 0.5);
+    for (Index source = 0; source < shape.surface.vertices(); source += 11) {
+        const Vector d = from(shape, {source});
+        for (Index v = 0; v < d.size(); ++v) {
+            const Eigen::RowVector2d p = place(source) - corner, q = place(v) - corner;
+            // one is above, one to the right, and the line between them passes through what lacks
+            const double turn = p[0] * q[1] - p[1] * q[0];
+            const bool in_the_way =
+                (p[1] > 0 && q[0] > 0 && turn < 0) || (q[1] > 0 && p[0] > 0 && turn > 0);
+            EXPECT_NEAR(d[v], in_the_way ? p.norm() + q.norm() : (p - q).norm(), 1e-14);
+        }
+    }
+}
+
+/// A vertex of a grid moved to its neighbor but for this part of the way.
+Mesh with_needle(double width) {
+    Mesh mesh = grid(16, 16);
+    const Index moved = 8 * 17 + 8;
+    const Eigen::RowVector2d step = mesh.points.row(moved - 17) - mesh.points.row(moved);
+    mesh.points.row(moved) += (1 - width) * step;
+    return mesh;
+}
+
+TEST(ExactDistance, does_not_mind_needles) {
+    for (const double width : {1e-3, 1e-6, 1e-9, 1e-12}) {
+        const auto thin = glued(with_needle(width));
+        const Vector d = from(thin, {0});
+        for (Index v = 0; v < d.size(); ++v)
+            EXPECT_NEAR(d[v], thin.points.row(v).norm(), 1e-12) << width << " " << v;
+    }
+}
+
+TEST(ExactDistance, scales_with_the_lengths) {
+    const auto sphere = glued(icosphere(4));
+    const Vector d = from(sphere, {0});
+    for (const double scale : {1e-100, 3.0, 1e100}) {
+        const Vector scaled =
+            exact_distance(sphere.surface, scale * sphere.lengths, std::vector<Index>{0}) / scale;
+        EXPECT_LT((scaled - d).cwiseAbs().maxCoeff(), 1e-14);
+    }
+}
+
+TEST(ExactDistance, does_not_depend_on_the_order_of_vertices) {
+    for (const std::uint64_t seed : {3, 4}) {
+        const Mesh mesh = perturbed(torus(14, 8), 0.1, seed);
+        const Renumbered other = shuffled(mesh, seed);
+        const auto place = std::find(other.vertices.begin(), other.vertices.end(), 0);
+        const Vector d = from(shape(mesh), {0});
+        const Vector e =
+            from(shape(other.mesh), {static_cast<Index>(place - other.vertices.begin())});
+        for (Index v = 0; v < d.size(); ++v)
+            EXPECT_NEAR(e[v], d[other.vertices[v]], 1e-13);
+    }
+}
+
+TEST(ExactDistance, is_kept_by_intrinsic_flips) {
+    for (const Mesh& mesh : {perturbed(torus(14, 8), 0.15, 1), perturbed(uv_sphere(9, 12), 0.05, 3),
+                             perturbed(moebius(12, 2), 0.1, 4), perturbed(grid(9, 9), 0.05, 2)}) {
+        const auto sample = glued(mesh);
+        const auto flipped = intrinsic_delaunay(sample.surface, sample.lengths);
+        EXPECT_GT(flipped.statistics.flips, 0);
+        for (const Index source : {0, 13}) {
+            const Vector d = from(sample, {source});
+            const Vector e =
+                exact_distance(flipped.surface, flipped.lengths, std::vector<Index>{source});
+            EXPECT_LT((d - e).cwiseAbs().maxCoeff(), 1e-12);
+        }
+    }
+}
+
+TEST(ExactDistance, between_components_is_refused_and_of_each_is_its_own) {
+    Mesh two = grid(5, 5);
+    const Mesh one = two;
+    const Index n = static_cast<Index>(one.points.rows());
+    two.points.conservativeResize(2 * n, 2);
+    two.points.bottomRows(n) = 1e-5 * one.points;
+    two.simplices.conservativeResize(2 * one.simplices.rows(), 3);
+    two.simplices.bottomRows(one.simplices.rows()) = one.simplices.array() + n;
+    const auto sample = glued(two);
+    const Vector d = from(sample, {0, n});
+    for (Index v = 0; v < d.size(); ++v)
+        EXPECT_NEAR(d[v], two.points.row(v).norm(), 1e-15);
+    EXPECT_TRUE(says(refusal([&] { from(sample, {0}); }), {"source", "vertex 36"}));
+    EXPECT_TRUE(says(refusal([&] { from(sample, {72}); }), {"vertex 72", "source", "0", "71"}));
+    EXPECT_TRUE(says(refusal([&] { from(sample, {-1}); }), {"vertex -1", "source"}));
+    Vector lengths = sample.lengths;
+    lengths[3] = -1;
+    EXPECT_TRUE(
+        says(refusal([&] { exact_distance(sample.surface, lengths, std::vector<Index>{0}); }),
+             {"edge 3", "length", "-1"}));
+    lengths.setConstant(std::numeric_limits<double>::max() / 2);
+    EXPECT_TRUE(says(refusal([&] {
+                         exact_distance(sample.surface, lengths, std::vector<Index>{0, n});
+                     }),
+                     {"vertex", "range"}));
+}
+
+} // namespace
+} // namespace polydec::test::in_exact_distance

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/simplicial_complex.h"
+#include "complex/surfaces/glued_surface.h"
+#include "meshes/mesh.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace polydec::test {
+
+/// Triangles with lengths, which may branch, and the vertex of the mesh that each vertex is.
+struct Shape {
+    Triangles surface;
+    Vector lengths;
+    std::vector<Index> vertices;
+};
+
+inline Shape shape(const Mesh& mesh) {
+    const SimplicialComplex complex(mesh.simplices);
+    Shape result{Triangles(complex), Vector(complex.size(1)), {}};
+    for (Index v = 0; v < complex.size(0); ++v)
+        result.vertices.push_back(complex.vertex_number(v));
+    for (Index e = 0; e < complex.size(1); ++e)
+        result.lengths[e] = (mesh.points.row(result.vertices[complex.simplices(1)(e, 0)]) -
+                             mesh.points.row(result.vertices[complex.simplices(1)(e, 1)]))
+                                .norm();
+    return result;
+}
+
+/// Triangles in space, each divided into n x n by lines along its sides; equal points are one
+/// vertex.
+inline Mesh divided(const std::vector<Eigen::Matrix3d>& triangles, int n) {
+    std::map<std::array<long long, 3>, Index> numbers;
+    std::vector<Eigen::Vector3d> points;
+    std::vector<std::array<Index, 3>> simplices;
+    for (const Eigen::Matrix3d& corners : triangles) {
+        const auto vertex = [&](int i, int j) {
+            const Eigen::Vector3d p =
+                (i * corners.col(0) + j * corners.col(1) + (n - i - j) * corners.col(2)) / n;
+            std::array<long long, 3> key;
+            for (int k = 0; k < 3; ++k)
+                key[k] = std::llround(p[k] * 1e9);
+            const auto [place, is_new] = numbers.emplace(key, static_cast<Index>(points.size()));
+            if (is_new)
+                points.push_back(p);
+            return place->second;
+        };
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; i + j < n; ++j) {
+                simplices.push_back({vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)});
+                if (i + j + 1 < n)
+                    simplices.push_back({vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+            }
+    }
+    Mesh mesh;
+    mesh.points.resize(static_cast<Index>(points.size()), 3);
+    for (std::size_t v = 0; v < points.size(); ++v)
+        mesh.points.row(static_cast<Index>(v)) = points[v].transpose();
+    mesh.simplices.resize(static_cast<Index>(simplices.size()), 3);
+    for (std::size_t t = 0; t < simplices.size(); ++t)
+        for (int i = 0; i < 3; ++i)
+            mesh.simplices(static_cast<Index>(t), i) = simplices[t][i];
+    return mesh;
+}
+
+/// The two triangles of a parallelogram with these sides.
+inline void add_parallelogram(std::vector<Eigen::Matrix3d>& triangles, const Eigen::Vector3d& at,
+                              const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
+    Eigen::Matrix3d lower, upper;
+    lower << at, at + u, at + v;
+    upper << at + u, at + u + v, at + v;
+    triangles.push_back(lower), triangles.push_back(upper);
+}
+
+/// The surface of the unit cube.
+inline Mesh cube(int n) {
+    std::vector<Eigen::Matrix3d> triangles;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int level = 0; level < 2; ++level)
+            add_parallelogram(triangles, level * Eigen::Vector3d::Unit(axis),
+                              Eigen::Vector3d::Unit((axis + 1) % 3),
+                              Eigen::Vector3d::Unit((axis + 2) % 3));
+    return divided(triangles, n);
+}
+
+/// All squares of the grid of n x n x n unit cubes: four meet at each edge inside.
+inline Mesh walls_of_cubes(int n) {
+    std::vector<Eigen::Matrix3d> triangles;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int level = 0; level <= n; ++level)
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j) {
+                    Eigen::Vector3d at;
+                    at[axis] = level, at[(axis + 1) % 3] = i, at[(axis + 2) % 3] = j;
+                    add_parallelogram(triangles, at, Eigen::Vector3d::Unit((axis + 1) % 3),
+                                      Eigen::Vector3d::Unit((axis + 2) % 3));
+                }
+    return divided(triangles, 1);
+}
+
+/// A cone of any angle: sectors and rings of triangles around vertex 0, rings 1, 2, .. from it.
+/// Vertex 1 + (r - 1) sectors + s lies in ring r at angle s / sectors of all.
+inline Shape cone(double angle, Index sectors, Index rings) {
+    const auto vertex = [=](Index r, Index s) { return 1 + (r - 1) * sectors + s % sectors; };
+    Mesh mesh;
+    mesh.points.resize(1 + rings * sectors, 2);
+    mesh.simplices.resize(sectors * (2 * rings - 1), 3);
+    Index t = 0;
+    for (Index s = 0; s < sectors; ++s) {
+        mesh.simplices.row(t++) << 0, vertex(1, s), vertex(1, s + 1);
+        for (Index r = 1; r < rings; ++r) {
+            mesh.simplices.row(t++) << vertex(r, s), vertex(r + 1, s), vertex(r + 1, s + 1);
+            mesh.simplices.row(t++) << vertex(r, s), vertex(r + 1, s + 1), vertex(r, s + 1);
+        }
+    }
+    const SimplicialComplex complex(mesh.simplices);
+    Shape result{Triangles(complex), Vector(complex.size(1)), {}};
+    for (Index v = 0; v < complex.size(0); ++v)
+        result.vertices.push_back(v);
+    const auto radius = [=](Index v) { return v == 0 ? 0.0 : double(1 + (v - 1) / sectors); };
+    for (Index e = 0; e < complex.size(1); ++e) {
+        const Index a = complex.simplices(1)(e, 0), b = complex.simplices(1)(e, 1);
+        const bool same = a > 0 && (a - 1) % sectors == (b - 1) % sectors;
+        const double half = a == 0 || same ? 0 : angle / double(sectors) / 2;
+        result.lengths[e] = std::hypot(radius(a) - radius(b),
+                                       2 * std::sin(half) * std::sqrt(radius(a) * radius(b)));
+    }
+    return result;
+}
+
+/// The first vertex of each component.
+inline std::vector<Index> one_of_each_component(const Triangles& surface) {
+    std::vector<Index> least(std::size_t(surface.vertices()));
+    for (Index v = 0; v < surface.vertices(); ++v)
+        least[v] = v;
+    for (bool changes = true; changes;) {
+        changes = false;
+        for (Index h = 0; h < 3 * surface.triangles(); ++h) {
+            Index &a = least[surface.tail(h)], &b = least[surface.head(h)];
+            changes |= a != b;
+            a = b = std::min(a, b);
+        }
+    }
+    std::vector<Index> result;
+    for (Index v = 0; v < surface.vertices(); ++v)
+        if (least[v] == v)
+            result.push_back(v);
+    return result;
+}
+
+} // namespace polydec::test

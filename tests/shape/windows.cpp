@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+//
+// That windows do not grow too many, and that distances are refused where they do.
+#include "shape/windows.h"
+
+#include "base/errors.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "tests/shape/shapes.h"
+#include "tests/support/refusal.h"
+#include "tests/support/says.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test::in_windows {
+namespace {
+
+WindowDistances windows(const Shape& shape, std::size_t most) {
+    const UnfoldedTriangles unfolded(shape.surface, shape.lengths);
+    return distances_by_windows(unfolded, std::vector<Index>{0}, most);
+}
+
+double windows_of_a_triangle(const Shape& shape) {
+    const Index triangles = shape.surface.triangles();
+    return double(windows(shape, most_windows(triangles)).windows) / triangles;
+}
+
+TEST(Windows, of_each_triangle_grow_with_the_root_of_the_number_of_triangles) {
+    const double coarse = windows_of_a_triangle(shape(icosphere(10)));
+    const double fine = windows_of_a_triangle(shape(icosphere(20)));
+    EXPECT_LT(fine, 40);
+    EXPECT_LT(fine, 2.5 * coarse);
+    EXPECT_LT(windows_of_a_triangle(shape(perturbed(torus(60, 30), 0.02, 1))), 40);
+    EXPECT_LT(windows_of_a_triangle(shape(perturbed(torus(60, 30), 0.1, 1))), 80);
+}
+
+/// Where many equal ways lead up a flight of stairs, one counts.
+TEST(Windows, that_reach_the_same_on_equal_ways_are_one) {
+    const double coarse = windows_of_a_triangle(shape(walls_of_cubes(4)));
+    const double fine = windows_of_a_triangle(shape(walls_of_cubes(8)));
+    EXPECT_LT(coarse, 60);
+    EXPECT_LT(fine, 2.5 * coarse);
+}
+
+TEST(Windows, turn_around_a_sharp_tip_once) {
+    EXPECT_LT(windows_of_a_triangle(cone(1e-7, 3, 1)), 20);
+    EXPECT_LT(windows_of_a_triangle(cone(1e-7, 5, 4)), 60);
+}
+
+TEST(Windows, beyond_the_most_are_refused) {
+    const Shape sphere = shape(icosphere(4));
+    const std::size_t needed = windows(sphere, most_windows(320)).windows;
+    EXPECT_EQ(message_of<SolverFailure>([&] { windows(sphere, needed); }), "accepted");
+    EXPECT_TRUE(says(message_of<SolverFailure>([&] { windows(sphere, needed - 1); }),
+                     {std::to_string(needed - 1), "windows", "320 triangles", "delaunay", "heat"}));
+}
+
+} // namespace
+} // namespace polydec::test::in_windows
