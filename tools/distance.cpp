@@ -15,6 +15,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -62,18 +63,24 @@ std::vector<Index> numbers_of(const Discretization& mesh, std::vector<Index> cel
     return cells;
 }
 
+const char* accuracy(DistanceMethod method) {
+    return method == DistanceMethod::exact ? "exact up to rounding" : "smoothed by the heat method";
+}
+
 void draw(const Discretization& mesh, const DistanceArguments& arguments,
           const std::vector<Index>& from, const Vector& distance, const Log& log) {
     PageText text;
     text.title = fmt::format("{}: geodesic distance", arguments.mesh.mesh.filename().string());
-    text.facts = {fmt::format("Distance along the surface from {}, by the heat method.",
+    text.facts = {fmt::format("Distance along the surface from {}, {}.",
                               from.size() > 9 ? fmt::format("{} vertices", from.size())
-                                              : fmt::format("vertex {}", fmt::join(from, ", ")))};
+                                              : fmt::format("vertex {}", fmt::join(from, ", ")),
+                              accuracy(arguments.geodesic.method))};
     const NamedForm form("distance", {Side::primal, 0, distance}, "in units of length of the file");
     write_picture(arguments.picture, mesh, {form}, std::move(text), {{"from", from}}, log);
 }
 
 struct Distances : Answer {
+    DistanceMethod method = DistanceMethod::exact;
     std::vector<Index> from;
     Index farthest = 0;
     Index raised = 0; ///< values below 0 that were raised to it
@@ -85,12 +92,13 @@ struct Distances : Answer {
         json.member("max", max);
         json.member("mean", mean);
         json.member("raised", raised);
+        json.member("method", name(method));
     }
 
     void write(Text& text) const override {
         text("distance along the surface, {} source{}\n  farthest: vertex {} at {:.10g}\n  mean "
-             "over the vertices: {:.10g}\n",
-             from.size(), from.size() == 1 ? "" : "s", farthest, max, mean);
+             "over the vertices: {:.10g}\n  {}\n",
+             from.size(), from.size() == 1 ? "" : "s", farthest, max, mean, accuracy(method));
     }
 };
 
@@ -127,6 +135,7 @@ void run_distance(const DistanceArguments& arguments) {
     Eigen::Index farthest = 0;
     distance.maxCoeff(&farthest);
     Distances answer;
+    answer.method = arguments.geodesic.method;
     answer.from = from;
     answer.farthest = cell_vertices(mesh, 0, static_cast<Index>(farthest)).front();
     answer.max = distance[farthest];
@@ -138,8 +147,7 @@ void run_distance(const DistanceArguments& arguments) {
 } // namespace
 
 void add_distance(CLI::App& app) {
-    auto* command =
-        app.add_subcommand("distance", "geodesic distance from vertices, by the heat method");
+    auto* command = app.add_subcommand("distance", "geodesic distance from vertices, exact");
     const auto arguments = std::make_shared<DistanceArguments>();
     add_mesh_arguments(*command, arguments->mesh);
     arguments->mesh.star =
@@ -157,19 +165,31 @@ void add_distance(CLI::App& app) {
     command->add_option("--from-on", arguments->from_on,
                         "the vertices of these physical groups, by name or number");
     command
+        ->add_option("--method", arguments->geodesic.method,
+                     "exact: length of a shortest path, up to rounding;\n"
+                     "heat: smoothed, off by some percent of the greatest distance")
+        ->transform(
+            CLI::CheckedTransformer(std::map<std::string, DistanceMethod>{
+                                        {name(DistanceMethod::exact), DistanceMethod::exact},
+                                        {name(DistanceMethod::heat), DistanceMethod::heat}})
+                .description("exact|heat"))
+        ->default_str(name(DistanceMethod::exact));
+    command
         ->add_option("--time-scale", arguments->geodesic.time_scale,
-                     "heat flows for this times the squared mean length of edges")
+                     "--method heat: it flows for this times the squared mean\nlength of edges")
         ->capture_default_str();
     add_picture(*command, arguments->picture, "the distances");
     add_isolines(*command, arguments->picture);
-    command->add_option("--engine", arguments->geodesic.linear_solver, "linear solver")
+    command
+        ->add_option("--engine", arguments->geodesic.linear_solver, "--method heat: linear solver")
         ->capture_default_str();
-    command->footer("Every component of the surface needs a vertex. Triangles far from Delaunay "
-                    "spoil the\nresult: --delaunay helps.\n\nExamples:\n"
+    command->footer("Every component of the surface needs a vertex. Exact distances are those of "
+                    "the flat triangles,\nhowever these divide the surface. Triangles far from "
+                    "Delaunay spoil those of the heat\nmethod: --delaunay helps.\n\nExamples:\n"
                     "  polydec distance bunny.ply --from 0 -o distance.vtu\n"
                     "  polydec distance plate.msh --from boundary -o distance.html\n"
                     "  polydec distance plate.msh --from-where 'x < .01' --json\n"
-                    "  polydec distance part.stl --delaunay --from 12 871 --json");
+                    "  polydec distance part.stl --delaunay --method heat --from 12 871 --json");
     command->callback([arguments] {
         if (arguments->from.empty() && arguments->from_on.empty() && arguments->from_where.empty())
             throw CLI::RequiredError("--from, --from-where or --from-on");

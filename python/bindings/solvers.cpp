@@ -101,8 +101,13 @@ void add_hodge(py::module_& module) {
 void add_distance(py::module_& module) {
     using Solver = Guarded<GeodesicDistance>;
     py::class_<Solver>(module, "GeodesicDistance")
-        .def(py::init([](const Discretization& mesh, double time_scale, const std::string& engine) {
-            return guarded<GeodesicDistance>(mesh, GeodesicOptions{time_scale, engine});
+        .def(py::init([](const Discretization& mesh, const std::string& method, double time_scale,
+                         const std::string& engine) {
+            const auto by =
+                chosen<DistanceMethod>("method", method,
+                                       {{name(DistanceMethod::exact), DistanceMethod::exact},
+                                        {name(DistanceMethod::heat), DistanceMethod::heat}});
+            return guarded<GeodesicDistance>(mesh, GeodesicOptions{by, time_scale, engine});
         }))
         .def("to", [](Solver& self, const Integers& sources) {
             Distance found =

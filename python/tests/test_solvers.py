@@ -122,6 +122,13 @@ def test_distances(sphere):
     assert distance[north] == 0 and abs(distance - exact).max() < 0.25
     solver = polydec.GeodesicDistance(sphere)
     assert np.array_equal(solver.to([north]), distance)
+    smoothed = polydec.geodesic_distance(sphere, north, method="heat", time_scale=2)
+    assert 1e-4 < abs(smoothed - distance).max() < 0.25
+    for heat_alone in ({"time_scale": 2}, {"engine": "eigen.ldlt"}):
+        with pytest.raises(polydec.InvalidInput, match="time_scale and engine.*method=\"heat\""):
+            polydec.geodesic_distance(sphere, north, **heat_alone)
+    with pytest.raises(polydec.InvalidInput, match="exact"):
+        polydec.geodesic_distance(sphere, north, method="fast")
     south = int(sphere.points[:, 2].argmin())
     exact = np.arccos(np.clip(sphere.points @ sphere.points[[north, south]].T, -1, 1)).min(axis=1)
     assert abs(solver.to([north, south]) - exact).max() < 0.25

@@ -1,199 +1,69 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/surfaces/geodesic_distance.h"
 
+#include "base/errors.h"
 #include "dec/advice.h"
+#include "dec/metric/side_lengths.h"
 #include "meshes/unit_of_length.h"
-#include "solvers/constrained_system.h"
-#include "solvers/surfaces/heat_step.h"
-#include "solvers/surfaces/surface_metric.h"
+#include "shape/exact_distance.h"
+#include "solvers/surfaces/heat_distance.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <optional>
 
 namespace polydec {
 
-namespace {
-
-/// The cotangent Laplacian with the pins at 0.
-ConstrainedSystem poisson_system(const Triangles& surface, const SurfaceMetric& metric,
-                                 std::span<const Index> pins) {
-    const auto n = static_cast<std::size_t>(surface.vertices());
-    ConstrainedSystem system{
-        .A = surface_laplacian(surface, metric, Vector::Ones(metric.mean_lengths.size())),
-        .fixed = std::vector<bool>(n, false),
-        .tied = std::vector<bool>(n, false),
-        .weights = metric.vertex_areas,
-        .definiteness = Definiteness::semidefinite,
-        .domain_dimension = 2};
-    for (const Index v : pins)
-        system.fixed[v] = true;
-    return system;
+const char* name(DistanceMethod method) {
+    constexpr std::array names{"exact", "heat"};
+    return names[static_cast<std::size_t>(method)];
 }
-
-/// What decides on the direction of the gradient of the heat in a triangle: its logarithms, which
-/// are nearly linear where the heat fades exponentially; or, where some are none, the values.
-Eigen::Vector3d levels(const Eigen::Vector3d& u) {
-    if (u.minCoeff() > 0)
-        return Eigen::Vector3d(std::log(u[0] / u.maxCoeff()), std::log(u[1] / u.maxCoeff()),
-                               std::log(u[2] / u.maxCoeff()));
-    return u / u.cwiseAbs().maxCoeff();
-}
-
-/// The corners of a triangle in the plane, the first at 0 and the second on the first axis.
-std::array<Eigen::Vector2d, 3> layout(const Triangles& surface, const SurfaceMetric& metric,
-                                      Index t) {
-    const double length = metric.lengths[surface.edge(3 * t)];
-    const double height = 2 * metric.areas[t] / length;
-    return {Eigen::Vector2d(0, 0), Eigen::Vector2d(length, 0),
-            Eigen::Vector2d(metric.cotangents[3 * t + 1] * height, height)};
-}
-
-/// For every vertex, the integral of X . grad(hat function), X the unit vectors against grad u.
-Vector against_gradient(const Triangles& surface, const SurfaceMetric& metric, const Vector& u) {
-    Vector b = Vector::Zero(surface.vertices());
-    for (Index t = 0; t < surface.triangles(); ++t) {
-        const auto corners = layout(surface, metric, t);
-        std::array<Eigen::Vector2d, 3> hats; // gradients, times twice the area
-        for (int i = 0; i < 3; ++i) {
-            const Eigen::Vector2d opposite = corners[(i + 2) % 3] - corners[(i + 1) % 3];
-            hats[i] = {-opposite.y(), opposite.x()};
-        }
-        const Eigen::Vector3d f = levels(
-            {u[surface.tail(3 * t)], u[surface.tail(3 * t + 1)], u[surface.tail(3 * t + 2)]});
-        const Eigen::Vector2d gradient = (f[1] - f[0]) * hats[1] + (f[2] - f[0]) * hats[2];
-        // a difference that is rounding has no direction
-        const double size = std::max(hats[1].norm(), hats[2].norm());
-        if (!(gradient.norm() > 1e-12 * size))
-            continue;
-        for (int i = 0; i < 3; ++i)
-            b[surface.tail(3 * t + i)] -= gradient.dot(hats[i]) / (2 * gradient.norm());
-    }
-    return b;
-}
-
-/// Marks the vertices opposite to an edge between two sources: away from such an edge the distance
-/// grows evenly.
-std::vector<bool> beside_source_edges(const Triangles& surface,
-                                      const std::vector<bool>& is_source) {
-    std::vector<bool> marks(is_source.size(), false);
-    for (Index h = 0; h < 3 * surface.triangles(); ++h)
-        if (is_source[surface.tail(h)] && is_source[surface.head(h)])
-            marks[surface.tail(surface.previous(h))] = true;
-    return marks;
-}
-
-/// What to subtract on each component from a function that is 0 at the sources. Around a source
-/// that stands alone the distance has a kink, of which a function that is linear on triangles knows
-/// nothing, so that all its other values are off by the same. Its neighbors tell by how much: their
-/// distances are the lengths of the edges to it.
-Vector shifts(const Triangles& surface, const SurfaceMetric& metric, std::span<const Index> sources,
-              const Vector& distance) {
-    constexpr double far = std::numeric_limits<double>::infinity();
-    std::vector<bool> is_source(std::size_t(surface.vertices()), false);
-    for (const Index v : sources)
-        is_source[v] = true;
-    Vector known = Vector::Constant(surface.vertices(), far);
-    for (Index h = 0; h < 3 * surface.triangles(); ++h) {
-        const Index a = surface.tail(h), b = surface.head(h);
-        const double length = metric.lengths[surface.edge(h)];
-        if (is_source[a])
-            known[b] = std::min(known[b], length);
-        if (is_source[b])
-            known[a] = std::min(known[a], length);
-    }
-    const auto beside = beside_source_edges(surface, is_source);
-    Vector sum = Vector::Zero(metric.mean_lengths.size()), count = sum;
-    for (Index v = 0; v < surface.vertices(); ++v)
-        if (const Index c = metric.component[v]; known[v] < far && !is_source[v]) {
-            sum[c] += beside[v] ? 0 : distance[v] - known[v];
-            count[c] += 1;
-        }
-    return sum.cwiseQuotient(count.cwiseMax(1));
-}
-
-} // namespace
 
 struct GeodesicDistance::Parts {
     Triangles surface;
-    SurfaceMetric metric;
-    std::string engine;
-    HeatStep step;
-    std::optional<ConstrainedSolver> poisson;
-    bool is_for_single_sources = false; // the pins of the last one
-
-    Parts(const Triangles& surface_, const Vector& lengths, const GeodesicOptions& options)
-        : surface(surface_),
-          metric(surface_metric(surface, lengths)),
-          engine(options.linear_solver),
-          step(surface, metric, options.time_scale * metric.mean_lengths.cwiseAbs2(), engine) {}
-
-    Vector heat(std::span<const Index> sources) const {
-        Vector b = Vector::Zero(surface.vertices());
-        for (const Index v : sources)
-            b[v] = 1;
-        return step.from(surface, metric, b).u;
-    }
-
-    /// The function that is 0 at the sources and fits b elsewhere. If they are one on each
-    /// component, others differ by a constant alone, and a factorization serves them all.
-    Vector fit(const Vector& b, std::span<const Index> sources) {
-        std::vector<Index> pins(sources.begin(), sources.end());
-        std::sort(pins.begin(), pins.end());
-        pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
-        const bool single = Eigen::Index(pins.size()) == metric.mean_lengths.size();
-        if (!(single && poisson && is_for_single_sources)) {
-            poisson.emplace(poisson_system(surface, metric, pins), engine);
-            is_for_single_sources = single;
-        }
-        Vector u = poisson->solve(b, Vector::Zero(b.size())).values;
-        if (!single)
-            return u;
-        Vector at_source(metric.mean_lengths.size());
-        for (const Index v : pins)
-            at_source[metric.component[v]] = u[v];
-        return u - at_source(metric.component);
-    }
+    Vector lengths;
+    std::optional<HeatDistance> heat = {};
 };
 
 GeodesicDistance::GeodesicDistance(const Triangles& surface, const Vector& lengths,
-                                   const GeodesicOptions& options) {
-    check_time_scale(options.time_scale);
-    parts_ = std::make_unique<Parts>(surface, lengths, options);
+                                   const GeodesicOptions& options)
+    : parts_(std::make_unique<Parts>(Parts{surface, lengths})) {
+    check_lengths(surface, lengths);
+    if (options.method == DistanceMethod::heat) {
+        parts_->heat.emplace(surface, lengths, options.time_scale, options.linear_solver);
+        return;
+    }
+    const GeodesicOptions defaults;
+    if (!(options.time_scale == defaults.time_scale) ||
+        options.linear_solver != defaults.linear_solver)
+        throw InvalidInput("GeodesicOptions::time_scale and GeodesicOptions::linear_solver are for "
+                           "the heat method: leave them out, or ask for DistanceMethod::heat");
 }
 
 GeodesicDistance::GeodesicDistance(const Discretization& discretization,
                                    const GeodesicOptions& options)
-    : GeodesicDistance(Triangles(discretization.pieces()),
-                       discretization.geometry().volumes().primal(1), options) {
+    : GeodesicDistance(Triangles(discretization.pieces()), discretization.piece_volumes().primal(1),
+                       options) {
+    unit_ = discretization.unit();
+    if (options.method != DistanceMethod::heat)
+        return;
     const auto by_duals =
         discretization.with_stars(ChosenStars(discretization.volumes(), StarKind::circumcentric));
     warnings_ = warning_of_negative_duals(by_duals, 1, "distances may be far off");
     advice_ = flip_advice(by_duals);
-    unit_ = discretization.unit();
 }
 
 GeodesicDistance::GeodesicDistance(GeodesicDistance&&) noexcept = default;
 GeodesicDistance::~GeodesicDistance() = default;
 
 Distance GeodesicDistance::to(std::span<const Index> sources) const {
-    const SurfaceMetric& metric = parts_->metric;
-    check_sources(parts_->surface, metric, sources);
-    Vector distance = explaining_failure(parts_->surface, metric, [&] {
-        const Vector b = against_gradient(parts_->surface, metric, parts_->heat(sources));
-        return parts_->fit(b, sources);
-    });
-
-    distance -= shifts(parts_->surface, metric, sources, distance)(metric.component);
-    for (const Index v : sources)
-        distance[v] = 0;
+    const Vector distance = parts_->heat
+                                ? parts_->heat->to(sources)
+                                : exact_distance(parts_->surface, parts_->lengths, sources);
     const auto raised = static_cast<Index>((distance.array() < 0).count());
-    Distance result{in_input_units(metric.unit * distance.cwiseMax(0), unit_, 1, "distances"),
-                    raised, warnings_};
+    Distance result{form_in_input_units(distance.cwiseMax(0), unit_, 1, "distances"), raised,
+                    warnings_};
     if (raised > 0)
         result.warnings.push_back(fmt::format("{} of the distances fell below 0 and were raised to "
                                               "0: triangles there are far from Delaunay{}",

@@ -11,13 +11,34 @@
 
 namespace polydec {
 
+namespace {
+
+/// Takes the unknowns of value 1 out of a symmetric system, whose diagonal stays, and gives the
+/// right side that they make.
+Vector hold(SparseMatrix& A, const std::vector<Index>& held) {
+    Vector marks = Vector::Zero(A.rows());
+    for (const Index v : held)
+        marks[v] = 1;
+    const Vector diagonal = A.diagonal();
+    const Vector right =
+        marks.cwiseProduct(diagonal) - (Vector::Ones(A.rows()) - marks).cwiseProduct(A * marks);
+    A.prune([&](Index i, Index j, double) { return i == j || marks[i] + marks[j] == 0; });
+    return right;
+}
+
+} // namespace
+
 HeatStep::HeatStep(const Triangles& surface, const SurfaceMetric& metric, const Vector& times,
-                   const std::string& engine)
-    : times_(times), engine_(engine), solver_(make_linear_solver(engine)) {
+                   const std::string& engine, std::span<const Index> held)
+    : times_(times),
+      engine_(engine),
+      held_(held.begin(), held.end()),
+      solver_(make_linear_solver(engine)) {
     SparseMatrix A(surface.vertices(), surface.vertices());
     A.setIdentity();
     A = metric.vertex_areas.asDiagonal() * A;
     A += surface_laplacian(surface, metric, times);
+    from_held_ = hold(A, held_);
     solver_->factorize(A, {.symmetry = Symmetry::symmetric,
                            .definiteness = Definiteness::positive,
                            .domain_dimension = 2,
@@ -25,7 +46,7 @@ HeatStep::HeatStep(const Triangles& surface, const SurfaceMetric& metric, const 
 }
 
 DenseMatrix HeatStep::operator()(const DenseMatrix& b) const {
-    DenseMatrix u = solver_->solve(b);
+    DenseMatrix u = solver_->solve(b.colwise() + from_held_);
     if (!u.allFinite())
         throw SolverFailure(fmt::format("{} gives heat that is not finite: the triangles are too "
                                         "badly shaped",
@@ -38,7 +59,7 @@ HeatFlow HeatStep::from(const Triangles& surface, const SurfaceMetric& metric,
     HeatFlow flow{(*this)(b), times_};
     Vector times = longer(metric, flow.u.col(0));
     while (times != flow.times) {
-        const HeatStep step(surface, metric, times, engine_);
+        const HeatStep step(surface, metric, times, engine_, held_);
         flow = {step(b), times};
         times = step.longer(metric, flow.u.col(0));
     }

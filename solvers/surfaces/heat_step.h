@@ -5,7 +5,9 @@
 #include "solvers/surfaces/surface_metric.h"
 
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace polydec {
 
@@ -16,20 +18,20 @@ struct HeatFlow {
 };
 
 /// One step of backward Euler for the heat equation, for functions: (M + t L) u = b, with times t
-/// for each component.
+/// for each component; or u = 1 at the vertices that are held.
 class HeatStep {
 public:
     HeatStep(const Triangles& surface, const SurfaceMetric& metric, const Vector& times,
-             const std::string& engine);
+             const std::string& engine, std::span<const Index> held = {});
 
     /// A column per right-hand side.
     DenseMatrix operator()(const DenseMatrix& b) const;
 
     const Vector& times() const { return times_; }
 
-    /// The step from b, a column per right-hand side, the first of them heat of size 1 at sources:
-    /// for longer times on the components where that would be too faint at some vertex for its
-    /// digits to be trusted.
+    /// The step from b, a column per right-hand side, of which the first gives heat of size 1 at
+    /// sources: for longer times on the components where that would be too faint at some vertex for
+    /// its digits to be trusted.
     HeatFlow from(const Triangles& surface, const SurfaceMetric& metric,
                   const DenseMatrix& b) const;
 
@@ -38,6 +40,8 @@ private:
 
     Vector times_;
     std::string engine_; // as it was asked for
+    std::vector<Index> held_;
+    Vector from_held_; // right side of u = 1 at the held ones
     std::unique_ptr<LinearSolver> solver_;
 };
 

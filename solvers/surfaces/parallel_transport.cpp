@@ -3,6 +3,7 @@
 
 #include "backends/registry.h"
 #include "base/errors.h"
+#include "shape/sources.h"
 #include "solvers/surfaces/heat_step.h"
 #include "solvers/surfaces/surface_metric.h"
 
@@ -156,7 +157,7 @@ const TangentFrames& ParallelTransport::frames() const {
 TangentVectors ParallelTransport::extend(std::span<const Index> sources,
                                          const TangentVectors& vectors) const {
     const Parts& parts = *parts_;
-    check_sources(parts.surface, parts.metric, sources);
+    check_sources(parts.surface, sources);
     check_vectors(parts.surface, sources, vectors);
     const Vector sizes = vectors.cwiseAbs();
     const double least = sizes.minCoeff(), largest = sizes.maxCoeff();

@@ -66,25 +66,6 @@ SurfaceMetric surface_metric(const Triangles& surface, const Vector& lengths) {
     return metric;
 }
 
-void check_sources(const Triangles& surface, const SurfaceMetric& metric,
-                   std::span<const Index> sources) {
-    std::vector<bool> reached(std::size_t(metric.mean_lengths.size()), false);
-    for (const Index v : sources) {
-        if (v < 0 || v >= surface.vertices())
-            throw InvalidInput(fmt::format("vertex {} is given as a source: expected one of 0 to "
-                                           "{}",
-                                           v, surface.vertices() - 1),
-                               {.vertices = {v}});
-        reached[metric.component[v]] = true;
-    }
-    for (Index v = 0; v < surface.vertices(); ++v)
-        if (!reached[metric.component[v]])
-            throw InvalidInput(fmt::format("no source is connected to vertex {}: give every "
-                                           "component of the surface a source",
-                                           v),
-                               {.vertices = {v}});
-}
-
 void check_time_scale(double time_scale) {
     if (!(time_scale >= 1e-6 && time_scale <= 1e6))
         throw InvalidInput(

@@ -28,10 +28,6 @@ struct SurfaceMetric {
 /// Throws InvalidInput, naming edge or triangle, for lengths that are none of triangles with area.
 SurfaceMetric surface_metric(const Triangles& surface, const Vector& lengths);
 
-/// Throws InvalidInput for vertices that the surface has not, and if a component has none of them.
-void check_sources(const Triangles& surface, const SurfaceMetric& metric,
-                   std::span<const Index> sources);
-
 /// Throws InvalidInput unless it is from 1e-6 to 1e6.
 void check_time_scale(double time_scale);
 

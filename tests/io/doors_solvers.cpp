@@ -129,12 +129,19 @@ Questions of_surfaces(const Sample& s) {
     return {
         {"geodesic_distance",
          [&s](Inputs&) {
-             return fit(geodesic_distance(s.mesh, std::vector<Index>{0}, {4, engine}), s.size(0));
+             return fit(geodesic_distance(s.mesh, std::vector<Index>{0}), s.size(0));
          }},
         {"GeodesicDistance",
          [&s](Inputs& in) {
-             const GeodesicDistance distance(surface_of(s), lengths_of(s, in), {4, engine});
+             const GeodesicDistance distance(
+                 surface_of(s), lengths_of(s, in),
+                 {.method = DistanceMethod::heat, .linear_solver = engine});
              return fit(distance.to(std::vector<Index>{0}).values, s.size(0));
+         }},
+        {"exact_distance",
+         [&s](Inputs& in) {
+             return fit(exact_distance(surface_of(s), lengths_of(s, in), std::vector<Index>{0}),
+                        s.size(0));
          }},
         {"transported",
          [&s](Inputs& in) {

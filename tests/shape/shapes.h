@@ -104,6 +104,38 @@ inline Mesh walls_of_cubes(int n) {
     return divided(triangles, 1);
 }
 
+/// The surfaces of two regular tetrahedra that touch at a vertex, around which the angles are 2 pi.
+inline Mesh touching_tetrahedra() {
+    std::vector<Eigen::Matrix3d> triangles;
+    for (const double sign : {1.0, -1.0}) {
+        const std::array<Eigen::Vector3d, 4> corners{
+            Eigen::Vector3d::Zero(), sign * Eigen::Vector3d(1, 1, 0),
+            sign * Eigen::Vector3d(1, 0, 1), sign * Eigen::Vector3d(0, 1, 1)};
+        for (int omitted = 0; omitted < 4; ++omitted) {
+            Eigen::Matrix3d face;
+            for (int i = 0; i < 3; ++i)
+                face.col(i) = corners[(omitted + 1 + i) % 4];
+            triangles.push_back(face);
+        }
+    }
+    return divided(triangles, 2);
+}
+
+/// Hills of several heights over one disk, whose rim they share.
+inline Mesh hills(int count, int sectors) {
+    std::vector<Eigen::Matrix3d> triangles;
+    const auto on_rim = [=](int s) -> Eigen::Vector3d {
+        return {std::cos(2 * M_PI * s / sectors), std::sin(2 * M_PI * s / sectors), 0};
+    };
+    for (int hill = 0; hill < count; ++hill)
+        for (int s = 0; s < sectors; ++s) {
+            Eigen::Matrix3d sector;
+            sector << Eigen::Vector3d(0.1, 0.05, 0.6 * hill - 0.3), on_rim(s), on_rim(s + 1);
+            triangles.push_back(sector);
+        }
+    return divided(triangles, 2);
+}
+
 /// A cone of any angle: sectors and rings of triangles around vertex 0, rings 1, 2, .. from it.
 /// Vertex 1 + (r - 1) sectors + s lies in ring r at angle s / sectors of all.
 inline Shape cone(double angle, Index sectors, Index rings) {

@@ -171,7 +171,9 @@ std::vector<NamedShape> surfaces() {
             result.push_back({name, shape(mesh)});
     result.push_back({"cube", shape(cube(2))});
     result.push_back({"walls_of_cubes", shape(walls_of_cubes(2))});
+    result.push_back({"touching_tetrahedra", shape(touching_tetrahedra())});
     for (const std::uint64_t seed : {1, 2, 3}) {
+        result.push_back({"rough_hills", shape(perturbed(hills(3, 5), 0.15, seed))});
         result.push_back({"rough_torus", shape(perturbed(torus(8, 5), 0.2, seed))});
         result.push_back({"rough_sphere", shape(perturbed(icosphere(2), 0.3, seed))});
         result.push_back({"rough_moebius", shape(perturbed(moebius(9, 2), 0.15, seed))});

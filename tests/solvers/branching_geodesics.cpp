@@ -3,6 +3,7 @@
 // Distances on surfaces where more than two triangles meet at edges.
 #include "base/random.h"
 #include "solvers/surfaces/geodesic_distance.h"
+#include "tests/solvers/heat_distance.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/refusal.h"
@@ -67,7 +68,7 @@ Errors errors(const Book& book, const GeodesicOptions& options = {}) {
     const auto mesh = circumcentric(book.mesh);
     const int n = static_cast<int>(std::lround(std::sqrt(book.mesh.simplices.rows() / 6)));
     const Index source[] = {static_cast<Index>(n + 1 + (n / 2 - 1) * (n + 1) + n / 4)};
-    const Vector d = geodesic_distance(mesh, source, options);
+    const Vector d = heat_distance(mesh, source, options);
     const Eigen::Vector2d from = book.places.col(source[0]);
     Errors result{};
     double others = 0, own = 0;
@@ -102,7 +103,7 @@ TEST(BranchingGeodesics, are_equal_on_equal_pages) {
     const auto pages = book(4, 12, 0.25);
     const auto mesh = circumcentric(pages.mesh);
     const Index source[] = {static_cast<Index>(13 + 5)};
-    const Vector d = geodesic_distance(mesh, source);
+    const Vector d = heat_distance(mesh, source);
     const Index inside = 12 * 13;
     for (Index i = 0; i < inside; ++i) {
         EXPECT_NEAR(d[13 + inside + i], d[13 + 3 * inside + i], 1e-9);
@@ -116,8 +117,8 @@ TEST(BranchingGeodesics, are_those_of_glued_triangles_where_these_can_be_glued) 
     const auto mesh = circumcentric(book(2, 8, 0.25).mesh);
     const Index source[] = {3};
     const Vector glued =
-        geodesic_distance(GluedSurface(mesh.pieces()), mesh.geometry().volumes().primal(1), source);
-    EXPECT_EQ(geodesic_distance(mesh, source), glued);
+        heat_distance(GluedSurface(mesh.pieces()), mesh.piece_volumes().primal(1), source);
+    EXPECT_EQ(heat_distance(mesh, source), glued);
     EXPECT_TRUE(says(refusal([] { GeodesicDistance solver(circumcentric(mesh_named("kuhn3"))); }),
                      {"dimension 3", "surfaces"}));
 }

@@ -6,6 +6,7 @@
 #include "solvers/surfaces/heat_step.h"
 #include "solvers/surfaces/surface_metric.h"
 #include "tests/solvers/glued_samples.h"
+#include "tests/solvers/heat_distance.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
@@ -52,7 +53,7 @@ double on_the_bottle(const GluedSample& bottle, Index source, Index v) {
 
 double mean_error(const GluedSample& sample, const Distance& exact, double time_scale) {
     const Vector d =
-        geodesic_distance(sample.surface, sample.lengths, from_0, {.time_scale = time_scale});
+        heat_distance(sample.surface, sample.lengths, from_0, {.time_scale = time_scale});
     double sum = 0;
     for (Index v = 0; v < sample.surface.vertices(); ++v)
         sum += std::abs(d[v] - exact(sample, v));
@@ -110,7 +111,7 @@ TEST(GeodesicDistance, does_not_converge_for_one_time_on_all_meshes) {
 TEST(GeodesicDistance, on_the_klein_bottle_is_that_of_the_copies_in_the_plane) {
     const auto bottle = flat(64, Closing::klein_bottle);
     const Index source[] = {bottle.surface.tail(6 * (20 * 64 + 9))};
-    const Vector d = geodesic_distance(bottle.surface, bottle.lengths, source);
+    const Vector d = heat_distance(bottle.surface, bottle.lengths, source);
     double error = 0, as_on_the_torus = 0;
     for (Index v = 0; v < d.size(); ++v) {
         error += std::abs(d[v] - on_the_bottle(bottle, source[0], v)) / d.size();
@@ -134,14 +135,13 @@ TEST(GeodesicDistance, of_irregular_triangles_in_the_plane_is_that_of_the_plane)
 
 TEST(GeodesicDistance, scales_with_the_lengths) {
     const auto sphere = glued(icosphere(12));
-    const Vector d = geodesic_distance(sphere.surface, sphere.lengths, from_0);
+    const Vector d = heat_distance(sphere.surface, sphere.lengths, from_0);
     for (const double scale : {1e-150, 1e-8, 3.0, 1e8, 1e150}) {
-        const Vector scaled =
-            geodesic_distance(sphere.surface, scale * sphere.lengths, from_0) / scale;
+        const Vector scaled = heat_distance(sphere.surface, scale * sphere.lengths, from_0) / scale;
         EXPECT_LT((scaled - d).cwiseAbs().maxCoeff(), 1e-12);
         // the time must scale, too: another one gives another error
         const Vector other =
-            geodesic_distance(sphere.surface, scale * sphere.lengths, from_0, {.time_scale = 2}) /
+            heat_distance(sphere.surface, scale * sphere.lengths, from_0, {.time_scale = 2}) /
             scale;
         EXPECT_GT((other - d).cwiseAbs().maxCoeff(), 1e-5);
     }
@@ -153,8 +153,8 @@ TEST(GeodesicDistance, does_not_depend_on_the_order_of_vertices) {
     const auto a = glued(mesh), b = glued(other.mesh);
     const auto place = std::find(other.vertices.begin(), other.vertices.end(), 0);
     const Index source[] = {static_cast<Index>(place - other.vertices.begin())};
-    const Vector d = geodesic_distance(a.surface, a.lengths, from_0);
-    const Vector e = geodesic_distance(b.surface, b.lengths, source);
+    const Vector d = heat_distance(a.surface, a.lengths, from_0);
+    const Vector e = heat_distance(b.surface, b.lengths, source);
     double difference = 0, unmatched = 0;
     for (Index v = 0; v < d.size(); ++v) {
         difference = std::max(difference, std::abs(e[v] - d[other.vertices[v]]));
@@ -167,7 +167,7 @@ TEST(GeodesicDistance, does_not_depend_on_the_order_of_vertices) {
 /// How much the distance changes by the reflection x -> -x, which maps the sphere to itself.
 double asymmetry(const GluedSample& sphere, Index source) {
     const Index sources[] = {source};
-    const Vector d = geodesic_distance(sphere.surface, sphere.lengths, sources);
+    const Vector d = heat_distance(sphere.surface, sphere.lengths, sources);
     std::map<std::array<double, 3>, double> at;
     const auto key = [&](Index v, double sign) {
         return std::array{sign * sphere.points(v, 0) + 0.0, sphere.points(v, 1),
@@ -195,7 +195,7 @@ double error_from_two(Index n) {
     const auto torus = flat(n);
     const Index a = torus.surface.tail(0), b = torus.surface.tail(6 * (n / 2 * n + n / 8));
     const Index both[] = {a, b, a};
-    const Vector d = geodesic_distance(torus.surface, torus.lengths, both, {.time_scale = 1});
+    const Vector d = heat_distance(torus.surface, torus.lengths, both, {.time_scale = 1});
     EXPECT_EQ(d[a], 0);
     EXPECT_EQ(d[b], 0);
     EXPECT_GE(d.minCoeff(), 0);
@@ -224,15 +224,15 @@ TEST(GeodesicDistance, is_0_everywhere_if_all_vertices_are_sources) {
     std::vector<Index> all(9);
     for (Index v = 0; v < 9; ++v)
         all[v] = v;
-    EXPECT_EQ(geodesic_distance(torus.surface, torus.lengths, all), Vector::Zero(9));
+    EXPECT_EQ(heat_distance(torus.surface, torus.lengths, all), Vector::Zero(9));
     const auto one = flat(1);
-    EXPECT_EQ(geodesic_distance(one.surface, one.lengths, from_0), Vector::Zero(1));
+    EXPECT_EQ(heat_distance(one.surface, one.lengths, from_0), Vector::Zero(1));
 }
 
 TEST(GeodesicDistance, is_right_where_the_heat_is_too_faint_for_numbers) {
     // 2000 squares in a row: exp(-2000) is no number of double precision
     const auto strip = glued(grid(2000, 1, 2000.0, 1.0));
-    const Vector d = geodesic_distance(strip.surface, strip.lengths, from_0);
+    const Vector d = heat_distance(strip.surface, strip.lengths, from_0);
     ASSERT_TRUE(d.allFinite());
     for (Index v = 0; v < d.size(); ++v)
         EXPECT_NEAR(d[v], in_the_plane(strip, v), 1);
@@ -247,9 +247,9 @@ TEST(GeodesicDistance, is_right_where_the_heat_is_too_faint_for_numbers) {
 
 TEST(GeodesicDistance, by_an_engine_that_iterates_is_less_sharp_but_right) {
     const auto torus = flat(64);
-    const Vector exact = geodesic_distance(torus.surface, torus.lengths, from_0);
+    const Vector exact = heat_distance(torus.surface, torus.lengths, from_0);
     const Vector d =
-        geodesic_distance(torus.surface, torus.lengths, from_0, {.linear_solver = "eigen.cg"});
+        heat_distance(torus.surface, torus.lengths, from_0, {.linear_solver = "eigen.cg"});
     EXPECT_LT((d - exact).cwiseAbs().mean(), 0.01);
 }
 
@@ -263,11 +263,11 @@ TEST(GeodesicDistance, of_each_component_is_its_own) {
     two.simplices.bottomRows(one.simplices.rows()) = one.simplices.array() + n;
     const auto a = glued(one), b = glued(two);
     const Index sources[] = {0, n};
-    const Vector d = geodesic_distance(a.surface, a.lengths, from_0);
-    const Vector e = geodesic_distance(b.surface, b.lengths, sources);
+    const Vector d = heat_distance(a.surface, a.lengths, from_0);
+    const Vector e = heat_distance(b.surface, b.lengths, sources);
     EXPECT_LT((e.head(n) - d).cwiseAbs().maxCoeff(), 1e-12);
     EXPECT_LT((1e5 * e.tail(n) - d).cwiseAbs().maxCoeff(), 1e-10);
-    EXPECT_TRUE(says(refusal([&] { geodesic_distance(b.surface, b.lengths, from_0); }),
+    EXPECT_TRUE(says(refusal([&] { heat_distance(b.surface, b.lengths, from_0); }),
                      {"source", "vertex 81"}));
 }
 
@@ -282,18 +282,18 @@ GluedSample with_needle(double width) {
 
 TEST(GeodesicDistance, hardly_depends_on_how_thin_needles_are) {
     const auto wide = with_needle(1e-2);
-    const Vector exact = geodesic_distance(wide.surface, wide.lengths, from_0);
+    const Vector exact = heat_distance(wide.surface, wide.lengths, from_0);
     for (const double width : {1e-3, 1e-6, 1e-9}) {
         const auto thin = with_needle(width);
-        const Vector d = geodesic_distance(thin.surface, thin.lengths, from_0);
+        const Vector d = heat_distance(thin.surface, thin.lengths, from_0);
         EXPECT_LT((d - exact).cwiseAbs().maxCoeff(), 0.1 / 16) << width;
     }
 }
 
 TEST(GeodesicDistance, is_refused_where_needles_leave_no_digits) {
     const auto sample = with_needle(1e-13);
-    const auto message = message_of<SolverFailure>(
-        [&] { geodesic_distance(sample.surface, sample.lengths, from_0); });
+    const auto message =
+        message_of<SolverFailure>([&] { heat_distance(sample.surface, sample.lengths, from_0); });
     EXPECT_TRUE(says(message, {"cotangent", "2e+13", "vertex 145", "triangle 241", "Delaunay"}));
 }
 
@@ -302,14 +302,14 @@ TEST(GeodesicDistance, refuses_lengths_of_no_triangles) {
     const auto with = [&](Index e, double length) {
         Vector lengths = torus.lengths;
         lengths[e] = length;
-        return refusal([&] { geodesic_distance(torus.surface, lengths, from_0); });
+        return refusal([&] { heat_distance(torus.surface, lengths, from_0); });
     };
     EXPECT_TRUE(says(with(4, 0), {"edge 4", "vertex 3", "0", "length", "0"}));
     EXPECT_TRUE(says(with(4, -1), {"edge 4", "vertex 3", "0", "length", "-1"}));
     EXPECT_TRUE(says(with(4, NAN), {"edge 4", "vertex 3", "0", "length", "nan"}));
     EXPECT_TRUE(
         says(with(4, 1.5), {"triangle 3", "vertices 3, 1, 0", "0.7071067811865476", "0.5", "1.5"}));
-    EXPECT_TRUE(says(refusal([&] { geodesic_distance(torus.surface, Vector::Ones(3), from_0); }),
+    EXPECT_TRUE(says(refusal([&] { heat_distance(torus.surface, Vector::Ones(3), from_0); }),
                      {"3 lengths", "12 edges"}));
     EXPECT_EQ(with(4, 0.5), "accepted");
 }
@@ -317,7 +317,7 @@ TEST(GeodesicDistance, refuses_lengths_of_no_triangles) {
 TEST(GeodesicDistance, refuses_sources_and_times_that_make_no_sense) {
     const auto torus = flat(3);
     const auto from = [&](std::vector<Index> sources) {
-        return refusal([&] { geodesic_distance(torus.surface, torus.lengths, sources); });
+        return refusal([&] { heat_distance(torus.surface, torus.lengths, sources); });
     };
     EXPECT_TRUE(says(from({9}), {"vertex 9", "source", "0", "8"}));
     EXPECT_TRUE(says(from({-1}), {"vertex -1", "source", "0", "8"}));
@@ -325,7 +325,7 @@ TEST(GeodesicDistance, refuses_sources_and_times_that_make_no_sense) {
     EXPECT_EQ(from({8}), "accepted");
     const auto with = [&](double time_scale) {
         return refusal([&] {
-            geodesic_distance(torus.surface, torus.lengths, from_0, {.time_scale = time_scale});
+            heat_distance(torus.surface, torus.lengths, from_0, {.time_scale = time_scale});
         });
     };
     EXPECT_TRUE(says(with(0), {"time scale", "0", "1e-6", "1e6"}));

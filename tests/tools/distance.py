@@ -14,11 +14,28 @@ class Distance(TestCase):
         return path
 
     def test_across_a_sphere_is_half_its_circumference(self):
-        for option in ([], ["--delaunay"]):
-            answer = parse(run("distance", self.sphere(), "--from", 0, "--json", *option).out)
-            self.assertAlmostEqual(answer["max"], math.pi, delta=0.03)
-            self.assertAlmostEqual(answer["mean"], math.pi / 2, delta=0.02)
-            self.assertEqual(answer["from"], [0])
+        for method in ("exact", "heat"):
+            for option in ([], ["--delaunay"]):
+                answer = parse(run("distance", self.sphere(), "--from", 0, "--json", "--method",
+                                   method, *option).out)
+                self.assertAlmostEqual(answer["max"], math.pi, delta=0.03)
+                self.assertAlmostEqual(answer["mean"], math.pi / 2, delta=0.02)
+                self.assertEqual(answer["from"], [0])
+                self.assertEqual(answer["method"], method)
+
+    def test_is_exact_unless_heat_is_asked_for(self):
+        torus = self.path("torus.off")
+        self.succeed("generate", "torus", "--major", 20, "--minor", 12, "-o", torus)
+        exact = self.ask("distance", torus, "--from", 0)
+        smoothed = self.ask("distance", torus, "--from", 0, "--method", "heat")
+        self.assertGreater(abs(smoothed["mean"] - exact["mean"]), 1e-3 * exact["mean"])
+        self.assertIn("exact up to rounding", self.succeed("distance", torus, "--from", 0).out)
+        self.assertIn("smoothed by the heat method",
+                      self.succeed("distance", torus, "--from", 0, "--method", "heat").out)
+        for options in (["--time-scale", 2], ["--engine", "eigen.ldlt"]):
+            self.assertSays(self.fail_with(2, "distance", torus, "--from", 0, *options),
+                            "--time-scale", "--engine", "--method heat")
+            self.ask("distance", torus, "--from", 0, "--method", "heat", *options)
 
     def test_from_more_vertices_is_no_longer_than_from_one(self):
         sphere = self.sphere()
@@ -40,14 +57,15 @@ class Distance(TestCase):
                 for j in range(rows):
                     a, b = i * (rows + 1) + j, (i + 1) * (rows + 1) + j
                     file.write(f"3 {a} {b} {b + 1}\n3 {a} {b + 1} {a + 1}\n")
-        answer = run("distance", ribbon, "--from", 38, "--json")
+        answer = run("distance", ribbon, "--from", 38, "--method", "heat", "--json")
         raised = parse(answer.out)["raised"]
         self.assertGreater(raised, 0)
         told = [text for text in parse(answer.out)["warnings"]
                 if command.says(text, raised, "distances", 0, "--delaunay")]
         self.assertEqual(len(told), 1, answer.err)
         self.assertIn(f"polydec: warning: {told[0]}\n", answer.err)
-        flipped = parse(run("distance", ribbon, "--delaunay", "--from", 38, "--json").out)
+        flipped = parse(run("distance", ribbon, "--delaunay", "--from", 38, "--method", "heat",
+                            "--json").out)
         self.assertEqual(flipped["raised"], 0)
 
     def test_negative_duals_are_told(self):
@@ -65,13 +83,16 @@ class Distance(TestCase):
             return parse(run("distance", sheared, "--from", 0, "--json", *more).out)
 
         exact = math.hypot(11, 0.5)
-        self.assertEqual(ask(0)["warnings"], [])
-        short = ask(3)
+        for flips in ([], ["--delaunay"]):
+            self.assertAlmostEqual(ask(3, *flips)["max"], exact, delta=1e-13)
+        self.assertAlmostEqual(ask(3, "--delaunay")["mean"], ask(3)["mean"], delta=1e-13)
+        self.assertEqual(ask(0, "--method", "heat")["warnings"], [])
+        short = ask(3, "--method", "heat")
         self.assertLess(short["max"], 0.7 * exact)
         hybrid, warning = short["warnings"]
         self.assertSays(hybrid, 8, "hybrid", "--delaunay")
         self.assertSays(warning, 8, "1-cells", "negative dual", "distances", "--delaunay")
-        mended = ask(3, "--delaunay=split-boundary")
+        mended = ask(3, "--delaunay=split-boundary", "--method", "heat")
         self.assertAlmostEqual(mended["max"], exact, delta=0.1 * exact)
         self.assertEqual(mended["warnings"], [])
 
@@ -109,7 +130,7 @@ class Distance(TestCase):
             chosen = numbers(holds)
             self.assertEqual(sorted(ask(*asked)[0]), chosen)
             self.assertEqual(ask(*asked)[1:], ask("--from", *chosen)[1:])
-        self.assertAlmostEqual(ask("--from", "boundary")[1], .5, delta=.06)
+        self.assertEqual(ask("--from", "boundary")[1], .5)
         self.assertSays(self.fail_with(2, "distance", grid, "--from-where", "x > 2"),
                         "--from-where", "81 vertices")
         self.assertSays(self.fail_with(2, "distance", grid, "--from-on", "wall"), "group", "wall")

@@ -220,10 +220,10 @@ class Draw:
         draw = self.random
         used = sorted({v for cell in mesh.cells for v in cell})
         sources = draw.sample(used, draw.randint(1, 2))
-        scale = draw.choice([[], ["--time-scale", "2"]])
+        method = draw.choice([[], ["--method", "heat"], ["--method", "heat", "--time-scale", "2"]])
         return lambda g: Asked(
             ["distance", "--from", *(g.vertices[v] for v in sources),
-             *scale], {"max": 1, "mean": 1})
+             *method], {"max": 1, "mean": 1})
 
     def flow(self, mesh):
         draw = self.random
