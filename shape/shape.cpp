@@ -51,7 +51,7 @@ Shape shape_of(const Discretization& mesh, const BoundaryConditions& conditions,
                 .conditions = conditions,
                 .conductivity = weights_of(mesh, conductivity, "conductivity"),
                 .density = weights_of(mesh, density, "density")};
-    const SimplexMetric metric = mesh.metric();
+    const SimplexMetric metric = mesh.geometry().metric();
     shape.lengths =
         metric.points() != nullptr ? edge_lengths(pieces, *metric.points()) : *metric.lengths();
     if (mesh.points().cols() > 0 || mesh.box()) // else the lengths are what is given
