@@ -15,7 +15,7 @@ struct WindowDistances {
     std::size_t windows; ///< how many were followed
 };
 
-/// The windows that are followed at most: 30 times what a surface of well-shaped triangles needs,
+/// The windows that are followed at most: 50 times what a surface of well-shaped triangles needs,
 /// which grows with their number to the power 3/2.
 std::size_t most_windows(Index triangles);
 
