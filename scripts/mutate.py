@@ -171,7 +171,7 @@ MUTANTS = {
     "too_large_simplices_counted": ("shape/trusted_count.cpp", "above * (1 + 1e-6) < lower.limit()", "above > 0"),
     "errors_of_lengths_forgotten": ("shape/measured_simplex.cpp", "shape.length_error + 8", "8"),
     "median_of_another_triangle": ("shape/bisection.cpp", "i == omitted ? -0.25L : 0.5L", "i == omitted ? -0.2L : 0.5L"),
-    "conditions_of_parts_lost": ("shape/bisection.cpp", "edges_[edge].error, edges_[edge].parent);", "edges_[edge].error, -1);"),
+    "conditions_of_parts_lost": ("shape/bisection.cpp", "length / 2, edges_[edge].parent);", "length / 2, -1);"),
     "orientation_of_parts": ("shape/bisection.cpp", "replaced == 1 ? -whole.orientation", "replaced == 3 ? -whole.orientation"),
     "paths_never_bend": ("shape/unfolded_triangles.cpp", "!is_simple || angles > most * (1 + rounding)", "false"),
     "pinched_as_disks": ("shape/unfolded_triangles.cpp", "!is_simple || angles >", "angles >"),

@@ -2,6 +2,7 @@
 #include "shape/bisection.h"
 
 #include "base/errors.h"
+#include "shape/measured_simplex.h"
 
 #include <fmt/format.h>
 
@@ -32,7 +33,7 @@ private:
     };
     struct Edge {
         std::array<Index, 2> ends; // in order
-        double length, error;
+        double length;
         Index parent; // of the input, -1 inside a triangle of it
         std::vector<Index> triangles;
         bool is_divided = false;
@@ -40,8 +41,8 @@ private:
 
     Index longest(Index triangle) const;
     void divide(Index edge);
-    Index add_edge(Index a, Index b, double length, double error, Index parent);
-    double median(const Triangle& triangle, int omitted, double& error) const;
+    Index add_edge(Index a, Index b, double length, Index parent);
+    double median(const Triangle& triangle, int omitted) const;
     void leave(Index edge, Index triangle);
 
     std::vector<Triangle> triangles_;
@@ -54,11 +55,8 @@ Bisection::Bisection(const Shape& shape)
     : vertices_(shape.pieces.size(0)), first_vertices_(vertices_) {
     const Pieces& pieces = shape.pieces;
     for (Index e = 0; e < pieces.size(1); ++e)
-        edges_.push_back({{pieces.simplices(1)(e, 0), pieces.simplices(1)(e, 1)},
-                          shape.lengths[e],
-                          shape.length_error,
-                          e,
-                          {}});
+        edges_.push_back(
+            {{pieces.simplices(1)(e, 0), pieces.simplices(1)(e, 1)}, shape.lengths[e], e, {}});
     for (Index t = 0; t < pieces.size(2); ++t) {
         Triangle triangle{{}, {}, static_cast<std::int8_t>(pieces.orientation(t)), t};
         for (int i = 0; i < 3; ++i) {
@@ -98,23 +96,17 @@ void Bisection::bisect(Index triangle) {
     }
 }
 
-Index Bisection::add_edge(Index a, Index b, double length, double error, Index parent) {
-    edges_.push_back({{a, b}, length, error, parent, {}});
+Index Bisection::add_edge(Index a, Index b, double length, Index parent) {
+    edges_.push_back({{a, b}, length, parent, {}});
     return static_cast<Index>(edges_.size() - 1);
 }
 
-double Bisection::median(const Triangle& triangle, int omitted, double& error) const {
-    long double square = 0, sizes = 0;
+double Bisection::median(const Triangle& triangle, int omitted) const {
+    long double square = 0;
     for (int i = 0; i < 3; ++i) {
-        const Edge& edge = edges_[triangle.edges[i]];
-        const long double length = edge.length;
-        const long double term = length * length * (i == omitted ? -0.25L : 0.5L);
-        square += term;
-        sizes += std::abs(term);
-        error = std::max(error, edge.error);
+        const long double length = edges_[triangle.edges[i]].length;
+        square += length * length * (i == omitted ? -0.25L : 0.5L);
     }
-    constexpr double rounding = std::numeric_limits<double>::epsilon();
-    error = static_cast<double>(sizes / square) * error + rounding;
     return static_cast<double>(std::sqrt(square));
 }
 
@@ -130,8 +122,8 @@ void Bisection::divide(Index edge) {
     const auto [first, last] = edges_[edge].ends;
     std::array<Index, 2> halves{};
     for (int end = 0; end < 2; ++end)
-        halves[end] = add_edge(end == 0 ? first : last, middle, edges_[edge].length / 2,
-                               edges_[edge].error, edges_[edge].parent);
+        halves[end] =
+            add_edge(end == 0 ? first : last, middle, edges_[edge].length / 2, edges_[edge].parent);
     edges_[edge].is_divided = true;
     while (!edges_[edge].triangles.empty()) { // a triangle glued to itself is there twice
         const Index t = edges_[edge].triangles.back();
@@ -139,9 +131,7 @@ void Bisection::divide(Index edge) {
         const Triangle whole = triangles_[t];
         const auto omitted = static_cast<int>(
             std::find(whole.edges.begin(), whole.edges.end(), edge) - whole.edges.begin());
-        double error = 0;
-        const double length = median(whole, omitted, error);
-        const Index across = add_edge(whole.corners[omitted], middle, length, error, -1);
+        const Index across = add_edge(whole.corners[omitted], middle, median(whole, omitted), -1);
         const auto part = static_cast<Index>(triangles_.size());
         triangles_.push_back(whole);
         generations_.push_back(++generations_[t]);
@@ -192,7 +182,6 @@ Shape Bisection::result(const Shape& shape) const {
             continue;
         ends.row(numbers[e]) << edge.ends[1], edge.ends[0]; // lacking the first, the last
         result.lengths[numbers[e]] = edge.length;
-        result.length_error = std::max(result.length_error, edge.error);
         if (!given.facets.empty())
             result.conditions.facets.push_back(edge.parent < 0 ? BoundaryCondition::natural
                                                                : given.facets[edge.parent]);
@@ -220,6 +209,13 @@ Shape Bisection::result(const Shape& shape) const {
     };
     result.conductivity = of_parents(shape.conductivity);
     result.density = of_parents(shape.density);
+
+    // halves are exact, and a median is known as well as its triangle is, but for its rounding
+    const int generations = *std::max_element(generations_.begin(), generations_.end());
+    result.length_error = 0;
+    result.metric_error = metric_share(shape) + generations *
+                                                    std::numeric_limits<double>::epsilon() *
+                                                    most_sensitivity(result);
     return result;
 }
 

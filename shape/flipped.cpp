@@ -3,6 +3,7 @@
 
 #include "complex/surfaces/ordered_surface.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
+#include "shape/measured_simplex.h"
 
 #include <limits>
 #include <numeric>
@@ -34,8 +35,10 @@ FlippedShape flipped(const Shape& shape) {
     result.pieces = in_order(flips.surface, pieces.vertex_numbers(vertices)).pieces;
     result.lengths = flips.lengths;
     // every flip rounds the length of an edge, which others follow from
-    result.length_error += 64 * std::numeric_limits<double>::epsilon() +
-                           2 * flips.statistics.added_length / flips.lengths.minCoeff();
+    const double error = 64 * std::numeric_limits<double>::epsilon() +
+                         2 * flips.statistics.added_length / flips.lengths.minCoeff();
+    result.length_error = 0;
+    result.metric_error = metric_share(shape) + error * most_sensitivity(result);
     return {std::move(result), flips.statistics.flips};
 }
 

@@ -105,26 +105,44 @@ double poincare_square(int n) {
     return n == 2 ? 1 / 14.68 : 1 / 9.8696;
 }
 
-double metric_ratio(const Shape& shape) {
-    const int n = shape.pieces.dimension();
+namespace {
+
+struct Worst {
+    double sensitivity;
+    Index simplex;
+};
+
+Worst worst_of(const Shape& shape) {
+    Worst worst{0, 0};
+    for (Index s = 0; s < shape.pieces.size(shape.pieces.dimension()); ++s)
+        if (const double here = measured_simplex(shape, s).sensitivity; here > worst.sensitivity)
+            worst = {here, s};
+    return worst;
+}
+
+} // namespace
+
+double most_sensitivity(const Shape& shape) {
+    return worst_of(shape).sensitivity;
+}
+
+double metric_share(const Shape& shape) {
     // lengths are squared, and gradients found, in long numbers
     const double error =
         shape.length_error + 8 * static_cast<double>(std::numeric_limits<long double>::epsilon());
-    double most = 0;
-    Index worst = 0;
-    for (Index s = 0; s < shape.pieces.size(n); ++s) {
-        const double d = measured_simplex(shape, s).sensitivity * error * (1 + error);
-        if (d > most) {
-            most = d;
-            worst = s;
-        }
-    }
-    if (!(most < 0.5))
+    const Worst worst = worst_of(shape);
+    const double share = worst.sensitivity * error * (1 + error) + shape.metric_error;
+    if (!(share < 0.5))
         throw InvalidInput(fmt::format(
             "{} is so flat that the rounding of its edges' lengths changes its shape: flip edges, "
             "or improve or remove flat simplices",
-            name_of(shape, worst)));
-    return (1 - most) * std::pow((1 - most) / (1 + most), n / 2.0);
+            name_of(shape, worst.simplex)));
+    return share;
+}
+
+double metric_ratio(const Shape& shape) {
+    const double d = metric_share(shape);
+    return (1 - d) * std::pow((1 - d) / (1 + d), shape.pieces.dimension() / 2.0);
 }
 
 } // namespace polydec

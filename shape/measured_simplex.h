@@ -29,6 +29,13 @@ MeasuredSimplex measured_simplex(const Shape& shape, Index simplex);
 /// j_(1,1)^2. Source: Payne, Weinberger 1960; Bebendorf 2003; Laugesen, Siudeja 2010.
 double poincare_square(int n);
 
+/// The share by which squares of lengths within simplices may be off, of the worst. Throws
+/// InvalidInput, naming the simplex, where that says nothing.
+double metric_share(const Shape& shape);
+
+/// The most of sensitivity.
+double most_sensitivity(const Shape& shape);
+
 /// A lower bound f of lambda' / lambda and of lambda / lambda', lambda' an eigenvalue by the
 /// numbers that are computed with and lambda the same of the shape: for metrics that differ by a
 /// share d of them at most, f = (1-d) ((1-d) / (1+d))^(n/2). Throws InvalidInput, naming the

@@ -80,10 +80,11 @@ void check(const Shape& shape) {
     if (std::find(fixed.begin(), fixed.end(), true) != fixed.end())
         throw InvalidInput("a vertex with a given value: functions on a shape are not bound at "
                            "points, so give conditions on facets");
-    if (!(shape.length_error >= 0 && shape.length_error < 0.1))
-        throw InvalidInput(fmt::format("lengths may be off by a share of {}: expected one from 0 "
-                                       "to 0.1",
-                                       shape.length_error));
+    for (const double error : {shape.length_error, shape.metric_error})
+        if (!(error >= 0 && error < 0.1))
+            throw InvalidInput(fmt::format("lengths may be off by a share of {}: expected one from "
+                                           "0 to 0.1",
+                                           error));
     robin_coefficients(pieces, shape.conditions);
 }
 

@@ -29,6 +29,9 @@ struct Shape {
     ShapeFunctions functions = ShapeFunctions::ordinary;
     /// Every length may be off by this share of it, as rounding of points or flips make it.
     double length_error = 0;
+    /// And squares of lengths within simplices by this share besides, as bisection and flips of
+    /// such make them, whose errors add up.
+    double metric_error = 0;
 };
 
 /// The shape of a mesh: its simplices, or those that flips have made of them, which are the same

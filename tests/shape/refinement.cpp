@@ -65,12 +65,14 @@ TEST(Bisection, of_triangles_glued_to_themselves_keeps_area_and_topology) {
         Shape shape{in_order(surface, names).pieces, Vector::Ones(surface.edges())};
         const double whole = area(shape);
         const Index characteristic = euler_characteristic(shape.pieces);
+        const bool is_orientable = shape.pieces.orientable();
         for (int step = 0; step < 4; ++step) {
             std::vector<Index> all(shape.pieces.size(2));
             std::iota(all.begin(), all.end(), Index{0});
             shape = bisected(shape, all);
             EXPECT_NEAR(area(shape), whole, 1e-12);
             EXPECT_EQ(euler_characteristic(shape.pieces), characteristic);
+            EXPECT_EQ(shape.pieces.orientable(), is_orientable);
         }
         EXPECT_GE(shape.pieces.size(2), 16);
     }
