@@ -73,9 +73,9 @@ struct Family {
 
 TEST(InteriorProductConvergence, is_of_first_order_and_centered_of_second_where_symmetric) {
     const std::vector<Family> families = {
-        {"grid", discretize(grid(16, 16)), discretize(grid(32, 32)), true},
-        {"hexagons", discretize(hexagons(16)), discretize(hexagons(32)), false},
-        {"acute", discretize(well_centered(16)), discretize(well_centered(32)), false},
+        {"grid", discretize(grid(12, 12)), discretize(grid(24, 24)), true},
+        {"hexagons", discretize(hexagons(12)), discretize(hexagons(24)), false},
+        {"acute", discretize(well_centered(12)), discretize(well_centered(24)), false},
         {"kuhn", discretize(kuhn(3, 4)), discretize(kuhn(3, 8)), true}};
     for (const auto& [name, coarse, fine, symmetric] : families)
         for (int k = 1; k <= fine.dimension(); ++k)

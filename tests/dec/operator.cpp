@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/operator.h"
 
+#include "dec/choose_stars.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
+#include "meshes/generate.h"
+#include "tests/support/circumcentric.h"
+#include "tests/support/glued.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
@@ -93,6 +97,42 @@ TEST(OperatorValuesRefuse, what_does_not_fit) {
     EXPECT_TRUE(says(refusal([&] { d0* d1; }), {"40 x 25", "multiplied", "16 x 40"}));
     EXPECT_TRUE(says(refusal([&] { d0 + d1; }), {"40 x 25", "added", "16 x 40"}));
     EXPECT_NE(refusal([&] { Operator::derivative(P, 3); }), "accepted");
+}
+
+/// What inverts a matrix acts by solving and has no sparse matrix, and so no diagonal; all else has
+/// both.
+TEST(OperatorsByStars, have_a_matrix_and_a_diagonal_where_no_matrix_is_inverted) {
+    for (const Mesh& input : {shaken(grid(4, 4), 0.42, 3), shaken(kuhn(3, 2), 0.3, 3)}) {
+        const auto mesh = circumcentric(input);
+        const auto& complex = mesh.complex();
+        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        const int n = mesh.dimension();
+        for (int k = 0; k <= n; ++k) {
+            const Vector x = random_vector(complex.size(k), 1);
+            for (const auto& [A, inverts] :
+                 {std::pair{symmetric_laplacian(complex, stars, k), k > 0},
+                  std::pair{laplacian(complex, stars, k), true},
+                  std::pair{Operator::star(stars[k]), false},
+                  std::pair{dual_laplacian(complex, stars, n - k), true}}) {
+                const Vector y = A * x;
+                EXPECT_TRUE(y.allFinite());
+                if (inverts) {
+                    EXPECT_TRUE(says(refusal([&A = A] { A.matrix(); }), {"inverts", "star"}));
+                    EXPECT_TRUE(says(refusal([&A = A] { A.diagonal(); }), {"inverts", "star"}));
+                    continue;
+                }
+                EXPECT_LE(relative_difference(y, Vector(A.matrix() * x)), 1e-13) << "k = " << k;
+                EXPECT_LE(relative_difference(A.diagonal(), Vector(A.matrix().diagonal())), 1e-13);
+            }
+            // columns of the operator, which is dense
+            const Operator A = symmetric_laplacian(complex, stars, k);
+            DenseMatrix columns(complex.size(k), complex.size(k));
+            for (Index i = 0; i < columns.cols(); ++i)
+                columns.col(i) = A * Vector::Unit(columns.cols(), i);
+            EXPECT_LE((columns - columns.transpose()).norm(), 1e-11 * columns.norm());
+            EXPECT_GT((columns + columns.transpose()).norm(), columns.norm());
+        }
+    }
 }
 
 } // namespace

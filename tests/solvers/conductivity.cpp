@@ -8,6 +8,7 @@
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/poisson.h"
+#include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/hand_made.h"
@@ -170,6 +171,28 @@ TEST(ConcyclicEdges, between_different_conductivities_conduct) {
     const Vector known{
         {21.946478616632547, 35.40093594432815, 31.920829238841744, 25.678205826116056}};
     EXPECT_LE(relative_difference(Vector(u.head(4)), known), 1e-13);
+}
+
+TEST(ConductivityLayers, are_exact_as_resistances_in_series) {
+    // two layers of a box, split where cells are: flux 1 needs pressure drops 1/2 and 1/8
+    for (const int n : {1, 2, 3}) {
+        const auto mesh = circumcentric(kuhn(n, 4));
+        const Points centers = PoissonSolver(mesh, {.side = Side::dual}).sites();
+        const Vector kappa = at(centers, [](const Vector& p) { return p[0] < 0.5 ? 1 : 4; });
+        const Points facets = PoissonSolver(mesh, {.side = Side::primal}).flux_sites();
+        const auto ends =
+            essential_where(facets, [](const Vector& p) { return p[0] < 1e-9 || p[0] > 1 - 1e-9; });
+        for (const Side side : sides) {
+            PoissonSolver solver(
+                mesh, {.side = side, .boundary = ends, .conductivity = CellData::on_cells(kappa)});
+            const Vector drop = -0.625 * solver.boundary_sites().col(0);
+            const Vector u = solver.solve(Vector::Zero(solver.sites().rows()), drop).values;
+            const Vector exact = at(solver.sites(), [](const Vector& p) {
+                return p[0] < 0.5 ? -p[0] : -0.5 - (p[0] - 0.5) / 4;
+            });
+            EXPECT_LE((u - exact).cwiseAbs().maxCoeff(), 1e-12) << "n = " << n << name(side);
+        }
+    }
 }
 
 /// Two triangles on the edge from (-1, 0) to (1, 0); the first is obtuse, so its circumcenter is on

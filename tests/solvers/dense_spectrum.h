@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/decompositions.h"
 #include "dec/discretization.h"
 #include "dec/operators.h"
+#include "tests/support/dense_laplacian.h"
 
 namespace polydec::test {
 
 /// All eigenvalues of the Laplacian on k-cells, ascending, from dense matrices.
 inline Vector dense_spectrum(const Discretization& mesh, int k) {
-    const DenseMatrix A = symmetric_laplacian(mesh, k).matrix();
-    const DenseMatrix M = star(mesh.volumes(), k).diagonal().asDiagonal();
-    return Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix>(A, M, Eigen::EigenvaluesOnly)
-        .eigenvalues();
+    return dense_values(DenseMatrix(symmetric_laplacian(mesh, k).matrix()),
+                        star(mesh.volumes(), k).diagonal().asDiagonal());
 }
 
 /// How many of the ascending values lie below the shift.

@@ -9,8 +9,10 @@
 #include "dec/operators.h"
 #include "meshes/generate.h"
 #include "solvers/heat.h"
+#include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
+#include "tests/support/forms.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
@@ -64,49 +66,33 @@ double error_of_heat(const Discretization& mesh, Side side, int degree, double t
     return norm(mesh, heat.form(0) - std::cos(0.5) * u) / norm(mesh, u);
 }
 
-double order_of_heat(const std::function<Mesh(int)>& make, int cells, Side side, int degree,
-                     double more_terms = 0) {
-    const auto error = [&](int count) {
-        const auto mesh = circumcentric(make(count));
+double order_of_heat(const Case& cells, Side side, int degree, double more_terms = 0) {
+    return order(cells, [&](const Discretization& mesh) {
         return error_of_heat(mesh, side, degree, mesh.dimension() + more_terms);
-    };
-    return std::log2(error(cells) / error(2 * cells));
+    });
 }
 
 // The twin: with the source of another solution it does not converge.
 TEST(evolution, heat_with_a_source_converges_in_space_in_every_degree_and_on_both_sides) {
-    for (const int n : {1, 2, 3})
-        for (const Side side : {Side::primal, Side::dual})
-            for (int degree = 0; degree <= n; ++degree) {
-                const auto cubes = [n](int cells) { return kuhn(n, cells); };
-                EXPECT_NEAR(order_of_heat(cubes, n < 3 ? 8 : 5, side, degree), 2, 0.2)
-                    << n << name(side) << degree;
-                EXPECT_LT(order_of_heat(cubes, 4, side, degree, 1), 0.5);
-            }
+    for (const Case& cells : {Case{"interval"}, Case{"squares"}, Case{"cubes", 3, 6}})
+        for_all_forms(cells.dimension(), [&](Side side, int degree) {
+            EXPECT_NEAR(order_of_heat(cells, side, degree), 2, 0.2) << cells;
+            EXPECT_LT(order_of_heat({cells.pattern, 3, 6}, side, degree, 1), 0.5) << cells;
+        });
 }
 
+// The tetrahedra at the walls of their lattice have negative duals, so that Delta of dual 0-forms
+// is not semidefinite.
 TEST(evolution, heat_with_a_source_converges_on_polygons_and_polytopes) {
-    struct Family {
-        const char* name;
-        std::function<Mesh(int)> make;
-        int cells;
-    };
-    const Family families[] = {{"acute triangles", well_centered, 8},
-                               {"hexagons", hexagons, 8},
-                               {"tetrahedra", [](int cells) { return bcc(cells); }, 4},
-                               {"octahedra", [](int cells) { return fcc(cells); }, 4}};
-    // the tetrahedra at the walls of that lattice have negative duals, so that Delta of dual
-    // 0-forms is not semidefinite
-    for (const auto& [kind, make, cells] : families)
-        for (const Side side : {Side::primal, Side::dual}) {
-            if (side == Side::dual && std::string(kind) == "tetrahedra")
-                continue;
-            EXPECT_NEAR(order_of_heat(make, cells, side, 0), 2, 0.3) << kind << name(side);
-        }
+    for (const Case& cells :
+         {Case{"triangles"}, Case{"hexagons"}, Case{"bcc", 3, 6}, Case{"fcc", 3, 6}})
+        for (const Side side : sides)
+            if (side == Side::primal || cells.pattern != "bcc")
+                EXPECT_NEAR(order_of_heat(cells, side, 0), 2, 0.3) << cells << name(side);
 }
 
-double error_after(const Discretization& mesh, const Cochain& start, Index steps,
-                   const Cochain& end) {
+/// Diffusion against the reaction u (1 + sin t - u), up to the time 1.
+Cochain competing(const Discretization& mesh, const Cochain& start, Index steps) {
     Evolution run(mesh, {{.start = start, .diffusion = 0.1}},
                   [](double t, const std::vector<Cochain>& now) {
                       const auto u = now[0].values.array();
@@ -114,7 +100,7 @@ double error_after(const Discretization& mesh, const Cochain& start, Index steps
                   },
                   {.steps = {.fixed_step = 1. / steps}});
     run.march(1);
-    return norm(mesh, run.form(0) - end);
+    return run.form(0);
 }
 
 TEST(evolution, steps_are_of_fourth_order_where_diffusion_and_reaction_compete) {
@@ -122,16 +108,11 @@ TEST(evolution, steps_are_of_fourth_order_where_diffusion_and_reaction_compete) 
         const Cochain start =
             de_rham(mesh, 0,
                     function_form([](const Vector& x) { return 0.5 + 0.2 * std::cos(pi * x[0]); }));
-        Evolution fine(mesh, {{.start = start, .diffusion = 0.1}},
-                       [](double t, const std::vector<Cochain>& now) {
-                           const auto u = now[0].values.array();
-                           return std::vector{Vector(u * (1 + std::sin(t) - u))};
-                       },
-                       {.steps = {.fixed_step = 1. / 256}});
-        fine.march(1);
-        const Cochain end = fine.form(0);
-        EXPECT_NEAR(std::log2(error_after(mesh, start, 8, end) / error_after(mesh, start, 16, end)),
-                    4, 0.4);
+        const Cochain end = competing(mesh, start, 256);
+        const auto error = [&](Index steps) {
+            return norm(mesh, competing(mesh, start, steps) - end);
+        };
+        EXPECT_NEAR(std::log2(error(8) / error(16)), 4, 0.4);
     }
 }
 
@@ -151,40 +132,38 @@ Vector closing(const Discretization& mesh, const Cochain& form) {
 // The twin: without the values on the boundary they do not stay constant.
 TEST(evolution, constant_forms_grow_with_their_values_on_the_boundary) {
     const BoundaryConditions essential{BoundaryCondition::essential};
-    for (const int n : {1, 2, 3})
-        for (const Side side : {Side::primal, Side::dual})
-            for (int degree = 0; degree < n; ++degree) {
-                const auto mesh = circumcentric(kuhn(n, 4));
-                const auto components = static_cast<Eigen::Index>(subsets(n, degree).size());
-                const Cochain u = on(mesh, side, degree, [&](const Vector&) {
-                    return Vector(Vector::LinSpaced(components, 1, 2));
+    for (const char* pattern : {"interval", "squares", "cubes"}) {
+        const auto& mesh = Case{pattern}.mesh(4);
+        const int n = mesh.dimension();
+        for_all_forms(n - 1, [&](Side side, int degree) {
+            const Cochain u = on(mesh, side, degree, [=](const Vector&) {
+                return Vector(Vector::LinSpaced(coefficients(n, degree), 1, 2));
+            });
+            const Vector data = closing(mesh, u);
+            const auto growth = [](double t) { return 1 + t * t; };
+            const auto defect = [&](bool has_data) {
+                Unknown unknown{.start = u, .diffusion = 1, .conditions = essential};
+                if (has_data)
+                    unknown.boundary = [&](double t) {
+                        return BoundaryForms{.values = growth(t) * data};
+                    };
+                Evolution run(mesh, {unknown}, [&](double t, const std::vector<Cochain>&) {
+                    return std::vector{Vector(2 * t * u.values)};
                 });
-                const Vector data = closing(mesh, u);
-                const auto growth = [](double t) { return 1 + t * t; };
-                const auto defect = [&](bool has_data) {
-                    Unknown unknown{.start = u, .diffusion = 1, .conditions = essential};
-                    if (has_data)
-                        unknown.boundary = [&](double t) {
-                            return BoundaryForms{.values = growth(t) * data};
-                        };
-                    Evolution run(mesh, {unknown}, [&](double t, const std::vector<Cochain>&) {
-                        return std::vector{Vector(2 * t * u.values)};
-                    });
-                    run.march(1);
-                    return norm(mesh, run.form(0) - growth(1) * u) / norm(mesh, u);
-                };
-                EXPECT_LE(defect(true), 1e-4) << n << name(side) << degree;
-                EXPECT_GT(defect(false), 0.1) << n << name(side) << degree;
-            }
+                run.march(1);
+                return norm(mesh, run.form(0) - growth(1) * u) / norm(mesh, u);
+            };
+            EXPECT_LE(defect(true), 1e-4);
+            EXPECT_GT(defect(false), 0.1);
+        });
+    }
 }
 
 // The steps of the heat equation are another scheme for the same matrices.
 TEST(evolution, heat_without_source_is_that_of_the_heat_solver_for_all_stars) {
-    const Mesh meshes[] = {kuhn(2, 4), kuhn(3, 2), uv_sphere(8, 6)};
-    for (const Mesh& input : meshes) {
-        const auto plain = circumcentric(input);
+    for (const Mesh& input : {kuhn(2, 4), kuhn(3, 2), uv_sphere(8, 6)})
         for (const StarKind kind : {StarKind::circumcentric, StarKind::galerkin}) {
-            const auto mesh = plain.with_stars(kind);
+            const auto mesh = with_stars(input, kind);
             for (int degree = 0; degree <= mesh.dimension(); ++degree) {
                 Cochain form{Side::primal, degree,
                              Vector::LinSpaced(mesh.complex().size(degree), -1, 1)};
@@ -206,7 +185,6 @@ TEST(evolution, heat_without_source_is_that_of_the_heat_solver_for_all_stars) {
                 EXPECT_LE(norm(mesh, extrapolated - heat.form(0)), 2e-3 * norm(mesh, start));
             }
         }
-    }
 }
 
 TEST(evolution, diffusion_keeps_the_mean_where_nothing_flows_out) {
@@ -244,7 +222,7 @@ Evolution gray_scott(const Discretization& mesh, const std::string& integrator, 
 
 TEST(evolution, all_integrators_give_the_same_forms) {
     const auto mesh = circumcentric(uv_sphere(8, 6));
-    for (const Side side : {Side::primal, Side::dual}) {
+    for (const Side side : sides) {
         auto reference = gray_scott(mesh, "runge-kutta", side);
         reference.march(10);
         for (const auto& engine : engines(EngineKind::integrator)) {

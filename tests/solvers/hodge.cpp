@@ -8,9 +8,11 @@
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
+#include "dec/operators.h"
 #include "meshes/generate.h"
-#include "tests/solvers/hodge_laws.h"
+#include "tests/solvers/star_samples.h"
 #include "tests/support/circumcentric.h"
+#include "tests/support/glued.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -23,6 +25,70 @@
 
 namespace polydec::test::in_hodge {
 namespace {
+
+constexpr double rounding = 1e-10;
+
+/// The same values, but for rounding of numbers of the size of others.
+void expect_same(const Vector& values, const Vector& expected, const Vector& others) {
+    EXPECT_LE((values - expected).norm(), rounding * others.norm());
+}
+
+/// On any cells, by any positive star of k-cells: parts of forms of both sides add up, are
+/// orthogonal, and have their potentials.
+void expect_orthogonal_parts(const CellComplex& complex, const HodgeStars& stars, int k) {
+    const int n = complex.dimension();
+    for (const Side side : {Side::primal, Side::dual}) {
+        const int degree = side == Side::primal ? k : n - k;
+        SCOPED_TRACE(name(side));
+        const Cochain w{side, degree, random_vector(complex.size(k), 1)};
+        const auto parts = hodge_decomposition(complex, stars, w);
+        const double square = inner_product(complex, stars, w, w);
+        const auto product = [&](const Cochain& a, const Cochain& b) {
+            return std::abs(inner_product(complex, stars, a, b)) / square;
+        };
+        EXPECT_LE(product(parts.exact, parts.coexact), rounding);
+        EXPECT_LE(product(parts.exact, parts.harmonic), rounding);
+        EXPECT_LE(product(parts.coexact, parts.harmonic), rounding);
+        expect_same((parts.exact + parts.coexact + parts.harmonic).values, w.values, w.values);
+        if (degree > 0)
+            expect_same(d(complex, parts.potential).values, parts.exact.values, w.values);
+        if (degree < n)
+            expect_same(d(complex, parts.copotential).values,
+                        star(complex, stars, parts.coexact).values, star(complex, stars, w).values);
+    }
+}
+
+/// Harmonic forms are as many as Betti numbers say, orthonormal, closed, coclosed, and stay.
+void expect_harmonic_forms(const CellComplex& complex, const HodgeStars& stars, int k) {
+    const int n = complex.dimension();
+    const HodgeSolver solver(complex, stars, Side::primal, k);
+    const DenseMatrix H = solver.harmonic_forms();
+    ASSERT_EQ(H.cols(), betti_numbers(complex)[k]);
+    EXPECT_EQ(harmonic_forms(complex, stars, Side::dual, n - k).cols(), H.cols());
+    const DenseMatrix masses = stars[k].matrix() * H;
+    EXPECT_LE((H.transpose() * masses - DenseMatrix::Identity(H.cols(), H.cols())).norm(),
+              rounding * static_cast<double>(H.cols()));
+    for (Index i = 0; i < H.cols(); ++i) {
+        const Vector form = H.col(i), mass = masses.col(i);
+        EXPECT_LE((derivative(complex, k - 1).transpose() * mass).norm(), rounding * mass.norm());
+        EXPECT_LE((derivative(complex, k) * form).norm(), rounding * form.norm());
+        expect_same(solver.decompose({Side::primal, k, form}).harmonic.values, form, form);
+    }
+}
+
+/// Exact forms have no other part, nor have coexact ones.
+void expect_parts_stay(const CellComplex& complex, const HodgeStars& stars, int k) {
+    const HodgeSolver solver(complex, stars, Side::primal, k);
+    if (k > 0) {
+        const Vector da = derivative(complex, k - 1) * random_vector(complex.size(k - 1), 2);
+        expect_same(solver.decompose({Side::primal, k, da}).exact.values, da, da);
+    }
+    if (k < complex.dimension()) {
+        const Vector delta =
+            codifferential(complex, stars, k + 1) * random_vector(complex.size(k + 1), 3);
+        expect_same(solver.decompose({Side::primal, k, delta}).coexact.values, delta, delta);
+    }
+}
 
 bool positive(const CellVolumes& volumes, int k) {
     return star(volumes, k).zeros().empty() && star(volumes, k).negatives().empty();
@@ -108,6 +174,81 @@ TEST_P(HodgeParted, forms_of_meshes_of_every_size_have_the_same_parts) {
 }
 
 POLYDEC_OVER_MESHES(HodgeParted);
+
+class HodgeByStars : public OverMeshes {
+protected:
+    /// Calls law(complex, stars, k) for cells and simplices, relative to the boundary too, with
+    /// stars of every kind and every degree.
+    template <class Law>
+    void for_all(Law law) const {
+        for (const auto& [title, mesh, chosen] : with_star_kinds(GetParam())) {
+            const auto relative = relative_to_boundary(mesh.complex());
+            const HodgeStars restricted = relative_stars(relative, mesh.stars());
+            for (int k = 0; k <= mesh.dimension(); ++k) {
+                SCOPED_TRACE(title + ", k = " + std::to_string(k));
+                law(mesh.complex(), mesh.stars(), k);
+                if (relative.complex.size(k) > 0 &&
+                    relative.complex.size(k) < mesh.complex().size(k)) {
+                    SCOPED_TRACE("relative to the boundary");
+                    law(relative.complex, restricted, k);
+                }
+            }
+        }
+    }
+};
+
+TEST_P(HodgeByStars, parts_are_orthogonal_and_have_their_potentials) {
+    for_all(expect_orthogonal_parts);
+}
+
+TEST_P(HodgeByStars, harmonic_forms_are_as_many_as_betti_numbers_say) {
+    for_all(expect_harmonic_forms);
+}
+
+TEST_P(HodgeByStars, exact_and_coexact_forms_have_no_other_part) {
+    for_all(expect_parts_stay);
+}
+
+POLYDEC_OVER_MESHES(HodgeByStars);
+
+TEST(HodgeByOtherStars, parts_are_orthogonal_in_their_own_inner_product_alone) {
+    const auto mesh = circumcentric(shaken(grid(6, 6), 0.42, 3));
+    const auto stars = choose_stars(mesh, StarKind::automatic).stars;
+    const auto other = choose_stars(mesh, StarKind::barycentric).stars;
+    ASSERT_FALSE(stars[1].is_diagonal());
+    const Cochain w{Side::primal, 1, random_vector(mesh.complex().size(1), 1)};
+    const auto parts = hodge_decomposition(mesh.complex(), stars, w);
+    EXPECT_GT(std::abs(inner_product(mesh.complex(), other, parts.exact, parts.coexact)),
+              1e-3 * inner_product(mesh.complex(), other, w, w));
+}
+
+/// Stars of the same cells measured in another unit.
+TEST(HodgeByOtherStars, parts_of_cells_of_every_size_are_the_same) {
+    const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
+    const auto& complex = mesh.complex();
+    const auto chosen = choose_stars(mesh, StarKind::galerkin).stars;
+    const Cochain w{Side::primal, 1, random_vector(complex.size(1), 1)};
+    const auto here = hodge_decomposition(complex, chosen, w);
+    for (const double factor : {0x1p-300, 0x1p300}) {
+        const auto stars = chosen.with(1, factor * chosen[1].matrix());
+        const auto there = hodge_decomposition(complex, stars, w);
+        EXPECT_LE(relative_difference(there.exact.values, here.exact.values), rounding);
+        EXPECT_LE(relative_difference(there.coexact.values, here.coexact.values), rounding);
+        EXPECT_LE(relative_difference(there.copotential.values / factor, here.copotential.values),
+                  1e-6); // but for what d takes to 0
+        EXPECT_EQ(harmonic_forms(complex, stars, Side::primal, 1).cols(), 0);
+    }
+}
+
+TEST(HodgeByOtherStars, refuse_a_matrix_that_is_not_definite) {
+    const auto mesh = circumcentric(grid(2, 2));
+    SparseMatrix M(mesh.complex().size(1), mesh.complex().size(1));
+    M.setIdentity();
+    M.coeffRef(0, 1) = M.coeffRef(1, 0) = 2;
+    const auto stars = mesh.stars().with(1, M);
+    EXPECT_TRUE(says(refusal([&] { HodgeSolver(mesh.complex(), stars, Side::primal, 1); }),
+                     {"negative eigenvalue"}));
+}
 
 struct Hole {
     std::string name;

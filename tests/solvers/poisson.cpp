@@ -3,41 +3,30 @@
 
 #include "base/errors.h"
 #include "complex/components.h"
+#include "dec/choose_stars.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/material_stars.h"
 #include "meshes/generate.h"
-#include "meshes/rearrange.h"
+#include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
+#include "tests/support/glued.h"
 #include "tests/support/hand_made.h"
+#include "tests/support/matrices.h"
 #include "tests/support/read_golden.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
+#include "tests/support/scales.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
 namespace polydec::test::in_poisson {
 namespace {
-
-using Function = std::function<double(const Vector& point)>;
-
-Vector values(const Function& function, const Points& sites) {
-    Vector result(sites.rows());
-    for (Index i = 0; i < result.size(); ++i)
-        result[i] = function(sites.row(i).transpose());
-    return result;
-}
-
-/// Root of the integral of the squared difference, every value weighted by its cell's volume.
-double l2(const Discretization& mesh, Side side, const Vector& difference) {
-    const Vector& volume =
-        side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(mesh.dimension());
-    return std::sqrt(volume.dot(difference.cwiseAbs2()));
-}
 
 // Franke's function is a sum of c exp(-q). Its second term falls linearly with y, the last one has
 // Franke's own exponent.
@@ -71,13 +60,12 @@ double franke_laplacian(const Vector& p) {
     return sum;
 }
 
-double franke_error(const Mesh& input, Side side) {
-    const auto mesh = circumcentric(input);
+double franke_error(const Discretization& mesh, Side side) {
     PoissonSolver solver(mesh, {.side = side});
-    const auto [u, report, compatibility, warnings] = solver.solve(
-        values(franke_laplacian, solver.sites()), values(franke, solver.boundary_sites()));
+    const auto [u, report, compatibility, warnings] =
+        solver.solve(at(solver.sites(), franke_laplacian), at(solver.boundary_sites(), franke));
     EXPECT_LE(report.residual, 1e-10);
-    return l2(mesh, side, u - values(franke, solver.sites()));
+    return l2_norm(mesh, side, u - at(solver.sites(), franke));
 }
 
 /// The errors, by an independent program, of grids with N = 8, 16, 32.
@@ -85,7 +73,7 @@ TEST(FrankesProblem, has_the_known_errors_on_grids) {
     const auto expect = [](Side side, const std::array<double, 3>& known) {
         Index N = 8;
         for (const double error : known) {
-            EXPECT_NEAR(franke_error(grid(N, N), side), error, 0.05 * error) << N;
+            EXPECT_NEAR(franke_error(Case{"squares"}.mesh(N), side), error, 0.05 * error) << N;
             N *= 2;
         }
     };
@@ -94,54 +82,113 @@ TEST(FrankesProblem, has_the_known_errors_on_grids) {
 }
 
 TEST(FrankesProblem, converges_with_order_2_on_grids_and_hexagons) {
-    for (const Side side : {Side::primal, Side::dual})
-        for (const auto& make :
-             std::vector<std::function<Mesh(int)>>{[](int N) { return grid(N, N); }, hexagons}) {
-            const double order =
-                std::log2(franke_error(make(16), side) / franke_error(make(32), side));
-            EXPECT_NEAR(order, 2.0, 0.15) << name(side);
-        }
+    for (const Side side : sides)
+        for (const Case& cells : {Case{"squares", 16, 32}, Case{"hexagons", 16, 32}})
+            EXPECT_NEAR(order(cells, [&](const auto& mesh) { return franke_error(mesh, side); }),
+                        2.0, 0.15)
+                << cells << name(side);
 }
 
-double linear(const Vector& p) {
-    return 0.3 + Vector::LinSpaced(p.size(), 1.0, -2.0).dot(p);
-}
+struct Row : Case {
+    std::vector<Where> conditions;
+    double expected = 2, tolerance = 0.1;
+};
 
-double error_of_linear_solution(const Mesh& input, Side side) {
-    const auto mesh = circumcentric(input);
-    PoissonSolver solver(mesh, {.side = side});
+/// Of a product of cosines, a solution of Delta u = n frequency^2 u; `terms` is n, or else the
+/// right-hand side belongs to another solution.
+double wave_error(const Discretization& mesh, Side side, Where where, int terms) {
+    const bool is_free = where == Where::natural; // whose normal derivative vanishes
+    const double frequency = is_free ? M_PI : M_PI / 2, shift = is_free ? 0 : 0.3;
+    const auto conditions = conditions_of(mesh, where);
+    const PoissonSolver solver(mesh, {.side = side, .boundary = conditions});
+    const auto wave = [=](const Points& sites) -> Vector {
+        return (frequency * sites.array() + shift).cos().rowwise().prod();
+    };
+    Vector data = Vector::Zero(solver.flux_sites().rows());
+    if (where == Where::mixed || where == Where::robin) {
+        const Points& sites = solver.flux_sites();
+        const DenseMatrix slopes = -frequency * (frequency * sites.array() + shift).tan();
+        data = outward_normals(mesh).cwiseProduct(slopes).rowwise().sum();
+        data += robin_coefficients(mesh.complex(), conditions);
+        data = data.cwiseProduct(wave(sites));
+    }
+    const Vector exact = wave(solver.sites());
     const Vector u =
-        solver.solve(Vector::Zero(solver.sites().rows()), values(linear, solver.boundary_sites()))
+        solver.solve(terms * frequency * frequency * exact, wave(solver.boundary_sites()), data)
             .values;
-    return (u - values(linear, solver.sites())).cwiseAbs().maxCoeff();
+    return l2_norm(mesh, side, u - exact);
 }
 
-TEST(LinearFunctions, are_solved_exactly_on_flat_meshes_primal) {
-    for (const auto& mesh : {grid(7, 5), hexagons(5), well_centered(4), kuhn(1, 6), kuhn(3, 3),
-                             bcc(2), fcc(2), kuhn(4, 2), perturbed(well_centered(4), 0.01, 3)})
-        EXPECT_LE(error_of_linear_solution(mesh, Side::primal), 1e-11);
+class PoissonOrders : public testing::TestWithParam<Row> {};
+
+TEST_P(PoissonOrders, are_two_on_both_sides) {
+    for (const Side side : sides)
+        for (const Where where : GetParam().conditions)
+            EXPECT_NEAR(order(GetParam(),
+                              [&](const Discretization& mesh) {
+                                  return wave_error(mesh, side, where, mesh.dimension());
+                              }),
+                        GetParam().expected, GetParam().tolerance)
+                << name(side) << int(where);
 }
 
-TEST(LinearFunctions, are_solved_exactly_on_flat_meshes_dual) {
-    for (const auto& mesh : {grid(7, 5), hexagons(5), well_centered(4), kuhn(1, 6), kuhn(3, 3),
-                             bcc(2), fcc(2), kuhn(4, 2), perturbed(well_centered(4), 0.01, 3)})
-        EXPECT_LE(error_of_linear_solution(mesh, Side::dual), 1e-11);
+const std::vector<Where> any(std::begin(everywhere), std::end(everywhere));
+
+// Of five-dimensional cubes 2.18 is what the eigenvalues 4 sin^2(pi h / 2) / h^2 give.
+INSTANTIATE_TEST_SUITE_P(Lattices, PoissonOrders,
+                         testing::Values(Row{{"squares", 16, 32}, any, 2, 0.15},
+                                         Row{{"hexagons", 16, 32}, any, 2, 0.15},
+                                         Row{{"thin_squares", 32, 64}, {Where::essential}, 2, 0.15},
+                                         Row{{"cubes", 8, 16}, {Where::essential}},
+                                         Row{{"thin_cubes", 8, 16}, {Where::essential}, 2, 0.15},
+                                         Row{{"split_cubes", 8, 16}, {Where::essential}},
+                                         Row{{"bcc", 8, 12}, {Where::essential}},
+                                         Row{{"fcc", 8, 12}, {Where::essential}},
+                                         Row{{"tesseracts", 3, 6}, {Where::natural}},
+                                         Row{{"d4", 3, 4}, {Where::natural}},
+                                         Row{{"cubes5", 2, 3}, {Where::natural}, 2.18}),
+                         name_of<Row>);
+
+TEST(PoissonOrdersBroken, are_not_two_for_another_right_hand_side) {
+    for (const Side side : sides)
+        EXPECT_LT(std::abs(order({"cubes", 8, 16},
+                                 [&](const Discretization& mesh) {
+                                     return wave_error(mesh, side, Where::essential, 4);
+                                 })),
+                  1.0);
 }
 
-/// There the circumcenters of some cells lie on the boundary.
-TEST(LinearFunctions, are_exact_where_boundary_facets_have_no_dual) {
-    for (const char* name : {"fcc1.nsc", "hex4.nsc"}) {
-        const Mesh mesh = read_golden(name);
-        EXPECT_GT(circumcentric(mesh).degenerate().boundary, 0) << name;
-        EXPECT_LE(error_of_linear_solution(mesh, Side::dual), 1e-11) << name;
+TEST(NaturalConditions, say_how_far_fluxes_are_from_balanced) {
+    const auto& mesh = Case{"squares"}.mesh(4);
+    for (const Side side : sides) {
+        PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
+        const Vector zero = Vector::Zero(solver.sites().rows());
+        const Vector none = Vector::Zero(solver.boundary_sites().rows());
+        // what is made inside, 4 per area, leaves through the boundary of length 4
+        const Vector out = Vector::Constant(solver.flux_sites().rows(), -1);
+        EXPECT_LE(solver.solve(zero.array() + 4, none, out).compatibility.worst, 1e-12);
+        EXPECT_GT(solver.solve(zero.array() + 5, none, out).compatibility.worst, 0.1);
     }
 }
 
-/// Negative duals make the system indefinite and leave it right.
-TEST(LinearFunctions, are_exact_on_obtuse_meshes) {
-    for (const auto& mesh : {obtuse_planar(), obtuse_solid()})
-        for (const Side side : {Side::primal, Side::dual})
-            EXPECT_LE(error_of_linear_solution(mesh, side), 1e-9) << name(side);
+TEST(ThinLayers, keep_linear_functions_on_both_sides_and_where_boxes_grow) {
+    std::vector<Discretization> meshes{circumcentric(graded(2, 10, 1e5)),
+                                       circumcentric(graded(3, 6, 3e4))};
+    for (const double thickness : {1e-3, 1e-4, 1e-5, 1e-6})
+        for (const int n : {2, 3})
+            meshes.push_back(circumcentric(layers(n, n == 2 ? 10 : 5, thickness)));
+    for (const double thickness : {1e-3, 1e-4}) // as far as lengths know angles
+        meshes.push_back(circumcentric(layers(2, 10, thickness), {.delaunay = Delaunay::flips}));
+    const auto linear = [](const Vector& p) {
+        return 0.3 + Vector::LinSpaced(p.size(), 1.0, -2.0).dot(p);
+    };
+    for (const auto& mesh : meshes)
+        for (const Side side : sides) {
+            const PoissonSolver solver(mesh, {.side = side});
+            const Vector exact = at(solver.sites(), linear);
+            const Vector u = solver.solve(0 * exact, at(solver.boundary_sites(), linear)).values;
+            EXPECT_LE((u - exact).cwiseAbs().maxCoeff(), 1e-12) << name(side);
+        }
 }
 
 /// The component that each site belongs to.
@@ -175,10 +222,10 @@ TEST(NaturalProblem, has_the_solution_of_mean_zero_on_every_component) {
     const Mesh two_squares =
         united(grid(6, 6), transformed(well_centered(3), DenseMatrix::Identity(2, 2), 1.0, 3.0));
     for (const auto& input : {two_components(), two_squares})
-        for (const Side side : {Side::primal, Side::dual}) {
+        for (const Side side : sides) {
             const auto mesh = circumcentric(input);
             PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
-            const Vector f = values(wave, solver.sites());
+            const Vector f = at(solver.sites(), wave);
             const Vector none = Vector::Zero(solver.boundary_sites().rows());
             const auto [u, report, compatibility, warnings] = solver.solve(f, none);
             EXPECT_GT(u.norm(), 1e-3);
@@ -195,29 +242,12 @@ TEST(NaturalProblem, has_the_solution_of_mean_zero_on_every_component) {
         }
 }
 
-TEST(NaturalProblem, converges_to_a_solution_known) {
-    const Function cosines = [](const Vector& p) {
-        return std::cos(M_PI * p[0]) * std::cos(2 * M_PI * p[1]);
-    };
-    const auto error = [&](int N, Side side) {
-        const auto mesh = circumcentric(grid(N, N));
-        PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
-        const Vector u = solver
-                             .solve(5 * M_PI * M_PI * values(cosines, solver.sites()),
-                                    Vector::Zero(solver.boundary_sites().rows()))
-                             .values;
-        return l2(mesh, side, u - values(cosines, solver.sites()));
-    };
-    for (const Side side : {Side::primal, Side::dual})
-        EXPECT_NEAR(std::log2(error(16, side) / error(32, side)), 2.0, 0.05) << name(side);
-}
-
 TEST(ClosedSurface, has_no_use_for_boundary_data) {
     const auto mesh = circumcentric(torus(16, 8));
-    for (const Side side : {Side::primal, Side::dual}) {
+    for (const Side side : sides) {
         PoissonSolver fixed(mesh, {.side = side});
         PoissonSolver natural(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
-        const Vector f = values(wave, fixed.sites());
+        const Vector f = at(fixed.sites(), wave);
         const auto [u, report, compatibility, warnings] =
             fixed.solve(f, Vector::Ones(fixed.boundary_sites().rows()));
         EXPECT_TRUE(u.isApprox(
@@ -229,14 +259,14 @@ TEST(ClosedSurface, has_no_use_for_boundary_data) {
 
 TEST(Solutions, do_not_depend_on_the_unit_of_length) {
     for (const double scale : {1e-8, 1e8})
-        for (const Side side : {Side::primal, Side::dual}) {
+        for (const Side side : sides) {
             const auto solve = [&](double length) {
                 const auto mesh =
                     circumcentric(transformed(hexagons(6), DenseMatrix::Identity(2, 2), length));
                 PoissonSolver solver(mesh, {.side = side});
                 return solver
-                    .solve(values(franke_laplacian, solver.sites() / length) / (length * length),
-                           values(franke, solver.boundary_sites() / length))
+                    .solve(at(solver.sites() / length, franke_laplacian) / (length * length),
+                           at(solver.boundary_sites() / length, franke))
                     .values;
             };
             EXPECT_TRUE(solve(scale).isApprox(solve(1), 1e-10)) << name(side) << ' ' << scale;
@@ -286,11 +316,18 @@ TEST(PoissonSolverRefuses, data_that_are_no_numbers_or_too_few) {
                      {"right-hand side", "8 values", "9 places"}));
     EXPECT_TRUE(says(refusal([&] { solver.solve(zeros, Vector::Zero(10)); }),
                      {"boundary data", "10 values", "9 places"}));
+    EXPECT_TRUE(says(refusal([&] { solver.solve(zeros, zeros, zeros); }),
+                     {"normal derivatives", "9 values", "12 places"}));
+    EXPECT_TRUE(
+        says(refusal([&] {
+                 PoissonSolver(mesh, {.boundary = {.facets = {2, BoundaryCondition::natural}}});
+             }),
+             {"2 boundary conditions", "12 1-cells"}));
 }
 
 TEST(PoissonSolverRefuses, data_that_overflow_with_the_volumes) {
     const auto mesh = circumcentric(grid(2, 2));
-    for (const Side side : {Side::primal, Side::dual}) {
+    for (const Side side : sides) {
         PoissonSolver solver(mesh, {.side = side});
         const Vector f = Vector::Zero(solver.sites().rows());
         const Vector values = Vector::Constant(solver.boundary_sites().rows(), -1.5e308);
@@ -299,6 +336,63 @@ TEST(PoissonSolverRefuses, data_that_overflow_with_the_volumes) {
                  {"right-hand side", side == Side::primal ? "0-cell 4" : "2-cell 0", "-inf"}));
         EXPECT_TRUE(solver.solve(f, values / 16).values.allFinite());
     }
+}
+
+/// How far the solution for a linear function is from it; its values are given where x < 1/2 on the
+/// boundary, what flows out elsewhere.
+double error_of_linear_solution(const Discretization& mesh) {
+    const Vector slope = random_vector(3, 8);
+    PoissonOptions options;
+    options.boundary =
+        essential_where(cell_centers(mesh, 2), [](const Vector& x) { return x[0] < 0.5; });
+    const PoissonSolver solver(mesh, options);
+    const Vector exact = solver.sites() * slope;
+    const Vector outflow = outward_normals(mesh) * slope;
+    return (solver.solve(Vector::Zero(exact.size()), exact, outflow).values - exact)
+        .cwiseAbs()
+        .maxCoeff();
+}
+
+TEST(PoissonByStars, has_linear_solutions_on_obtuse_tets) {
+    const auto mesh =
+        circumcentric(shaken(kuhn(3, 3), 0.08, 3), {.criterion = MergeCriterion::none});
+    const auto by = [&](StarKind kind) {
+        return error_of_linear_solution(mesh.with_stars(choose_stars(mesh, kind).stars));
+    };
+    EXPECT_LE(by(StarKind::galerkin), 1e-11);
+    EXPECT_LE(by(StarKind::automatic), 1e-11);
+    EXPECT_GT(by(StarKind::barycentric), 1e-3);
+}
+
+TEST(PoissonByStars, makes_the_star_of_conductivities) {
+    const auto mesh = discretize(shaken(kuhn(3, 2), 0.25, 3));
+    ASSERT_EQ(mesh.chosen_stars().kind, StarKind::galerkin);
+    Vector kappa(mesh.complex().size(3));
+    for (Index cell = 0; cell < kappa.size(); ++cell)
+        kappa[cell] = 1 + cell % 3;
+    for (const Side side : {Side::primal, Side::dual}) {
+        const int k = side == Side::primal ? 1 : 2;
+        const Vector weights = side == Side::primal ? kappa : Vector(kappa.cwiseInverse());
+        const auto own = mesh.with_stars(
+            mesh.stars().with(k, material_star(mesh, k, CellData::on_cells(weights))));
+        const auto solve = [&](const Discretization& given, const Vector& conductivity) -> Vector {
+            const PoissonSolver solver(
+                given, {.side = side, .conductivity = CellData::on_cells(conductivity)});
+            return solver.solve(Vector::Ones(solver.sites().rows()), solver.boundary_sites().col(0))
+                .values;
+        };
+        EXPECT_EQ(solve(mesh, kappa), solve(own, {}));
+        EXPECT_GT(relative_difference(solve(mesh, kappa), solve(mesh, {})), 1e-5);
+    }
+}
+
+TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
+    const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.25, 3));
+    const auto stars = mesh.with_stars(choose_stars(mesh, StarKind::galerkin).stars);
+    const Vector ones = Vector::Ones(mesh.complex().size(3));
+    EXPECT_TRUE(
+        says(refusal([&] { PoissonSolver(stars, {.conductivity = CellData::on_cells(ones)}); }),
+             {"material_star"}));
 }
 
 } // namespace

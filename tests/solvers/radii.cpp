@@ -2,7 +2,6 @@
 #include "backends/spectra/certified_eigensolver.h"
 #include "base/errors.h"
 #include "complex/simplicial_complex.h"
-#include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "meshes/generate.h"
@@ -10,9 +9,9 @@
 #include "solvers/coexact_spectrum.h"
 #include "solvers/spectrum.h"
 #include "tests/support/branches.h"
+#include "tests/support/dense_laplacian.h"
 #include "tests/support/hand_made.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,28 +23,7 @@
 namespace polydec::test::in_radii {
 namespace {
 
-using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
-
-/// All eigenvalues of the Laplacian on k-cells, ascending, in more digits than a double has.
-LongVector long_spectrum(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    const LongVector mass = star(volumes, k).diagonal().cast<long double>();
-    LongMatrix A = LongMatrix::Zero(mass.size(), mass.size());
-    if (k < complex.dimension()) {
-        const LongMatrix d = DenseMatrix(derivative(complex, k)).cast<long double>();
-        A += d.transpose() * star(volumes, k + 1).diagonal().cast<long double>().asDiagonal() * d;
-    }
-    if (k > 0) {
-        const LongMatrix d = DenseMatrix(derivative(complex, k - 1)).cast<long double>();
-        const LongMatrix lower = mass.asDiagonal() * d;
-        const LongVector weights =
-            star(volumes, k - 1).diagonal().cast<long double>().cwiseInverse();
-        A += lower * weights.asDiagonal() * lower.transpose();
-    }
-    const LongVector scale = mass.cwiseSqrt().cwiseInverse();
-    const LongMatrix B = scale.asDiagonal() * A * scale.asDiagonal();
-    return Eigen::SelfAdjointEigenSolver<LongMatrix>(B, Eigen::EigenvaluesOnly).eigenvalues();
-}
 
 struct Complex {
     SimplicialComplex complex;
@@ -80,51 +58,57 @@ std::vector<Mesh> hostile_meshes() {
     return meshes;
 }
 
-/// Calls check(values, radii, exact, rounding of exact) for all degrees on both sides.
-template <class Check>
-void over_hostile_spectra(Check check) {
-    for (const Mesh& mesh : hostile_meshes()) {
-        const Complex cells(mesh);
-        const int n = cells.complex.dimension();
-        for (int k = 0; k <= n; ++k) {
-            if (!cells.has_spectrum(k))
-                continue;
-            const LongVector exact = long_spectrum(cells.complex, cells.volumes, k);
-            const long double rounding = 1e-17L * exact.cwiseAbs().maxCoeff();
-            for (const Side side : {Side::primal, Side::dual}) {
-                if (side == Side::dual && k == n && branches(cells.complex))
+struct Found {
+    Spectrum spectrum;
+    LongVector exact;     ///< all eigenvalues, in more digits than a double has
+    long double rounding; ///< of these
+};
+
+/// Of all degrees on both sides; made once.
+const std::vector<Found>& hostile_spectra() {
+    static const auto all = [] {
+        std::vector<Found> result;
+        for (const Mesh& mesh : hostile_meshes()) {
+            const Complex cells(mesh);
+            const int n = cells.complex.dimension();
+            for (int k = 0; k <= n; ++k) {
+                if (!cells.has_spectrum(k))
                     continue;
-                const Index count = std::min<Index>(12, cells.complex.size(k));
-                SCOPED_TRACE(testing::Message() << n << ' ' << k << ' ' << name(side));
-                const auto found = spectrum(
-                    cells.complex, cells.volumes,
-                    {.side = side, .degree = side == Side::primal ? k : n - k, .count = count});
-                check(found, exact, rounding);
+                const auto exact = dense_eigenvalues<long double>(cells.complex, cells.volumes, k);
+                for (const Side side : {Side::primal, Side::dual}) {
+                    if (side == Side::dual && k == n && branches(cells.complex))
+                        continue;
+                    const Index count = std::min<Index>(12, cells.complex.size(k));
+                    const int degree = side == Side::primal ? k : n - k;
+                    result.push_back({spectrum(cells.complex, cells.volumes,
+                                               {.side = side, .degree = degree, .count = count}),
+                                      exact, 1e-17L * exact.cwiseAbs().maxCoeff()});
+                }
             }
         }
-    }
+        return result;
+    }();
+    return all;
 }
 
 TEST(Radii, hold_the_exact_eigenvalues_of_hostile_meshes) {
-    Index spectra = 0;
-    over_hostile_spectra([&](const Spectrum& found, const LongVector& exact, long double rounding) {
-        ++spectra;
+    for (const auto& [found, exact, rounding] : hostile_spectra()) {
+        SCOPED_TRACE(testing::Message() << name(found.side) << found.degree);
         const double gap = static_cast<double>(exact[exact.size() - 1] - exact[0]);
         for (Index i = 0; i < found.eigenvalues.size(); ++i) {
             EXPECT_LE(std::abs(found.eigenvalues[i] - exact[i]), found.radii[i] + rounding) << i;
             EXPECT_LE(found.radii[i], 1e-6 * std::max(std::abs(found.eigenvalues[i]), gap)) << i;
         }
-    });
-    EXPECT_GE(spectra, 50);
+    }
+    EXPECT_GE(hostile_spectra().size(), 50u);
 }
 
 /// The broken twin: much smaller radii would not hold them.
 TEST(Radii, are_not_there_for_nothing) {
     Index outside = 0;
-    over_hostile_spectra([&](const Spectrum& found, const LongVector& exact, long double rounding) {
+    for (const auto& [found, exact, rounding] : hostile_spectra())
         for (Index i = 0; i < found.eigenvalues.size(); ++i)
             outside += std::abs(found.eigenvalues[i] - exact[i]) > 1e-4 * found.radii[i] + rounding;
-    });
     EXPECT_GT(outside, 0);
 }
 
@@ -165,7 +149,8 @@ TEST(StarOfEdges, with_one_too_short_is_refused_or_right) {
     for (const int k : {0, 1})
         try {
             const auto found = spectrum(cells.complex, cells.volumes, {.degree = k, .count = 4});
-            const LongVector exact = long_spectrum(cells.complex, cells.volumes, k);
+            const LongVector exact =
+                dense_eigenvalues<long double>(cells.complex, cells.volumes, k);
             for (Index i = 0; i < 4; ++i) {
                 EXPECT_LE(std::abs(found.eigenvalues[i] - exact[i]),
                           found.radii[i] + 1e-17L * exact.maxCoeff());

@@ -6,6 +6,7 @@
 #include "solvers/heat.h"
 #include "solvers/poisson.h"
 #include "solvers/spectrum.h"
+#include "tests/solvers/cases.h"
 #include "tests/solvers/flow_samples.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
@@ -17,14 +18,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace polydec::test::in_robin {
 namespace {
 
-constexpr Side sides[] = {Side::primal, Side::dual};
 constexpr StarKind kinds[] = {StarKind::circumcentric, StarKind::galerkin};
 
 BoundaryConditions robin(double coefficient) {
@@ -44,11 +44,6 @@ BoundaryConditions varied_robin(const Discretization& mesh, double coefficient) 
     return conditions;
 }
 
-Discretization with(const Mesh& input, StarKind kind) {
-    const auto mesh = circumcentric(input);
-    return kind == StarKind::circumcentric ? mesh : mesh.with_stars(kind);
-}
-
 double wave(const Vector& p) {
     return std::sin(2 * p[0] + 0.3) * std::cos(p[1]);
 }
@@ -62,39 +57,41 @@ double slope(const Vector& p) {
 
 /// L2 error of the wave for the data slope + varied(coefficient) u, solved with another
 /// coefficient.
-double error(const Mesh& input, Side side, StarKind kind, double coefficient, double solved_with) {
-    const auto mesh = with(input, kind);
+double error(const Discretization& mesh, Side side, double coefficient, double solved_with) {
     const PoissonSolver solver(mesh, {.side = side, .boundary = varied_robin(mesh, solved_with)});
-    const auto at = [](const Points& sites, auto function) {
-        Vector result(sites.rows());
-        for (Index i = 0; i < result.size(); ++i)
-            result[i] = function(sites.row(i).transpose());
-        return result;
-    };
     const Vector exact = at(solver.sites(), wave);
     const Vector data = at(solver.flux_sites(), [&](const Vector& p) {
         return slope(p) + varied(coefficient, p) * wave(p);
     });
     const Vector u =
         solver.solve(5 * exact, Vector::Zero(solver.boundary_sites().rows()), data).values;
-    const Vector weights = side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(2);
-    return std::sqrt(weights.cwiseAbs().dot((u - exact).cwiseAbs2()));
+    return l2_norm(mesh, side, u - exact);
+}
+
+/// Calls law(case, side) for cells of the plane with diagonal stars and with matrices, both sides.
+template <class Law>
+void for_both_stars(const std::vector<std::string>& patterns, int cells, Law law) {
+    for (const auto& pattern : patterns)
+        for (const StarKind kind : kinds)
+            for (const Side side : sides) {
+                const Case of{pattern, cells, 2 * cells, kind};
+                SCOPED_TRACE(testing::Message() << of << name(side));
+                law(of, side);
+            }
 }
 
 TEST(Robin, converges_with_order_2_on_both_sides) {
-    const std::function<Mesh(int)> families[] = {[](int m) { return grid(m, m); }, hexagons,
-                                                 well_centered};
-    for (const auto& make : families)
-        for (const Side side : sides)
-            for (const StarKind kind : kinds)
-                for (const double coefficient : {0.1, 1.0, 50.0}) {
-                    const auto order = [&](double solved_with) {
-                        return std::log2(error(make(8), side, kind, coefficient, solved_with) /
-                                         error(make(16), side, kind, coefficient, solved_with));
-                    };
-                    EXPECT_GE(order(coefficient), 1.8) << name(side) << ' ' << coefficient;
-                    EXPECT_LT(order(2 * coefficient), 1.0) << name(side) << ' ' << coefficient;
-                }
+    for_both_stars({"squares", "hexagons", "triangles"}, 8, [](const Case& of, Side side) {
+        for (const double coefficient : {0.1, 1.0, 50.0}) {
+            const auto order_of = [&](double solved_with) {
+                return order(of, [&](const auto& mesh) {
+                    return error(mesh, side, coefficient, solved_with);
+                });
+            };
+            EXPECT_GE(order_of(coefficient), 1.8) << coefficient;
+            EXPECT_LT(order_of(2 * coefficient), 1.0) << coefficient;
+        }
+    });
 }
 
 /// -u'' = 1 on [0, 1] with u' = alpha u at the left and -u' = beta u at the right end, so u =
@@ -136,7 +133,7 @@ TEST(Robin, of_a_ring_converges_to_the_closed_form) {
     // at 1: 1/2 - b + alpha (a - 1/4) = 0; at 2: b/2 - 1 + alpha (a + b log 2 - 1) = 0
     Eigen::Matrix2d A;
     A << alpha, -1, alpha, alpha * std::log(2) + 0.5;
-    const Eigen::Vector2d c = A.lu().solve(Eigen::Vector2d(alpha / 4 - 0.5, alpha + 1));
+    const Eigen::Vector2d c = A.inverse() * Eigen::Vector2d(alpha / 4 - 0.5, alpha + 1);
     const auto exact = [&](double r) { return c[0] + c[1] * std::log(r) - r * r / 4; };
     for (const Side side : sides) {
         std::vector<double> errors;
@@ -147,10 +144,9 @@ TEST(Robin, of_a_ring_converges_to_the_closed_form) {
                                  .solve(Vector::Ones(solver.sites().rows()),
                                         Vector::Zero(solver.boundary_sites().rows()))
                                  .values;
-            double worst = 0;
-            for (Index i = 0; i < u.size(); ++i)
-                worst = std::max(worst, std::abs(u[i] - exact(solver.sites().row(i).norm())));
-            errors.push_back(worst);
+            const Vector wanted =
+                at(solver.sites(), [&](const Vector& x) { return exact(x.norm()); });
+            errors.push_back((u - wanted).cwiseAbs().maxCoeff());
         }
         EXPECT_LE(errors[2], 2e-3) << name(side);
         EXPECT_GE(std::log2(errors[0] / errors[1]), 1.8) << name(side);
@@ -170,111 +166,101 @@ double frequency(double alpha) {
 
 /// The lowest wave of the square under Robin's condition, cos(w (x - 1/2)) cos(w (y - 1/2)) with
 /// w tan(w / 2) = alpha, fades as exp(-2 w^2 t).
-double fading_error(const Mesh& input, Side side, StarKind kind, double alpha, double solved_with) {
+double fading_error(const Discretization& mesh, Side side, double alpha, double solved_with) {
     const double w = frequency(alpha);
-    const auto mesh = with(input, kind);
-    const Points sites = side == Side::primal              ? mesh.points()
-                         : kind == StarKind::circumcentric ? cell_centers(mesh, 2)
-                                                           : cell_centroids(mesh, 2);
-    Cochain u{side, 0, Vector(sites.rows())};
-    for (Index i = 0; i < sites.rows(); ++i)
-        u.values[i] = std::cos(w * (sites(i, 0) - 0.5)) * std::cos(w * (sites(i, 1) - 0.5));
-    const Vector start = u.values;
-    constexpr int steps = 200;
+    const bool diagonal = mesh.chosen_stars().kind == StarKind::circumcentric;
+    const Points sites = side == Side::primal ? mesh.points()
+                         : diagonal           ? cell_centers(mesh, 2)
+                                              : cell_centroids(mesh, 2);
+    const Vector start = (w * (sites.array() - 0.5)).cos().rowwise().prod();
+    Cochain u{side, 0, start};
+    constexpr int steps = 80;
     constexpr double time = 0.2;
     const HeatSolver solver(mesh, robin(solved_with), side, 0,
                             {.time_step = time / steps, .scheme = HeatScheme::crank_nicolson});
     for (int i = 0; i < steps; ++i)
         u = solver.step(u);
-    const Vector weights = side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(2);
-    return std::sqrt(weights.dot((u.values - std::exp(-2 * w * w * time) * start).cwiseAbs2()));
+    return l2_norm(mesh, side, u.values - std::exp(-2 * w * w * time) * start);
 }
 
 TEST(Robin, lets_heat_fade_as_its_closed_form) {
-    const std::function<Mesh(int)> families[] = {[](int m) { return grid(m, m); }, well_centered};
-    for (const auto& make : families)
-        for (const Side side : sides)
-            for (const StarKind kind : kinds)
-                for (const double alpha : {0.5, 4.0}) {
-                    const auto order = [&](double solved_with) {
-                        return std::log2(fading_error(make(12), side, kind, alpha, solved_with) /
-                                         fading_error(make(24), side, kind, alpha, solved_with));
-                    };
-                    EXPECT_GE(order(alpha), 1.8) << name(side) << ' ' << alpha;
-                    EXPECT_LT(order(1.5 * alpha), 1.0) << name(side) << ' ' << alpha;
-                }
+    for_both_stars({"squares", "triangles"}, 12, [](const Case& of, Side side) {
+        for (const double alpha : {0.5, 4.0}) {
+            const auto order_of = [&](double solved_with) {
+                return order(of, [&](const auto& mesh) {
+                    return fading_error(mesh, side, alpha, solved_with);
+                });
+            };
+            EXPECT_GE(order_of(alpha), 1.8) << alpha;
+            EXPECT_LT(order_of(1.5 * alpha), 1.0) << alpha;
+        }
+    });
 }
 
 /// w of the lowest wave above: w tan(w / 2) = alpha.
 TEST(Robin, has_the_spectrum_of_the_square) {
-    const std::function<Mesh(int)> families[] = {[](int m) { return grid(m, m); }, well_centered};
-    for (const auto& make : families)
-        for (const Side side : sides)
-            for (const StarKind kind : kinds)
-                for (const double alpha : {0.5, 4.0}) {
-                    const double exact = 2 * std::pow(frequency(alpha), 2);
-                    const auto error_of = [&](int m, double solved_with) {
-                        const auto found = spectrum(with(make(m), kind), robin(solved_with),
-                                                    {.side = side, .count = 3});
-                        EXPECT_TRUE(found.certificate.complete);
-                        return std::abs(found.eigenvalues[0] - exact);
-                    };
-                    const double fine = error_of(24, alpha);
-                    EXPECT_LE(fine, 0.01 * exact) << name(side) << ' ' << alpha;
-                    EXPECT_GE(std::log2(error_of(12, alpha) / fine), 1.8)
-                        << name(side) << ' ' << alpha;
-                    EXPECT_GT(error_of(24, 1.5 * alpha), 0.1 * exact);
-                }
+    for_both_stars({"squares", "triangles"}, 12, [](const Case& of, Side side) {
+        for (const double alpha : {0.5, 4.0}) {
+            const double exact = 2 * std::pow(frequency(alpha), 2);
+            const auto error_of = [&](const Discretization& mesh, double solved_with) {
+                const auto found = spectrum(mesh, robin(solved_with), {.side = side, .count = 3});
+                EXPECT_TRUE(found.certificate.complete);
+                return std::abs(found.eigenvalues[0] - exact);
+            };
+            EXPECT_LE(error_of(of.mesh(of.fine), alpha), 0.01 * exact) << alpha;
+            EXPECT_GE(order(of, [&](const auto& mesh) { return error_of(mesh, alpha); }), 1.8)
+                << alpha;
+            EXPECT_GT(error_of(of.mesh(of.fine), 1.5 * alpha), 0.1 * exact);
+        }
+    });
 }
 
 /// Of forms of every degree: heat under the same condition fades at the rates of the spectrum.
 TEST(Robin, has_spectra_by_which_heat_fades) {
     for (const char* name_of : {"grid4", "kuhn3", "wellcentred4"}) {
+        SCOPED_TRACE(name_of);
         const auto mesh = circumcentric(mesh_named(name_of));
-        for (const Side side : sides)
-            for (int k = 0; k <= mesh.dimension(); ++k) {
-                const auto found =
-                    spectrum(mesh, robin(1.5), {.side = side, .degree = k, .count = 4});
-                const Diffusion diffusion(mesh, side, k, {.conditions = robin(1.5)});
-                const auto other = robin(3);
-                const Diffusion twin(mesh, side, k, {.conditions = other});
-                double off = 0;
-                for (Index i = 0; i < 4; ++i) {
-                    const Vector mode = found.modes.col(i)(diffusion.kept());
-                    const Vector expected = -found.eigenvalues[i] * mode;
-                    const double size = mode.norm() * (1 + found.eigenvalues[3]);
-                    EXPECT_LE((diffusion.rate(mode) - expected).norm(), 1e-7 * size)
-                        << name_of << name(side) << k;
-                    off = std::max(off, (twin.rate(mode) - expected).norm() / size);
-                }
-                EXPECT_TRUE(off > 1e-3 || k == mesh.dimension()) << name_of << name(side) << k;
+        for_all_forms(mesh.dimension(), [&](Side side, int k) {
+            const auto found = spectrum(mesh, robin(1.5), {.side = side, .degree = k, .count = 4});
+            const Diffusion diffusion(mesh, side, k, {.conditions = robin(1.5)});
+            const auto other = robin(3);
+            const Diffusion twin(mesh, side, k, {.conditions = other});
+            double off = 0;
+            for (Index i = 0; i < 4; ++i) {
+                const Vector mode = found.modes.col(i)(diffusion.kept());
+                const Vector expected = -found.eigenvalues[i] * mode;
+                const double size = mode.norm() * (1 + found.eigenvalues[3]);
+                EXPECT_LE((diffusion.rate(mode) - expected).norm(), 1e-7 * size);
+                off = std::max(off, (twin.rate(mode) - expected).norm() / size);
             }
+            EXPECT_TRUE(off > 1e-3 || k == mesh.dimension());
+        });
     }
 }
 
 /// It takes more than no flow does from primal forms, and less than held values from dual ones.
 TEST(Robin, takes_energy_from_heat_of_every_degree) {
     for (const char* name_of : {"grid4", "kuhn3", "wellcentred4"}) {
+        SCOPED_TRACE(name_of);
         const auto mesh = circumcentric(mesh_named(name_of));
-        for (const Side side : sides)
-            for (int k = 0; k <= mesh.dimension(); ++k) {
-                const int cells = cell_degree(mesh.complex(), side, k);
-                const Vector star = mesh.stars()[cells].diagonal();
-                const Vector weights = side == Side::primal ? star : star.cwiseInverse();
-                const Cochain u{side, k, random_vector(mesh.complex().size(cells), 5)};
-                const auto energy_after = [&](const BoundaryConditions& conditions) {
-                    const HeatSolver solver(mesh, conditions, side, k, {.time_step = 0.1});
-                    return weights.dot(solver.step(u).values.cwiseAbs2());
-                };
-                const double left = energy_after(robin(1));
-                EXPECT_LT(left, weights.dot(u.values.cwiseAbs2())) << name_of << name(side) << k;
-                const double without = energy_after(built_in_conditions(side));
-                const double more = side == Side::primal ? without - left : left - without;
-                if (k < mesh.dimension())
-                    EXPECT_GT(more, 1e-6 * without) << name_of << name(side) << k;
-                else
-                    EXPECT_NEAR(more, 0, 1e-12 * without) << name_of << name(side) << k;
-            }
+        for_all_forms(mesh.dimension(), [&](Side side, int k) {
+            const int cells = cell_degree(mesh.complex(), side, k);
+            const Vector star = mesh.stars()[cells].diagonal();
+            const Vector weights = side == Side::primal ? star : star.cwiseInverse();
+            const Cochain u{side, k, random_vector(mesh.complex().size(cells), 5)};
+            const auto energy_after = [&](const BoundaryConditions& conditions) {
+                const HeatSolver solver(mesh, conditions, side, k, {.time_step = 0.1});
+                return weights.dot(solver.step(u).values.cwiseAbs2());
+            };
+            const double left = energy_after(robin(1));
+            EXPECT_LT(left, weights.dot(u.values.cwiseAbs2()));
+            const double without = energy_after(built_in_conditions(side));
+            const double more = side == Side::primal ? without - left : left - without;
+            if (k < mesh.dimension())
+                EXPECT_GT(more, 1e-6 * without);
+            else
+                EXPECT_NEAR(more, 0, 1e-12 * without);
+        });
     }
 }
 
@@ -282,7 +268,7 @@ TEST(Robin, of_an_infinite_coefficient_is_Dirichlets_and_of_none_Neumanns) {
     for (const char* name_of : {"grid4", "wellcentred4", "kuhn3", "ring6", "hexagons5"})
         for (const Side side : sides)
             for (const StarKind kind : kinds) {
-                const auto mesh = with(mesh_named(name_of), kind);
+                const auto mesh = with_stars(mesh_named(name_of), kind);
                 const auto solution = [&](const BoundaryConditions& conditions, double data) {
                     const PoissonSolver solver(mesh, {.side = side, .boundary = conditions});
                     const Vector f = random_vector(solver.sites().rows(), 1);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tests/solvers/smooth_waves.h"
 
+#include "dec/metric/subsets.h"
+#include "tests/support/forms.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -11,93 +15,69 @@ namespace polydec::test {
 
 namespace {
 
-using Subset = std::vector<int>;
+/// dx_axis ^ dx_from = sign dx_to.
+struct Product {
+    Index from, axis, to;
+    double sign;
+};
 
-/// The k-subsets of 0..n-1 in lexicographic order; made once, since quadratures ask for them.
-const std::vector<Subset>& subsets_of(int n, int k) {
-    static std::map<std::pair<int, int>, std::vector<Subset>> known;
+/// All products of an axis and a k-form; made once, since quadratures ask for them.
+const std::vector<Product>& products(int n, int k) {
+    static std::map<std::pair<int, int>, std::vector<Product>> known;
     auto& result = known[{n, k}];
-    if (!result.empty())
+    if (!result.empty() || k >= n)
         return result;
-    std::vector<bool> chosen(n, false);
-    std::fill(chosen.begin(), chosen.begin() + k, true);
-    do {
-        Subset subset;
-        for (int i = 0; i < n; ++i)
-            if (chosen[i])
-                subset.push_back(i);
-        result.push_back(subset);
-    } while (std::prev_permutation(chosen.begin(), chosen.end()));
-    return result;
-}
-
-/// The place of a subset, and the sign of sorting it; 0 if an axis is there twice.
-std::pair<Index, double> sorted(int n, Subset axes) {
-    double sign = 1;
-    for (std::size_t i = 0; i < axes.size(); ++i)
-        for (std::size_t j = i + 1; j < axes.size(); ++j) {
-            if (axes[i] == axes[j])
-                return {0, 0.0};
-            sign = axes[i] > axes[j] ? -sign : sign;
+    const auto lower = subsets(n, k), upper = subsets(n, k + 1);
+    for (std::size_t to = 0; to < upper.size(); ++to)
+        for (int i = 0; i <= k; ++i) {
+            auto rest = upper[to];
+            rest.erase(rest.begin() + i);
+            const auto from = std::find(lower.begin(), lower.end(), rest) - lower.begin();
+            result.push_back({static_cast<Index>(from), static_cast<Index>(upper[to][i]),
+                              static_cast<Index>(to), i % 2 == 0 ? 1.0 : -1.0});
         }
-    std::sort(axes.begin(), axes.end());
-    const auto& all = subsets_of(n, static_cast<int>(axes.size()));
-    return {static_cast<Index>(std::find(all.begin(), all.end(), axes) - all.begin()), sign};
+    return result;
 }
 
 /// d of a form from the gradients of its coefficients.
 Vector derivative_of(int n, int k, const DenseMatrix& gradients) {
-    Vector result = Vector::Zero(static_cast<Index>(subsets_of(n, k + 1).size()));
-    const auto& all = subsets_of(n, k);
-    for (Index I = 0; I < gradients.rows() && k < n; ++I)
-        for (int axis = 0; axis < n; ++axis) {
-            Subset axes{axis};
-            axes.insert(axes.end(), all[I].begin(), all[I].end());
-            const auto [place, sign] = sorted(n, axes);
-            if (sign != 0)
-                result[place] += sign * gradients(I, axis);
-        }
+    Vector result = Vector::Zero(coefficients(n, k + 1));
+    for (const auto& [from, axis, to, sign] : products(n, k))
+        result[to] += sign * gradients(from, axis);
     return result;
 }
 
 /// - sum of d_i u_I over i in I, times dx_I without dx_i.
 Vector codifferential_of(int n, int k, const DenseMatrix& gradients) {
-    Vector result = Vector::Zero(static_cast<Index>(subsets_of(n, k - 1).size()));
-    const auto& all = subsets_of(n, k);
-    for (Index I = 0; I < gradients.rows(); ++I)
-        for (int i = 0; i < k; ++i) {
-            Subset others = all[I];
-            others.erase(others.begin() + i);
-            result[sorted(n, others).first] -= (i % 2 == 0 ? 1 : -1) * gradients(I, all[I][i]);
-        }
+    Vector result = Vector::Zero(coefficients(n, k - 1));
+    for (const auto& [to, axis, from, sign] : products(n, k - 1))
+        result[to] -= sign * gradients(from, axis);
     return result;
 }
 
 } // namespace
 
 Vector euclidean_star(int n, int k, const Vector& coefficients) {
-    Vector result(coefficients.size());
-    const auto& all = subsets_of(n, k);
-    for (Index I = 0; I < coefficients.size(); ++I) {
-        Subset axes = all[I], complement;
-        for (int i = 0; i < n; ++i)
-            if (std::find(axes.begin(), axes.end(), i) == axes.end())
-                complement.push_back(i);
-        axes.insert(axes.end(), complement.begin(), complement.end());
-        result[sorted(n, complement).first] = sorted(n, axes).second * coefficients[I];
+    // complements of subsets in lexicographic order are in the opposite one
+    static std::map<std::pair<int, int>, Vector> signs;
+    auto& sign = signs[{n, k}];
+    for (const auto& axes : sign.size() == 0 ? subsets(n, k) : std::vector<std::vector<int>>()) {
+        const int moved = std::accumulate(axes.begin(), axes.end(), 0) - k * (k - 1) / 2;
+        sign.conservativeResize(sign.size() + 1);
+        sign[sign.size() - 1] = moved % 2 == 0 ? 1 : -1;
     }
-    return result;
+    return sign.cwiseProduct(coefficients).reverse();
 }
 
 Vector WaveForm::coefficients(const Vector& x) const {
-    Vector result(static_cast<Index>(subsets_of(n_, k_).size()));
+    Vector result(test::coefficients(n_, k_));
     for (Index I = 0; I < result.size(); ++I)
         result[I] = (frequency_ * x.array() + 0.3 + 0.7 * I).cos().prod();
     return result;
 }
 
 DenseMatrix WaveForm::gradients(const Vector& x) const {
-    DenseMatrix result(static_cast<Index>(subsets_of(n_, k_).size()), n_);
+    DenseMatrix result(test::coefficients(n_, k_), n_);
     for (Index I = 0; I < result.rows(); ++I)
         for (int axis = 0; axis < n_; ++axis) {
             Vector factors = (frequency_ * x.array() + 0.3 + 0.7 * I).cos();

@@ -6,6 +6,7 @@
 #include "tests/solvers/dense_spectrum.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
+#include "tests/support/scales.h"
 
 #include <gtest/gtest.h>
 
@@ -195,6 +196,25 @@ TEST(GoldbergSpectrum, is_that_of_the_sphere_to_three_digits) {
                       {{0, 1}, {2.001, 3}, {5.994, 5}});
     expect_multiplets(spectrum(mesh, {.degree = 1, .count = 16}).eigenvalues,
                       {{2.000, 3}, {2.001, 3}, {5.994, 5}, {5.997, 5}});
+}
+
+TEST(TwoSpheres, of_radii_1_and_1e_6_have_their_spectra_in_every_degree) {
+    Mesh small = icosphere(2);
+    small.points *= 1e-6;
+    const auto one = circumcentric(icosphere(2)), both = circumcentric(united(icosphere(2), small));
+    for (int k = 0; k <= 2; ++k) {
+        const Vector alone = spectrum(one, {.degree = k, .count = 6}).eigenvalues;
+        const Vector found = spectrum(both, {.degree = k, .count = 7}).eigenvalues;
+        const Index zeros = k == 1 ? 0 : 1; // harmonic ones of the small sphere
+        for (Index i = zeros; i < 6; ++i)
+            EXPECT_NEAR(found[i + zeros], alone[i], 1e-4) << "k = " << k; // 1e-18 of the largest
+    }
+}
+
+TEST(GradedBoxes, have_spectra_in_every_degree) {
+    const auto mesh = circumcentric(graded(3, 4, 3e4));
+    for (int k = 0; k <= 3; ++k)
+        EXPECT_EQ(spectrum(mesh, {.degree = k, .count = 3}).eigenvalues.size(), 3) << k;
 }
 
 } // namespace

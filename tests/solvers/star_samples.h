@@ -4,7 +4,9 @@
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace polydec::test {
@@ -28,6 +30,15 @@ inline std::vector<StarSample> with_star_kinds(const Mesh& input) {
             result.push_back({std::string(title) + ", " + name(kind), mesh.with_stars(chosen.stars),
                               std::move(chosen)});
         }
+    return result;
+}
+
+/// The same of one of the family, made once for all laws.
+inline const std::vector<StarSample>& with_star_kinds(const std::string& name_of) {
+    static std::map<std::string, std::vector<StarSample>> made;
+    auto& result = made[name_of];
+    if (result.empty())
+        result = with_star_kinds(mesh_named(name_of));
     return result;
 }
 

@@ -5,14 +5,15 @@
 #include "dec/fields/de_rham.h"
 #include "dec/operators.h"
 #include "meshes/generate.h"
+#include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
+#include "tests/support/hand_made.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <string>
 
 namespace polydec::test::in_stokes {
@@ -52,16 +53,10 @@ struct Openings {
 
 constexpr Openings openings[] = {{false, false}, {true, false}, {false, true}, {true, true}};
 
-struct Errors {
-    double flux, pressure, divergence;
-};
-
-/// `turned` is a factor at what is known along walls, 1 for the solution.
-Errors errors(const Mesh& input, StarKind kind, const Openings& open, double turned = 1) {
+/// Of the flux, relative, of the pressure, and what flows out of a cell. `turned` is a factor at
+/// what is known along walls, 1 for the solution.
+Eigen::Vector3d errors(const Discretization& mesh, const Openings& open, double turned = 1) {
     constexpr double nu = 0.7;
-    auto mesh = circumcentric(input);
-    if (kind != StarKind::circumcentric)
-        mesh = mesh.with_stars(kind);
     const int n = mesh.dimension();
     const StokesSolver solver(mesh, {.viscosity = nu, .facets = open.of(facet_sites(mesh))});
     const auto exact = de_rham(mesh, n - 1, flux_form(velocity));
@@ -95,34 +90,25 @@ Errors errors(const Mesh& input, StarKind kind, const Openings& open, double tur
             d(mesh, flow.flux).values.cwiseAbs().maxCoeff()};
 }
 
-struct Family {
-    const char* name;
-    std::function<Mesh(int)> make;
-    int coarse, fine;
-    StarKind stars;
+struct Row : Case {
     double flux_order, pressure_order; ///< at least
     double less = 0;                   ///< of both, where not all walls are without slip
 };
 
-void PrintTo(const Family& family, std::ostream* out) {
-    *out << family.name;
-}
-
-class Flows : public testing::TestWithParam<Family> {};
+class Flows : public testing::TestWithParam<Row> {};
 
 TEST_P(Flows, converge_and_lose_nothing) {
-    const auto& [name, make, coarse, fine, stars, flux_order, pressure_order, less] = GetParam();
-    const double steps = std::log(static_cast<double>(fine) / coarse);
+    const Row& row = GetParam();
+    const auto& fine = row.mesh(row.fine);
     for (const Openings& open : openings) {
-        const auto a = errors(make(coarse), stars, open), b = errors(make(fine), stars, open);
-        const double lower = open.left_open || open.bottom_slips ? less : 0;
-        EXPECT_GE(std::log(a.flux / b.flux) / steps, flux_order - lower)
-            << open.left_open << open.bottom_slips;
-        EXPECT_GE(std::log(a.pressure / b.pressure) / steps, pressure_order - lower)
-            << open.left_open << open.bottom_slips;
-        EXPECT_LE(b.divergence, 1e-14);
-        EXPECT_GT(errors(make(fine), stars, open, 2).flux, 0.1)
-            << "with twice of what there is at the walls";
+        SCOPED_TRACE(testing::Message() << open.left_open << open.bottom_slips);
+        const Vector found = orders(
+            row, [&](const Discretization& mesh) -> Vector { return errors(mesh, open).head(2); });
+        const double lower = open.left_open || open.bottom_slips ? row.less : 0;
+        EXPECT_GE(found[0], row.flux_order - lower);
+        EXPECT_GE(found[1], row.pressure_order - lower);
+        EXPECT_LE(errors(fine, open)[2], 1e-14);
+        EXPECT_GT(errors(fine, open, 2)[0], 0.1) << "with twice of what there is at the walls";
     }
 }
 
@@ -131,18 +117,11 @@ TEST_P(Flows, converge_and_lose_nothing) {
 INSTANTIATE_TEST_SUITE_P(
     Stokes, Flows,
     testing::Values(
-        Family{"squares", [](int m) { return grid(m, m); }, 8, 16, StarKind::circumcentric, 1.8,
-               1.6},
-        Family{"squares_galerkin", [](int m) { return grid(m, m); }, 8, 16, StarKind::galerkin, 1.9,
-               1.1, 0.15},
-        Family{"hexagons", hexagons, 8, 16, StarKind::circumcentric, 1.9, 1.8},
-        Family{"hexagons_galerkin", hexagons, 8, 16, StarKind::galerkin, 1.0, 0.6, 0.2},
-        Family{"triangles", well_centered, 8, 16, StarKind::circumcentric, 1.1, 0.6},
-        Family{"triangles_galerkin", well_centered, 8, 16, StarKind::galerkin, 1.4, 0.9, 0.2},
-        Family{"cubes", [](int m) { return kuhn(3, m); }, 4, 8, StarKind::circumcentric, 1.5, 1.3},
-        Family{"tetrahedra_galerkin", [](int m) { return bcc(m); }, 2, 4, StarKind::galerkin, 1.3,
-               0.9}),
-    [](const auto& instance) { return std::string(instance.param.name); });
+        Row{{"squares"}, 1.8, 1.6}, Row{{"squares", 8, 16, StarKind::galerkin}, 1.9, 1.1, 0.15},
+        Row{{"hexagons"}, 1.9, 1.8}, Row{{"hexagons", 8, 16, StarKind::galerkin}, 1.0, 0.6, 0.2},
+        Row{{"triangles"}, 1.1, 0.6}, Row{{"triangles", 8, 16, StarKind::galerkin}, 1.4, 0.9, 0.2},
+        Row{{"cubes", 4, 8}, 1.5, 1.3}, Row{{"bcc", 2, 4, StarKind::galerkin}, 1.3, 0.9}),
+    name_of<Row>);
 
 /// Through a strip of the length 2 and the width 1, whose ends are open, for this difference of
 /// pressures: what flows, all but 1/12 of the difference by length and viscosity.
@@ -197,15 +176,9 @@ TEST(Channel, whose_walls_hold_nothing_back_is_refused) {
 
 // The twin: the same where the other half of the flow is let out.
 TEST(StokesErrors, tell_what_does_not_balance_in_one_of_two_components) {
-    Mesh two = grid(4, 4), other = grid(3, 3);
-    const Index shift = two.points.rows();
+    Mesh other = grid(3, 3);
     other.points.col(0).array() += 5;
-    two.points.conservativeResize(shift + other.points.rows(), 2);
-    two.points.bottomRows(other.points.rows()) = other.points;
-    const Index cells = two.simplices.rows();
-    two.simplices.conservativeResize(cells + other.simplices.rows(), 3);
-    two.simplices.bottomRows(other.simplices.rows()) = other.simplices.array() + shift;
-    const auto mesh = circumcentric(two);
+    const auto mesh = circumcentric(united(grid(4, 4), other));
     const StokesSolver solver(mesh);
     const Cochain still{Side::primal, 1, Vector::Zero(mesh.complex().size(1))};
     const auto fluxes = [&](double left, double right) {

@@ -17,6 +17,10 @@ DenseOf<Scalar> dense_star(const HodgeStars& stars, int k) {
     return DenseMatrix(stars[k].matrix()).cast<Scalar>();
 }
 
+/// star_k Delta_k of a k-form, with every star a dense matrix.
+Vector dense_laplacian_of(const CellComplex& complex, const HodgeStars& stars, int k,
+                          const Vector& form);
+
 /// star_k Delta_k with every star a dense matrix.
 template <class Scalar = double>
 DenseOf<Scalar> dense_laplacian(const CellComplex& complex, const HodgeStars& stars, int k) {
@@ -29,7 +33,8 @@ DenseOf<Scalar> dense_laplacian(const CellComplex& complex, const HodgeStars& st
         const DenseOf<Scalar> d = DenseMatrix(derivative(complex, k - 1)).cast<Scalar>();
         const DenseOf<Scalar> B = dense_star<Scalar>(stars, k) * d;
         const DenseOf<Scalar> below = dense_star<Scalar>(stars, k - 1);
-        A += B * below.llt().solve(DenseOf<Scalar>(B.transpose()));
+        A +=
+            B * below.ldlt().solve(DenseOf<Scalar>(B.transpose())); // also where it is not positive
     }
     return A;
 }
@@ -43,6 +48,15 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, 1> dense_eigenvalues(const CellComplex& co
                Eigen::EigenvaluesOnly)
         .eigenvalues();
 }
+
+struct DenseModes {
+    Vector values;     ///< ascending
+    DenseMatrix forms; ///< a column each, orthonormal in M
+};
+
+/// All of A x = lambda M x.
+DenseModes dense_modes(const DenseMatrix& A, const DenseMatrix& M);
+Vector dense_values(const DenseMatrix& A, const DenseMatrix& M);
 
 // Compiled once, and optimized.
 extern template DenseOf<double> dense_laplacian<double>(const CellComplex&, const HodgeStars&, int);

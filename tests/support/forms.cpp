@@ -31,7 +31,12 @@ Form constant_form(Vector coefficients) {
 }
 
 Index coefficients(Index N, int k) {
-    return static_cast<Index>(subsets(static_cast<int>(N), k).size());
+    if (k < 0 || k > N)
+        return 0;
+    Index result = 1;
+    for (int i = 1; i <= k; ++i)
+        result = result * (N - k + i) / i;
+    return result;
 }
 
 DenseMatrix multivectors(const SimplicialComplex& complex, const Points& points, int k) {

@@ -21,7 +21,7 @@
 
 #include <cmath>
 
-namespace polydec::test::in_waves {
+namespace polydec::test::in_leapfrog_in_cavities {
 namespace {
 
 /// The complex of forms that vanish on the boundary, with its volumes.
@@ -216,84 +216,6 @@ TEST(Waves, of_functions_swing_with_their_frequency_in_any_dimension) {
     }
 }
 
-class Heat : public OverMeshes {};
-
-TEST_P(Heat, eigenforms_decay_with_their_eigenvalues_on_both_sides) {
-    const int n = mesh().n();
-    for (int k = 0; k <= n; ++k)
-        for (const Side side : {Side::primal, Side::dual}) {
-            if (!star(mesh().volumes, k).zeros().empty() ||
-                !star(mesh().volumes, k).negatives().empty() ||
-                (k > 0 && !star(mesh().volumes, k - 1).zeros().empty()))
-                continue;
-            const int degree = side == Side::primal ? k : n - k;
-            if (side == Side::dual && degree == 0 && branches(mesh().P()))
-                continue;
-            const auto modes =
-                spectrum(mesh().P(), mesh().volumes, {.side = side, .degree = degree, .count = 1});
-            const double lambda = modes.eigenvalues[0], dt = 1e-3;
-            if (lambda < -1e-9)
-                continue; // spurious, of a negative dual: grows instead
-            HeatSolver solver(mesh().P(), mesh().volumes, side, degree, {.time_step = dt});
-            const Cochain mode{side, degree, modes.modes.col(0)};
-            const Vector expected = mode.values / (1 + dt * lambda);
-            EXPECT_LE(relative_difference(solver.step(mode).values, expected), 1e-8)
-                << name(side) << ' ' << degree;
-        }
-}
-
-POLYDEC_OVER_MESHES(Heat);
-
-TEST(HeatOrders, are_1_and_2_in_time) {
-    const auto mesh = circumcentric(grid(6, 6));
-    const auto modes = spectrum(mesh, {.degree = 0, .count = 2});
-    const double lambda = modes.eigenvalues[1], end = 0.1;
-    const auto error = [&](HeatScheme scheme, int steps) {
-        HeatSolver solver(mesh.complex(), mesh.volumes(), Side::primal, 0,
-                          {.time_step = end / steps, .scheme = scheme});
-        Cochain u{Side::primal, 0, modes.modes.col(1)};
-        const Vector exact = std::exp(-lambda * end) * u.values;
-        for (int step = 0; step < steps; ++step)
-            u = solver.step(u);
-        return (u.values - exact).norm();
-    };
-    for (const auto& [scheme, order] :
-         {std::pair{HeatScheme::backward_euler, 1.0}, {HeatScheme::crank_nicolson, 2.0}})
-        EXPECT_NEAR(std::log2(error(scheme, 20) / error(scheme, 40)), order, 0.1);
-}
-
-TEST(Heat, of_stars_that_are_matrices_does_not_mind_the_size_of_cells) {
-    const auto largest_at = [](double size) {
-        Mesh mesh = grid(4, 4);
-        mesh.points *= size;
-        const auto given =
-            discretize(mesh, {.criterion = MergeCriterion::none, .star = StarKind::galerkin});
-        const HeatSolver solver(given, Side::dual, 0, {.time_step = 0.05 * size * size});
-        return solver.step({Side::dual, 0, Vector::Ones(given.complex().size(2))})
-            .values.maxCoeff();
-    };
-    for (const int exponent : {-38, -20, 20, 30, 38})
-        EXPECT_NEAR(largest_at(std::ldexp(1, exponent)), largest_at(1), 1e-9) << exponent;
-}
-
-TEST(Heat, does_not_grow_where_duals_of_facets_are_negative) {
-    const auto mesh = circumcentric(perturbed(grid(4, 4), 0.08, 3), {MergeCriterion::none});
-    ASSERT_FALSE(star(mesh.volumes(), 1).negatives().empty());
-    for (const char* engine : {"eigen.ldlt", "auto"}) {
-        const HeatSolver solver(mesh, Side::dual, 0, {.time_step = 0.01, .linear_solver = engine});
-        Cochain u{Side::dual, 0, random_vector(mesh.complex().size(2), 1)};
-        EXPECT_TRUE(says(message_of<SolverFailure>([&] {
-                             for (int step = 0; step < 100; ++step)
-                                 u = solver.step(u);
-                         }),
-                         {"norm larger", "negative duals", "StarKind::automatic"}))
-            << engine;
-        const auto positive = mesh.with_stars(StarKind::automatic);
-        const HeatSolver other(positive, Side::dual, 0, {.time_step = 0.01});
-        EXPECT_LT(norm(positive, other.step(u)), norm(positive, u));
-    }
-}
-
 TEST(WaveErrors, name_what_is_wrong) {
     const auto mesh = circumcentric(grid(4, 4));
     EXPECT_TRUE(says(refusal([&] { Leapfrog(mesh.complex(), mesh.volumes(), 2, 0.1); }),
@@ -309,4 +231,4 @@ TEST(WaveErrors, name_what_is_wrong) {
 }
 
 } // namespace
-} // namespace polydec::test::in_waves
+} // namespace polydec::test::in_leapfrog_in_cavities

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "backends/spectra/certified_eigensolver.h"
-#include "backends/spectra/inertia.h"
-#include "backends/spectra/scaled_pencil.h"
+#include "solvers/spectra/inertia.h"
+
 #include "dec/discretization.h"
 #include "meshes/generate.h"
 #include "solvers/coexact_spectrum.h"
+#include "solvers/spectra/certified_eigensolver.h"
 #include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectrum.h"
 #include "tests/support/circumcentric.h"
@@ -17,7 +17,7 @@
 #include <cmath>
 #include <limits>
 
-namespace polydec::test::in_counting {
+namespace polydec::test::in_inertia {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -171,4 +171,4 @@ TEST(RadiiAfterFlips, hold_what_the_last_digits_of_lengths_can_do) {
 }
 
 } // namespace
-} // namespace polydec::test::in_counting
+} // namespace polydec::test::in_inertia

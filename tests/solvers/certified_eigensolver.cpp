@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "solvers/spectra/certified_eigensolver.h"
+
 #include "backends/registry.h"
 #include "backends/spectra/certified_eigensolver.h"
 #include "base/errors.h"
@@ -22,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace polydec::test::in_certification {
+namespace polydec::test::in_certified_eigensolver {
 namespace {
 
 /// Spectra's solver with a fault: of the pairs it finds, only those that are kept come back.
@@ -267,4 +269,4 @@ TEST(CertifiedEigensolverRefuses, sizes_and_masses_that_do_not_fit) {
 }
 
 } // namespace
-} // namespace polydec::test::in_certification
+} // namespace polydec::test::in_certified_eigensolver

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
+#include "solvers/surfaces/parallel_transport.h"
+
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/surfaces/parallel_transport.h"
 #include "tests/solvers/glued_samples.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Geometry> // cross products
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace polydec::test::in_transport {
+namespace polydec::test::in_parallel_transport {
 namespace {
 
 using Complex = std::complex<double>;
@@ -119,7 +120,10 @@ double error_on_the_sphere(int frequency, double time_scale) {
         const Eigen::Vector3d p = point(v), e = reference(v);
         if (pole.dot(p) < -0.8)
             continue;
-        const Eigen::Vector3d exact = Eigen::Quaterniond::FromTwoVectors(pole, p) * vector;
+        // turned around the axis that turns the pole to p
+        const Eigen::Vector3d both = pole + p;
+        const Eigen::Vector3d exact =
+            vector - vector.dot(both) / (1 + pole.dot(p)) * both + 2 * vector.dot(pole) * p;
         const Eigen::Vector3d found = vectors[v].real() * e + vectors[v].imag() * p.cross(e);
         sum += (found - exact).norm();
         ++count;
@@ -259,4 +263,4 @@ TEST(ParallelTransport, refuses_vectors_that_make_no_sense) {
 }
 
 } // namespace
-} // namespace polydec::test::in_transport
+} // namespace polydec::test::in_parallel_transport

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace polydec::test::in_flow {
+namespace polydec::test::in_incompressible_flow {
 namespace {
 
 Vector marched(const IncompressibleFlow& flow, Vector w, const FlowSteps& steps, int count) {
@@ -217,4 +217,4 @@ TEST(FlowErrors, name_what_is_wrong) {
 }
 
 } // namespace
-} // namespace polydec::test::in_flow
+} // namespace polydec::test::in_incompressible_flow

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <functional>
 
-namespace polydec::test::in_absorbing_layers {
+namespace polydec::test::in_absorbing_layer {
 namespace {
 
 /// A pulse in the middle, which runs in all directions: round about it for 1-forms.
@@ -176,4 +176,4 @@ TEST(ConductingLayers, throw_back_less_than_1e4th_of_what_comes_straight_on_octa
 }
 
 } // namespace
-} // namespace polydec::test::in_absorbing_layers
+} // namespace polydec::test::in_absorbing_layer

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "solvers/surfaces/geodesic_distance.h"
+
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/surfaces/geodesic_distance.h"
 #include "solvers/surfaces/heat_step.h"
 #include "solvers/surfaces/surface_metric.h"
 #include "tests/solvers/glued_samples.h"
@@ -18,7 +19,7 @@
 #include <functional>
 #include <map>
 
-namespace polydec::test::in_geodesics {
+namespace polydec::test::in_geodesic_distance {
 namespace {
 
 constexpr Index from_0[] = {0};
@@ -334,4 +335,4 @@ TEST(GeodesicDistance, refuses_sources_and_times_that_make_no_sense) {
 }
 
 } // namespace
-} // namespace polydec::test::in_geodesics
+} // namespace polydec::test::in_geodesic_distance

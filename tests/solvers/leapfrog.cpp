@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "solvers/leapfrog.h"
+
 #include "dec/fields/de_rham.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/material_stars.h"
 #include "meshes/generate.h"
-#include "solvers/leapfrog.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -14,7 +15,7 @@
 
 #include <cmath>
 
-namespace polydec::test::in_wave_laws {
+namespace polydec::test::in_leapfrog {
 namespace {
 
 constexpr BoundaryCondition kinds[] = {BoundaryCondition::essential, BoundaryCondition::natural};
@@ -298,4 +299,4 @@ TEST(WaveErrors, name_losses_layers_and_sides) {
 }
 
 } // namespace
-} // namespace polydec::test::in_wave_laws
+} // namespace polydec::test::in_leapfrog

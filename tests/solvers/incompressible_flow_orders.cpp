@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace polydec::test::in_flow_orders {
+namespace polydec::test::in_incompressible_flow_orders {
 namespace {
 
 double taylor_green(const Vector& x) {
@@ -86,4 +86,4 @@ TEST(TaylorGreenVortices, have_their_pressure) {
 }
 
 } // namespace
-} // namespace polydec::test::in_flow_orders
+} // namespace polydec::test::in_incompressible_flow_orders

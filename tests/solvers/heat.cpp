@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/heat.h"
+
+#include "base/decompositions.h"
+#include "base/errors.h"
+#include "dec/choose_stars.h"
+#include "dec/conditioned_complex.h"
+#include "dec/operators.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "solvers/hodge.h"
+#include "solvers/spectrum.h"
+#include "tests/solvers/cases.h"
+#include "tests/support/branches.h"
+#include "tests/support/circumcentric.h"
+#include "tests/support/dense_laplacian.h"
+#include "tests/support/families.h"
+#include "tests/support/glued.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+#include "tests/support/says.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test::in_heat {
+namespace {
+
+const HeatOptions quick{.time_step = 0.1};
+
+/// Heat shrinks an eigenform by 1 / (1 + dt lambda) with each step.
+void expect_eigenforms_to_shrink(const CellComplex& complex, const HodgeStars& stars, int k) {
+    const Operator applied = symmetric_laplacian(complex, stars, k);
+    DenseMatrix A(complex.size(k), complex.size(k)); // which may be dense
+    for (Index i = 0; i < A.cols(); ++i)
+        A.col(i) = applied * Vector::Unit(A.cols(), i);
+    const auto [values, forms] = dense_modes(A, DenseMatrix(stars[k].matrix()));
+    const HeatSolver primal(complex, stars, Side::primal, k, quick);
+    const int j = complex.dimension() - k;
+    const HeatSolver dual(complex, stars, Side::dual, j, quick);
+    for (const Index i : {Index{0}, static_cast<Index>(A.rows() / 2)}) {
+        const Vector form = forms.col(i);
+        const double factor = 1 / (1 + quick.time_step * values[i]);
+        EXPECT_LE(relative_difference(primal.step({Side::primal, k, form}).values, factor * form),
+                  1e-8)
+            << "k = " << k;
+        const Vector flux = stars[k] * form;
+        EXPECT_LE(relative_difference(dual.step({Side::dual, j, flux}).values, factor * flux), 1e-8)
+            << "k = " << k;
+        EXPECT_GT(relative_difference(primal.step({Side::primal, k, form}).values,
+                                      factor * factor * form + form),
+                  1e-3);
+        const HeatSolver second(complex, stars, Side::primal, k,
+                                {.time_step = 0.1, .scheme = HeatScheme::crank_nicolson});
+        const double half = quick.time_step * values[i] / 2;
+        EXPECT_LE(relative_difference(second.step({Side::primal, k, form}).values,
+                                      (1 - half) / (1 + half) * form),
+                  1e-8);
+    }
+}
+
+TEST(HeatByStars, shrinks_eigenforms_on_obtuse_surfaces) {
+    const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, 3));
+    ASSERT_TRUE(says(refusal([&] { HeatSolver(mesh, Side::primal, 1, quick); }), {"not positive"}));
+    const auto stars = choose_stars(mesh, StarKind::automatic).stars;
+    ASSERT_FALSE(stars[1].is_diagonal());
+    for (const int k : {0, 1})
+        expect_eigenforms_to_shrink(mesh.complex(), stars, k);
+}
+
+TEST(HeatByStars, shrinks_eigenforms_on_obtuse_tets) {
+    const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
+    const auto chosen = choose_stars(mesh, StarKind::automatic);
+    ASSERT_EQ(chosen.kind, StarKind::galerkin);
+    for (const int k : {0, 1})
+        expect_eigenforms_to_shrink(mesh.complex(), chosen.stars, k);
+}
+
+TEST(HeatByStars, keeps_conditions_on_the_boundary) {
+    const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, 3));
+    const auto stars = choose_stars(mesh, StarKind::automatic).stars;
+    BoundaryConditions fixed;
+    fixed.everywhere = BoundaryCondition::essential;
+    const auto space = conditioned_complex(mesh.complex(), stars, Side::primal, 1, fixed);
+    ASSERT_LT(space.relative.complex.size(1), mesh.complex().size(1));
+    ASSERT_FALSE(space.stars[1].is_diagonal());
+    const Vector form = random_vector(mesh.complex().size(1), 2);
+    const HeatSolver inside(space.relative.complex, space.stars, Side::primal, 1, quick);
+    const HeatSolver solver(mesh.complex(), stars, fixed, Side::primal, 1, quick);
+    const Vector next = solver.step({Side::primal, 1, form}).values;
+    const Vector there = inside.step({Side::primal, 1, space.relative.restrict(1, form)}).values;
+    EXPECT_LE(relative_difference(next, space.relative.extend(1, there)), 1e-12);
+    // the rows and columns of the edges inside, as they are
+    const DenseMatrix whole(stars[1].matrix()), part(space.stars[1].matrix());
+    const auto& kept = space.relative.cells[1];
+    EXPECT_EQ(part, DenseMatrix(whole(kept, kept)));
+}
+
+TEST(HeatByStars, has_nothing_to_do_where_conditions_fix_all) {
+    const auto mesh = circumcentric(made_of({{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}}));
+    SparseMatrix twice(3, 3);
+    twice.setIdentity();
+    twice.coeffs() *= 2;
+    const auto stars = mesh.stars().with(1, twice);
+    BoundaryConditions fixed;
+    fixed.everywhere = BoundaryCondition::essential;
+    const auto space = conditioned_complex(mesh.complex(), stars, Side::primal, 1, fixed);
+    EXPECT_EQ(space.stars[1].size(), 0);
+    EXPECT_FALSE(space.stars[1].is_diagonal());
+    const HeatSolver solver(mesh.complex(), stars, fixed, Side::primal, 1, quick);
+    EXPECT_TRUE(solver.step({Side::primal, 1, Vector::Ones(3)}).values.isZero(0));
+}
+
+TEST(HeatByStars, shrinks_eigenforms_of_every_degree_by_galerkin) {
+    for (const Mesh& input :
+         {shaken(grid(5, 5), 0.42, 3), shaken(kuhn(3, 2), 0.3, 3), mesh_named("torus8x6")}) {
+        const auto mesh = circumcentric(input);
+        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        for (int k = 0; k <= mesh.dimension(); ++k)
+            expect_eigenforms_to_shrink(mesh.complex(), stars, k);
+    }
+}
+
+/// After a time far beyond all others of the mesh nothing but harmonic forms is left.
+TEST(HeatByStars, leaves_harmonic_forms_after_the_longest_time) {
+    const auto mesh = circumcentric(shaken(mesh_named("torus8x6"), 0.2, 3));
+    const auto stars = choose_stars(mesh, StarKind::hybrid).stars;
+    ASSERT_TRUE(stars[0].is_diagonal() && !stars[1].is_diagonal());
+    const Cochain form{Side::primal, 1, random_vector(mesh.complex().size(1), 2)};
+    const Vector harmonic = hodge_decomposition(mesh.complex(), stars, form).harmonic.values;
+    const HeatSolver solver(mesh.complex(), stars, Side::primal, 1, {.time_step = 1e8});
+    EXPECT_LE(relative_difference(solver.step(form).values, harmonic), 1e-6);
+    const HeatSolver brief(mesh.complex(), stars, Side::primal, 1, {.time_step = 1});
+    EXPECT_GT(relative_difference(brief.step(form).values, harmonic), 1e-3);
+}
+
+class Heat : public OverMeshes {};
+
+TEST_P(Heat, eigenforms_decay_with_their_eigenvalues_on_both_sides) {
+    const int n = mesh().n();
+    for (int k = 0; k <= n; ++k)
+        for (const Side side : {Side::primal, Side::dual}) {
+            if (!star(mesh().volumes, k).zeros().empty() ||
+                !star(mesh().volumes, k).negatives().empty() ||
+                (k > 0 && !star(mesh().volumes, k - 1).zeros().empty()))
+                continue;
+            const int degree = side == Side::primal ? k : n - k;
+            if (side == Side::dual && degree == 0 && branches(mesh().P()))
+                continue;
+            const auto modes =
+                spectrum(mesh().P(), mesh().volumes, {.side = side, .degree = degree, .count = 1});
+            const double lambda = modes.eigenvalues[0], dt = 1e-3;
+            if (lambda < -1e-9)
+                continue; // spurious, of a negative dual: grows instead
+            HeatSolver solver(mesh().P(), mesh().volumes, side, degree, {.time_step = dt});
+            const Cochain mode{side, degree, modes.modes.col(0)};
+            const Vector expected = mode.values / (1 + dt * lambda);
+            EXPECT_LE(relative_difference(solver.step(mode).values, expected), 1e-8)
+                << name(side) << ' ' << degree;
+        }
+}
+
+POLYDEC_OVER_MESHES(Heat);
+
+TEST(HeatOrders, are_1_and_2_in_time) {
+    const auto mesh = circumcentric(grid(6, 6));
+    const auto modes = spectrum(mesh, {.degree = 0, .count = 2});
+    const double lambda = modes.eigenvalues[1], end = 0.1;
+    const auto error = [&](HeatScheme scheme, int steps) {
+        HeatSolver solver(mesh.complex(), mesh.volumes(), Side::primal, 0,
+                          {.time_step = end / steps, .scheme = scheme});
+        Cochain u{Side::primal, 0, modes.modes.col(1)};
+        const Vector exact = std::exp(-lambda * end) * u.values;
+        for (int step = 0; step < steps; ++step)
+            u = solver.step(u);
+        return (u.values - exact).norm();
+    };
+    for (const auto& [scheme, order] :
+         {std::pair{HeatScheme::backward_euler, 1.0}, {HeatScheme::crank_nicolson, 2.0}})
+        EXPECT_NEAR(std::log2(error(scheme, 20) / error(scheme, 40)), order, 0.1);
+}
+
+TEST(Heat, of_stars_that_are_matrices_does_not_mind_the_size_of_cells) {
+    const auto largest_at = [](double size) {
+        Mesh mesh = grid(4, 4);
+        mesh.points *= size;
+        const auto given =
+            discretize(mesh, {.criterion = MergeCriterion::none, .star = StarKind::galerkin});
+        const HeatSolver solver(given, Side::dual, 0, {.time_step = 0.05 * size * size});
+        return solver.step({Side::dual, 0, Vector::Ones(given.complex().size(2))})
+            .values.maxCoeff();
+    };
+    for (const int exponent : {-38, -20, 20, 30, 38})
+        EXPECT_NEAR(largest_at(std::ldexp(1, exponent)), largest_at(1), 1e-9) << exponent;
+}
+
+TEST(Heat, does_not_grow_where_duals_of_facets_are_negative) {
+    const auto mesh = circumcentric(perturbed(grid(4, 4), 0.08, 3), {MergeCriterion::none});
+    ASSERT_FALSE(star(mesh.volumes(), 1).negatives().empty());
+    for (const char* engine : {"eigen.ldlt", "auto"}) {
+        const HeatSolver solver(mesh, Side::dual, 0, {.time_step = 0.01, .linear_solver = engine});
+        Cochain u{Side::dual, 0, random_vector(mesh.complex().size(2), 1)};
+        EXPECT_TRUE(says(message_of<SolverFailure>([&] {
+                             for (int step = 0; step < 100; ++step)
+                                 u = solver.step(u);
+                         }),
+                         {"norm larger", "negative duals", "StarKind::automatic"}))
+            << engine;
+        const auto positive = mesh.with_stars(choose_stars(mesh, StarKind::automatic));
+        const HeatSolver other(positive, Side::dual, 0, {.time_step = 0.01});
+        EXPECT_LT(norm(positive, other.step(u)), norm(positive, u));
+    }
+}
+
+} // namespace
+} // namespace polydec::test::in_heat
