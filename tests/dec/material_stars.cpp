@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/material_stars.h"
 
-#include "dec/choose_stars.h"
 #include "meshes/generate.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
@@ -20,7 +19,7 @@ TEST(MaterialStars, of_1_are_those_of_galerkin) {
     for (const char* title : {"obtuse_planar", "hex4", "kuhn3", "split_cubes", "segments4"}) {
         const auto mesh = circumcentric(mesh_named(title));
         const int n = mesh.dimension();
-        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        const auto stars = mesh.with_stars(StarKind::galerkin).stars();
         const Vector ones = Vector::Ones(mesh.complex().size(n));
         for (int k = 0; k < n; ++k)
             EXPECT_LE(relative_difference(material_star(mesh, k, CellData::on_cells(ones)),

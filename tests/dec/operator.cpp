@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/operator.h"
 
-#include "dec/choose_stars.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
@@ -105,7 +104,7 @@ TEST(OperatorsByStars, have_a_matrix_and_a_diagonal_where_no_matrix_is_inverted)
     for (const Mesh& input : {shaken(grid(4, 4), 0.42, 3), shaken(kuhn(3, 2), 0.3, 3)}) {
         const auto mesh = circumcentric(input);
         const auto& complex = mesh.complex();
-        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        const auto stars = mesh.with_stars(StarKind::galerkin).stars();
         const int n = mesh.dimension();
         for (int k = 0; k <= n; ++k) {
             const Vector x = random_vector(complex.size(k), 1);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/solvers/cases.h"
 
-#include "dec/choose_stars.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/operators.h"
 #include "meshes/generate.h"
@@ -42,7 +41,7 @@ Mesh partly_thin(int n, int cells) {
 
 Discretization with_stars(const Mesh& mesh, StarKind star) {
     auto result = circumcentric(mesh);
-    return star == StarKind::circumcentric ? result : result.with_stars(choose_stars(result, star));
+    return star == StarKind::circumcentric ? result : result.with_stars(star);
 }
 
 Mesh unit_cube(const std::string& pattern, int cells) {

@@ -248,7 +248,7 @@ POLYDEC_OVER_MESHES(DarcyByStars);
 
 TEST(DarcyByOtherStars, linear_pressures_do_not_come_out) {
     const auto mesh = circumcentric(shaken(grid(6, 6), 0.3, 3));
-    const auto hybrid = choose_stars(mesh, StarKind::hybrid);
+    const auto hybrid = mesh.with_stars(StarKind::hybrid).chosen_stars();
     EXPECT_TRUE(hybrid.galerkin_share() > 0 && hybrid.galerkin_share() < 1);
     const Discretization by_hybrid = mesh.with_stars(hybrid.stars);
     const Eigen::Vector2d slope(1, 2);
@@ -335,7 +335,7 @@ TEST(MaterialStars, carry_linear_pressures_through_anisotropic_media) {
         const DenseMatrix K = tensor(n);
         const std::vector<DenseMatrix> tensors(mesh.input().size(n), K);
         const auto stars =
-            choose_stars(mesh, StarKind::galerkin).stars.with(n - 1, material_star(mesh, tensors));
+            mesh.with_stars(StarKind::galerkin).stars().with(n - 1, material_star(mesh, tensors));
         const auto medium = mesh.with_stars(stars);
         const Vector slope = Vector::LinSpaced(n, 1, 2);
         const auto right = patch_defects(medium, slope, -K * slope, dual_sites(medium));
@@ -385,11 +385,11 @@ TEST(DarcyErrors, name_what_does_not_fit) {
 
 TEST(DarcyByStarsErrors, name_what_does_not_fit) {
     const auto branching = circumcentric(mesh_named("branching"));
-    const auto stars = choose_stars(branching, StarKind::galerkin).stars;
+    const auto stars = branching.with_stars(StarKind::galerkin).stars();
     EXPECT_TRUE(says(refusal([&] { DarcySolver(branching.with_stars(stars)); }),
                      {"cells", "facet", "flux"}));
     const auto mesh = circumcentric(grid(2, 2));
-    const auto by_galerkin = mesh.with_stars(choose_stars(mesh, StarKind::galerkin).stars);
+    const auto by_galerkin = mesh.with_stars(mesh.with_stars(StarKind::galerkin).stars());
     EXPECT_TRUE(says(refusal([&] { DarcySolver(by_galerkin, {.conductivity = Vector::Ones(8)}); }),
                      {"material_star"}));
     EXPECT_TRUE(says(refusal([&] { DarcySolver(by_galerkin, {.linear_solver = "eigen.cg"}); }),

@@ -3,7 +3,6 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
-#include "dec/choose_stars.h"
 #include "dec/conditioned_complex.h"
 #include "dec/operators.h"
 #include "meshes/generate.h"
@@ -65,7 +64,7 @@ void expect_eigenforms_to_shrink(const CellComplex& complex, const HodgeStars& s
 TEST(HeatByStars, shrinks_eigenforms_on_obtuse_surfaces) {
     const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, 3));
     ASSERT_TRUE(says(refusal([&] { HeatSolver(mesh, Side::primal, 1, quick); }), {"not positive"}));
-    const auto stars = choose_stars(mesh, StarKind::automatic).stars;
+    const auto stars = mesh.with_stars(StarKind::automatic).stars();
     ASSERT_FALSE(stars[1].is_diagonal());
     for (const int k : {0, 1})
         expect_eigenforms_to_shrink(mesh.complex(), stars, k);
@@ -73,7 +72,7 @@ TEST(HeatByStars, shrinks_eigenforms_on_obtuse_surfaces) {
 
 TEST(HeatByStars, shrinks_eigenforms_on_obtuse_tets) {
     const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
-    const auto chosen = choose_stars(mesh, StarKind::automatic);
+    const auto chosen = mesh.with_stars(StarKind::automatic).chosen_stars();
     ASSERT_EQ(chosen.kind, StarKind::galerkin);
     for (const int k : {0, 1})
         expect_eigenforms_to_shrink(mesh.complex(), chosen.stars, k);
@@ -81,7 +80,7 @@ TEST(HeatByStars, shrinks_eigenforms_on_obtuse_tets) {
 
 TEST(HeatByStars, keeps_conditions_on_the_boundary) {
     const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, 3));
-    const auto stars = choose_stars(mesh, StarKind::automatic).stars;
+    const auto stars = mesh.with_stars(StarKind::automatic).stars();
     BoundaryConditions fixed;
     fixed.everywhere = BoundaryCondition::essential;
     const auto space = conditioned_complex(mesh.complex(), stars, Side::primal, 1, fixed);
@@ -118,7 +117,7 @@ TEST(HeatByStars, shrinks_eigenforms_of_every_degree_by_galerkin) {
     for (const Mesh& input :
          {shaken(grid(5, 5), 0.42, 3), shaken(kuhn(3, 2), 0.3, 3), mesh_named("torus8x6")}) {
         const auto mesh = circumcentric(input);
-        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        const auto stars = mesh.with_stars(StarKind::galerkin).stars();
         for (int k = 0; k <= mesh.dimension(); ++k)
             expect_eigenforms_to_shrink(mesh.complex(), stars, k);
     }
@@ -127,7 +126,7 @@ TEST(HeatByStars, shrinks_eigenforms_of_every_degree_by_galerkin) {
 /// After a time far beyond all others of the mesh nothing but harmonic forms is left.
 TEST(HeatByStars, leaves_harmonic_forms_after_the_longest_time) {
     const auto mesh = circumcentric(shaken(mesh_named("torus8x6"), 0.2, 3));
-    const auto stars = choose_stars(mesh, StarKind::hybrid).stars;
+    const auto stars = mesh.with_stars(StarKind::hybrid).stars();
     ASSERT_TRUE(stars[0].is_diagonal() && !stars[1].is_diagonal());
     const Cochain form{Side::primal, 1, random_vector(mesh.complex().size(1), 2)};
     const Vector harmonic = hodge_decomposition(mesh.complex(), stars, form).harmonic.values;
@@ -209,7 +208,7 @@ TEST(Heat, does_not_grow_where_duals_of_facets_are_negative) {
                          }),
                          {"norm larger", "negative duals", "StarKind::automatic"}))
             << engine;
-        const auto positive = mesh.with_stars(choose_stars(mesh, StarKind::automatic));
+        const auto positive = mesh.with_stars(StarKind::automatic);
         const HeatSolver other(positive, Side::dual, 0, {.time_step = 0.01});
         EXPECT_LT(norm(positive, other.step(u)), norm(positive, u));
     }

@@ -213,8 +213,8 @@ POLYDEC_OVER_MESHES(HodgeByStars);
 
 TEST(HodgeByOtherStars, parts_are_orthogonal_in_their_own_inner_product_alone) {
     const auto mesh = circumcentric(shaken(grid(6, 6), 0.42, 3));
-    const auto stars = choose_stars(mesh, StarKind::automatic).stars;
-    const auto other = choose_stars(mesh, StarKind::barycentric).stars;
+    const auto stars = mesh.with_stars(StarKind::automatic).stars();
+    const auto other = mesh.with_stars(StarKind::barycentric).stars();
     ASSERT_FALSE(stars[1].is_diagonal());
     const Cochain w{Side::primal, 1, random_vector(mesh.complex().size(1), 1)};
     const auto parts = hodge_decomposition(mesh.complex(), stars, w);
@@ -226,7 +226,7 @@ TEST(HodgeByOtherStars, parts_are_orthogonal_in_their_own_inner_product_alone) {
 TEST(HodgeByOtherStars, parts_of_cells_of_every_size_are_the_same) {
     const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
     const auto& complex = mesh.complex();
-    const auto chosen = choose_stars(mesh, StarKind::galerkin).stars;
+    const auto chosen = mesh.with_stars(StarKind::galerkin).stars();
     const Cochain w{Side::primal, 1, random_vector(complex.size(1), 1)};
     const auto here = hodge_decomposition(complex, chosen, w);
     for (const double factor : {0x1p-300, 0x1p300}) {

@@ -3,7 +3,6 @@
 
 #include "base/errors.h"
 #include "complex/components.h"
-#include "dec/choose_stars.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/material_stars.h"
 #include "meshes/generate.h"
@@ -357,7 +356,7 @@ TEST(PoissonByStars, has_linear_solutions_on_obtuse_tets) {
     const auto mesh =
         circumcentric(shaken(kuhn(3, 3), 0.08, 3), {.criterion = MergeCriterion::none});
     const auto by = [&](StarKind kind) {
-        return error_of_linear_solution(mesh.with_stars(choose_stars(mesh, kind).stars));
+        return error_of_linear_solution(mesh.with_stars(mesh.with_stars(kind).stars()));
     };
     EXPECT_LE(by(StarKind::galerkin), 1e-11);
     EXPECT_LE(by(StarKind::automatic), 1e-11);
@@ -388,7 +387,7 @@ TEST(PoissonByStars, makes_the_star_of_conductivities) {
 
 TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
     const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.25, 3));
-    const auto stars = mesh.with_stars(choose_stars(mesh, StarKind::galerkin).stars);
+    const auto stars = mesh.with_stars(mesh.with_stars(StarKind::galerkin).stars());
     const Vector ones = Vector::Ones(mesh.complex().size(3));
     EXPECT_TRUE(
         says(refusal([&] { PoissonSolver(stars, {.conductivity = CellData::on_cells(ones)}); }),
