@@ -16,7 +16,8 @@ Vector exact_distance(const Triangles& surface, const Vector& lengths,
     const UnfoldedTriangles unfolded(surface, lengths);
     check_sources(surface, sources);
     const auto found = distances_by_windows(unfolded, sources, most_windows(surface.triangles()));
-    Vector distances = unfolded.unit() * found.distances;
+    const Vector distances = found.distances.unaryExpr(
+        [&](double distance) { return std::ldexp(distance, unfolded.exponent()); });
     for (Index v = 0; v < surface.vertices(); ++v)
         if (!std::isfinite(distances[v]))
             throw InvalidInput(fmt::format("the distance of vertex {} is out of the range of "

@@ -5,6 +5,8 @@
 #include "dec/metric/side_lengths.h"
 #include "dec/metric/triangle.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -27,20 +29,27 @@ void group(Index halfedges, Index numbers, Number number, std::vector<Index>& be
         members[next[number(h)]++] = h;
 }
 
+/// Cosine and sine of the angle opposite to a in a triangle, of any size.
+std::array<double, 2> corner(double a, double b, double c) {
+    const double longest = std::max({a, b, c});
+    a /= longest, b /= longest, c /= longest;
+    return {(c * c + (b - a) * (b + a)) / (2 * b * c), 2 * triangle_area(a, b, c) / (b * c)};
+}
+
 } // namespace
 
 UnfoldedTriangles::UnfoldedTriangles(const Triangles& surface, const Vector& lengths) {
     check_lengths(surface, lengths);
     const Index halfedges = 3 * surface.triangles();
     if (halfedges > 0)
-        unit_ = std::exp2(std::ilogb(lengths.maxCoeff()));
+        exponent_ = std::ilogb(lengths.maxCoeff()) - 400;
     sides_.reserve(halfedges);
     for (Index h = 0; h < halfedges; ++h) {
-        const auto length = [&](Index side) { return lengths[surface.edge(side)] / unit_; };
-        const double a = length(surface.next(h)), b = length(surface.previous(h)), c = length(h);
-        const double area = triangle_area(a, b, c);
-        sides_.push_back({c, (c * c + (b - a) * (b + a)) / (2 * b * c), 2 * area / (b * c),
-                          surface.tail(h), surface.edge(h), surface.sign(h)});
+        const double a = lengths[surface.edge(surface.next(h))],
+                     b = lengths[surface.edge(surface.previous(h))], c = lengths[surface.edge(h)];
+        const auto angle = corner(a, b, c);
+        sides_.push_back({std::ldexp(c, -exponent_), angle[0], angle[1], surface.tail(h),
+                          surface.edge(h), surface.sign(h)});
     }
     group(
         halfedges, surface.edges(), [&](Index h) { return surface.edge(h); }, side_begins_,

@@ -27,8 +27,9 @@ public:
     Index triangles() const { return static_cast<Index>(sides_.size() / 3); }
     Index edges() const { return static_cast<Index>(side_begins_.size()) - 1; }
 
-    /// What the lengths below are measured in: a power of 2 near the longest edge.
-    double unit() const { return unit_; }
+    /// Lengths here times 2 to this power are those given. The longest edge is near 2^400, so that
+    /// squares of lengths are numbers down to 1e-270 of it.
+    int exponent() const { return exponent_; }
 
     const Side& side(Index halfedge) const { return sides_[halfedge]; }
 
@@ -50,7 +51,7 @@ public:
 private:
     void find_bends(const Triangles& surface);
 
-    double unit_ = 1;
+    int exponent_ = 0;
     std::vector<Side> sides_;
     std::vector<Index> side_begins_, sides_of_, corner_begins_, corners_of_;
     std::vector<bool> may_bend_;

@@ -36,8 +36,8 @@ public:
 
     /// The distance is not negative.
     void push(Window window, double distance) {
-        const auto digits = std::bit_cast<std::uint32_t>(static_cast<float>(distance));
-        window.key = std::max(digits >> dropped_digits, last_);
+        const auto digits = std::bit_cast<std::uint64_t>(distance) >> dropped_digits;
+        window.key = std::max(static_cast<std::uint32_t>(digits), last_);
         shelf(window.key).push_back(window);
         ++size_;
     }
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    static constexpr int dropped_digits = 12; // of the 24 of a float
+    static constexpr int dropped_digits = 41; // of 52 behind the leading one
 
     std::vector<Window>& shelf(std::uint32_t key) { return shelves_[std::bit_width(key ^ last_)]; }
 
@@ -68,7 +68,7 @@ private:
         first->clear();
     }
 
-    std::array<std::vector<Window>, 33> shelves_; // by the highest bit that differs from the last
+    std::array<std::vector<Window>, 24> shelves_; // by the highest bit that differs from the last
     std::uint32_t last_ = 0;
     std::size_t size_ = 0;
 };

@@ -116,7 +116,8 @@ Wavefront::Wavefront(const UnfoldedTriangles& surface, std::span<const Index> so
         if (surface.sides_of(e).size() > 2)
             passed_.resize(surface.edges());
     for (const Index v : sources)
-        start(v, 0);
+        if (distances_[v] > 0) // some may be given twice
+            start(v, 0);
 }
 
 void Wavefront::spread(Index v, double distance) {

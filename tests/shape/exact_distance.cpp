@@ -270,13 +270,19 @@ TEST(ExactDistance, between_components_is_refused_and_of_each_is_its_own) {
     const Mesh one = two;
     const Index n = static_cast<Index>(one.points.rows());
     two.points.conservativeResize(2 * n, 2);
-    two.points.bottomRows(n) = 1e-5 * one.points;
+    two.points.bottomRows(n) = one.points;
     two.simplices.conservativeResize(2 * one.simplices.rows(), 3);
     two.simplices.bottomRows(one.simplices.rows()) = one.simplices.array() + n;
     const auto sample = glued(two);
-    const Vector d = from(sample, {0, n});
-    for (Index v = 0; v < d.size(); ++v)
-        EXPECT_NEAR(d[v], two.points.row(v).norm(), 1e-15);
+    for (const double size : {1.0, 1e-5, 1e-200}) {
+        Vector lengths = sample.lengths;
+        lengths.tail(lengths.size() / 2) *= size;
+        const Vector d = exact_distance(sample.surface, lengths, std::vector<Index>{0, n});
+        for (Index v = 0; v < n; ++v) {
+            EXPECT_NEAR(d[v], one.points.row(v).norm(), 1e-15);
+            EXPECT_NEAR(d[n + v] / size, one.points.row(v).norm(), 1e-15);
+        }
+    }
     EXPECT_TRUE(says(refusal([&] { from(sample, {0}); }), {"source", "vertex 36"}));
     EXPECT_TRUE(says(refusal([&] { from(sample, {72}); }), {"vertex 72", "source", "0", "71"}));
     EXPECT_TRUE(says(refusal([&] { from(sample, {-1}); }), {"vertex -1", "source"}));

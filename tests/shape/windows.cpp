@@ -50,6 +50,15 @@ TEST(Windows, turn_around_a_sharp_tip_once) {
             EXPECT_LT(windows_of_a_triangle(cone(angle, 5, 4), source), 15) << angle;
 }
 
+TEST(Windows, begin_once_at_a_source_that_is_given_twice) {
+    const Shape sphere = shape(icosphere(4));
+    const UnfoldedTriangles unfolded(sphere.surface, sphere.lengths);
+    const auto of = [&](std::vector<Index> sources) {
+        return distances_by_windows(unfolded, sources, most_windows(320)).windows;
+    };
+    EXPECT_EQ(of({3, 9, 3}), of({3, 9}));
+}
+
 TEST(Windows, beyond_the_most_are_refused) {
     const Shape sphere = shape(icosphere(4));
     const std::size_t needed = windows(sphere, most_windows(320)).windows;
