@@ -198,6 +198,9 @@ void add_shape(CLI::App& command, SpectrumArguments& arguments, CLI::Option* sid
                              "functions, or of forms of degree n, or 1 on surfaces; cells are not\n"
                              "merged, and edges of surfaces are flipped")
                          ->excludes(side);
+    for (const char* const other :
+         {"--star", "--tolerance", "--centers", "--out", "--checkpoint", "--no-certificate"})
+        of_shape->excludes(command.get_option(other));
     command
         .add_option("--level", arguments.shape.level,
                     "of the shape: bounds of order 2 (1) or 4 (2)")
@@ -227,7 +230,6 @@ void add_spectrum(CLI::App& app) {
     auto* degree =
         command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")
             ->required();
-    add_shape(*command, *arguments, side, degree);
     command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")
         ->capture_default_str();
     add_conditions(*command, arguments->conditions,
@@ -254,6 +256,7 @@ void add_spectrum(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--eigen-engine", arguments->spectrum.eigen_solver, "eigensolver")
         ->capture_default_str();
+    add_shape(*command, *arguments, side, degree);
     command->footer(
         "Dual K-forms live on the (n-K)-cells. On the boundary, primal forms have what --natural\n"
         "asks for unless told otherwise; dual forms have values 0 (Dirichlet), as by\n"

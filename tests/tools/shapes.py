@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""The subcommand spectrum with --of-shape: eigenvalues of the shape itself."""
+import math
+import os
+
+import command
+from command import TestCase, golden, run
+
+
+class Shapes(TestCase):
+    def grid(self, cells=8):
+        path = os.path.join(self.folder, f"grid{cells}.off")
+        run("generate", "grid", "--nx", cells, "--ny", cells, "-o", path)
+        return path
+
+    def test_encloses_the_square_at_both_levels(self):
+        truth = [2 * math.pi ** 2, 5 * math.pi ** 2, 5 * math.pi ** 2]
+        widths = []
+        for level in (1, 2):
+            answer = self.ask("spectrum", self.grid(), "--of-shape", "--essential-where", "1", "--count", 3,
+                              "--level", level)
+            shape = answer["shape"]
+            for low, high, exact in zip(shape["lower"], shape["upper"], truth):
+                self.assertLessEqual(low, exact)
+                self.assertGreaterEqual(high, exact)
+            self.assertEqual((shape["zeros"], shape["triangles"], shape["level"]), (0, 128, level))
+            self.assertLessEqual(shape["count_below"]["at_least"], shape["count_below"]["at_most"])
+            self.assertEqual(answer["warnings"], [])
+            widths.append(1 - shape["lower"][0] / shape["upper"][0])
+        self.assertLess(widths[1], widths[0] / 20)
+
+    def test_says_what_is_proved_and_counts_flips(self):
+        told = self.succeed("spectrum", golden("grid4.nsc"), "--of-shape", "--count", 2).out
+        for words in ("functions on the shape itself", "32 triangles after 0 flips", "(Neumann)", "exact",
+                      "proved:", "eigenvalues of the shape lie below"):
+            self.assertIn(words, told)
+
+    def test_forms_of_other_degrees(self):
+        for degree, lowest in ((1, math.pi ** 2), (2, 2 * math.pi ** 2)):
+            shape = self.ask("spectrum", self.grid(), "--of-shape", "--degree", degree, "--count", 1)["shape"]
+            self.assertLessEqual(shape["lower"][0], lowest)
+            self.assertGreaterEqual(shape["upper"][0], lowest)
+
+    def test_bisects_until_it_is_narrow_and_warns_where_it_is_not(self):
+        wide = self.ask("spectrum", self.grid(4), "--of-shape", "--count", 2, "--width", "1e-5")
+        self.assertSays(wide["warnings"][-1], "1 of 2", "wider", "refine")
+        fine = self.ask("spectrum", self.grid(4), "--of-shape", "--count", 2, "--width", "1e-5",
+                        "--max-triangles", 4000)
+        self.assertEqual(fine["warnings"], [])
+        self.assertGreater(fine["shape"]["triangles"], 32)
+        self.assertLess(1 - fine["shape"]["lower"][1] / fine["shape"]["upper"][1], 1e-5)
+
+    def test_refuses_what_makes_no_sense(self):
+        for code, words, said in (
+                (1, ("--of-shape", "--side", "dual"), ("--side", "excludes", "--of-shape")),
+                (1, ("--side", "primal", "--degree", 0, "--level", 1), ("--level", "requires", "--of-shape")),
+                (1, (), ("--side", "required")),
+                (1, ("--of-shape", "-o", "modes.vtu"), ("--out", "excludes", "--of-shape")),
+                (1, ("--of-shape", "--star", "galerkin"), ("--star", "excludes", "--of-shape")),
+                (2, ("--of-shape", "--level", 3), ("level 3", "1", "2")),
+                (2, ("--of-shape", "--degree", 4), ("4-forms", "dimension 2")),
+                (2, ("--of-shape", "--count", 10 ** 6), ("1000000 eigenvalues", "functions", "refine"))):
+            ended = run("spectrum", golden("grid4.nsc"), *words)
+            self.assertEqual(ended.code, code, ended.err)
+            self.assertSays(ended.err, *said)
+
+
+if __name__ == "__main__":
+    command.main()
