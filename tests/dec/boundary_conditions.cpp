@@ -8,7 +8,7 @@
 #include "dec/fields/de_rham.h"
 #include "dec/forms/derivative.h"
 #include "tests/dec/discretized.h"
-include "tests/support/circumcentric.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"

@@ -2,7 +2,7 @@
 #include "dec/fields/cell_centers.h"
 
 #include "tests/dec/discretized.h"
-include "tests/support/over_meshes.h"
+#include "tests/support/over_meshes.h"
 
 #include <gtest/gtest.h>
 

@@ -90,7 +90,8 @@ TEST(LieDerivativeErrors, name_the_kind_of_form_and_the_degree) {
     const auto form = random_form(mesh.complex(), Side::dual, 1, 1);
     EXPECT_TRUE(says(refusal([&] { along(field, form); }),
                      {"vector field", "dual 1-form", "primal 1-forms"}));
-    const LieDerivative on_simplices(mesh.input(), mesh.input_points(), 2, Sampling::centered);
+    const LieDerivative on_simplices(discretized("grid4", MergeCriterion::none), 2,
+                                     Sampling::centered);
     const auto area = random_form(mesh.input(), Side::primal, 2, 1);
     EXPECT_TRUE(says(refusal([&] { on_simplices(Points::Ones(7, 2), area); }),
                      {"vector field", "7 x 2", "25 x 2", "point"}));

@@ -19,7 +19,7 @@
 namespace polydec::test::in_exact_distance {
 namespace {
 
-Vector from(const Shape& shape, std::vector<Index> sources) {
+Vector from(const MeasuredSurface& shape, std::vector<Index> sources) {
     return exact_distance(shape.surface, shape.lengths, sources);
 }
 
@@ -56,7 +56,7 @@ TEST(ExactDistance, on_flat_tori_is_the_shortest_to_an_image) {
 TEST(ExactDistance, between_opposite_corners_of_a_cube_is_the_root_of_5) {
     for (const int n : {1, 2, 5}) {
         const Mesh mesh = cube(n);
-        const Shape shape = test::shape(mesh);
+        const MeasuredSurface shape = test::measured(mesh);
         Index corner = -1, opposite = -1;
         for (Index v = 0; v < shape.surface.vertices(); ++v) {
             const auto point = mesh.points.row(shape.vertices[v]);
@@ -88,7 +88,7 @@ TEST(ExactDistance, on_the_regular_tetrahedron_is_that_in_the_plane_folded_onto_
         triangles.push_back(corners), flat.push_back(placed);
     }
     const Mesh mesh = divided(triangles, n), plane = divided(flat, n);
-    const Shape shape = test::shape(mesh);
+    const MeasuredSurface shape = test::measured(mesh);
     // some place of each vertex: the triangles of both have the same order
     std::vector<Eigen::Vector2d> place(std::size_t(mesh.points.rows()));
     for (Index t = 0; t < mesh.simplices.rows(); ++t)
@@ -111,7 +111,7 @@ TEST(ExactDistance, on_cones_is_straight_or_through_the_tip) {
     constexpr double pi = std::numbers::pi;
     constexpr Index sectors = 12, rings = 5;
     for (const double angle : {0.01, 1.0, pi, 1.9 * pi, 2 * pi, 2.1 * pi, 3 * pi, 7 * pi}) {
-        const Shape shape = cone(angle, sectors, rings);
+        const MeasuredSurface shape = cone(angle, sectors, rings);
         for (const Index source : {Index(0), Index(1 + 2 * sectors), 4 * sectors}) {
             const Vector d = from(shape, {source});
             const auto radius = [](Index v) { return v == 0 ? 0 : 1 + (v - 1) / sectors; };
@@ -138,7 +138,7 @@ TEST(ExactDistance, crosses_the_spine_of_a_book_straight_into_every_page) {
         add_parallelogram(pages, Eigen::Vector3d::Zero(), outward.back(), Eigen::Vector3d::UnitZ());
     }
     const Mesh mesh = divided(pages, n);
-    const Shape shape = test::shape(mesh);
+    const MeasuredSurface shape = test::measured(mesh);
     for (Index source = 0; source < shape.surface.vertices(); source += 7) {
         const Vector d = from(shape, {source});
         const Eigen::Vector3d p = mesh.points.row(shape.vertices[source]).transpose();
@@ -191,7 +191,7 @@ TEST(ExactDistance, in_the_plane_is_straight_on_any_triangles_and_bends_around_h
             kept.row(t++) = mesh.simplices.row(s);
     }
     mesh.simplices = kept;
-    const Shape shape = test::shape(mesh);
+    const MeasuredSurface shape = test::measured(mesh);
     const auto place = [&](Index v) -> Eigen::RowVector2d {
         return mesh.points.row(shape.vertices[v]);
     };
@@ -242,9 +242,9 @@ TEST(ExactDistance, does_not_depend_on_the_order_of_vertices) {
         const Mesh mesh = perturbed(torus(14, 8), 0.1, seed);
         const Renumbered other = shuffled(mesh, seed);
         const auto place = std::find(other.vertices.begin(), other.vertices.end(), 0);
-        const Vector d = from(shape(mesh), {0});
+        const Vector d = from(measured(mesh), {0});
         const Vector e =
-            from(shape(other.mesh), {static_cast<Index>(place - other.vertices.begin())});
+            from(measured(other.mesh), {static_cast<Index>(place - other.vertices.begin())});
         for (Index v = 0; v < d.size(); ++v)
             EXPECT_NEAR(e[v], d[other.vertices[v]], 1e-13);
     }

@@ -15,15 +15,15 @@
 namespace polydec::test {
 
 /// Triangles with lengths, which may branch, and the vertex of the mesh that each vertex is.
-struct Shape {
+struct MeasuredSurface {
     Triangles surface;
     Vector lengths;
     std::vector<Index> vertices;
 };
 
-inline Shape shape(const Mesh& mesh) {
+inline MeasuredSurface measured(const Mesh& mesh) {
     const SimplicialComplex complex(mesh.simplices);
-    Shape result{Triangles(complex), Vector(complex.size(1)), {}};
+    MeasuredSurface result{Triangles(complex), Vector(complex.size(1)), {}};
     for (Index v = 0; v < complex.size(0); ++v)
         result.vertices.push_back(complex.vertex_number(v));
     for (Index e = 0; e < complex.size(1); ++e)
@@ -138,7 +138,7 @@ inline Mesh hills(int count, int sectors) {
 
 /// A cone of any angle: sectors and rings of triangles around vertex 0, rings 1, 2, .. from it.
 /// Vertex 1 + (r - 1) sectors + s lies in ring r at angle s / sectors of all.
-inline Shape cone(double angle, Index sectors, Index rings) {
+inline MeasuredSurface cone(double angle, Index sectors, Index rings) {
     const auto vertex = [=](Index r, Index s) { return 1 + (r - 1) * sectors + s % sectors; };
     Mesh mesh;
     mesh.points.resize(1 + rings * sectors, 2);
@@ -152,7 +152,7 @@ inline Shape cone(double angle, Index sectors, Index rings) {
         }
     }
     const SimplicialComplex complex(mesh.simplices);
-    Shape result{Triangles(complex), Vector(complex.size(1)), {}};
+    MeasuredSurface result{Triangles(complex), Vector(complex.size(1)), {}};
     for (Index v = 0; v < complex.size(0); ++v)
         result.vertices.push_back(v);
     const auto radius = [=](Index v) { return v == 0 ? 0.0 : double(1 + (v - 1) / sectors); };

@@ -27,7 +27,7 @@ double cross(Point a, Point b) {
 /// triangle once at most.
 class StraightLines {
 public:
-    StraightLines(const Shape& shape, double longest)
+    StraightLines(const MeasuredSurface& shape, double longest)
         : shape_(shape), longest_(longest), sides_(std::size_t(shape.surface.edges())) {
         for (Index h = 0; h < 3 * shape.surface.triangles(); ++h)
             sides_[shape.surface.edge(h)].push_back(h);
@@ -92,7 +92,7 @@ private:
         leave(Triangles::previous(h), c, a, right, left);
     }
 
-    const Shape& shape_;
+    const MeasuredSurface& shape_;
     double longest_;
     std::vector<std::vector<Index>> sides_; // of edges
     Vector found_;
@@ -100,7 +100,7 @@ private:
 };
 
 /// Distances between all vertices, along chains of straight lines; infinite between components.
-DenseMatrix along_straight_lines(const Shape& shape) {
+DenseMatrix along_straight_lines(const MeasuredSurface& shape) {
     const Index n = shape.surface.vertices();
     DenseMatrix d = DenseMatrix::Constant(n, n, std::numeric_limits<double>::infinity());
     for (Index h = 0; h < 3 * shape.surface.triangles(); ++h) {
@@ -125,12 +125,12 @@ DenseMatrix along_straight_lines(const Shape& shape) {
 }
 
 struct Laws {
-    Shape shape;
+    MeasuredSurface shape;
     DenseMatrix exact; ///< column v: from vertex v
 };
 
 /// From every vertex of a shape, and from the first vertices of the components it is not on.
-Laws laws_on(const Shape& shape) {
+Laws laws_on(const MeasuredSurface& shape) {
     Laws laws{shape, {}};
     const Index n = laws.shape.surface.vertices();
     laws.exact.resize(n, n);
@@ -152,11 +152,11 @@ Laws laws_on(const Shape& shape) {
 
 struct NamedShape {
     std::string name;
-    Shape shape;
+    MeasuredSurface shape;
 };
 
 /// Few triangles, glued in any way, of random lengths: no points have these distances.
-Shape from_nowhere(Index n, Closing closing, std::uint64_t seed) {
+MeasuredSurface from_nowhere(Index n, Closing closing, std::uint64_t seed) {
     auto [surface, lengths, points] = flat(n, closing);
     Random random(seed);
     for (double& length : lengths)
@@ -168,16 +168,16 @@ std::vector<NamedShape> surfaces() {
     std::vector<NamedShape> result;
     for (const auto& [name, mesh] : meshes())
         if (mesh.simplices.cols() == 3 && mesh.simplices.rows() <= 400)
-            result.push_back({name, shape(mesh)});
-    result.push_back({"cube", shape(cube(2))});
-    result.push_back({"walls_of_cubes", shape(walls_of_cubes(2))});
-    result.push_back({"touching_tetrahedra", shape(touching_tetrahedra())});
+            result.push_back({name, measured(mesh)});
+    result.push_back({"cube", measured(cube(2))});
+    result.push_back({"walls_of_cubes", measured(walls_of_cubes(2))});
+    result.push_back({"touching_tetrahedra", measured(touching_tetrahedra())});
     for (const std::uint64_t seed : {1, 2, 3}) {
-        result.push_back({"rough_hills", shape(perturbed(hills(3, 5), 0.15, seed))});
-        result.push_back({"rough_torus", shape(perturbed(torus(8, 5), 0.2, seed))});
-        result.push_back({"rough_sphere", shape(perturbed(icosphere(2), 0.3, seed))});
-        result.push_back({"rough_moebius", shape(perturbed(moebius(9, 2), 0.15, seed))});
-        result.push_back({"rough_walls", shape(perturbed(walls_of_cubes(1), 0.2, seed))});
+        result.push_back({"rough_hills", measured(perturbed(hills(3, 5), 0.15, seed))});
+        result.push_back({"rough_torus", measured(perturbed(torus(8, 5), 0.2, seed))});
+        result.push_back({"rough_sphere", measured(perturbed(icosphere(2), 0.3, seed))});
+        result.push_back({"rough_moebius", measured(perturbed(moebius(9, 2), 0.15, seed))});
+        result.push_back({"rough_walls", measured(perturbed(walls_of_cubes(1), 0.2, seed))});
         for (const Index n : {1, 2, 5})
             for (const Closing closing : {Closing::torus, Closing::klein_bottle})
                 result.push_back({"from_nowhere", from_nowhere(n, closing, seed)});

@@ -17,29 +17,29 @@
 namespace polydec::test::in_windows {
 namespace {
 
-WindowDistances windows(const Shape& shape, std::size_t most, Index source = 0) {
+WindowDistances windows(const MeasuredSurface& shape, std::size_t most, Index source = 0) {
     const UnfoldedTriangles unfolded(shape.surface, shape.lengths);
     return distances_by_windows(unfolded, std::vector<Index>{source}, most);
 }
 
-double windows_of_a_triangle(const Shape& shape, Index source = 0) {
+double windows_of_a_triangle(const MeasuredSurface& shape, Index source = 0) {
     const Index triangles = shape.surface.triangles();
     return double(windows(shape, most_windows(triangles), source).windows) / triangles;
 }
 
 TEST(Windows, of_each_triangle_grow_with_the_root_of_the_number_of_triangles) {
-    const double coarse = windows_of_a_triangle(shape(icosphere(10)));
-    const double fine = windows_of_a_triangle(shape(icosphere(20)));
+    const double coarse = windows_of_a_triangle(measured(icosphere(10)));
+    const double fine = windows_of_a_triangle(measured(icosphere(20)));
     EXPECT_LT(fine, 40);
     EXPECT_LT(fine, 2.5 * coarse);
-    EXPECT_LT(windows_of_a_triangle(shape(perturbed(torus(60, 30), 0.02, 1))), 40);
-    EXPECT_LT(windows_of_a_triangle(shape(perturbed(torus(60, 30), 0.1, 1))), 80);
+    EXPECT_LT(windows_of_a_triangle(measured(perturbed(torus(60, 30), 0.02, 1))), 40);
+    EXPECT_LT(windows_of_a_triangle(measured(perturbed(torus(60, 30), 0.1, 1))), 80);
 }
 
 /// Where many equal ways lead up a flight of stairs, one counts.
 TEST(Windows, that_reach_the_same_on_equal_ways_are_one) {
-    const double coarse = windows_of_a_triangle(shape(walls_of_cubes(4)));
-    const double fine = windows_of_a_triangle(shape(walls_of_cubes(8)));
+    const double coarse = windows_of_a_triangle(measured(walls_of_cubes(4)));
+    const double fine = windows_of_a_triangle(measured(walls_of_cubes(8)));
     EXPECT_LT(coarse, 60);
     EXPECT_LT(fine, 2.5 * coarse);
 }
@@ -51,7 +51,7 @@ TEST(Windows, turn_around_a_sharp_tip_once) {
 }
 
 TEST(Windows, begin_once_at_a_source_that_is_given_twice) {
-    const Shape sphere = shape(icosphere(4));
+    const MeasuredSurface sphere = measured(icosphere(4));
     const UnfoldedTriangles unfolded(sphere.surface, sphere.lengths);
     const auto of = [&](std::vector<Index> sources) {
         return distances_by_windows(unfolded, sources, most_windows(320)).windows;
@@ -60,7 +60,7 @@ TEST(Windows, begin_once_at_a_source_that_is_given_twice) {
 }
 
 TEST(Windows, beyond_the_most_are_refused) {
-    const Shape sphere = shape(icosphere(4));
+    const MeasuredSurface sphere = measured(icosphere(4));
     const std::size_t needed = windows(sphere, most_windows(320)).windows;
     EXPECT_EQ(message_of<SolverFailure>([&] { windows(sphere, needed); }), "accepted");
     EXPECT_TRUE(says(message_of<SolverFailure>([&] { windows(sphere, needed - 1); }),

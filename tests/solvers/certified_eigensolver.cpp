@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectra/certified_eigensolver.h"
+#include "backends/spectra/certified_eigensolver.h"
 
 #include "backends/registry.h"
 #include "backends/spectra/certified_eigensolver.h"
