@@ -43,8 +43,8 @@ GeodesicDistance::GeodesicDistance(const Triangles& surface, const Vector& lengt
 
 GeodesicDistance::GeodesicDistance(const Discretization& discretization,
                                    const GeodesicOptions& options)
-    : GeodesicDistance(Triangles(discretization.pieces()), discretization.geometry().volumes().primal(1),
-                       options) {
+    : GeodesicDistance(Triangles(discretization.pieces()),
+                       discretization.geometry().volumes().primal(1), options) {
     unit_ = discretization.unit();
     if (options.method != DistanceMethod::heat)
         return;

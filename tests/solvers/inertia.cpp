@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "backends/spectra/inertia.h"
 
+#include "backends/spectra/certified_eigensolver.h"
 #include "dec/discretization.h"
 #include "meshes/generate.h"
 #include "solvers/coexact_spectrum.h"
-#include "backends/spectra/certified_eigensolver.h"
 #include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectrum.h"
 #include "tests/support/circumcentric.h"
