@@ -2,6 +2,7 @@
 #include "dec/fields/contraction.h"
 
 #include "base/errors.h"
+#include "dec/input_units.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/simplex_geometry.h"
 
@@ -16,7 +17,10 @@ void check_degree_of_contraction(int k, int largest) {
                                        k, largest));
 }
 
-void check_field(const Pieces& complex, Eigen::Index N, const Points& field) {
+Points field_on_input(const Discretization& mesh, const Points& field) {
+    const Pieces& complex = mesh.pieces();
+    const int N = mesh.ambient_dimension();
+    require_points(N, "a vector field");
     if (field.rows() != complex.size(0) || field.cols() != N)
         throw InvalidInput(fmt::format("a vector field of {} x {} numbers is given: expected {} x "
                                        "{}, a row for each point",
@@ -27,6 +31,7 @@ void check_field(const Pieces& complex, Eigen::Index N, const Points& field) {
                 fmt::format("the vector field at vertex {} is not finite: give it a value",
                             complex.vertex_number(v)),
                 {.vertices = {complex.vertex_number(v)}});
+    return in_input_units(Points(mesh.passage().back(0, field)), mesh.unit(), -1, "vectors");
 }
 
 namespace {

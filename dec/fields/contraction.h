@@ -14,9 +14,10 @@ namespace polydec {
 /// Throws InvalidInput unless 0 <= k <= largest.
 void check_degree_of_contraction(int k, int largest);
 
-/// Throws InvalidInput unless the field has a finite vector of N components for each vertex, naming
-/// the vertex.
-void check_field(const Pieces& complex, Eigen::Index N, const Points& field);
+/// The vectors at the vertices of the input of those at the points of a mesh, in its unit. Throws
+/// InvalidInput unless the field has a finite vector for each point, naming the vertex, and where
+/// only lengths are known.
+Points field_on_input(const Discretization& mesh, const Points& field);
 
 /// What a form is on the far side of an inflow boundary.
 enum class Beyond {

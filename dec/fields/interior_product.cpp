@@ -3,7 +3,6 @@
 
 #include "dec/fields/contraction.h"
 #include "dec/forms/derivative.h"
-#include "dec/input_units.h"
 
 namespace polydec {
 
@@ -12,7 +11,6 @@ namespace {
 SparseMatrix contraction(const Pieces& complex, const PlacedSimplices& places, const Points& field,
                          int k, Sampling sampling, Beyond beyond) {
     check_degree_of_contraction(k, complex.dimension() + 1);
-    check_field(complex, places.points.cols(), field);
     SparseMatrix result(complex.size(k - 1), complex.size(k));
     if (result.rows() == 0 || result.cols() == 0)
         return result;
@@ -29,7 +27,6 @@ SparseMatrix inflow(const Pieces& complex, const PlacedSimplices& places, const 
                     int k) {
     const int n = complex.dimension();
     check_degree_of_contraction(k, n);
-    check_field(complex, places.points.cols(), field);
     SparseMatrix rates(complex.size(k), complex.size(k));
     if (k == n) // an n-simplex has two sides inside
         return rates;
@@ -54,12 +51,6 @@ SparseMatrix lie_derivative(const Pieces& complex, const PlacedSimplices& places
     return sampling == Sampling::upwind ? SparseMatrix(L + inflow(complex, places, field, k)) : L;
 }
 
-/// The vectors at the vertices of the input, in the unit of the mesh.
-Points on_input(const Discretization& mesh, const Points& field) {
-    require_points(mesh.ambient_dimension(), "a vector field");
-    return in_input_units(Points(mesh.passage().back(0, field)), mesh.unit(), -1, "vectors");
-}
-
 /// An operator on the input's simplices, from k-forms to j-forms, for those on the cells.
 SparseMatrix on_cells(const Discretization& mesh, const SparseMatrix& fine, int k, int j) {
     if (fine.rows() == 0 || fine.cols() == 0)
@@ -76,7 +67,7 @@ SparseMatrix on_cells(const Discretization& mesh, const SparseMatrix& fine, int 
 
 SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
                               Sampling sampling) {
-    const Points here = on_input(mesh, field);
+    const Points here = field_on_input(mesh, field);
     return on_cells(mesh,
                     contraction(mesh.input(), mesh.places(), here, k, sampling, Beyond::the_same),
                     k, k - 1);
@@ -84,12 +75,12 @@ SparseMatrix interior_product(const Discretization& mesh, const Points& field, i
 
 SparseMatrix lie_derivative(const Discretization& mesh, const Points& field, int k,
                             Sampling sampling) {
-    const Points here = on_input(mesh, field);
+    const Points here = field_on_input(mesh, field);
     return on_cells(mesh, lie_derivative(mesh.input(), mesh.places(), here, k, sampling), k, k);
 }
 
 SparseMatrix inflow(const Discretization& mesh, const Points& field, int k) {
-    const Points here = on_input(mesh, field);
+    const Points here = field_on_input(mesh, field);
     return on_cells(mesh, inflow(mesh.input(), mesh.places(), here, k), k, k);
 }
 

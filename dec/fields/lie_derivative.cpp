@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "dec/fields/contraction.h"
 #include "dec/fields/transfer.h"
-#include "dec/input_units.h"
 
 #include <fmt/format.h>
 
@@ -14,27 +13,20 @@ namespace polydec {
 
 struct LieDerivative::Parts {
     Discretization mesh;
-    SimplicialComplex complex; // of the input
-    Eigen::Index N;            // components of fields
+    SimplicialComplex complex;
     int k;
     Sampling sampling;
     std::optional<Contraction> lower, upper; // of k-forms and of their derivatives
 
     Parts(const Discretization& on, int degree, Sampling how)
-        : mesh(on), complex(mesh.input()), N(mesh.ambient_dimension()), k(degree), sampling(how) {
+        : mesh(on), complex(mesh.input()), k(degree), sampling(how) {
         const PlacedSimplices places = mesh.places();
         check_degree_of_contraction(k, complex.dimension());
-        require_points(N, "a vector field");
+        require_points(mesh.ambient_dimension(), "a vector field");
         if (k > 0)
             lower.emplace(complex, places, k);
         if (k < complex.dimension())
             upper.emplace(complex, places, k + 1);
-    }
-
-    Points checked(const Points& field) const {
-        const Points here = mesh.passage().back(0, field);
-        check_field(complex, N, here);
-        return in_input_units(here, mesh.unit(), -1, "vectors");
     }
 
     /// The values on the simplices.
@@ -68,7 +60,7 @@ LieDerivative::LieDerivative(const Discretization& mesh, int k, Sampling samplin
     : parts_(std::make_shared<Parts>(mesh, k, sampling)) {}
 
 Cochain LieDerivative::interior_product(const Points& field, const Cochain& form) const {
-    const Points X = parts_->checked(field);
+    const Points X = field_on_input(parts_->mesh, field);
     const Cochain a = parts_->checked(form);
     if (!parts_->lower)
         return {Side::primal, -1, {}};
@@ -76,7 +68,7 @@ Cochain LieDerivative::interior_product(const Points& field, const Cochain& form
 }
 
 Cochain LieDerivative::operator()(const Points& field, const Cochain& form) const {
-    const Points X = parts_->checked(field);
+    const Points X = field_on_input(parts_->mesh, field);
     const Cochain a = parts_->checked(form);
     Cochain result{Side::primal, a.degree, Vector::Zero(a.values.size())};
     if (parts_->upper)
@@ -90,7 +82,7 @@ Cochain LieDerivative::operator()(const Points& field, const Cochain& form) cons
 }
 
 Cochain LieDerivative::inflow(const Points& field, const Cochain& outside) const {
-    const Points X = parts_->checked(field);
+    const Points X = field_on_input(parts_->mesh, field);
     const Cochain g = parts_->checked(outside);
     Cochain result{Side::primal, g.degree, Vector::Zero(g.values.size())};
     parts_->add_inflow(X, g, result.values);

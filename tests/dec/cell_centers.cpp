@@ -53,7 +53,6 @@ TEST_P(CellCenters, of_degree_1_are_the_middles) {
 POLYDEC_OVER_MESHES(CellCenters);
 
 TEST(CellCentersOf, cubes_are_their_middles) {
-    const auto& mesh = merged("kuhn3");
     const Points c = cell_centers(discretized("kuhn3"), 3);
     for (Index F = 0; F < 8; ++F)
         for (Index axis = 0; axis < 3; ++axis)

@@ -85,10 +85,12 @@ protected:
     }
 
     SparseMatrix i_on_simplices(int k, Sampling sampling) const {
-        const auto simplices =
-            discretize(Mesh{mesh().input_points(), mesh().input().simplices(mesh().dimension())},
-                       {.criterion = MergeCriterion::none});
-        return interior_product(simplices, input_field(), k, sampling).cwiseAbs();
+        Mesh simplices;
+        simplices.points = mesh().input_points();
+        simplices.simplices = mesh().input().simplices(mesh().dimension());
+        return interior_product(discretize(simplices, {.criterion = MergeCriterion::none}),
+                                input_field(), k, sampling)
+            .cwiseAbs();
     }
     SparseMatrix d_on_simplices(int k) const {
         return SparseMatrix(derivative(mesh().input(), k)).cwiseAbs();

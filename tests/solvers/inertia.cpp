@@ -2,6 +2,7 @@
 #include "backends/spectra/inertia.h"
 
 #include "backends/spectra/certified_eigensolver.h"
+#include "backends/spectra/scaled_pencil.h"
 #include "dec/discretization.h"
 #include "meshes/generate.h"
 #include "solvers/coexact_spectrum.h"
