@@ -146,5 +146,8 @@ def joining():
         ((a, b, middle), (b, c, middle), (c, d, middle), (d, a, middle)))]
     before_and_after(picture, 665, (crossed, []), (parts, [middle]),
                      "--join-hanging: facets of two sides")
+    picture.frame(665, 150, 110)
+    picture.path([a, c], BLUE)
+    picture.path([b, d], RED)
     return picture.svg("A seam is welded, a cell is split at a hanging node, and facets of two "
                        "sides are divided where their edges cross")

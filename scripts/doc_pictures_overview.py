@@ -117,7 +117,7 @@ def trust():
 def what_is_proved():
     """Widths of enclosures of 2 pi^2 on the unit square, as shape_spectrum gives them, by triangles."""
     picture = Picture(760, 260)
-    picture.frame(90, 40, 1)
+    picture.frame(90, 220, 1)
 
     def place(triangles, width):
         return (math.log2(triangles / 64) * 95, (math.log10(width) + 6) * 40)
@@ -129,10 +129,11 @@ def what_is_proved():
                                 (BLUE, "level 2: order 4", (5.41e-4, 3.28e-5, 2.07e-6))):
         points = [place(128 * 4 ** i, width) for i, width in enumerate(widths)]
         picture.path(points, color, 2.5)
-        for i, point in enumerate(points):
+        for point in points:
             picture.dot(point, color)
-            picture.text((point[0], 0), str(128 * 4 ** i), GREY, 12, shift=(0, 18))
-        picture.text(points[-1], name, color, 13, "end", (-4, -14))
+        picture.text(points[-1], name, color, 13, "start", (10, 4))
+    for triangles in (128, 512, 2048):
+        picture.text((place(triangles, 1)[0], 0), str(triangles), GREY, 12, shift=(0, 18))
     picture.text((300, 0), "triangles", GREY, 12, shift=(0, 34))
     return picture.svg("Widths of enclosures of the first eigenvalue of the unit square by triangles: of "
                        "order 2 at level 1, of order 4 at level 2")
