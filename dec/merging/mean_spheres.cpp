@@ -9,10 +9,10 @@
 namespace polydec {
 
 MeanSpheres::MeanSpheres(const Geometry& geometry, const std::vector<bool>& flat)
-    : geometry_(geometry),
-      complex_(geometry_.pieces()),
-      points_(*geometry_.metric().points()),
-      volumes_(geometry_.volumes()),
+    : complex_(geometry.pieces()),
+      metric_(geometry.metric()),
+      points_(*metric_.points()),
+      volumes_(geometry.volumes()),
       flat_(flat),
       normal_(complex_.dimension(), complex_.dimension() - 1) {
     const int n = complex_.dimension();
@@ -20,7 +20,7 @@ MeanSpheres::MeanSpheres(const Geometry& geometry, const std::vector<bool>& flat
     own_ = Points::Zero(size, n);
     moments_ = Points::Zero(size, n + 1);
     terms_ = Points::Zero(size, 4);
-    SimplexLayout layout(complex_, geometry_.metric());
+    SimplexLayout layout(complex_, metric_);
     Circumsphere sphere;
     for (Index t = 0; t < size; ++t) {
         const auto corners = layout.at(n, t);

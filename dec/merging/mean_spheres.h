@@ -58,10 +58,10 @@ private:
     Vector normal(Index t, int i) const; // of the facet that lacks corner i
     Eigen::RowVectorXd away(Index root, Index v) const;
 
-    Geometry geometry_;
-    const Pieces& complex_;
-    const Points& points_;
-    const CellVolumes& volumes_;
+    Pieces complex_;
+    SimplexMetric metric_;
+    const Points& points_; // of the metric
+    CellVolumes volumes_;
     const std::vector<bool>& flat_;
     ExteriorProduct normal_;
     Points own_;     // circumcenter of each simplex, from its first corner

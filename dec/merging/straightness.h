@@ -15,6 +15,10 @@ class StraightnessTest {
 public:
     StraightnessTest(const Geometry& geometry, double tolerance, double angle);
 
+    // no copies, whose parts would refer to those of another
+    StraightnessTest(const StraightnessTest&) = delete;
+    StraightnessTest& operator=(const StraightnessTest&) = delete;
+
     bool operator()(int k, Index s, Index f, Index g);
 
 private:
