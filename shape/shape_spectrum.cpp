@@ -223,7 +223,7 @@ void Enclosing::warn() {
     const auto rough = (wide.array() > options_.width).count();
     if (options_.width > 0 && rough > 0)
         result_.warnings.push_back(
-            fmt::format("{} of {} enclosures are wider than the share of {:.3g} that is asked for, "
+            fmt::format("{} of {} enclosures are wider than the requested relative width {:.3g}, "
                         "the widest {:.3g}: refine the mesh",
                         rough, options_.count, options_.width, wide.maxCoeff()));
 }

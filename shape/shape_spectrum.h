@@ -18,7 +18,7 @@ struct ShapeSpectrumOptions {
     int degree = 0;
     Index count = 10;
     int level = 2;    ///< 1 or 2, see CountOptions
-    double width = 0; ///< (upper - lower) / upper above which results warn; 0: none is asked for
+    double width = 0; ///< (upper - lower) / upper above which results warn; 0: never
     /// Triangles of surfaces at level 2 may be bisected up to so many, where enclosures are wider
     /// than `width`; 0: none are.
     Index max_triangles = 0;

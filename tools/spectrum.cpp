@@ -159,7 +159,7 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
     Log log;
     const ConditionValues asked(arguments.conditions);
     arguments.mesh.merge = false;
-    arguments.mesh.star = name(StarKind::galerkin); // of which nothing is asked
+    arguments.mesh.star = name(StarKind::galerkin); // shapes do not use stars
     const Discretization mesh = load(arguments.mesh, log);
     const auto boundary = asked.on(mesh).value_or(built_in_conditions(Side::primal));
     log.timing.begin("solve");

@@ -19,7 +19,7 @@ namespace polydec {
 class SimplexMetric {
 public:
     /// Simplices between points, a row per vertex of the complex; implicit, so that points can be
-    /// given wherever a metric is asked for.
+    /// passed wherever a metric is expected.
     SimplexMetric(Points points) : points_(std::make_shared<const Points>(std::move(points))) {}
     SimplexMetric(std::shared_ptr<const Points> points) : points_(std::move(points)) {}
 
