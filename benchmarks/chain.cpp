@@ -15,7 +15,7 @@ const LazyMesh* in_memory = nullptr;
 Chain chain(const Mesh& mesh) {
     SimplicialComplex complex(mesh.simplices);
     HodgeStars stars = circumcentric_volumes(complex, mesh.points);
-    SparseMatrix laplacian = symmetric_laplacian(complex, stars, 0);
+    SparseMatrix laplacian = symmetric_laplacian({complex, stars}, 0);
     return {std::move(complex), std::move(stars), std::move(laplacian)};
 }
 

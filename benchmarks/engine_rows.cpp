@@ -28,7 +28,7 @@ struct Dirichlet {
     explicit Dirichlet(const Discretization& cells)
         : inside(relative_complex(cells.complex(), essential_cells(cells.complex(), {}))) {
         const auto volumes = relative_volumes(inside, cells.volumes());
-        A = symmetric_laplacian(inside.complex, volumes, 0);
+        A = symmetric_laplacian({inside.complex, volumes}, 0);
         b = star(volumes, 0).diagonal();
     }
     Amount amount() const { return {static_cast<double>(A.rows()), polydec::benchmarks::bytes(A)}; }
@@ -125,7 +125,7 @@ double missing(const Vector& complete, const Vector& others) {
 void spectrum_row(benchmark::State& state, const Settings& settings, Mesh mesh) {
     const auto cells = discretize(std::move(mesh));
     const Index count = settings.smoke ? 10 : 50;
-    const SparseMatrix A = symmetric_laplacian(cells.complex(), cells.volumes(), 0);
+    const SparseMatrix A = symmetric_laplacian({cells.complex(), cells.volumes()}, 0);
     const Vector M = cells.stars()[0].diagonal();
     Vector ours, theirs;
     compare(

@@ -78,7 +78,7 @@ SparseMatrix whole_way(const std::filesystem::path& from, const std::filesystem:
         stages.next((first ? "2_" : second ? "3_" : "4_") + std::string(stage));
     });
     stages.next("5_operators");
-    SparseMatrix laplacian = symmetric_laplacian(cells.complex(), cells.stars(), 0);
+    SparseMatrix laplacian = symmetric_laplacian(cells, 0);
     stages.next("6_poisson");
     PoissonSolver solver(cells);
     const Vector u =

@@ -33,7 +33,9 @@ void triple_product_row(benchmark::State& state, const LazyMesh& mesh) {
     const Vector weights = star(volumes, 1).diagonal();
     compare(
         state, {mesh.amount().cells, bytes(complex.coboundary(0)) + 2 * bytes(weights)},
-        [&] { return symmetric_laplacian(complex, volumes, 0).matrix(); },
+        [&] {
+            return symmetric_laplacian({complex, volumes}, 0).matrix();
+        },
         [&] {
             const SparseMatrix T = D.transpose();
             return SparseMatrix(T * (weights.asDiagonal() * D));
@@ -53,7 +55,7 @@ struct RenumberedVector {
 
 SparseMatrix laplacian_of_functions(const Mesh& mesh) {
     const SimplicialComplex complex(mesh.simplices);
-    return symmetric_laplacian(complex, circumcentric_volumes(complex, mesh.points), 0);
+    return symmetric_laplacian({complex, circumcentric_volumes(complex, mesh.points)}, 0);
 }
 
 /// Laplacian times vector on a renumbered mesh beside the same on the mesh in disorder.

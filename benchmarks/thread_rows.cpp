@@ -99,8 +99,9 @@ void volumes_row(benchmark::State& state, const LazyMesh& mesh) {
 void laplacian_row(benchmark::State& state, const LazyMesh& mesh) {
     const SimplicialComplex complex(mesh.get().simplices);
     const CellVolumes volumes = circumcentric_volumes(complex, mesh.get().points);
-    compare_threads(state, {mesh.amount().cells, bytes(complex.coboundary(0))},
-                    [&] { return symmetric_laplacian(complex, volumes, 0).matrix(); });
+    compare_threads(state, {mesh.amount().cells, bytes(complex.coboundary(0))}, [&] {
+        return symmetric_laplacian({complex, volumes}, 0).matrix();
+    });
 }
 
 using MeshRow = void (*)(benchmark::State&, const LazyMesh&);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/boundary_star.h"
-
 #include "base/checks.h"
 #include "base/errors.h"
+#include "dec/forms/cells.h"
+#include "dec/merging/merged_cells.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/whitney.h"
@@ -25,25 +25,29 @@ Vector on_boundary(const CellComplex& complex, int k, const Vector& weights) {
     return result;
 }
 
-SparseMatrix pieces_of(const Discretization& mesh, int k) {
-    return mesh.merging().diamond(k).cast<double>().cwiseAbs();
+SparseMatrix pieces_of(const MergedCells& cells, int k) {
+    return cells.merging().diamond(k).cast<double>().cwiseAbs();
 }
 
-Vector by_duals(const Discretization& mesh, int k, const Vector& of_pieces) {
-    const SparseMatrix parts =
-        dual_parts(mesh.geometry(), mesh.geometry().centers(), k, mesh.dimension() - 1);
+SparseMatrix diagonal(const Vector& values) {
+    return SparseMatrix(values.asDiagonal());
+}
+
+SparseMatrix by_duals(const MergedCells& cells, int k, const Vector& of_pieces) {
+    const Geometry& geometry = cells.geometry();
+    const SparseMatrix parts = dual_parts(geometry, geometry.centers(), k, cells.dimension() - 1);
     const Vector duals = parts.transpose() * of_pieces;
-    const Vector& volumes = mesh.volumes().primal(k);
-    return (pieces_of(mesh, k) * mesh.geometry().volumes().primal(k).cwiseProduct(duals))
-        .cwiseQuotient(volumes)
-        .cwiseQuotient(volumes);
+    const Vector& volumes = cells.volumes().primal(k);
+    return diagonal((pieces_of(cells, k) * geometry.volumes().primal(k).cwiseProduct(duals))
+                        .cwiseQuotient(volumes)
+                        .cwiseQuotient(volumes));
 }
 
-SparseMatrix by_whitney_forms(const Discretization& mesh, int k, const Vector& of_pieces) {
-    const Pieces& K = mesh.pieces();
-    const int m = mesh.dimension() - 1;
+SparseMatrix by_whitney_forms(const MergedCells& cells, int k, const Vector& of_pieces) {
+    const Pieces& K = cells.geometry().pieces();
+    const int m = cells.dimension() - 1;
     SimplexFaces faces(K, m, k);
-    SimplexLayout layout(K, mesh.geometry().metric());
+    SimplexLayout layout(K, cells.geometry().metric());
     std::vector<Eigen::Triplet<double, Index>> entries;
     for (Index f = 0; f < K.size(m); ++f) {
         if (of_pieces[f] == 0)
@@ -57,30 +61,56 @@ SparseMatrix by_whitney_forms(const Discretization& mesh, int k, const Vector& o
     }
     SparseMatrix W(K.size(k), K.size(k));
     W.setFromTriplets(entries.begin(), entries.end());
-    const SparseMatrix& S = mesh.merged().lift()[k];
+    const SparseMatrix& S = cells.lift()[k];
     return S.transpose() * W * S;
 }
 
-} // namespace
-
-SparseMatrix boundary_star(const Discretization& mesh, int k, const Vector& weights) {
-    const int n = mesh.dimension();
-    const Vector of_facets = on_boundary(mesh.complex(), k, weights);
-    const Vector of_pieces = pieces_of(mesh, n - 1).transpose() * of_facets;
-    if (mesh.stars()[k + 1].is_diagonal())
-        return SparseMatrix(by_duals(mesh, k, of_pieces).asDiagonal());
-    return by_whitney_forms(mesh, k, of_pieces);
+/// Each facet in equal parts among its vertices.
+SparseMatrix equal_shares(const CellComplex& complex, const Vector& areas) {
+    const int n = complex.dimension();
+    SparseMatrix vertices(complex.size(n - 1), complex.size(n - 1));
+    vertices.setIdentity();
+    for (int k = n - 2; k >= 0; --k) {
+        SparseMatrix faces = complex.incidences(k).real_matrix().cwiseAbs();
+        for (const auto& [cell, face] : complex.canceled(k))
+            faces.coeffRef(cell, face) = 1;
+        vertices = SparseMatrix(vertices * faces);
+    }
+    vertices.coeffs().setOnes();
+    const Vector counts = vertices * Vector::Ones(vertices.cols());
+    return SparseMatrix(areas.cwiseQuotient(counts).asDiagonal() * vertices).transpose();
 }
 
-SparseMatrix boundary_star(const CellComplex& complex, const CellVolumes& volumes, int k,
-                           const Vector& weights) {
-    const Vector of_facets = on_boundary(complex, k, weights);
-    if (k != complex.dimension() - 1)
+SparseMatrix of_own(const Cells& cells, int k, const Vector& of_facets) {
+    if (k == cells.dimension() - 1)
+        return diagonal(of_facets.cwiseQuotient(cells.stars().volumes().primal(k)));
+    if (k > 0)
         throw InvalidInput(fmt::format("the duals within the boundary of {}-cells of one's own are "
                                        "not known; give a mesh",
                                        k),
                            {.degree = k});
-    return SparseMatrix(of_facets.cwiseQuotient(volumes.primal(k)).asDiagonal());
+    return diagonal(cells.shares_of_vertices() * of_facets);
+}
+
+} // namespace
+
+SparseMatrix Cells::boundary_star(int k, const Vector& weights) const {
+    const Vector of_facets = on_boundary(complex_, k, weights);
+    if (!merged_)
+        return of_own(*this, k, of_facets);
+    const Vector of_pieces = pieces_of(*merged_, dimension() - 1).transpose() * of_facets;
+    return stars()[k + 1].is_diagonal() ? by_duals(*merged_, k, of_pieces)
+                                        : by_whitney_forms(*merged_, k, of_pieces);
+}
+
+SparseMatrix Cells::shares_of_vertices() const {
+    const int facets = dimension() - 1;
+    if (!merged_)
+        return equal_shares(complex_, stars().volumes().primal(facets));
+    const Geometry& geometry = merged_->geometry();
+    const SparseMatrix parts = dual_parts(
+        geometry, stars()[1].is_diagonal() ? geometry.centers() : Centers::centroids(), 0, facets);
+    return SparseMatrix(pieces_of(*merged_, facets) * parts).transpose();
 }
 
 } // namespace polydec

@@ -2,8 +2,6 @@
 #include "dec/conditioned_complex.h"
 
 #include "base/errors.h"
-#include "dec/boundary_star.h"
-#include "dec/facets_without_dual.h"
 #include "dec/forms/cochain.h"
 #include "dec/forms/operator.h"
 
@@ -51,18 +49,18 @@ CellMarks on_the_boundary(const CellComplex& complex, std::vector<bool> without_
 
 } // namespace
 
-void refuse_branching(const CellComplex& complex, const HodgeStars& stars, Side side, int degree) {
+void refuse_branching(const Cells& cells, Side side, int degree) {
     if (side == Side::primal || degree > 0)
         return;
-    const int facets = complex.dimension() - 1;
-    const auto& counts = complex.coface_counts(facets);
-    for (Index f = 0; f < complex.size(facets); ++f)
+    const int facets = cells.dimension() - 1;
+    const auto& counts = cells.complex().coface_counts(facets);
+    for (Index f = 0; f < cells.complex().size(facets); ++f)
         if (counts[f] > 2)
-            throw InvalidInput(fmt::format("{} cells meet at facet {}, so what flows through it is "
-                                           "no difference of two values of a dual 0-form: take "
+            throw InvalidInput(fmt::format("{} cells meet at {}, so what flows through it is no "
+                                           "difference of two values of a dual 0-form: take "
                                            "primal 0-forms",
-                                           counts[f], stars[facets].numbers({f})),
-                               stars[facets].place({f}));
+                                           counts[f], cells.name(facets, f)),
+                               cells.place(facets, f));
 }
 
 namespace {
@@ -75,20 +73,6 @@ std::vector<bool> but_for_robin(std::vector<bool> facets, const BoundaryConditio
     return facets;
 }
 
-/// star(k, weights) is that within the boundary.
-template <class BoundaryStar>
-RobinParts parts_of_robin(const CellComplex& complex, Side side, int degree,
-                          const BoundaryConditions& conditions, BoundaryStar star) {
-    const Vector robin = robin_coefficients(complex, conditions);
-    const int k = cell_degree(complex, side, degree);
-    RobinParts parts;
-    if (!robin.isZero(0) && side == Side::primal && k < complex.dimension())
-        parts.weights = star(k, robin);
-    if (!robin.isZero(0) && side == Side::dual && k > 0)
-        parts.layer = star(k - 1, (robin.array() > 0).select(robin.cwiseInverse(), 0.0 * robin));
-    return parts;
-}
-
 /// Rows and columns of the kept cells.
 SparseMatrix kept_part(const RelativeComplex& relative, int k, const SparseMatrix& of_all) {
     const SparseMatrix P = inclusion(relative.cells[k], relative.whole_sizes[k]);
@@ -96,7 +80,7 @@ SparseMatrix kept_part(const RelativeComplex& relative, int k, const SparseMatri
 }
 
 RobinComplex with(RobinParts parts, ConditionedComplex space, int k) {
-    auto& [relative, stars] = space;
+    auto& [relative, stars, unit] = space;
     if (parts.layer.size() > 0)
         stars = stars.with(k - 1, stars[k - 1].matrix() + kept_part(relative, k - 1, parts.layer));
     SparseMatrix weights;
@@ -107,66 +91,55 @@ RobinComplex with(RobinParts parts, ConditionedComplex space, int k) {
 
 } // namespace
 
-ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const HodgeStars& stars,
-                                             Side side, int degree,
+ConditionedComplex conditioned_but_for_robin(const Cells& cells, Side side, int degree,
                                              const BoundaryConditions& conditions) {
-    check_fit(complex, stars);
+    const CellComplex& complex = cells.complex();
     cell_degree(complex, side, degree); // which there must be
     const bool densities = side == Side::primal && degree == complex.dimension();
-    refuse_branching(complex, stars, side, degree);
+    refuse_branching(cells, side, degree);
     const auto left_out = essential_cells(complex, conditions, side, degree);
     auto relative =
         side == Side::dual || densities
             ? relative_complex(
                   complex, left_out,
-                  on_the_boundary(
-                      complex,
-                      but_for_robin(boundary_facets_without_dual(complex, stars), conditions),
-                      left_out))
+                  on_the_boundary(complex,
+                                  but_for_robin(cells.boundary_facets_without_dual(), conditions),
+                                  left_out))
             : relative_complex(complex, left_out);
-    auto restricted = relative_stars(relative, stars);
-    return {std::move(relative), std::move(restricted)};
+    auto restricted = relative_stars(relative, cells.stars());
+    return {std::move(relative), std::move(restricted), cells.unit()};
 }
 
-ConditionedComplex conditioned_complex(const CellComplex& complex, const HodgeStars& stars,
-                                       Side side, int degree,
+ConditionedComplex conditioned_complex(const Cells& cells, Side side, int degree,
                                        const BoundaryConditions& conditions) {
-    refuse_robin(complex, conditions, "this problem");
-    return conditioned_but_for_robin(complex, stars, side, degree, conditions);
+    refuse_robin(cells.complex(), conditions, "this problem");
+    return conditioned_but_for_robin(cells, side, degree, conditions);
 }
 
-RobinParts robin_parts(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
-                       const BoundaryConditions& conditions) {
-    return parts_of_robin(complex, side, degree, conditions, [&](int k, const Vector& weights) {
-        return boundary_star(complex, stars.volumes(), k, weights);
-    });
-}
-
-BoundaryConditions in_unit_of(const Discretization& mesh, BoundaryConditions conditions) {
+BoundaryConditions in_unit_of(const Cells& cells, BoundaryConditions conditions) {
     for (double& coefficient : conditions.coefficients)
-        coefficient *= mesh.unit();
+        coefficient *= cells.unit();
     return conditions;
 }
 
-RobinParts robin_parts(const Discretization& mesh, Side side, int degree,
+RobinParts robin_parts(const Cells& cells, Side side, int degree,
                        const BoundaryConditions& conditions) {
-    return parts_of_robin(
-        mesh.complex(), side, degree, in_unit_of(mesh, conditions),
-        [&](int k, const Vector& weights) { return boundary_star(mesh, k, weights); });
+    const Vector robin = robin_coefficients(cells.complex(), in_unit_of(cells, conditions));
+    const int k = cell_degree(cells.complex(), side, degree);
+    RobinParts parts;
+    if (!robin.isZero(0) && side == Side::primal && k < cells.dimension())
+        parts.weights = cells.boundary_star(k, robin);
+    if (!robin.isZero(0) && side == Side::dual && k > 0)
+        parts.layer = cells.boundary_star(
+            k - 1, (robin.array() > 0).select(robin.cwiseInverse(), 0.0 * robin));
+    return parts;
 }
 
-RobinComplex with_robin(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
+RobinComplex with_robin(const Cells& cells, Side side, int degree,
                         const BoundaryConditions& conditions) {
-    return with(robin_parts(complex, stars, side, degree, conditions),
-                conditioned_but_for_robin(complex, stars, side, degree, conditions),
-                cell_degree(complex, side, degree));
-}
-
-RobinComplex with_robin(const Discretization& mesh, Side side, int degree,
-                        const BoundaryConditions& conditions) {
-    return with(robin_parts(mesh, side, degree, conditions),
-                conditioned_but_for_robin(mesh.complex(), mesh.stars(), side, degree, conditions),
-                cell_degree(mesh.complex(), side, degree));
+    return with(robin_parts(cells, side, degree, conditions),
+                conditioned_but_for_robin(cells, side, degree, conditions),
+                cell_degree(cells.complex(), side, degree));
 }
 
 } // namespace polydec

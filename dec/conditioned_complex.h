@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
 #include "dec/forms/boundary_conditions.h"
+#include "dec/forms/cells.h"
 
 #include <string>
 #include <vector>
@@ -11,14 +11,17 @@ namespace polydec {
 
 /// Throws InvalidInput, naming the facet, for dual 0-forms where three n-cells or more meet: they
 /// have no difference along its dual.
-void refuse_branching(const CellComplex& complex, const HodgeStars& stars, Side side, int degree);
+void refuse_branching(const Cells& cells, Side side, int degree);
 
 /// The complex and the stars on which the forms of one side obey homogeneous boundary conditions:
 /// what takes a complex and its stars (operators, spectra, heat, Hodge decompositions) acts on
 /// these forms there.
 struct ConditionedComplex {
     RelativeComplex relative;
-    HodgeStars stars;
+    HodgeStars stars; ///< in the unit of the whole
+    double unit = 1;  ///< see Cells
+
+    Cells cells() const { return {relative.complex, stars, unit}; }
 };
 
 /// Primal forms vanish on the essential facets and their faces, so these are left out. The star
@@ -30,13 +33,12 @@ struct ConditionedComplex {
 /// Linear time. Throws InvalidInput if there are no forms of that degree, if there are conditions
 /// but not one for each facet, for dual 0-forms where three n-cells meet, naming the facet, and for
 /// Robin's condition, of which stars know nothing.
-ConditionedComplex conditioned_complex(const CellComplex& complex, const HodgeStars& stars,
-                                       Side side, int degree, const BoundaryConditions& conditions);
+ConditionedComplex conditioned_complex(const Cells& cells, Side side, int degree,
+                                       const BoundaryConditions& conditions);
 
 /// The same without what Robin's condition adds to stars and operators: on its facets nothing is
 /// left out.
-ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const HodgeStars& stars,
-                                             Side side, int degree,
+ConditionedComplex conditioned_but_for_robin(const Cells& cells, Side side, int degree,
                                              const BoundaryConditions& conditions);
 
 /// What Robin's condition adds for forms of one side and degree, on k-cells, or on those below:
@@ -46,14 +48,12 @@ struct RobinParts {
     SparseMatrix layer = {}; ///< of dual ones, which it holds back as by a layer, to the star below
 };
 
-/// Conditions in the unit of a mesh (Discretization::unit): the coefficients of Robin's condition
-/// of a mesh are 1 over lengths of its input.
-BoundaryConditions in_unit_of(const Discretization& mesh, BoundaryConditions conditions);
+/// Conditions in the unit of cells: the coefficients of Robin's condition are 1 over lengths of
+/// the input.
+BoundaryConditions in_unit_of(const Cells& cells, BoundaryConditions conditions);
 
-/// Throws like robin_coefficients and boundary_star.
-RobinParts robin_parts(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
-                       const BoundaryConditions& conditions);
-RobinParts robin_parts(const Discretization& mesh, Side side, int degree,
+/// Throws like robin_coefficients and Cells::boundary_star.
+RobinParts robin_parts(const Cells& cells, Side side, int degree,
                        const BoundaryConditions& conditions);
 
 /// The conditioned complex with these parts: with a layer the star below is a matrix.
@@ -64,9 +64,7 @@ struct RobinComplex {
 };
 
 /// Throws like conditioned_but_for_robin and robin_parts.
-RobinComplex with_robin(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
-                        const BoundaryConditions& conditions);
-RobinComplex with_robin(const Discretization& mesh, Side side, int degree,
+RobinComplex with_robin(const Cells& cells, Side side, int degree,
                         const BoundaryConditions& conditions);
 
 } // namespace polydec

@@ -239,7 +239,11 @@ void check_points(const Discretization::Parts& parts) {
 
 } // namespace
 
-Discretization::Discretization(Parts parts) {
+Discretization::Discretization(Parts parts)
+    : Cells(
+          std::make_shared<MergedCells>(parts.merged),
+          [merged = parts.merged, kind = parts.options.star] { return choose_stars(merged, kind); },
+          parts.unit) {
     check_fit(parts.passage.input(), parts.input.volumes());
     check_fit(parts.passage.pieces(), parts.merged.geometry().volumes());
     check_points(parts);
@@ -253,7 +257,6 @@ Discretization::Discretization(Parts parts) {
     if (unit() != 1)
         given_ = std::make_shared<Given>(
             Given{unit() * measured_points(), unit() * measured_input_points()});
-    stars_ = std::make_shared<Lazy<ChosenStars>>();
     if (made->degenerate.marks.empty())
         made->degenerate = facet_defects(geometry(), options()).degenerate;
 }
@@ -261,17 +264,15 @@ Discretization::Discretization(Parts parts) {
 Discretization Discretization::with_volumes(const CellVolumes& volumes) const {
     Parts parts = *parts_;
     parts.merged = merged().with_volumes(volumes);
-    Discretization result(std::move(parts));
-    result.stars_ =
-        std::make_shared<Lazy<ChosenStars>>(ChosenStars(volumes, StarKind::circumcentric));
-    return result;
+    return Discretization(std::move(parts))
+        .with_stars(ChosenStars(volumes, StarKind::circumcentric));
 }
 
 Discretization Discretization::with_box(std::shared_ptr<const GluedBox> box) const {
     Parts parts = *parts_;
     parts.box = std::move(box);
-    Discretization result(std::move(parts));
-    result.stars_ = stars_;
+    Discretization result = *this;
+    result.parts_ = std::make_shared<Parts>(std::move(parts));
     return result;
 }
 
@@ -284,21 +285,18 @@ int Discretization::ambient_dimension() const {
     return static_cast<int>(places().points.cols());
 }
 
-const ChosenStars& Discretization::chosen_stars() const& {
-    return stars_->get([this] { return choose_stars(merged(), options().star); });
-}
-
 Discretization Discretization::with_stars(const ChosenStars& chosen) const {
-    check_fit(complex(), chosen.stars);
-    check_as_many("marks of cells with Galerkin's stars", Index(chosen.galerkin.size()),
-                  complex().size(dimension()));
     Discretization result = *this;
-    result.stars_ = std::make_shared<Lazy<ChosenStars>>(chosen);
+    static_cast<Cells&>(result) = Cells::with_stars(chosen);
     return result;
 }
 
 Discretization Discretization::with_stars(StarKind kind) const {
     return with_stars(choose_stars(merged(), kind));
+}
+
+Discretization Discretization::with_star(int k, const SparseMatrix& star) const {
+    return with_stars(Cells::with_star(k, star).chosen_stars());
 }
 
 Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Progress& stage) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/discretize_options.h"
-#include "dec/forms/star_kind.h"
+#include "dec/forms/cells.h"
 #include "dec/merging/merged_cells.h"
 #include "dec/merging/merged_tags.h"
 #include "dec/surfaces/passage.h"
@@ -33,7 +33,7 @@ struct PlacedSimplices {
 ///
 /// Where intrinsic Delaunay flips were asked for, the pieces are the flipped triangles, whose edges
 /// are geodesics on the input.
-class Discretization {
+class Discretization : public Cells {
 public:
     /// What it holds.
     struct Parts {
@@ -63,35 +63,13 @@ public:
     Discretization(const Discretization&) = default;
     Discretization& operator=(const Discretization&) = default;
 
-    /// The merged complex, and its dimension.
-    const CellComplex& complex() const& { return merging().merged(); }
-    CellComplex complex() && { return complex(); }
-    int dimension() const { return complex().dimension(); }
-
-    /// Of the cells of complex().
-    const CellVolumes& volumes() const& { return merged().volumes(); }
-    CellVolumes volumes() && { return volumes(); }
-
-    /// The Hodge stars of the cells, as options().star says, unless others are chosen: made when
-    /// they are first asked for, once for all copies. By default those that the volumes make, where
-    /// these are positive.
-    const HodgeStars& stars() const& { return chosen_stars().stars; }
-    HodgeStars stars() && { return stars(); }
-
-    /// And of which kind they are.
-    const ChosenStars& chosen_stars() const&;
-    ChosenStars chosen_stars() && { return chosen_stars(); }
-
-    /// The same with other stars, as choose_stars makes them, for operators and solvers. Products
-    /// of dual forms and integrals over duals stay those of the volumes. Throws InvalidInput unless
-    /// they fit.
+    /// As of all cells; or with the stars of a kind, which throws like choose_stars.
     Discretization with_stars(const ChosenStars& chosen) const;
     Discretization with_stars(const HodgeStars& stars) const {
         return with_stars(ChosenStars(stars));
     }
-
-    /// The same with stars of a kind. Throws like choose_stars.
     Discretization with_stars(StarKind kind) const;
+    Discretization with_star(int k, const SparseMatrix& star) const;
 
     /// The same with other volumes of the cells, and the stars that they make. Throws InvalidInput
     /// unless they fit.
@@ -101,7 +79,7 @@ public:
     Discretization with_box(std::shared_ptr<const GluedBox> box) const;
 
     /// What the cells are made of, and how.
-    const MergedCells& merged() const& { return parts_->merged; }
+    const MergedCells& merged() const& { return merged_cells(); }
     const Merging& merging() const& { return merged().merging(); }
     const Pieces& pieces() const& { return merging().pieces(); }
     MergedCells merged() && { return merged(); }
@@ -191,12 +169,6 @@ public:
     const std::vector<GroupName>& groups() const& { return parts_->groups; }
     std::vector<GroupName> groups() && { return groups(); }
 
-    /// What the members above but points() measure lengths, volumes and stars in, as a length of
-    /// the input: 1, or a power of 4 where the input is so large or small that products of its
-    /// lengths would be no numbers. Functions of a discretization, and solvers, take and give
-    /// numbers in the units of the input; in_input_units converts what the members give.
-    double unit() const { return parts_->unit; }
-
 private:
     struct Given {
         Points points, input_points; ///< in the units of the input
@@ -204,7 +176,6 @@ private:
 
     std::shared_ptr<const Parts> parts_;
     std::shared_ptr<const Given> given_; // null where unit() is 1
-    std::shared_ptr<const Lazy<ChosenStars>> stars_;
 };
 
 /// The whole way from a mesh to its merged complex, volumes and stars. Untidy input is tidied with

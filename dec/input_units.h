@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
+#include "dec/forms/star.h"
 #include "meshes/unit_of_length.h"
 
 #include <type_traits>
@@ -9,7 +9,7 @@
 namespace polydec {
 
 /// Volumes, and stars, measured in a unit of length as they are in those of the input (see
-/// Discretization::unit). Throw InvalidInput, naming the degree, for numbers out of range.
+/// Cells::unit). Throw InvalidInput, naming the degree, for numbers out of range.
 CellVolumes in_input_units(const CellVolumes& volumes, double unit);
 HodgeStars in_input_units(const HodgeStars& stars, double unit);
 

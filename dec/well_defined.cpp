@@ -244,10 +244,8 @@ std::vector<SpectrumVerdict> spectrum_verdicts(const Discretization& discretizat
     const auto conditions = built_in_conditions(side);
     const int n = discretization.dimension();
     const auto judged = [&](int degree) {
-        return spectrum_verdicts(conditioned_complex(discretization.complex(),
-                                                     discretization.stars(), side, degree,
-                                                     conditions)
-                                     .stars);
+        return spectrum_verdicts(
+            conditioned_complex(discretization, side, degree, conditions).stars);
     };
     auto verdicts = judged(side == Side::primal ? 0 : n);
     if (side == Side::primal)

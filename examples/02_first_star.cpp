@@ -22,10 +22,10 @@ int main() {
     // the flux of the field (2,1) through dual edges, from its circulation along edges
     const auto circulation = polydec::de_rham(
         mesh, 1, [](const polydec::Vector&) { return polydec::Vector(Eigen::Vector2d(2, 1)); });
-    const auto flux = polydec::star(P, mesh.volumes(), circulation);
-    const auto back = polydec::star(P, mesh.volumes(), flux);
+    const auto flux = polydec::star({P, mesh.volumes()}, circulation);
+    const auto back = polydec::star({P, mesh.volumes()}, flux);
     std::cout << "|X|^2 times the area: "
-              << polydec::inner_product(P, mesh.volumes(), circulation, circulation) << '\n';
+              << polydec::inner_product({P, mesh.volumes()}, circulation, circulation) << '\n';
     std::cout << "star star = " << back.values[0] / circulation.values[0]
               << " on 1-forms in the plane\n";
 }

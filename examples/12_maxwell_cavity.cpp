@@ -21,7 +21,7 @@ int main() {
     const auto cavity = polydec::relative_to_boundary(box.complex());
     const auto volumes = polydec::relative_volumes(cavity, box.volumes());
     const auto modes =
-        polydec::coexact_spectrum(cavity.complex, volumes, {.degree = 1, .count = 17});
+        polydec::coexact_spectrum({cavity.complex, volumes}, {.degree = 1, .count = 17});
 
     std::cout << "eigenvalues / pi^2, to tell from 2, 3, 5 and 6:" << std::fixed
               << std::setprecision(3);

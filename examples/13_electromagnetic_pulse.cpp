@@ -15,9 +15,9 @@ void run(const std::string& name, const polydec::Mesh& mesh) {
     const auto box = polydec::discretize(mesh, {.star = polydec::StarKind::circumcentric});
     const auto inside = polydec::relative_to_boundary(box.complex());
     const auto volumes = polydec::relative_volumes(inside, box.volumes());
-    const double bound = polydec::stable_step(inside.complex, volumes, 1);
+    const double bound = polydec::stable_step({inside.complex, volumes}, 1);
     const int steps = static_cast<int>(std::ceil(0.4 / (0.9 * bound)));
-    const polydec::Leapfrog light(inside.complex, volumes, 1, 0.4 / steps);
+    const polydec::Leapfrog light({inside.complex, volumes}, 1, 0.4 / steps);
 
     // at first a field upwards in the middle of the box; light has the speed 1
     const auto pulse =

@@ -46,11 +46,11 @@ polydec::SvgSeries run(int n, int cells) {
                                        }));
     const polydec::Cochain start{polydec::Side::primal, 0, inside.restrict(0, sine.values)};
     const auto amplitude = [&](const polydec::Cochain& u) {
-        return polydec::inner_product(inside.complex, volumes, start, u) /
-               polydec::inner_product(inside.complex, volumes, start, start);
+        return polydec::inner_product({inside.complex, volumes}, start, u) /
+               polydec::inner_product({inside.complex, volumes}, start, start);
     };
 
-    polydec::HeatSolver heat(inside.complex, volumes, polydec::Side::primal, 0,
+    polydec::HeatSolver heat({inside.complex, volumes}, polydec::Side::primal, 0,
                              {.time_step = 0.001, .scheme = polydec::HeatScheme::crank_nicolson});
     polydec::SvgSeries cooling{"n = " + std::to_string(n), {0}, {1}, polydec::SvgTrace::line};
     polydec::Cochain u = start;
@@ -64,9 +64,10 @@ polydec::SvgSeries run(int n, int cells) {
     }
 
     // half a period turns the wave around; B begins half a step before it
-    const double half = 1 / std::sqrt(n), bound = polydec::stable_step(inside.complex, volumes, 0);
+    const double half = 1 / std::sqrt(n),
+                 bound = polydec::stable_step({inside.complex, volumes}, 0);
     const double steps = std::ceil(1.1 * half / bound), dt = half / steps;
-    const polydec::Leapfrog wave(inside.complex, volumes, 0, dt);
+    const polydec::Leapfrog wave({inside.complex, volumes}, 0, dt);
     polydec::Cochain swing = start;
     polydec::Vector B = dt / 2 * polydec::d(inside.complex, start).values;
     Film swung("waves", box, inside);

@@ -55,7 +55,7 @@ int main(int argc, char** argv) try {
     });
     const auto parts = polydec::hodge_decomposition(mesh, wind);
     const auto energy = [&](const Cochain& a, const Cochain& b) {
-        return polydec::inner_product(mesh.complex(), mesh.stars(), a, b);
+        return polydec::inner_product(mesh, a, b);
     };
     const double all = energy(wind, wind);
     std::cout << "of the energy of a wind " << energy(parts.exact, parts.exact) / all

@@ -20,14 +20,14 @@ namespace {
 using Axes = std::uint32_t; // a bit for each direction in which a cell extends
 
 /// Where cells of one degree are, and which way they lie.
-struct Cells {
+struct LayerCells {
     Points centers;
     std::vector<Axes> axes;
 };
 
-Cells cells_of(const Discretization& mesh, const std::vector<Index>& kept, int k) {
+LayerCells cells_of(const Discretization& mesh, const std::vector<Index>& kept, int k) {
     constexpr double rounding = 1e-9;
-    Cells result{cell_centers(mesh, k)(kept, Eigen::all) / mesh.unit(), {}};
+    LayerCells result{cell_centers(mesh, k)(kept, Eigen::all) / mesh.unit(), {}};
     result.axes.reserve(kept.size());
     for (const Index cell : kept) {
         const Points corners = mesh.measured_points()(mesh.merging().vertices(k, cell), Eigen::all);
@@ -88,8 +88,8 @@ int direction(Axes one, Axes other) {
 
 /// The memory of what d adds up for cells of its rows; nothing where one of them, whose number it
 /// puts into bad, is not parallel to the axes.
-LayerMemory memory(const SparseMatrix& d, const Cells& rows, const Cells& columns, int degree,
-                   const Profile& profile, double time_step, Index& bad) {
+LayerMemory memory(const SparseMatrix& d, const LayerCells& rows, const LayerCells& columns,
+                   int degree, const Profile& profile, double time_step, Index& bad) {
     std::vector<Eigen::Triplet<double, Index>> entries;
     std::vector<Index> cells;
     std::vector<double> decays;
@@ -175,8 +175,8 @@ LayerParts layer_parts(const Discretization& mesh, const ConditionedComplex& spa
                        const AbsorbingLayer& layer, double time_step) {
     check(mesh, layer);
     const Profile profile(mesh.measured_points(), layer);
-    const Cells E = cells_of(mesh, space.relative.cells[e_degree], e_degree);
-    const Cells B = cells_of(mesh, space.relative.cells[b_degree], b_degree);
+    const LayerCells E = cells_of(mesh, space.relative.cells[e_degree], e_degree);
+    const LayerCells B = cells_of(mesh, space.relative.cells[b_degree], b_degree);
     if (layer.kind != LayerKind::conducting) {
         constexpr Index none = -1;
         Index bad_E = none, bad_B = none;

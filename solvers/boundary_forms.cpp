@@ -2,24 +2,23 @@
 #include "solvers/boundary_forms.h"
 
 #include "base/checks.h"
-#include "dec/boundary_star.h"
 #include "dec/forms/boundary_conditions.h"
 #include "meshes/unit_of_length.h"
 
 namespace polydec {
 
-Vector outward_flow(const Discretization& mesh, Side side, const Vector& derivatives) {
-    const CellComplex& complex = mesh.complex();
+Vector outward_flow(const Cells& cells, Side side, const Vector& derivatives) {
+    const CellComplex& complex = cells.complex();
     const int n = complex.dimension();
     check_as_many("outward derivatives", derivatives.size(), complex.size(n - 1));
     const auto in_input = [&](const Vector& flow) {
-        return form_in_input_units(flow, mesh.unit(), n - 1, "flows through facets");
+        return form_in_input_units(flow, cells.unit(), n - 1, "flows through facets");
     };
     if (side == Side::primal)
         return in_input(
             dual_boundary_derivative(complex, n - 1).transpose() *
-            Vector(boundary_star(mesh, 0, derivatives) * Vector::Ones(complex.size(0))));
-    const Vector& areas = mesh.volumes().primal(n - 1);
+            Vector(cells.boundary_star(0, derivatives) * Vector::Ones(complex.size(0))));
+    const Vector& areas = cells.volumes().primal(n - 1);
     Vector flow = Vector::Zero(derivatives.size());
     for (Index t = 0; t < complex.size(n); ++t)
         for (const SignedFace& f : complex.incidences(n - 1)[t])

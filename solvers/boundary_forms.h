@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
+#include "dec/forms/cells.h"
 #include "dec/forms/side.h"
 
 namespace polydec {
@@ -29,7 +29,7 @@ struct BoundaryForms {
 /// of which those of the boundary matter: each times the area of its facet, as that is oriented.
 /// Size size(0) for primal forms, size(n-1) for dual ones. In the units of the input. Throws
 /// InvalidInput for another number of them.
-Vector outward_flow(const Discretization& mesh, Side side, const Vector& derivatives);
+Vector outward_flow(const Cells& cells, Side side, const Vector& derivatives);
 
 /// Data of forms of this degree in the units of the input as they are on a mesh of dimension n that
 /// is measured in a unit of length. Throws InvalidInput where they are no numbers.

@@ -135,8 +135,9 @@ void measure(const Pencil& given, const DenseMatrix& modes, Index count, Spectru
 
 } // namespace
 
-Spectrum coexact_spectrum(const CellComplex& complex, const HodgeStars& stars,
-                          const SpectrumOptions& options) {
+Spectrum coexact_spectrum(const Cells& cells, const SpectrumOptions& options) {
+    const CellComplex& complex = cells.complex();
+    const HodgeStars& stars = cells.stars();
     check(complex, options);
     const int k = options.degree;
     const auto betti = betti_numbers(complex);
@@ -149,11 +150,12 @@ Spectrum coexact_spectrum(const CellComplex& complex, const HodgeStars& stars,
     if (all.count > size / 2)
         all.count = size;
     while (true) {
-        Spectrum found = spectrum(complex, stars, all);
+        Spectrum found = spectrum({complex, stars}, all);
         const DenseMatrix modes = coexact_modes(complex, stars, found, betti[k]);
         if (modes.cols() >= options.count) {
             check_zeros(found, betti[k]);
             measure(coexact_pencil(complex, stars, k), modes, options.count, found);
+            use_input_units(found, cells.unit());
             return found;
         }
         if (all.count == size)

@@ -17,7 +17,6 @@ namespace polydec {
 /// of the Laplacian, of which start goes on.
 /// Throws like spectrum, and InvalidInput, before any work, if there are fewer coexact forms than
 /// asked for; of degree n there are none.
-Spectrum coexact_spectrum(const CellComplex& complex, const HodgeStars& stars,
-                          const SpectrumOptions& options);
+Spectrum coexact_spectrum(const Cells& cells, const SpectrumOptions& options);
 
 } // namespace polydec

@@ -22,9 +22,8 @@ DarcySolver::DarcySolver(const Discretization& mesh, const PoissonOptions& optio
     : DarcySolver(mesh.complex(), mesh.volumes(), PoissonSolver(mesh, with_dual_side(options)),
                   options.boundary) {}
 
-DarcySolver::DarcySolver(const CellComplex& complex, const HodgeStars& stars,
-                         const PoissonOptions& options)
-    : DarcySolver(complex, stars.volumes(), PoissonSolver(complex, stars, with_dual_side(options)),
+DarcySolver::DarcySolver(const Cells& cells, const PoissonOptions& options)
+    : DarcySolver(cells.complex(), cells.volumes(), PoissonSolver(cells, with_dual_side(options)),
                   options.boundary) {}
 
 DarcySolver::DarcySolver(const CellComplex& complex, const CellVolumes& volumes,

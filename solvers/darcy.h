@@ -27,8 +27,7 @@ class DarcySolver {
 public:
     /// Of the options the side does not matter. Throws like PoissonSolver for dual 0-forms.
     DarcySolver(const Discretization& mesh, const PoissonOptions& options = {});
-    DarcySolver(const CellComplex& complex, const HodgeStars& stars,
-                const PoissonOptions& options = {});
+    explicit DarcySolver(const Cells& cells, const PoissonOptions& options = {});
 
     /// Places of cells and of facets: circumcenters, or centroids as PoissonSolver tells.
     const Points& sites() const { return poisson_.sites(); }

@@ -36,22 +36,9 @@ SparseMatrix mixed_step(const CellComplex& complex, const HodgeStars& stars,
     return block_matrix(A, t * (below * mass), -t * Operator::star(stars[k - 1]));
 }
 
-RobinComplex conditioned(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
-                         const DiffusionOptions& options) {
-    if (options.conditions)
-        return with_robin(complex, stars, side, degree, *options.conditions);
-    refuse_branching(complex, stars, side, degree);
-    return {{relative_complex(complex, essential_cells(complex, built_in_conditions(Side::primal))),
-             stars},
-            {},
-            {}};
-}
-
-/// The coefficient in squares of the mesh's unit of length.
-DiffusionOptions in_unit_of(const Discretization& mesh, DiffusionOptions options) {
-    const Vector given{{options.coefficient}};
-    options.coefficient = in_input_units(given, mesh.unit(), -2, "coefficient of diffusion")[0];
-    return options;
+/// The coefficient in squares of the unit of length.
+double in_unit_of(const Cells& cells, double coefficient) {
+    return in_input_units(Vector{{coefficient}}, cells.unit(), -2, "coefficient of diffusion")[0];
 }
 
 bool has_any(const BoundaryForms& data) {
@@ -69,31 +56,20 @@ struct Diffusion::Space {
     Lazy<HodgeLaplaceEquations> equations; // which data need alone
 };
 
-Diffusion::Diffusion(const Discretization& mesh, Side side, int degree,
-                     const DiffusionOptions& options)
-    : Diffusion(
-          mesh.complex(), mesh.stars(),
-          with_robin(mesh, side, degree, options.conditions.value_or(built_in_conditions(side))),
-          side, degree, in_unit_of(mesh, options)) {
-    unit_ = mesh.unit();
-}
-
-Diffusion::Diffusion(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
-                     const DiffusionOptions& options)
-    : Diffusion(complex, stars, conditioned(complex, stars, side, degree, options), side, degree,
-                options) {}
-
-Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars, RobinComplex given,
-                     Side side, int degree, const DiffusionOptions& options)
+Diffusion::Diffusion(const Cells& cells, Side side, int degree, const DiffusionOptions& options)
     : side_(side),
       degree_(degree),
-      coefficient_(options.coefficient),
+      coefficient_(in_unit_of(cells, options.coefficient)),
+      unit_(cells.unit()),
       stiffness_(Operator::zero(0, 0)),
-      mass_(given.space.stars[cell_degree(whole, side, degree)]),
-      robin_(given.weights) {
+      mass_(cells.stars()[cell_degree(cells.complex(), side, degree)]) {
+    const auto conditions = options.conditions.value_or(built_in_conditions(side));
+    RobinComplex given = with_robin(cells, side, degree, conditions);
     const CellComplex& complex = given.space.relative.complex;
     const HodgeStars& stars = given.space.stars;
     const int k = mass_.degree();
+    mass_ = stars[k];
+    robin_ = given.weights;
     kept_ = given.space.relative.cells[k];
     check_positive_mass(mass_, side, degree);
     if (!(coefficient_ >= 0) || !std::isfinite(coefficient_))
@@ -101,7 +77,7 @@ Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars, Robi
                                        "finite one of at least 0",
                                        coefficient_));
     solver_ = make_linear_solver(options.linear_solver);
-    stiffness_ = symmetric_laplacian(complex, stars, k);
+    stiffness_ = symmetric_laplacian({complex, stars}, k);
     if (robin_.size() > 0)
         stiffness_ = stiffness_ + Operator::star({stars.volumes(), k, robin_});
     facts_ = {.symmetry = Symmetry::symmetric,
@@ -110,11 +86,7 @@ Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars, Robi
     is_mixed_ = k > 0 && !(mass_.is_diagonal() && stars[k - 1].is_diagonal());
     if (!is_mixed_ && laplacian_definiteness(stars, k) == Definiteness::semidefinite)
         facts_.definiteness = Definiteness::positive;
-    space_.reset(new Space{whole,
-                           all_stars,
-                           std::move(given),
-                           options.conditions.value_or(built_in_conditions(side)),
-                           {}});
+    space_.reset(new Space{cells.complex(), cells.stars(), std::move(given), conditions, {}});
 }
 
 Diffusion::Diffusion(const HodgeStar& mass, const Operator& stiffness, Side side,

@@ -40,9 +40,7 @@ public:
     /// star that must be inverted has a zero (naming the cells), the coefficient is negative or not
     /// finite, or there are conditions but not one for each facet; for Robin's condition like
     /// with_robin.
-    Diffusion(const Discretization& mesh, Side side, int degree, const DiffusionOptions& options);
-    Diffusion(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
-              const DiffusionOptions& options);
+    Diffusion(const Cells& cells, Side side, int degree, const DiffusionOptions& options);
 
     /// M u' = -A u in place of that, for any symmetric A, of primal forms, or of those of which
     /// dual ones are stars; all cells are kept. Throws InvalidInput for sizes that do not fit.
@@ -81,9 +79,6 @@ public:
     Vector solve(const Vector& values, double explicit_part = 0) const;
 
 private:
-    Diffusion(const CellComplex& whole, const HodgeStars& stars, RobinComplex space, Side side,
-              int degree, const DiffusionOptions& options);
-
     SparseMatrix step_matrix(double gamma) const;
     const HodgeLaplaceEquations& equations() const;
     BoundaryLoads loads(const BoundaryForms& data) const;

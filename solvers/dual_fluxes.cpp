@@ -2,12 +2,9 @@
 #include "solvers/dual_fluxes.h"
 
 #include "base/errors.h"
-#include "dec/facets_without_dual.h"
-#include "dec/forms/star.h"
 #include "dec/metric/rounding.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -17,18 +14,17 @@ namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
 
-void check_fluxes_are_defined(const CellComplex& complex, const HodgeStars& stars,
-                              const FacetDuals& duals) {
-    const int n = complex.dimension();
-    const auto& counts = complex.coface_counts(n - 1);
-    for (const Index facet : stars[n - 1].zeros())
+void check_fluxes_are_defined(const Cells& cells) {
+    const int n = cells.dimension();
+    const auto& counts = cells.complex().coface_counts(n - 1);
+    for (const Index facet : cells.stars()[n - 1].zeros())
         if (counts[facet] == 2)
             throw InvalidInput(fmt::format("the dual of {} has no length, or its parts, each over "
                                            "the conductivity beside it, cancel, so the flux "
                                            "through it is not defined: let cospherical cells be "
                                            "merged, or change one of the conductivities",
-                                           duals.named(facet)),
-                               duals.place(facet));
+                                           cells.name(n - 1, facet)),
+                               cells.place(n - 1, facet));
 }
 
 /// The rows scaled to sum 1: several such facets of one cell meet at its circumcenter.
@@ -42,7 +38,8 @@ void average_rows(SparseMatrix& matrix) {
 
 } // namespace
 
-void check_two_sided(const CellComplex& complex, const FacetDuals& duals) {
+void check_two_sided(const Cells& cells) {
+    const CellComplex& complex = cells.complex();
     const int n = complex.dimension();
     const auto& counts = complex.coface_counts(n - 1);
     const auto branching =
@@ -51,67 +48,43 @@ void check_two_sided(const CellComplex& complex, const FacetDuals& duals) {
         throw InvalidInput(fmt::format("{} cells meet at {}, so the flux through it is not a "
                                        "difference of two values: solve "
                                        "for primal 0-forms",
-                                       *branching,
-                                       duals.named(static_cast<Index>(branching - counts.begin()))),
-                           duals.place(static_cast<Index>(branching - counts.begin())));
+                                       *branching, cells.name(n - 1, branching - counts.begin())),
+                           cells.place(n - 1, branching - counts.begin()));
     const Vector sums = complex.boundary(n).cast<double>() * Vector::Ones(complex.size(n)).eval();
     for (Index f = 0; f < sums.size(); ++f)
         if (counts[f] == 2 && sums[f] != 0)
             throw InvalidInput(fmt::format("the mesh is non-orientable, so dual 0-forms change "
                                            "sign around it, at {}: solve "
                                            "for primal 0-forms",
-                                           duals.named(f)),
-                               duals.place(f));
-}
-
-FacetDuals facet_duals(const CellComplex& complex, const HodgeStars& stars) {
-    const int facets = complex.dimension() - 1;
-    const CellVolumes& volumes = stars.volumes();
-    FacetDuals duals;
-    duals.named = [star = stars[facets]](Index f) { return "facet " + star.numbers({f}); };
-    duals.place = [star = stars[facets]](Index f) { return star.place({f}); };
-    if (stars[facets].is_diagonal()) {
-        duals.resistances = volumes.dual(facets);
-        duals.missing = boundary_facets_without_dual(complex, volumes);
-    }
-    return duals;
-}
-
-FacetDuals facet_duals(const Discretization& mesh) {
-    const int n = mesh.dimension();
-    FacetDuals duals = facet_duals(mesh.complex(), mesh.stars());
-    duals.named = [mesh, n](Index facet) {
-        return fmt::format("facet {} (vertices {})", facet,
-                           fmt::join(cell_vertices(mesh, n - 1, facet), ", "));
-    };
-    duals.place = [mesh, n](Index facet) {
-        return Error::Place{
-            .degree = n - 1, .cells = {facet}, .vertices = cell_vertices(mesh, n - 1, facet)};
-    };
-    return duals;
+                                           cells.name(n - 1, f)),
+                               cells.place(n - 1, f));
 }
 
 namespace {
 
-void check_resistance(double resistance, const FacetDuals& duals, Index f) {
+void check_resistance(const Cells& cells, double resistance, double length, Index f) {
+    const int facets = cells.dimension() - 1;
     if (!(resistance > 0))
         throw InvalidInput(fmt::format("the dual of {}, of length {}, and 1 over the coefficient "
                                        "of Robin's condition there add up to {}: expected a "
                                        "positive sum; take a smaller coefficient or primal forms",
-                                       duals.named(f), duals.resistances[f], resistance),
-                           duals.place(f));
+                                       cells.name(facets, f), length, resistance),
+                           cells.place(facets, f));
 }
 
 } // namespace
 
-DualFluxes dual_fluxes(const CellComplex& complex, const HodgeStars& stars, const FacetDuals& duals,
-                       const CellMarks& essential, const Vector& robin) {
-    check_two_sided(complex, duals);
-    check_fluxes_are_defined(complex, stars, duals);
+DualFluxes dual_fluxes(const Cells& on, const CellMarks& essential, const Vector& robin) {
+    check_two_sided(on);
+    check_fluxes_are_defined(on);
+    const CellComplex& complex = on.complex();
+    const CellVolumes& volumes = on.stars().volumes();
     const int n = complex.dimension();
+    const Vector& lengths = volumes.dual(n - 1);
+    const std::vector<bool> missing = on.boundary_facets_without_dual();
     const Index cells = complex.size(n), facets = complex.size(n - 1);
     const IncidenceMatrix cofaces = complex.boundary(n);
-    const Vector& areas = stars.volumes().primal(n - 1);
+    const Vector& areas = volumes.primal(n - 1);
 
     DualFluxes result{Vector::Zero(facets),
                       std::vector<bool>(cells, false),
@@ -128,19 +101,19 @@ DualFluxes dual_fluxes(const CellComplex& complex, const HodgeStars& stars, cons
             continue;
         const auto cell = static_cast<Index>(coface.col());
         if (robin[f] > 0) {
-            const double resistance = duals.resistances[f] + 1 / robin[f];
-            check_resistance(resistance, duals, f);
+            const double resistance = lengths[f] + 1 / robin[f];
+            check_resistance(on, resistance, lengths[f], f);
             result.weights[f] = areas[f] / resistance;
             robin_load.emplace_back(cell, f, result.weights[f] / robin[f]);
             result.tied[cell] = true;
             continue;
         }
-        if (duals.missing[f]) {
+        if (missing[f]) {
             fix.emplace_back(cell, f, 1.0);
             result.fixed[cell] = true;
             continue;
         }
-        result.weights[f] = areas[f] / duals.resistances[f];
+        result.weights[f] = areas[f] / lengths[f];
         if (!interior) {
             load.emplace_back(cell, f, result.weights[f]);
             result.tied[cell] = true;

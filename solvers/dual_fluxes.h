@@ -1,27 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/errors.h"
-#include "complex/components.h"
-#include "dec/discretization.h"
-
-#include <functional>
+#include "complex/relative.h"
+#include "dec/forms/cells.h"
 
 namespace polydec {
-
-/// The duals of facets as what flows across them meets them.
-struct FacetDuals {
-    Vector resistances;                       ///< dual lengths, by the star
-    std::vector<bool> missing;                ///< boundary facets whose dual counts as nothing
-    std::function<std::string(Index)> named;  ///< a facet in words
-    std::function<Error::Place(Index)> place; ///< the same for programs
-};
-
-/// Those of any cells; names alone where the star is a matrix.
-FacetDuals facet_duals(const CellComplex& complex, const HodgeStars& stars);
-
-/// The same, with the vertices of facets in their names.
-FacetDuals facet_duals(const Discretization& mesh);
 
 /// How values of a dual 0-form and boundary values act on each other through the facets.
 struct DualFluxes {
@@ -36,13 +19,12 @@ struct DualFluxes {
 /// Throws InvalidInput, naming a facet, if the cells are not coherently oriented or branch: dual
 /// 0-forms are functions only where every facet separates at most two cells that agree on its
 /// sides.
-void check_two_sided(const CellComplex& complex, const FacetDuals& duals);
+void check_two_sided(const Cells& cells);
 
 /// The fluxes of a dual 0-form: |f| over the resistance of f. Facets of the natural boundary
 /// conduct nothing; those of Robin's have its coefficient, else 0, and conduct as their half duals
 /// in series with 1 over it, to the datum over it. Throws InvalidInput like check_two_sided, and,
 /// naming a facet, if an interior resistance is zero.
-DualFluxes dual_fluxes(const CellComplex& complex, const HodgeStars& stars, const FacetDuals& duals,
-                       const CellMarks& essential, const Vector& robin);
+DualFluxes dual_fluxes(const Cells& cells, const CellMarks& essential, const Vector& robin);
 
 } // namespace polydec

@@ -16,8 +16,7 @@ namespace polydec {
 
 namespace {
 
-std::shared_ptr<Diffusion> stiff_part(const CellComplex& complex, const HodgeStars& stars,
-                                      const Discretization* mesh, const Unknown& unknown,
+std::shared_ptr<Diffusion> stiff_part(const Cells& cells, const Unknown& unknown,
                                       const std::string& linear_solver) {
     if (unknown.stiff || unknown.diffusion == 0)
         return unknown.stiff;
@@ -25,8 +24,7 @@ std::shared_ptr<Diffusion> stiff_part(const CellComplex& complex, const HodgeSta
     const DiffusionOptions options{.coefficient = unknown.diffusion,
                                    .conditions = unknown.conditions,
                                    .linear_solver = linear_solver};
-    return mesh ? std::make_shared<Diffusion>(*mesh, side, degree, options)
-                : std::make_shared<Diffusion>(complex, stars, side, degree, options);
+    return std::make_shared<Diffusion>(cells, side, degree, options);
 }
 
 /// Sizes of cells, by which values are coefficients; where one is nothing, the mean.
@@ -42,14 +40,14 @@ Vector sizes_of_cells(const CellVolumes& volumes, Side side, int degree) {
 /// The time to measure in, so that rates of diffusion are ordinary numbers: 1 where the largest
 /// coefficient in the unit of the mesh is between 2^-80 and 2^80, else the power of two by which it
 /// becomes 1 to 2.
-double unit_of_time(const Discretization& mesh, const std::vector<Unknown>& unknowns) {
+double unit_of_time(const Cells& cells, const std::vector<Unknown>& unknowns) {
     constexpr int moderate = 80;
     double largest = 0;
     for (const Unknown& unknown : unknowns)
         largest = std::max(largest, unknown.diffusion);
     if (!(largest > 0) || !std::isfinite(largest))
         return 1;
-    const int exponent = std::ilogb(largest) - 2 * std::ilogb(mesh.unit());
+    const int exponent = std::ilogb(largest) - 2 * std::ilogb(cells.unit());
     return std::abs(exponent) <= moderate ? 1 : std::ldexp(1.0, -exponent);
 }
 
@@ -84,8 +82,7 @@ struct Evolution::Equation {
     double unit = 1; ///< of time
     Vector start, scale;
 
-    void add(const CellComplex& whole, const HodgeStars& stars, const Discretization* mesh,
-             const Unknown& unknown);
+    void add(const Cells& cells, const Unknown& unknown);
     std::vector<Cochain> forms(double time, const Vector& values) const;
     Vector rate(double time, const Vector& values) const;
     Vector stiff_rate(double time, const Vector& values) const;
@@ -93,12 +90,11 @@ struct Evolution::Equation {
     InitialValueProblem problem(const std::shared_ptr<Equation>& self) const;
 };
 
-void Evolution::Equation::add(const CellComplex& whole, const HodgeStars& stars,
-                              const Discretization* mesh, const Unknown& unknown) {
+void Evolution::Equation::add(const Cells& cells, const Unknown& unknown) {
     const auto& [side, degree, values] = unknown.start;
     const std::size_t number = parts.size();
-    check(whole, unknown.start);
-    auto stiff = stiff_part(whole, stars, mesh, unknown, options.linear_solver);
+    check(cells.complex(), unknown.start);
+    auto stiff = stiff_part(cells, unknown, options.linear_solver);
     if (stiff && (stiff->side() != side || stiff->degree() != degree))
         throw InvalidInput(fmt::format("unknown {}: its stiff part is for {} {}-forms, and it is a "
                                        "{} {}-form",
@@ -112,8 +108,8 @@ void Evolution::Equation::add(const CellComplex& whole, const HodgeStars& stars,
     std::iota(kept.begin(), kept.end(), 0);
     if (stiff)
         kept = stiff->kept();
-    const Vector sizes = in_input_units(sizes_of_cells(stars.volumes(), side, degree),
-                                        mesh ? mesh->unit() : 1, degree, "sizes of cells");
+    const Vector sizes = in_input_units(sizes_of_cells(cells.stars().volumes(), side, degree),
+                                        cells.unit(), degree, "sizes of cells");
     const auto first = static_cast<Index>(start.size());
     start.conservativeResize(first + kept.size());
     scale.conservativeResize(first + kept.size());
@@ -206,38 +202,26 @@ InitialValueProblem Evolution::Equation::problem(const std::shared_ptr<Equation>
     return result;
 }
 
-double largest_coefficient(const Discretization& mesh, const Cochain& form) {
-    check(mesh.complex(), form);
+double largest_coefficient(const Cells& cells, const Cochain& form) {
+    check(cells.complex(), form);
     if (form.values.size() == 0)
         return 0;
-    const Vector sizes = sizes_of_cells(mesh.stars().volumes(), form.side, form.degree);
+    const Vector sizes = sizes_of_cells(cells.stars().volumes(), form.side, form.degree);
     const Vector coefficients = in_input_units(Vector(form.values.cwiseQuotient(sizes)),
-                                               mesh.unit(), -form.degree, "coefficients");
+                                               cells.unit(), -form.degree, "coefficients");
     return coefficients.cwiseAbs().maxCoeff();
 }
 
-Evolution::Evolution(const Discretization& mesh, std::vector<Unknown> unknowns, Reaction reaction,
+Evolution::Evolution(const Cells& cells, std::vector<Unknown> unknowns, Reaction reaction,
                      EvolutionOptions options)
     : equation_(std::make_shared<Equation>()) {
     const double time = options.time;
-    equation_->unit = unit_of_time(mesh, unknowns);
+    equation_->unit = unit_of_time(cells, unknowns);
     integrator_ = make_integrator(options.integrator, in_unit(options.steps, equation_->unit));
     equation_->reaction = std::move(reaction);
     equation_->options = std::move(options);
     for (const Unknown& unknown : unknowns)
-        equation_->add(mesh.complex(), mesh.stars(), &mesh, unknown);
-    begin(time, equation_->start, {});
-}
-
-Evolution::Evolution(const CellComplex& complex, const HodgeStars& stars,
-                     std::vector<Unknown> unknowns, Reaction reaction, EvolutionOptions options)
-    : equation_(std::make_shared<Equation>()),
-      integrator_(make_integrator(options.integrator, options.steps)) {
-    const double time = options.time;
-    equation_->reaction = std::move(reaction);
-    equation_->options = std::move(options);
-    for (const Unknown& unknown : unknowns)
-        equation_->add(complex, stars, nullptr, unknown);
+        equation_->add(cells, unknown);
     begin(time, equation_->start, {});
 }
 

@@ -45,7 +45,7 @@ struct EvolutionOptions {
 /// The largest coefficient of a form: of its values over the sizes of cells, by which Evolution
 /// measures the errors of steps, in the units of the input. Throws InvalidInput for a form of other
 /// cells.
-double largest_coefficient(const Discretization& mesh, const Cochain& form);
+double largest_coefficient(const Cells& cells, const Cochain& form);
 
 /// Forms that change in time: u_i' = -nu_i Delta u_i + f_i(t, u_1, u_2, ..), for primal and dual
 /// forms of any degrees on one mesh. The steps are what the tolerances ask for, however fine the
@@ -56,12 +56,8 @@ class Evolution {
 public:
     /// Throws InvalidInput, numbering the unknown from 0, for forms that do not live on the mesh,
     /// and like Diffusion; BackendUnavailable or InvalidInput for an integrator that is not there.
-    Evolution(const Discretization& mesh, std::vector<Unknown> unknowns, Reaction reaction = {},
+    Evolution(const Cells& cells, std::vector<Unknown> unknowns, Reaction reaction = {},
               EvolutionOptions options = {});
-
-    /// The same on any cells; sizes of cells are those of stars.volumes().
-    Evolution(const CellComplex& complex, const HodgeStars& stars, std::vector<Unknown> unknowns,
-              Reaction reaction = {}, EvolutionOptions options = {});
 
     /// Marches to this time, or to the first event. Throws like Integrator::advance.
     Arrival march(double until);

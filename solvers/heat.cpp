@@ -10,36 +10,11 @@
 
 namespace polydec {
 
-namespace {
-
-DiffusionOptions with(const HeatOptions& options,
-                      std::optional<BoundaryConditions> conditions = {}) {
-    return {.conditions = std::move(conditions), .linear_solver = options.linear_solver};
-}
-
-} // namespace
-
-HeatSolver::HeatSolver(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
-                       const HeatOptions& options)
-    : HeatSolver(complex, Diffusion(complex, stars, side, degree, with(options)), options) {}
-
-HeatSolver::HeatSolver(const Discretization& mesh, Side side, int degree,
-                       const HeatOptions& options)
-    : HeatSolver(mesh.complex(), Diffusion(mesh, side, degree, with(options)), options) {}
-
-HeatSolver::HeatSolver(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
+HeatSolver::HeatSolver(const Cells& cells, const BoundaryConditions& conditions, Side side,
                        int degree, const HeatOptions& options)
-    : HeatSolver(mesh.complex(), Diffusion(mesh, side, degree, with(options, conditions)),
-                 options) {}
-
-HeatSolver::HeatSolver(const CellComplex& complex, const HodgeStars& stars,
-                       const BoundaryConditions& conditions, Side side, int degree,
-                       const HeatOptions& options)
-    : HeatSolver(complex, Diffusion(complex, stars, side, degree, with(options, conditions)),
-                 options) {}
-
-HeatSolver::HeatSolver(const CellComplex& complex, Diffusion diffusion, const HeatOptions& options)
-    : complex_(complex), diffusion_(std::move(diffusion)) {
+    : complex_(cells.complex()),
+      diffusion_(cells, side, degree,
+                 {.conditions = conditions, .linear_solver = options.linear_solver}) {
     if (!(options.time_step > 0) || !std::isfinite(options.time_step))
         throw InvalidInput(fmt::format("a time step of {} is given: expected a finite one above 0",
                                        options.time_step));

@@ -30,26 +30,19 @@ class HeatSolver {
 public:
     /// Throws InvalidInput if there is no such degree, the mass of these forms is not positive or a
     /// star that must be inverted has a zero (naming the cells), or the time step is not positive.
-    HeatSolver(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
-               const HeatOptions& options);
-
-    HeatSolver(const Discretization& mesh, Side side, int degree, const HeatOptions& options);
+    HeatSolver(const Cells& cells, Side side, int degree, const HeatOptions& options)
+        : HeatSolver(cells, built_in_conditions(side), side, degree, options) {}
 
     /// Under homogeneous conditions on the boundary, those of conditioned_complex: values that they
     /// fix are 0 after every step, whatever they were before. Dual forms need no boundary facet to
     /// have a dual. Throws also if there are conditions but not one for each facet.
-    HeatSolver(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
-               int degree, const HeatOptions& options);
-    HeatSolver(const CellComplex& complex, const HodgeStars& stars,
-               const BoundaryConditions& conditions, Side side, int degree,
+    HeatSolver(const Cells& cells, const BoundaryConditions& conditions, Side side, int degree,
                const HeatOptions& options);
 
     /// The form one step later. Throws InvalidInput for a form of another kind.
     Cochain step(const Cochain& form) const;
 
 private:
-    HeatSolver(const CellComplex& complex, Diffusion diffusion, const HeatOptions& options);
-
     CellComplex complex_;
     double explicit_part_ = 0; // of the time step
     Diffusion diffusion_;

@@ -160,23 +160,26 @@ struct HodgeSolver::Parts {
     std::unique_ptr<Projection> exact = nullptr, coexact = nullptr;
 };
 
-HodgeSolver::HodgeSolver(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
-                         const std::string& engine)
-    : complex_(complex), side_(side), degree_(degree), k_(cell_degree(complex, side, degree)) {
-    check_fit(complex, stars);
-    check_positive_mass(stars[k_], side, degree);
-    parts_ = std::make_unique<Parts>(Parts{ScaledStar(stars[k_])});
+HodgeSolver::HodgeSolver(const Cells& cells, Side side, int degree, const std::string& engine)
+    : complex_(cells.complex()),
+      side_(side),
+      degree_(degree),
+      k_(cell_degree(complex_, side, degree)) {
+    const CellComplex& complex = complex_;
+    const HodgeStar mass = cells.input_stars()[k_];
+    check_positive_mass(mass, side, degree);
+    parts_ = std::make_unique<Parts>(Parts{ScaledStar(mass)});
     auto& [star, exact, coexact] = *parts_;
     const int n = complex.dimension();
     const auto least_squares = [&](SparseMatrix D, SparseMatrix weighted,
-                                   const std::vector<Index>& cells, int degree_of_potential) {
-        return std::make_unique<LeastSquares>(std::move(D), std::move(weighted), cells,
+                                   const std::vector<Index>& kept, int degree_of_potential) {
+        return std::make_unique<LeastSquares>(std::move(D), std::move(weighted), kept,
                                               complex.size(degree_of_potential), engine, n);
     };
     const auto faces = k_ > 0 ? regular_minor(complex, k_ - 1).columns : std::vector<Index>{};
     const SparseMatrix below = rows_of(transposed(derivative(complex, k_ - 1)), faces);
     exact = least_squares(transposed(below), below * star.matrix, faces, k_ - 1);
-    if (stars[k_].is_diagonal()) {
+    if (mass.is_diagonal()) {
         const auto cofaces = regular_minor(complex, k_).rows;
         const SparseMatrix above = rows_of(derivative(complex, k_), cofaces);
         coexact = least_squares(star.inverse.matrix() * transposed(above), above, cofaces, k_ + 1);
@@ -237,24 +240,12 @@ DenseMatrix HodgeSolver::harmonic_forms() const {
     return root * (star.matrix * forms);
 }
 
-HodgeParts hodge_decomposition(const CellComplex& complex, const HodgeStars& stars,
-                               const Cochain& form, const std::string& engine) {
-    return HodgeSolver(complex, stars, form.side, form.degree, engine).decompose(form);
+HodgeParts hodge_decomposition(const Cells& cells, const Cochain& form, const std::string& engine) {
+    return HodgeSolver(cells, form.side, form.degree, engine).decompose(form);
 }
 
-DenseMatrix harmonic_forms(const CellComplex& complex, const HodgeStars& stars, Side side,
-                           int degree, const std::string& engine) {
-    return HodgeSolver(complex, stars, side, degree, engine).harmonic_forms();
-}
-
-HodgeParts hodge_decomposition(const Discretization& mesh, const Cochain& form,
-                               const std::string& engine) {
-    return hodge_decomposition(mesh.complex(), mesh.stars(), form, engine);
-}
-
-DenseMatrix harmonic_forms(const Discretization& mesh, Side side, int degree,
-                           const std::string& engine) {
-    return harmonic_forms(mesh.complex(), mesh.stars(), side, degree, engine);
+DenseMatrix harmonic_forms(const Cells& cells, Side side, int degree, const std::string& engine) {
+    return HodgeSolver(cells, side, degree, engine).harmonic_forms();
 }
 
 } // namespace polydec

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
 #include "dec/forms/cochain.h"
 
 #include <memory>
@@ -30,11 +29,7 @@ class HodgeSolver {
 public:
     /// Throws InvalidInput if there is no such degree or, naming the cells, if the star of these
     /// forms is not positive; what the engine throws where it fails.
-    HodgeSolver(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
-                const std::string& engine = "auto");
-    HodgeSolver(const Discretization& mesh, Side side, int degree,
-                const std::string& engine = "auto")
-        : HodgeSolver(mesh.complex(), mesh.stars(), side, degree, engine) {}
+    HodgeSolver(const Cells& cells, Side side, int degree, const std::string& engine = "auto");
     HodgeSolver(HodgeSolver&&) noexcept;
     ~HodgeSolver();
 
@@ -56,15 +51,11 @@ private:
 };
 
 /// The decomposition by a solver made for it.
-HodgeParts hodge_decomposition(const CellComplex& complex, const HodgeStars& stars,
-                               const Cochain& form, const std::string& engine = "auto");
-HodgeParts hodge_decomposition(const Discretization& mesh, const Cochain& form,
+HodgeParts hodge_decomposition(const Cells& cells, const Cochain& form,
                                const std::string& engine = "auto");
 
 /// The harmonic forms by a solver made for them.
-DenseMatrix harmonic_forms(const CellComplex& complex, const HodgeStars& stars, Side side,
-                           int degree, const std::string& engine = "auto");
-DenseMatrix harmonic_forms(const Discretization& mesh, Side side, int degree,
+DenseMatrix harmonic_forms(const Cells& cells, Side side, int degree,
                            const std::string& engine = "auto");
 
 } // namespace polydec

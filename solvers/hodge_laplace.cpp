@@ -55,7 +55,8 @@ struct HodgeLaplaceSolver::System : HodgeLaplaceEquations {
         const auto& complex = space.relative.complex;
         harmonic.resize(kept.cols(), 0);
         if (homology_generators(complex, k).cols() > 0)
-            harmonic = HodgeSolver(complex, space.stars, Side::primal, k, engine).harmonic_forms();
+            harmonic =
+                HodgeSolver({complex, space.stars}, Side::primal, k, engine).harmonic_forms();
         keep_free_of_robin();
         const SparseMatrix P = kept.transpose(), P_below = kept_below.transpose();
         weighted = P * M * kept * harmonic;
@@ -81,33 +82,17 @@ struct HodgeLaplaceSolver::System : HodgeLaplaceEquations {
     }
 };
 
-HodgeLaplaceSolver::HodgeLaplaceSolver(const Discretization& mesh,
-                                       const HodgeLaplaceOptions& options)
-    : HodgeLaplaceSolver(mesh.complex(), mesh.stars(),
-                         conditioned_but_for_robin(mesh.complex(), mesh.stars(), options.side,
-                                                   options.degree, options.boundary),
-                         robin_parts(mesh, options.side, options.degree, options.boundary),
-                         options) {
-    unit_ = mesh.unit();
-}
-
-HodgeLaplaceSolver::HodgeLaplaceSolver(const CellComplex& complex, const HodgeStars& stars,
-                                       const HodgeLaplaceOptions& options)
-    : HodgeLaplaceSolver(
-          complex, stars,
-          conditioned_but_for_robin(complex, stars, options.side, options.degree, options.boundary),
-          robin_parts(complex, stars, options.side, options.degree, options.boundary), options) {}
-
-HodgeLaplaceSolver::HodgeLaplaceSolver(const CellComplex& complex, const HodgeStars& stars,
-                                       const ConditionedComplex& space, const RobinParts& robin,
-                                       const HodgeLaplaceOptions& options)
-    : complex_(complex),
+HodgeLaplaceSolver::HodgeLaplaceSolver(const Cells& cells, const HodgeLaplaceOptions& options)
+    : complex_(cells.complex()),
       side_(options.side),
       degree_(options.degree),
-      k_(cell_degree(complex, options.side, options.degree)) {
+      k_(cell_degree(complex_, options.side, options.degree)),
+      unit_(cells.unit()) {
+    const auto space = conditioned_but_for_robin(cells, side_, degree_, options.boundary);
+    const auto robin = robin_parts(cells, side_, degree_, options.boundary);
     check_stars(space, robin, side_, k_);
-    auto system =
-        std::make_unique<System>(complex, stars, space, robin, side_, degree_, options.boundary);
+    auto system = std::make_unique<System>(complex_, cells.stars(), space, robin, side_, degree_,
+                                           options.boundary);
     system->prepare(space, options.linear_solver);
     system_ = std::move(system);
 }

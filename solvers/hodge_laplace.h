@@ -45,9 +45,7 @@ public:
     /// Throws InvalidInput if there is no such degree; naming the cells, if the star of the forms
     /// or of those beside them is not positive; if conditions do not fit the facets; like
     /// boundary_star where there are Robin's; what the engine throws where it fails.
-    HodgeLaplaceSolver(const Discretization& mesh, const HodgeLaplaceOptions& options);
-    HodgeLaplaceSolver(const CellComplex& complex, const HodgeStars& stars,
-                       const HodgeLaplaceOptions& options);
+    HodgeLaplaceSolver(const Cells& cells, const HodgeLaplaceOptions& options);
 
     HodgeLaplaceSolver(HodgeLaplaceSolver&&) noexcept;
     ~HodgeLaplaceSolver();
@@ -67,10 +65,6 @@ public:
 
 private:
     struct System;
-    HodgeLaplaceSolver(const CellComplex& complex, const HodgeStars& stars,
-                       const ConditionedComplex& space, const RobinParts& robin,
-                       const HodgeLaplaceOptions& options);
-
     CellComplex complex_;
     Side side_;
     int degree_, k_;

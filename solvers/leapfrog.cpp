@@ -37,16 +37,10 @@ Degrees degrees(const CellComplex& complex, Side side, int degree) {
     return side == Side::primal ? Degrees{degree, degree + 1} : Degrees{n - degree, n - degree - 1};
 }
 
-ConditionedComplex built_in(const CellComplex& complex, const HodgeStars& stars, Side side,
-                            int degree) {
-    degrees(complex, side, degree); // which there must be
-    return conditioned_complex(complex, stars, side, degree, built_in_conditions(side));
-}
-
-ConditionedComplex conditioned(const Discretization& mesh, const BoundaryConditions& conditions,
-                               Side side, int degree) {
-    degrees(mesh.complex(), side, degree);
-    return conditioned_complex(mesh.complex(), mesh.stars(), side, degree, conditions);
+ConditionedComplex conditioned(const Cells& cells, const BoundaryConditions& conditions, Side side,
+                               int degree) {
+    degrees(cells.complex(), side, degree); // which there must be
+    return conditioned_complex(cells, side, degree, conditions);
 }
 
 void check_stars(const CellComplex& complex, const HodgeStars& stars, Side side, int degree) {
@@ -99,11 +93,11 @@ double checked_step(const ConditionedComplex& space, Side side, int degree, doub
     return time_step;
 }
 
-LeapfrogOptions in_unit_of(const Discretization& mesh, LeapfrogOptions options) {
-    options.time_step /= mesh.unit();
-    options.loss *= mesh.unit();
-    options.upper_loss *= mesh.unit();
-    options.layer.width /= mesh.unit();
+LeapfrogOptions in_unit_of(const Cells& cells, LeapfrogOptions options) {
+    options.time_step /= cells.unit();
+    options.loss *= cells.unit();
+    options.upper_loss *= cells.unit();
+    options.layer.width /= cells.unit();
     return options;
 }
 
@@ -139,27 +133,19 @@ Vector sum(const Vector& a, const Vector& b) {
 
 } // namespace
 
-double stable_step(const CellComplex& complex, const HodgeStars& stars, Side side, int degree) {
-    return longest_step(built_in(complex, stars, side, degree), side, degree);
-}
-
-double stable_step(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
+double stable_step(const Cells& cells, const BoundaryConditions& conditions, Side side,
                    int degree) {
-    return mesh.unit() * longest_step(conditioned(mesh, conditions, side, degree), side, degree);
+    return cells.unit() * longest_step(conditioned(cells, conditions, side, degree), side, degree);
 }
 
-Leapfrog::Leapfrog(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
-                   const LeapfrogOptions& options)
-    : Leapfrog(complex, built_in(complex, stars, side, degree), side, degree, options, nullptr) {}
-
-Leapfrog::Leapfrog(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
-                   int degree, const LeapfrogOptions& options)
-    : Leapfrog(mesh.complex(), conditioned(mesh, conditions, side, degree), side, degree,
-               in_unit_of(mesh, options), &mesh) {}
+Leapfrog::Leapfrog(const Cells& cells, const BoundaryConditions& conditions, Side side, int degree,
+                   const LeapfrogOptions& given, const Discretization* mesh)
+    : Leapfrog(cells.complex(), conditioned(cells, conditions, side, degree), side, degree,
+               in_unit_of(cells, given), mesh) {}
 
 Leapfrog::Leapfrog(const CellComplex& whole, const ConditionedComplex& space, Side side, int degree,
                    const LeapfrogOptions& options, const Discretization* mesh)
-    : unit_(mesh ? mesh->unit() : 1),
+    : unit_(space.unit),
       time_step_(checked_step(space, side, degree, options.time_step, unit_)),
       energy_power_((side == Side::primal ? 1 : -1) *
                     (whole.dimension() - 2 * degrees(whole, side, degree).E)),
@@ -173,8 +159,8 @@ Leapfrog::Leapfrog(const CellComplex& whole, const ConditionedComplex& space, Si
     LayerParts parts;
     if (options.layer.width != 0) {
         if (!mesh)
-            throw InvalidInput("an absorbing layer needs to know where the cells are: give the "
-                               "mesh and its conditions");
+            throw InvalidInput("an absorbing layer needs to know where the cells are: expected a "
+                               "mesh (Discretization), not cells alone");
         parts = layer_parts(*mesh, space, d_.matrix(), on.E, on.B, options.layer, time_step_);
         layer_ = parts.kind;
         E_.layer = parts.of_E;

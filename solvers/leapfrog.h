@@ -45,26 +45,25 @@ struct WaveState {
 /// step solves with it.
 class Leapfrog {
 public:
-    /// On a complex as it is: relative to its boundary, primal E vanishes there (a perfect
-    /// conductor, a clamped membrane), else nothing flows out.
-    /// Throws InvalidInput if there are no degrees j and j+1; if star_j is not positive or
-    /// star_(j+1) has a negative entry; of dual forms unless the stars of both are positive; for a
-    /// time step that is not positive and below stable_step; for losses that are negative or not as
-    /// many as values; for a layer.
-    Leapfrog(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
-             const LeapfrogOptions& options);
-    Leapfrog(const CellComplex& complex, const HodgeStars& stars, int degree, double time_step)
-        : Leapfrog(complex, stars, Side::primal, degree, {.time_step = time_step}) {}
-    Leapfrog(const Discretization& mesh, int degree, double time_step)
-        : Leapfrog(mesh, built_in_conditions(Side::primal), Side::primal, degree,
-                   {.time_step = time_step}) {}
-
     /// Under homogeneous conditions on the boundary, those of conditioned_complex: E and B have
     /// values for all cells, and those that the conditions fix are 0 after every step. An essential
     /// condition on primal 1-forms in space is a perfect conductor, a natural one a symmetry (or
-    /// magnetic) wall. Throws like the above, like conditioned_complex and AbsorbingLayer.
+    /// magnetic) wall.
+    /// Throws InvalidInput if there are no degrees j and j+1; if star_j is not positive or
+    /// star_(j+1) has a negative entry; of dual forms unless the stars of both are positive; for a
+    /// time step that is not positive and below stable_step; for losses that are negative or not as
+    /// many as values; for a layer without a mesh; like conditioned_complex and AbsorbingLayer.
+    Leapfrog(const Cells& cells, const BoundaryConditions& conditions, Side side, int degree,
+             const LeapfrogOptions& options)
+        : Leapfrog(cells, conditions, side, degree, options, nullptr) {}
     Leapfrog(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
-             int degree, const LeapfrogOptions& options);
+             int degree, const LeapfrogOptions& options)
+        : Leapfrog(mesh, conditions, side, degree, options, &mesh) {}
+
+    /// Of primal forms where nothing is done about the boundary.
+    Leapfrog(const Cells& cells, int degree, double time_step)
+        : Leapfrog(cells, built_in_conditions(Side::primal), Side::primal, degree,
+                   {.time_step = time_step}) {}
 
     /// One step. Throws InvalidInput for other numbers of values than there are cells.
     void step(WaveState& state, const WaveSources& sources = {}) const;
@@ -104,6 +103,8 @@ private:
         void advance(Vector& values, Vector rate, double time_step) const;
     };
 
+    Leapfrog(const Cells& cells, const BoundaryConditions& conditions, Side side, int degree,
+             const LeapfrogOptions& given, const Discretization* mesh);
     Leapfrog(const CellComplex& whole, const ConditionedComplex& space, Side side, int degree,
              const LeapfrogOptions& options, const Discretization* mesh);
 
@@ -121,14 +122,9 @@ private:
 /// 2 / sqrt of the largest eigenvalue of delta d on forms: steps must be shorter. Units length, of
 /// a mesh's input. Throws InvalidInput like Leapfrog, SolverFailure if the root of a star that is a
 /// matrix takes more memory than there is; infinity if d is zero.
-double stable_step(const CellComplex& complex, const HodgeStars& stars, Side side, int degree);
-double stable_step(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
-                   int degree);
-inline double stable_step(const CellComplex& complex, const HodgeStars& stars, int degree) {
-    return stable_step(complex, stars, Side::primal, degree);
-}
-inline double stable_step(const Discretization& mesh, int degree) {
-    return stable_step(mesh, built_in_conditions(Side::primal), Side::primal, degree);
+double stable_step(const Cells& cells, const BoundaryConditions& conditions, Side side, int degree);
+inline double stable_step(const Cells& cells, int degree) {
+    return stable_step(cells, built_in_conditions(Side::primal), Side::primal, degree);
 }
 
 } // namespace polydec

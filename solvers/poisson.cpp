@@ -3,7 +3,6 @@
 
 #include "base/errors.h"
 #include "dec/advice.h"
-#include "dec/boundary_star.h"
 #include "dec/conditioned_complex.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/gram.h"
@@ -12,7 +11,6 @@
 #include "meshes/unit_of_length.h"
 #include "solvers/dual_fluxes.h"
 #include "solvers/mixed_poisson.h"
-#include "solvers/vertex_shares.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -100,13 +98,13 @@ Stiffness by_weights(const CellComplex& complex, const Vector& weights) {
 Stiffness stiffness(const CellComplex& complex, const HodgeStars& stars) {
     if (stars[1].is_diagonal())
         return by_weights(complex, edge_weights(stars[1]));
-    SparseMatrix A = symmetric_laplacian(complex, stars, 0).matrix();
+    SparseMatrix A = symmetric_laplacian({complex, stars}, 0).matrix();
     A.prune(0.0);
     return {std::move(A), Definiteness::semidefinite};
 }
 
-PoissonOptions in_unit_of(const Discretization& mesh, PoissonOptions options) {
-    options.boundary = polydec::in_unit_of(mesh, std::move(options.boundary));
+PoissonOptions in_unit_of(const Cells& cells, PoissonOptions options) {
+    options.boundary = polydec::in_unit_of(cells, std::move(options.boundary));
     return options;
 }
 
@@ -127,11 +125,9 @@ struct PoissonSolver::Problem {
     std::vector<std::string> warnings = {};
     double unit = 1;
 
-    /// shares() are what vertices have of facets, boundary(weights) is the star within the
-    /// boundary.
-    template <class Shares, class BoundaryStar>
-    static Problem primal(const CellComplex& complex, const HodgeStars& stars,
-                          const PoissonOptions& options, Shares shares, BoundaryStar boundary) {
+    static Problem primal(const Cells& cells, const PoissonOptions& options) {
+        const CellComplex& complex = cells.complex();
+        const HodgeStars& stars = cells.stars();
         auto [matrix, definiteness] = stiffness(complex, stars);
         const int n = complex.dimension();
         const Index size = complex.size(0);
@@ -140,11 +136,11 @@ struct PoissonSolver::Problem {
         const Vector shares_of_domain = stars[0] * Vector::Ones(size).eval();
         SparseMatrix flux_load(size, natural.size());
         if (!natural.isZero(0))
-            flux_load = shares() * natural.asDiagonal();
+            flux_load = cells.shares_of_vertices() * natural.asDiagonal();
         const Vector robin = robin_coefficients(complex, options.boundary);
         std::vector<bool> tied(size, false);
         if (!robin.isZero(0)) {
-            const SparseMatrix weights = boundary(robin);
+            const SparseMatrix weights = cells.boundary_star(0, robin);
             const Vector of_vertices = weights.diagonal();
             for (Index v = 0; v < size; ++v)
                 tied[v] = of_vertices[v] > 0;
@@ -165,15 +161,16 @@ struct PoissonSolver::Problem {
                 options.linear_solver};
     }
 
-    static Problem dual(const CellComplex& complex, const HodgeStars& stars,
-                        const PoissonOptions& options, const FacetDuals& duals) {
+    static Problem dual(const Cells& cells, const PoissonOptions& options) {
+        const CellComplex& complex = cells.complex();
+        const HodgeStars& stars = cells.stars();
         const int n = complex.dimension();
         const auto essential = essential_cells(complex, options.boundary);
         const CellVolumes& volumes = stars.volumes();
         if (!stars[n - 1].is_diagonal())
-            return mixed_dual(complex, stars, options, duals, essential[n - 1]);
+            return mixed_dual(cells, options, essential[n - 1]);
         const Vector robin = robin_coefficients(complex, options.boundary);
-        auto fluxes = dual_fluxes(complex, stars, duals, essential, robin);
+        auto fluxes = dual_fluxes(cells, essential, robin);
         const Vector areas =
             (robin.array() > 0)
                 .select(0, natural_facets(complex, essential).cwiseProduct(volumes.primal(n - 1)));
@@ -195,11 +192,12 @@ struct PoissonSolver::Problem {
     }
 
     /// With fluxes as unknowns; flux_load are the areas through which they flow.
-    static Problem mixed_dual(const CellComplex& complex, const HodgeStars& stars,
-                              const PoissonOptions& options, const FacetDuals& duals,
+    static Problem mixed_dual(const Cells& cells, const PoissonOptions& options,
                               const std::vector<bool>& essential) {
+        const CellComplex& complex = cells.complex();
+        const HodgeStars& stars = cells.stars();
         const int n = complex.dimension();
-        check_two_sided(complex, duals);
+        check_two_sided(cells);
         stars[n].require_diagonal();
         const CellVolumes& volumes = stars.volumes();
         const Vector robin = robin_coefficients(complex, options.boundary);
@@ -216,7 +214,17 @@ struct PoissonSolver::Problem {
                 .robin = robin};
     }
 
-    /// Of options in the unit of the mesh.
+    /// Of options in the unit of the cells.
+    static Problem on(const Cells& cells, const PoissonOptions& options) {
+        Problem problem =
+            options.side == Side::primal ? primal(cells, options) : dual(cells, options);
+        problem.unit = cells.unit();
+        problem.sites.resize(problem.mass.rows(), 0);
+        problem.flux_sites.resize(cells.complex().size(cells.dimension() - 1), 0);
+        return problem;
+    }
+
+    /// With places and warnings.
     static Problem of(const Discretization& mesh, const PoissonOptions& options) {
         const int flows = options.side == Side::primal ? 1 : mesh.dimension() - 1;
         if (!options.conductivity.is_empty()) {
@@ -224,14 +232,7 @@ struct PoissonSolver::Problem {
             others.conductivity = {};
             return of(with_conductivity(mesh, options.side, flows, options.conductivity), others);
         }
-        Problem problem =
-            options.side == Side::primal
-                ? primal(
-                      mesh.complex(), mesh.stars(), options,
-                      [&] { return shares_of_vertices(mesh); },
-                      [&](const Vector& weights) { return boundary_star(mesh, 0, weights); })
-                : dual(mesh.complex(), mesh.stars(), options, facet_duals(mesh));
-        problem.unit = mesh.unit();
+        Problem problem = on(mesh, options);
         problem.sites = options.side == Side::primal ? cell_centers(mesh, 0) : dual_sites(mesh);
         problem.flux_sites = facet_sites(mesh);
         constexpr const char* spoiled = "the solution may be far off there";
@@ -242,34 +243,17 @@ struct PoissonSolver::Problem {
                                             fmt::format("{}; compare with Side::primal", spoiled));
         return problem;
     }
-
-    static Problem of(const CellComplex& complex, const HodgeStars& stars,
-                      const PoissonOptions& options) {
-        check_fit(complex, stars);
-        if (!options.conductivity.is_empty())
-            throw InvalidInput("conductivities are given for cells of one's own: how their duals "
-                               "are divided among them is not known; give a mesh");
-        Problem problem =
-            options.side == Side::primal
-                ? primal(
-                      complex, stars, options, [&] { return shares_of_vertices(complex, stars); },
-                      [&](const Vector& weights) {
-                          const Vector of_vertices = shares_of_vertices(complex, stars) * weights;
-                          return SparseMatrix(of_vertices.asDiagonal());
-                      })
-                : dual(complex, stars, options, facet_duals(complex, stars));
-        problem.sites.resize(problem.mass.rows(), 0);
-        problem.flux_sites.resize(complex.size(complex.dimension() - 1), 0);
-        return problem;
-    }
 };
 
 PoissonSolver::PoissonSolver(const Discretization& mesh, const PoissonOptions& options)
     : PoissonSolver(Problem::of(mesh, in_unit_of(mesh, options))) {}
 
-PoissonSolver::PoissonSolver(const CellComplex& complex, const HodgeStars& stars,
-                             const PoissonOptions& options)
-    : PoissonSolver(Problem::of(complex, stars, options)) {}
+PoissonSolver::PoissonSolver(const Cells& cells, const PoissonOptions& options)
+    : PoissonSolver(Problem::on(cells, in_unit_of(cells, options))) {
+    if (!options.conductivity.is_empty())
+        throw InvalidInput("conductivities are given for cells of one's own: how their duals are "
+                           "divided among them is not known; give a mesh");
+}
 
 PoissonSolver::PoissonSolver(Problem problem)
     : side_(problem.side),

@@ -51,8 +51,7 @@ public:
     /// A boundary facet has a dual unless its star is zero, and what flows through it is shared
     /// equally among its vertices. Throws likewise, and for conductivities, since how the duals are
     /// divided among the cells is not known either.
-    PoissonSolver(const CellComplex& complex, const HodgeStars& stars,
-                  const PoissonOptions& options = {});
+    explicit PoissonSolver(const Cells& cells, const PoissonOptions& options = {});
 
     PoissonSolver(PoissonSolver&&) noexcept;
     ~PoissonSolver();

@@ -43,10 +43,8 @@ Pencil pencil_of(const CellComplex& complex, const HodgeStars& stars, int k,
     return pencil;
 }
 
-/// `advice` on negative duals is what helps, or empty.
 std::vector<std::string> warning_of_negative_values(const Spectrum& spectrum,
-                                                    const HodgeStars& stars,
-                                                    const std::string& advice) {
+                                                    const HodgeStars& stars) {
     const int n = stars.dimension();
     const int k = spectrum.side == Side::primal ? spectrum.degree : n - spectrum.degree;
     const auto negative = ((spectrum.eigenvalues + spectrum.radii).array() < 0).count();
@@ -57,10 +55,10 @@ std::vector<std::string> warning_of_negative_values(const Spectrum& spectrum,
     if (negative == 0 || duals == 0)
         return {};
     return {fmt::format("{} of the eigenvalues {} negative and spurious: {} next to these forms {} "
-                        "a negative dual (the mesh is not Delaunay there){}",
+                        "a negative dual (the mesh is not Delaunay there); take {}",
                         negative, negative == 1 ? "is" : "are",
                         duals == 1 ? "1 cell" : fmt::format("{} cells", duals),
-                        duals == 1 ? "has" : "have", advice)};
+                        duals == 1 ? "has" : "have", positive_stars(n))};
 }
 
 /// The forms with the eigenvalue 0, where there are so many of them that a direct way pays.
@@ -71,14 +69,14 @@ DenseMatrix kernel(const ConditionedComplex& space, const SpectrumOptions& optio
         return {};
     if (options.progress)
         options.progress("harmonic forms");
-    const DenseMatrix forms =
-        harmonic_forms(space.relative.complex, space.stars, Side::primal, k, options.linear_solver);
+    const DenseMatrix forms = harmonic_forms({space.relative.complex, space.stars}, Side::primal, k,
+                                             options.linear_solver);
     return is_dual_function ? DenseMatrix(space.stars[k].matrix() * forms) : forms;
 }
 
 /// Under conditions, of which Robin's adds weights, with modes on all cells; `star` is theirs.
 Spectrum spectrum_in(const RobinComplex& given, const HodgeStar& star,
-                     const SpectrumOptions& options, const std::string& advice = {}) {
+                     const SpectrumOptions& options) {
     const ConditionedComplex& space = given.space;
     const CellComplex& complex = space.relative.complex;
     const HodgeStars& stars = space.stars;
@@ -117,7 +115,7 @@ Spectrum spectrum_in(const RobinComplex& given, const HodgeStar& star,
                     std::move(pairs.linear_solver),
                     std::move(pairs.eigen_solver),
                     std::move(pairs.rough)};
-    result.warnings = warning_of_negative_values(result, stars, advice);
+    result.warnings = warning_of_negative_values(result, stars);
     for (auto& warning : warning_of_rough_values(result.rough))
         result.warnings.push_back(std::move(warning));
     return result;
@@ -151,35 +149,17 @@ void use_input_units(Spectrum& spectrum, double unit) {
             radius += std::numeric_limits<double>::denorm_min();
 }
 
-Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
-                  const SpectrumOptions& options) {
-    const int k = cell_degree(complex, options.side, options.degree);
-    check_fit(complex, stars);
-    refuse_branching(complex, stars, options.side, options.degree);
-    CellMarks none;
-    for (int j = 0; j <= complex.dimension(); ++j)
-        none.emplace_back(complex.size(j), false);
-    return spectrum_in({{relative_complex(complex, none), stars}, {}, {}}, stars[k], options);
+Spectrum spectrum(const Cells& cells, const SpectrumOptions& options) {
+    return spectrum(cells, built_in_conditions(options.side), options);
 }
 
-Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options) {
-    return spectrum(discretization, built_in_conditions(options.side), options);
-}
-
-Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
+Spectrum spectrum(const Cells& cells, const BoundaryConditions& conditions,
                   const SpectrumOptions& options) {
-    const int k = cell_degree(discretization.complex(), options.side, options.degree);
-    auto result = spectrum_in(with_robin(discretization, options.side, options.degree, conditions),
-                              discretization.stars()[k], options, flip_advice(discretization));
-    use_input_units(result, discretization.unit());
+    const int k = cell_degree(cells.complex(), options.side, options.degree);
+    auto result = spectrum_in(with_robin(cells, options.side, options.degree, conditions),
+                              cells.stars()[k], options);
+    use_input_units(result, cells.unit());
     return result;
-}
-
-Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
-                  const BoundaryConditions& conditions, const SpectrumOptions& options) {
-    const int k = cell_degree(complex, options.side, options.degree);
-    return spectrum_in(with_robin(complex, stars, options.side, options.degree, conditions),
-                       stars[k], options);
 }
 
 } // namespace polydec

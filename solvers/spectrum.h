@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backends/spectra/certified_eigensolver.h"
-#include "dec/discretization.h"
 #include "dec/forms/boundary_conditions.h"
+#include "dec/forms/cells.h"
 #include "dec/forms/side.h"
 
 namespace polydec {
@@ -55,18 +55,14 @@ struct Spectrum {
 /// is the mass of these forms is not positive or a star that must be inverted has a zero;
 /// SolverFailure if the eigenpairs cannot be had or proved, InvalidInput for vectors to start with
 /// of another size.
-Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
-                  const SpectrumOptions& options = {});
-Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options = {});
+Spectrum spectrum(const Cells& cells, const SpectrumOptions& options = {});
 
 /// The same under homogeneous conditions on the boundary, those of conditioned_complex and Robin's
-/// (with_robin), whose coefficients are 1 over lengths of a mesh's input; modes have a value for
-/// every cell, 0 where the conditions fix them. Dual forms need no boundary facet to have a dual.
-/// Throws also if there are conditions but not one for each facet.
-Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
+/// (with_robin), whose coefficients are 1 over lengths of the input; modes have a value for every
+/// cell, 0 where the conditions fix them. Dual forms need no boundary facet to have a dual. Throws
+/// also if there are conditions but not one for each facet.
+Spectrum spectrum(const Cells& cells, const BoundaryConditions& conditions,
                   const SpectrumOptions& options = {});
-Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
-                  const BoundaryConditions& conditions, const SpectrumOptions& options = {});
 
 /// What is measured in length^-2, of a mesh that is measured in a unit, in those of its input. What
 /// is rounding beside the largest number may vanish; radii then grow by what is lost there.

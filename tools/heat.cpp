@@ -46,7 +46,7 @@ struct HeatArguments {
 /// In the units of the file, as the values are.
 double norm(const Discretization& mesh, const Cochain& form) {
     return std::pow(mesh.unit(), mesh.dimension() / 2.0 - form.degree) *
-           std::sqrt(std::max(0.0, inner_product(mesh.complex(), mesh.stars(), form, form)));
+           std::sqrt(std::max(0.0, inner_product({mesh.complex(), mesh.stars()}, form, form)));
 }
 
 /// What heat is marched with: the mesh, and what was asked for on it.

@@ -70,7 +70,7 @@ HodgeParts divided(const Discretization& mesh, const ConditionedComplex& space, 
     const int k = cell_degree(mesh.complex(), form.side, form.degree);
     const auto& relative = space.relative;
     auto parts =
-        hodge_decomposition(relative.complex, space.stars,
+        hodge_decomposition({relative.complex, space.stars},
                             {form.side, form.degree, relative.restrict(k, form.values)}, engine);
     for (Cochain* part : {&parts.exact, &parts.coexact, &parts.harmonic})
         part->values = relative.extend(k, part->values);
@@ -104,8 +104,7 @@ void run_hodge(const HodgeArguments& arguments) {
     Cochain form = given.on(mesh, arguments.side, arguments.degree);
     log.timing.begin("solve");
     const auto space = computed_on(arguments.mesh.mesh, [&] {
-        return conditioned_complex(mesh.complex(), mesh.stars(), form.side, form.degree,
-                                   conditions);
+        return conditioned_complex(mesh, form.side, form.degree, conditions);
     });
     const int k = cell_degree(mesh.complex(), form.side, form.degree);
     form.values = space.relative.extend(k, space.relative.restrict(k, form.values));
@@ -116,7 +115,7 @@ void run_hodge(const HodgeArguments& arguments) {
     });
     const auto norm_of = [&](const Cochain& part) {
         const Cochain kept{part.side, part.degree, space.relative.restrict(k, part.values)};
-        const double squared = inner_product(space.relative.complex, space.stars, kept, kept);
+        const double squared = inner_product({space.relative.complex, space.stars}, kept, kept);
         return in_input_units(std::sqrt(std::max(0.0, squared)), mesh.unit(),
                               mesh.dimension() / 2.0 - part.degree);
     };

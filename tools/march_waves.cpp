@@ -72,8 +72,7 @@ enum Kept : std::size_t { of_E, of_B, of_E_memory, of_B_memory, of_steps };
 /// E and B, which begins half a step before it, at rest; 0 where the conditions say so.
 std::vector<Vector> at_rest(const WaveProblem& problem, const Discretization& mesh, double step) {
     const auto [side, degree] = std::pair{problem.side, problem.degree};
-    const auto space =
-        conditioned_complex(mesh.complex(), mesh.stars(), side, degree, problem.conditions);
+    const auto space = conditioned_complex(mesh, side, degree, problem.conditions);
     const int k = cell_degree(mesh.complex(), side, degree);
     const Vector E = space.relative.extend(k, space.relative.restrict(k, problem.start));
     return {E, step / 2 * d(mesh.complex(), {side, degree, E}).values, Vector(), Vector(),

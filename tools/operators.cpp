@@ -138,8 +138,8 @@ private:
         const int j = mesh_.dimension() - k;
         const auto primal = file("laplacian_primal", k), dual = file("laplacian_dual", j);
         try {
-            write_scaled(primal, laplacian(P_, mesh_.stars(), k), -2);
-            write_scaled(dual, dual_laplacian(P_, mesh_.stars(), j), -2);
+            write_scaled(primal, laplacian({P_, mesh_.stars()}, k), -2);
+            write_scaled(dual, dual_laplacian({P_, mesh_.stars()}, j), -2);
         } catch (const InvalidInput& error) {
             log_.warn(fmt::format("{} and {} are not written: {}", primal.filename().string(),
                                   dual.filename().string(), error.what()));

@@ -159,7 +159,7 @@ Cochain star_of_fluxes(const Discretization& mesh, bool at_vertices, const Dense
                          inverse_star_means(K, points, corners, 1, [&](Index t, Index f) {
                              return at_vertices ? of_facets.row(f) : of_cells.row(t);
                          })};
-    return star(mesh.complex(), mesh.stars(),
+    return star(Cells(mesh.complex(), mesh.stars()),
                 at_vertices ? to_merged(mesh, fluxes) : on_cells(mesh, fluxes));
 }
 

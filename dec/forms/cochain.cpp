@@ -110,48 +110,45 @@ Cochain d(const CellComplex& complex, const Cochain& form) {
                          (Operator::derivative(complex, k - 1).transposed() * form.values))};
 }
 
-Cochain star(const CellComplex& complex, const HodgeStars& stars, const Cochain& form) {
-    check(complex, form);
-    check_fit(complex, stars);
-    const int k = cell_degree(complex, form.side, form.degree);
-    const int other = complex.dimension() - form.degree;
+Cochain star(const Cells& cells, const Cochain& form) {
+    check(cells.complex(), form);
+    const int n = cells.dimension();
+    const int k = cell_degree(cells.complex(), form.side, form.degree);
+    const HodgeStar star = cells.input_stars()[k];
     if (form.side == Side::primal)
-        return {Side::dual, other, stars[k] * form.values};
-    const double star_star = k * (complex.dimension() - k) % 2 == 0 ? 1 : -1;
-    return {Side::primal, other, star_star * stars[k].solve(form.values)};
+        return {Side::dual, n - k, star * form.values};
+    const double star_star = k * (n - k) % 2 == 0 ? 1 : -1;
+    return {Side::primal, k, star_star * star.solve(form.values)};
 }
 
-Cochain codifferential(const CellComplex& complex, const HodgeStars& stars, const Cochain& form) {
-    check(complex, form);
+Cochain codifferential(const Cells& cells, const Cochain& form) {
+    check(cells.complex(), form);
     return {form.side, form.degree - 1,
-            form.side == Side::primal
-                ? codifferential(complex, stars, form.degree) * form.values
-                : dual_codifferential(complex, stars, form.degree) * form.values};
+            form.side == Side::primal ? codifferential(cells, form.degree) * form.values
+                                      : dual_codifferential(cells, form.degree) * form.values};
 }
 
-Cochain laplacian(const CellComplex& complex, const HodgeStars& stars, const Cochain& form) {
-    check(complex, form);
+Cochain laplacian(const Cells& cells, const Cochain& form) {
+    check(cells.complex(), form);
     return {form.side, form.degree,
-            form.side == Side::primal ? laplacian(complex, stars, form.degree) * form.values
-                                      : dual_laplacian(complex, stars, form.degree) * form.values};
+            form.side == Side::primal ? laplacian(cells, form.degree) * form.values
+                                      : dual_laplacian(cells, form.degree) * form.values};
 }
 
-double inner_product(const CellComplex& complex, const HodgeStars& stars, const Cochain& a,
-                     const Cochain& b) {
-    check(complex, a);
+double inner_product(const Cells& cells, const Cochain& a, const Cochain& b) {
+    check(cells.complex(), a);
     check_alike(a, b, "form");
-    check_fit(complex, stars);
-    const int k = cell_degree(complex, a.side, a.degree);
-    return a.values.dot(a.side == Side::primal ? stars[k] * b.values : stars[k].solve(b.values));
+    const HodgeStar star = cells.input_stars()[cell_degree(cells.complex(), a.side, a.degree)];
+    return a.values.dot(a.side == Side::primal ? star * b.values : star.solve(b.values));
 }
 
-double norm(const CellComplex& complex, const HodgeStars& stars, const Cochain& form) {
-    const double square = inner_product(complex, stars, form, form);
+double norm(const Cells& cells, const Cochain& form) {
+    const double square = inner_product(cells, form, form);
     if (square < 0)
         throw InvalidInput(fmt::format("the square of the norm of {} is {:.3g}: the duals of some "
                                        "{}-cells are negative, so there is no norm",
                                        described(form, "form"), square,
-                                       cell_degree(complex, form.side, form.degree)));
+                                       cell_degree(cells.complex(), form.side, form.degree)));
     return std::sqrt(square);
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "complex/cell_complex.h"
+#include "dec/forms/cells.h"
 #include "dec/forms/side.h"
-#include "dec/forms/star.h"
 
 namespace polydec {
 
@@ -52,25 +52,24 @@ Cochain d(const CellComplex& complex, const Cochain& form);
 
 /// Hodge star: primal k-forms to dual (n-k)-forms and back, star star = (-1)^(k(n-k)).
 /// Throws like check, and for a dual form like HodgeStar::solve.
-Cochain star(const CellComplex& complex, const HodgeStars& stars, const Cochain& form);
+Cochain star(const Cells& cells, const Cochain& form);
 
 /// Codifferential, of degree k-1, the adjoint of d in the inner products below; empty for k = 0.
 /// Throws like check and codifferential or dual_codifferential.
-Cochain codifferential(const CellComplex& complex, const HodgeStars& stars, const Cochain& form);
+Cochain codifferential(const Cells& cells, const Cochain& form);
 
 /// Laplace-de Rham operator d delta + delta d. Throws like check and laplacian or dual_laplacian.
-Cochain laplacian(const CellComplex& complex, const HodgeStars& stars, const Cochain& form);
+Cochain laplacian(const Cells& cells, const Cochain& form);
 
 /// L2 product: values weighted with |*s| / |s| for primal forms, |s| / |*s| for dual ones.
 /// Symmetric; positive definite iff every dual volume is positive; units those of the values
 /// squared times length^(n-2k). Throws like check and, for dual forms, HodgeStar::solve, and
 /// InvalidInput, naming both, if sides or degrees differ.
-double inner_product(const CellComplex& complex, const HodgeStars& stars, const Cochain& a,
-                     const Cochain& b);
+double inner_product(const Cells& cells, const Cochain& a, const Cochain& b);
 
 /// Square root of the inner product with itself.
 /// Throws like inner_product, and InvalidInput if negative duals make it negative.
-double norm(const CellComplex& complex, const HodgeStars& stars, const Cochain& form);
+double norm(const Cells& cells, const Cochain& form);
 
 /// Sums and multiples. Sums throw like pairing.
 Cochain operator+(const Cochain& a, const Cochain& b);

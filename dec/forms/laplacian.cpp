@@ -10,68 +10,68 @@ namespace {
 /// left d^T star d right for the d that leaves degree k; 0 for k = n, where left and right, each
 /// star^-1 or nothing, are not asked for either.
 template <class Weighted>
-Operator upper_half(const CellComplex& complex, const HodgeStars& stars, int k, Weighted weighted) {
+Operator upper_half(const Cells& cells, int k, Weighted weighted) {
+    const CellComplex& complex = cells.complex();
     if (k == complex.dimension())
         return Operator::zero(complex.size(k), complex.size(k));
     const Operator d = Operator::derivative(complex, k);
-    return weighted(d.transposed() * Operator::star(stars[k + 1]) * d);
+    return weighted(d.transposed() * Operator::star(cells.input_stars()[k + 1]) * d);
 }
 
 /// d star^-1 d^T for the d that arrives at degree k, with weights; 0 for k = 0.
 template <class Weighted>
-Operator lower_half(const CellComplex& complex, const HodgeStars& stars, int k, Weighted weighted) {
+Operator lower_half(const Cells& cells, int k, Weighted weighted) {
+    const CellComplex& complex = cells.complex();
     if (k == 0)
         return Operator::zero(complex.size(k), complex.size(k));
     const Operator d = Operator::derivative(complex, k - 1);
-    return weighted(d * Operator::inverse_star(stars[k - 1]) * d.transposed());
-}
-
-/// The degree of the cells that carry the forms, whose stars these are.
-int checked_degree(const CellComplex& complex, const HodgeStars& stars, Side side, int degree) {
-    check_fit(complex, stars);
-    return cell_degree(complex, side, degree);
+    return weighted(d * Operator::inverse_star(cells.input_stars()[k - 1]) * d.transposed());
 }
 
 } // namespace
 
-Operator codifferential(const CellComplex& complex, const HodgeStars& stars, int k) {
-    checked_degree(complex, stars, Side::primal, k);
+Operator codifferential(const Cells& cells, int k) {
+    const CellComplex& complex = cells.complex();
+    cell_degree(complex, Side::primal, k); // which there must be
     if (k == 0)
         return Operator::zero(0, complex.size(0));
+    const HodgeStars& stars = cells.input_stars();
     return Operator::inverse_star(stars[k - 1]) *
            Operator::derivative(complex, k - 1).transposed() * Operator::star(stars[k]);
 }
 
-Operator dual_codifferential(const CellComplex& complex, const HodgeStars& stars, int j) {
-    const int k = checked_degree(complex, stars, Side::dual, j);
+Operator dual_codifferential(const Cells& cells, int j) {
+    const CellComplex& complex = cells.complex();
+    const int k = cell_degree(complex, Side::dual, j);
     if (k == complex.dimension())
         return Operator::zero(0, complex.size(k));
+    const HodgeStars& stars = cells.input_stars();
     const double sign = k % 2 == 0 ? -1 : 1;
     return sign * (Operator::star(stars[k + 1]) * Operator::derivative(complex, k) *
                    Operator::inverse_star(stars[k]));
 }
 
-Operator laplacian(const CellComplex& complex, const HodgeStars& stars, int k) {
-    checked_degree(complex, stars, Side::primal, k);
-    return upper_half(complex, stars, k,
-                      [&](const Operator& A) { return Operator::inverse_star(stars[k]) * A; }) +
-           lower_half(complex, stars, k,
-                      [&](const Operator& A) { return A * Operator::star(stars[k]); });
+Operator laplacian(const Cells& cells, int k) {
+    cell_degree(cells.complex(), Side::primal, k); // which there must be
+    const HodgeStar star = cells.input_stars()[k];
+    return upper_half(cells, k,
+                      [&](const Operator& A) { return Operator::inverse_star(star) * A; }) +
+           lower_half(cells, k, [&](const Operator& A) { return A * Operator::star(star); });
 }
 
-Operator dual_laplacian(const CellComplex& complex, const HodgeStars& stars, int j) {
-    const int k = checked_degree(complex, stars, Side::dual, j);
-    return upper_half(complex, stars, k,
-                      [&](const Operator& A) { return A * Operator::inverse_star(stars[k]); }) +
-           lower_half(complex, stars, k,
-                      [&](const Operator& A) { return Operator::star(stars[k]) * A; });
+Operator dual_laplacian(const Cells& cells, int j) {
+    const HodgeStar star = cells.input_stars()[cell_degree(cells.complex(), Side::dual, j)];
+    const int k = star.degree();
+    return upper_half(cells, k,
+                      [&](const Operator& A) { return A * Operator::inverse_star(star); }) +
+           lower_half(cells, k, [&](const Operator& A) { return Operator::star(star) * A; });
 }
 
-Operator symmetric_laplacian(const CellComplex& complex, const HodgeStars& stars, int k) {
-    checked_degree(complex, stars, Side::primal, k);
-    const Operator star = Operator::star(stars[k]);
-    return upper_half(complex, stars, k, [](const Operator& A) { return A; }) +
-           lower_half(complex, stars, k, [&](const Operator& A) { return star * A * star; });
+Operator symmetric_laplacian(const Cells& cells, int k) {
+    cell_degree(cells.complex(), Side::primal, k); // which there must be
+    const Operator star = Operator::star(cells.input_stars()[k]);
+    return upper_half(cells, k, [](const Operator& A) { return A; }) +
+           lower_half(cells, k, [&](const Operator& A) { return star * A * star; });
 }
 
 } // namespace polydec

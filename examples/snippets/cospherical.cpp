@@ -73,7 +73,7 @@ void stencils() {
     const auto volumes = polydec::relative_volumes(inside, cubes.volumes());
     const polydec::SparseMatrix curl = polydec::derivative(inside.complex, 1);
     const polydec::SparseMatrix curl_curl =
-        h * h * polydec::codifferential(inside.complex, volumes, 2).matrix() * curl;
+        h * h * polydec::codifferential({inside.complex, volumes}, 2).matrix() * curl;
     polydec::Index edge = 0; // one in the middle
     while (curl_curl.outerIndexPtr()[edge + 1] - curl_curl.outerIndexPtr()[edge] < 13)
         ++edge;

@@ -33,10 +33,10 @@ void decompose() {
     const auto w = polydec::de_rham(mesh, 1, polydec::circulation_form([](const auto& p) {
                                         return polydec::Vector{{p[0] - p[1], p[0]}};
                                     }));
-    const auto parts = polydec::hodge_decomposition(P, mesh.volumes(), w);
+    const auto parts = polydec::hodge_decomposition({P, mesh.volumes()}, w);
 
     const auto energy = [&](const polydec::Cochain& form) {
-        return polydec::inner_product(P, mesh.volumes(), form, form);
+        return polydec::inner_product({P, mesh.volumes()}, form, form);
     };
     std::cout << energy(w) << " = " << energy(parts.exact) << " + " << energy(parts.coexact)
               << " + " << energy(parts.harmonic) << '\n';
@@ -46,7 +46,7 @@ void harmonic() {
     const auto mesh = polydec::discretize(ring(48, 8));
     const auto& P = mesh.complex();
     const polydec::DenseMatrix h =
-        polydec::harmonic_forms(P, mesh.volumes(), polydec::Side::primal, 1);
+        polydec::harmonic_forms({P, mesh.volumes()}, polydec::Side::primal, 1);
     const polydec::SparseMatrix loops = polydec::homology_generators(P, 1);
     const polydec::Vector period = loops.transpose() * h.col(0);
     const double exact = std::sqrt(2 * std::numbers::pi / std::log(2.0));
@@ -61,14 +61,14 @@ void relative() {
     std::cout << "harmonic forms of degree 0, 1, 2: absolute";
     for (int k = 0; k <= 2; ++k)
         std::cout << ' '
-                  << polydec::harmonic_forms(mesh.complex(), mesh.volumes(), polydec::Side::primal,
-                                             k)
+                  << polydec::harmonic_forms({mesh.complex(), mesh.volumes()},
+                                             polydec::Side::primal, k)
                          .cols();
     std::cout << ", relative";
     for (int k = 0; k <= 2; ++k)
-        std::cout
-            << ' '
-            << polydec::harmonic_forms(relative.complex, volumes, polydec::Side::primal, k).cols();
+        std::cout << ' '
+                  << polydec::harmonic_forms({relative.complex, volumes}, polydec::Side::primal, k)
+                         .cols();
     std::cout << '\n';
 }
 

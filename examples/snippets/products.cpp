@@ -45,9 +45,9 @@ void energy() {
     const auto mesh = polydec::discretize(polydec::grid(4, 4));
     const auto& P = mesh.complex();
     const auto w = polydec::de_rham(mesh, 1, constant(3, 4));
-    const auto density = polydec::primal_dual_wedge(P, w, polydec::star(P, mesh.volumes(), w));
+    const auto density = polydec::primal_dual_wedge(P, w, polydec::star({P, mesh.volumes()}, w));
     std::cout << "integral of w ^ star w: " << density.sum() << ", inner product "
-              << polydec::inner_product(P, mesh.volumes(), w, w) << '\n';
+              << polydec::inner_product({P, mesh.volumes()}, w, w) << '\n';
 }
 
 void dual_product() {

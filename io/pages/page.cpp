@@ -6,7 +6,6 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/sharp.h"
 #include "dec/fields/streamlines.h"
-#include "dec/operators.h"
 #include "io/pages/page_header.h"
 #include "io/pages/page_template.h"
 #include "io/pages/page_text.h"

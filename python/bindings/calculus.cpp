@@ -17,129 +17,119 @@ py::object matrix(Make make) {
 }
 
 /// Cells of one's own, by their coboundaries and volumes.
-Calculus own_cells(const std::vector<MatrixParts>& coboundaries, const std::vector<Numbers>& primal,
-                   const std::vector<Numbers>& dual) {
+Cells own_cells(const std::vector<MatrixParts>& coboundaries, const std::vector<Numbers>& primal,
+                const std::vector<Numbers>& dual) {
     std::vector<IncidenceMatrix> incidences;
     for (const MatrixParts& d : coboundaries)
         incidences.emplace_back(sparse(d).cast<std::int8_t>());
     const CellVolumes volumes(vectors(primal), vectors(dual));
-    CellComplex complex(std::move(incidences));
-    check_fit(complex, volumes);
-    return Calculus(complex, volumes);
+    return {CellComplex(std::move(incidences)), volumes};
 }
 
-void add_matrices(py::class_<Calculus>& calculus) {
+void add_matrices(py::class_<Cells>& calculus) {
     calculus
         .def("incidence",
              [](const py::object& self, int k) {
                  // the complex is shared with what C++ keeps, so lives as long as this does
-                 return csr(self.cast<Calculus&>().complex.coboundary(k), self);
+                 return csr(self.cast<Cells&>().complex().coboundary(k), self);
              })
         .def("d",
-             [](const Calculus& of, const std::string& side, int k) {
+             [](const Cells& of, const std::string& side, int k) {
                  return matrix([&, side = side_of(side)] {
-                     return side == Side::primal ? derivative(of.complex, k)
-                                                 : dual_derivative(of.complex, k);
+                     return side == Side::primal ? derivative(of.complex(), k)
+                                                 : dual_derivative(of.complex(), k);
                  });
              })
         .def("boundary",
-             [](const Calculus& of, const std::string& side, int k) {
+             [](const Cells& of, const std::string& side, int k) {
                  return matrix([&, side = side_of(side)] {
-                     return SparseMatrix((side == Side::primal ? derivative(of.complex, k - 1)
-                                                               : dual_derivative(of.complex, k - 1))
+                     return SparseMatrix((side == Side::primal
+                                              ? derivative(of.complex(), k - 1)
+                                              : dual_derivative(of.complex(), k - 1))
                                              .transpose());
                  });
              })
         .def("codifferential",
-             [](const Calculus& of, const std::string& side, int k) {
+             [](const Cells& of, const std::string& side, int k) {
                  return matrix([&, side = side_of(side)] {
-                     return side == Side::primal ? codifferential(of.complex, of.stars(), k)
-                                                 : dual_codifferential(of.complex, of.stars(), k);
+                     return side == Side::primal ? codifferential(of, k)
+                                                 : dual_codifferential(of, k);
                  });
              })
         .def("laplacian",
-             [](const Calculus& of, const std::string& side, int k) {
+             [](const Cells& of, const std::string& side, int k) {
                  return matrix([&, side = side_of(side)] {
-                     return side == Side::primal ? laplacian(of.complex, of.stars(), k)
-                                                 : dual_laplacian(of.complex, of.stars(), k);
+                     return side == Side::primal ? laplacian(of, k) : dual_laplacian(of, k);
                  });
              })
-        .def("stiffness",
-             [](const Calculus& of, int k) {
-                 return matrix([&] { return symmetric_laplacian(of.complex, of.stars(), k); });
-             })
+        .def("stiffness", [](const Cells& of,
+                             int k) { return matrix([&] { return symmetric_laplacian(of, k); }); })
         .def("dual_boundary_derivative",
-             [](const Calculus& of, int j) {
-                 return matrix([&] { return dual_boundary_derivative(of.complex, j); });
+             [](const Cells& of, int j) {
+                 return matrix([&] { return dual_boundary_derivative(of.complex(), j); });
              })
-        .def("homology_generators", [](const Calculus& of, int k) {
-            return matrix([&] { return homology_generators(of.complex, k); });
+        .def("homology_generators", [](const Cells& of, int k) {
+            return matrix([&] { return homology_generators(of.complex(), k); });
         });
 }
 
-void add_stars(py::class_<Calculus>& calculus) {
+void add_stars(py::class_<Cells>& calculus) {
     calculus
-        .def("is_diagonal", [](const Calculus& of, int k) { return of.stars()[k].is_diagonal(); })
+        .def("is_diagonal",
+             [](const Cells& of, int k) { return of.input_stars()[k].is_diagonal(); })
         .def("star",
-             [](const Calculus& of, int k) -> py::object {
-                 const HodgeStar star = of.stars()[k];
+             [](const Cells& of, int k) -> py::object {
+                 const HodgeStar star = of.input_stars()[k];
                  if (star.is_diagonal())
                      return array(star.diagonal());
                  return csr(star.matrix());
              })
         .def("inverse_star",
-             [](const Calculus& of, int k) { return array(of.stars()[k].inverse()); })
+             [](const Cells& of, int k) { return array(of.input_stars()[k].inverse()); })
         .def("solve_star",
-             [](const Calculus& of, int k, const Numbers& values) {
-                 return array(
-                     unlocked([&, given = vector(values)] { return of.stars()[k].solve(given); }));
+             [](const Cells& of, int k, const Numbers& values) {
+                 return array(unlocked(
+                     [&, given = vector(values)] { return of.input_stars()[k].solve(given); }));
              })
-        .def("zeros", [](const Calculus& of, int k) { return array(of.stars()[k].zeros()); })
+        .def("zeros", [](const Cells& of, int k) { return array(of.input_stars()[k].zeros()); })
         .def("negatives",
-             [](const Calculus& of, int k) { return array(of.stars()[k].negatives()); })
-        .def("with_star",
-             [](const Calculus& of, int k, const MatrixParts& star) {
-                 const HodgeStars stars = of.stars().with(k, sparse(star)); // or what is wrong
-                 return of.mesh ? Calculus(with_star_of_input(*of.mesh, k, sparse(star)))
-                                : Calculus(of.complex, stars);
-             })
+             [](const Cells& of, int k) { return array(of.input_stars()[k].negatives()); })
+        .def("with_star", [](const Cells& of, int k,
+                             const MatrixParts& star) { return of.with_star(k, sparse(star)); })
         .def("volumes",
              [](const py::object& self, int k) {
-                 const Vector& volumes = self.cast<Calculus&>().stars().volumes().primal(k);
+                 const Vector& volumes = self.cast<Cells&>().input_stars().volumes().primal(k);
                  return view(volumes.data(), {volumes.size()}, self);
              })
         .def("dual_volumes", [](const py::object& self, int k) {
-            const Vector& volumes = self.cast<Calculus&>().stars().volumes().dual(k);
+            const Vector& volumes = self.cast<Cells&>().input_stars().volumes().dual(k);
             return view(volumes.data(), {volumes.size()}, self);
         });
 }
 
-void add_forms(py::class_<Calculus>& calculus) {
-    using Apply = Cochain (*)(const CellComplex&, const HodgeStars&, const Cochain&);
+void add_forms(py::class_<Cells>& calculus) {
+    using Apply = Cochain (*)(const Cells&, const Cochain&);
     calculus
         .def("apply",
-             [](const Calculus& of, const std::string& what, const std::string& side, int degree,
+             [](const Cells& of, const std::string& what, const std::string& side, int degree,
                 const Numbers& values) {
-                 const auto apply =
-                     chosen<Apply>("an operator", what,
-                                   {{"d", [](const CellComplex& complex, const HodgeStars&,
-                                             const Cochain& form) { return d(complex, form); }},
-                                    {"star", &polydec::star},
-                                    {"codifferential", &polydec::codifferential},
-                                    {"laplacian", &polydec::laplacian}});
+                 const auto apply = chosen<Apply>(
+                     "an operator", what,
+                     {{"d", [](const Cells& cells,
+                               const Cochain& form) { return d(cells.complex(), form); }},
+                      {"star", &polydec::star},
+                      {"codifferential", &polydec::codifferential},
+                      {"laplacian", &polydec::laplacian}});
                  const Cochain given = form(side, degree, values);
-                 return parts(unlocked([&] { return apply(of.complex, of.stars(), given); }));
+                 return parts(unlocked([&] { return apply(of, given); }));
              })
         .def("inner_product",
-             [](const Calculus& of, const std::string& side, int degree, const Numbers& a,
+             [](const Cells& of, const std::string& side, int degree, const Numbers& a,
                 const Numbers& b) {
-                 return inner_product(of.complex, of.stars(), form(side, degree, a),
-                                      form(side, degree, b));
+                 return inner_product(of, form(side, degree, a), form(side, degree, b));
              })
-        .def("norm",
-             [](const Calculus& of, const std::string& side, int degree, const Numbers& values) {
-                 return norm(of.complex, of.stars(), form(side, degree, values));
-             });
+        .def("norm", [](const Cells& of, const std::string& side, int degree,
+                        const Numbers& values) { return norm(of, form(side, degree, values)); });
 }
 
 /// One mark for all facets of the boundary, or one for each (n-1)-cell. Those that are not
@@ -165,47 +155,38 @@ BoundaryConditions conditions_of(const std::vector<bool>& essential, const Numbe
 }
 
 /// The cells on which forms obey conditions, and their numbers in the whole.
-py::tuple conditioned_cells(const Calculus& of, const std::string& side, int degree,
+py::tuple conditioned_cells(const Cells& of, const std::string& side, int degree,
                             const GivenConditions& conditions) {
     ConditionedComplex space = unlocked([&, side = side_of(side)] {
-        return conditioned(of, side, degree, conditions.value_or(built_in_conditions(side)));
+        return conditioned_complex(of, side, degree,
+                                   conditions.value_or(built_in_conditions(side)));
     });
     py::list cells;
     for (auto& numbers : space.relative.cells)
         cells.append(array(std::move(numbers)));
-    return py::make_tuple(Calculus(space.relative.complex, space.stars), cells);
+    return py::make_tuple(space.cells(), cells);
 }
 
 } // namespace
 
-Discretization with_star_of_input(const Discretization& mesh, int k, const SparseMatrix& star) {
-    const int power = mesh.dimension() - 2 * k;
-    return mesh.with_stars(
-        mesh.stars().with(k, in_input_units(star, mesh.unit(), -power, "the star")));
-}
-
-ConditionedComplex conditioned(const Calculus& of, Side side, int degree,
-                               const BoundaryConditions& conditions) {
-    return conditioned_complex(of.complex, of.stars(), side, degree, conditions);
-}
-
 void add_calculus(py::module_& module) {
     py::class_<BoundaryConditions>(module, "Conditions").def(py::init(&conditions_of));
     module.def("require_essential",
-               [](const Calculus& of, const BoundaryConditions& conditions,
-                  const std::string& what) { require_essential(of.complex, conditions, what); });
-    py::class_<Calculus> calculus(module, "Calculus");
+               [](const Cells& of, const BoundaryConditions& conditions, const std::string& what) {
+                   require_essential(of.complex(), conditions, what);
+               });
+    py::class_<Cells> calculus(module, "Cells");
     calculus.def(py::init(&own_cells))
         .def_property_readonly("dimension",
-                               [](const Calculus& of) { return of.complex.dimension(); })
-        .def("size", [](const Calculus& of, int k) { return of.complex.size(k); })
+                               [](const Cells& of) { return of.complex().dimension(); })
+        .def("size", [](const Cells& of, int k) { return of.complex().size(k); })
         .def("coface_counts",
-             [](const Calculus& of, int k) {
-                 const auto& counts = of.complex.coface_counts(k);
+             [](const Cells& of, int k) {
+                 const auto& counts = of.complex().coface_counts(k);
                  return array(std::vector<Index>(counts.begin(), counts.end()));
              })
         .def("betti_numbers",
-             [](const Calculus& of) { return unlocked([&] { return betti_numbers(of.complex); }); })
+             [](const Cells& of) { return unlocked([&] { return betti_numbers(of.complex()); }); })
         .def("conditioned", &conditioned_cells);
     add_matrices(calculus);
     add_stars(calculus);

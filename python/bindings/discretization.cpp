@@ -9,6 +9,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/chosen_vertices.h"
 #include "dec/glued_box.h"
+#include "dec/input_units.h"
 #include "dec/input_vertices.h"
 #include "dec/material_stars.h"
 #include "io/diagnosis_json.h"
@@ -119,7 +120,7 @@ std::vector<DenseMatrix> matrices(const Numbers& tensors) {
     return result;
 }
 
-void add_parts(py::class_<Discretization>& type) {
+void add_parts(py::class_<Discretization, Cells>& type) {
     type.def_property_readonly("points",
                                [](const py::object& self) {
                                    const auto& mesh = self.cast<Discretization&>();
@@ -128,17 +129,15 @@ void add_parts(py::class_<Discretization>& type) {
                                    const Points& points = mesh.points();
                                    return view(points.data(), {points.rows(), points.cols()}, self);
                                })
-        .def_property_readonly("calculus",
-                               [](const Discretization& mesh) { return Calculus(mesh); })
-        .def_property_readonly("input_calculus",
+        .def_property_readonly("input_cells",
                                [](const Discretization& mesh) {
-                                   return Calculus(mesh.input(), mesh.input_geometry().volumes(),
-                                                   mesh.unit());
+                                   return Cells(mesh.input(), mesh.input_geometry().volumes(),
+                                                mesh.unit());
                                })
-        .def_property_readonly("pieces_calculus",
+        .def_property_readonly("pieces_cells",
                                [](const Discretization& mesh) {
-                                   return Calculus(mesh.pieces(), mesh.geometry().volumes(),
-                                                   mesh.unit());
+                                   return Cells(mesh.pieces(), mesh.geometry().volumes(),
+                                                mesh.unit());
                                })
         .def_property_readonly("warnings",
                                [](const Discretization& mesh) { return mesh.warnings(); })
@@ -181,7 +180,7 @@ void add_parts(py::class_<Discretization>& type) {
         .def("report", &report);
 }
 
-void add_merging(py::class_<Discretization>& type) {
+void add_merging(py::class_<Discretization, Cells>& type) {
     type.def_property_readonly(
             "is_identity", [](const Discretization& mesh) { return mesh.merging().is_identity(); })
         .def("carriers", &carriers)
@@ -197,7 +196,7 @@ void add_merging(py::class_<Discretization>& type) {
         });
 }
 
-void add_places(py::class_<Discretization>& type) {
+void add_places(py::class_<Discretization, Cells>& type) {
     using Places = Points (*)(const Discretization&, int);
     const auto at = [](Places places) {
         return [places](const Discretization& mesh, int k) {
@@ -210,15 +209,13 @@ void add_places(py::class_<Discretization>& type) {
         .def("facet_sites", [](const Discretization& mesh) { return array(facet_sites(mesh)); });
 }
 
-void add_stars(py::class_<Discretization>& type) {
-    type.def("with_star",
+void add_stars(py::class_<Discretization, Cells>& type) {
+    type.def("with_stars",
              [](const Discretization& mesh, const std::string& kind) {
                  return unlocked([&, kind = star_kind(kind)] { return mesh.with_stars(kind); });
              })
-        .def("with_star_matrix",
-             [](const Discretization& mesh, int k, const MatrixParts& star) {
-                 return with_star_of_input(mesh, k, sparse(star));
-             })
+        .def("with_star", [](const Discretization& mesh, int k,
+                             const MatrixParts& star) { return mesh.with_star(k, sparse(star)); })
         .def("with_material",
              [](const Discretization& mesh, int k, const CellData& weights) {
                  return unlocked([&] { return with_material(mesh, k, weights); });
@@ -249,7 +246,7 @@ void add_discretization(py::module_& module) {
         .def(py::init([](const Numbers& values, bool are_on_cells) {
             return are_on_cells ? CellData::on_cells(vector(values)) : CellData(vector(values));
         }));
-    py::class_<Discretization> type(module, "Discretization");
+    py::class_<Discretization, Cells> type(module, "Discretization");
     add_parts(type);
     add_merging(type);
     add_places(type);

@@ -182,14 +182,13 @@ void add_shallow_water(py::module_& module) {
 void add_stokes(py::module_& module) {
     using Solver = Guarded<StokesSolver>;
     py::class_<Solver>(module, "StokesSolver")
-        .def(py::init([](const Calculus& of, double viscosity, const std::vector<bool>& no_slip,
+        .def(py::init([](const Cells& of, double viscosity, const std::vector<bool>& no_slip,
                          const std::vector<bool>& open, const std::string& engine) {
             const StokesOptions options{
                 .viscosity = viscosity,
-                .facets = boundary_of(no_slip, open, of.complex.size(of.complex.dimension() - 1)),
+                .facets = boundary_of(no_slip, open, of.complex().size(of.dimension() - 1)),
                 .linear_solver = engine};
-            return of.mesh ? guarded<StokesSolver>(*of.mesh, options)
-                           : guarded<StokesSolver>(of.complex, of.stars(), options);
+            return guarded<StokesSolver>(of, options);
         }))
         .def("solve", [](Solver& self, int degree, const Numbers& force,
                          const std::array<Numbers, 4>& known) {

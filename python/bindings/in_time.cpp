@@ -23,17 +23,13 @@ HeatOptions heat_options(double time_step, const std::string& scheme, const std:
 void add_heat(py::module_& module) {
     using Heat = Guarded<HeatSolver>;
     py::class_<Heat>(module, "HeatSolver")
-        .def(py::init([](const Calculus& of, const GivenConditions& conditions,
+        .def(py::init([](const Cells& of, const GivenConditions& conditions,
                          const std::string& given_side, int degree, double time_step,
                          const std::string& scheme, const std::string& engine) {
             const HeatOptions options = heat_options(time_step, scheme, engine);
             const Side side = side_of(given_side);
-            if (!conditions)
-                return of.mesh ? guarded<HeatSolver>(*of.mesh, side, degree, options)
-                               : guarded<HeatSolver>(of.complex, of.stars(), side, degree, options);
-            return of.mesh ? guarded<HeatSolver>(*of.mesh, *conditions, side, degree, options)
-                           : guarded<HeatSolver>(of.complex, of.stars(), *conditions, side, degree,
-                                                 options);
+            return guarded<HeatSolver>(of, conditions.value_or(built_in_conditions(side)), side,
+                                       degree, options);
         }))
         .def("step", [](Heat& self, const std::string& side, int degree, const Numbers& values,
                         Index steps) {
@@ -130,7 +126,7 @@ IntegratorOptions steps_of(const GivenSteps& given) {
 void add_evolution(py::module_& module) {
     using Run = Guarded<Evolution>;
     py::class_<Run>(module, "Evolution")
-        .def(py::init([](const Calculus& of, const std::vector<GivenUnknown>& unknowns,
+        .def(py::init([](const Cells& of, const std::vector<GivenUnknown>& unknowns,
                          const py::object& reaction, const py::object& event, double time,
                          const std::string& integrator, const GivenSteps& steps,
                          const std::string& linear_solver) {
@@ -142,8 +138,7 @@ void add_evolution(py::module_& module) {
                                            .progress = [](double) { check_signals(); }};
             const auto given = unknowns_of(unknowns);
             const auto rate = reaction_of(reaction);
-            return of.mesh ? guarded<Evolution>(*of.mesh, given, rate, options)
-                           : guarded<Evolution>(of.complex, of.stars(), given, rate, options);
+            return guarded<Evolution>(of, given, rate, options);
         }))
         .def("march",
              [](Run& self, double until) {
@@ -180,23 +175,14 @@ AbsorbingLayer layer_of(const GivenLayer& given) {
             sides, reflection, power};
 }
 
-const Discretization& whole_mesh(const Calculus& of) {
-    if (!of.mesh)
-        throw InvalidInput("conditions or a layer are given for cells alone: expected the Complex "
-                           "that discretize makes of a mesh");
-    return *of.mesh;
-}
-
-std::unique_ptr<Guarded<Leapfrog>> waves_of(const Calculus& of, const std::string& given_side,
-                                            int k, const GivenConditions& conditions,
-                                            double time_step, const Numbers& loss,
-                                            const Numbers& upper_loss, const GivenLayer& layer) {
+/// A mesh knows where a layer is.
+template <class On>
+auto waves_of(const On& of, const std::string& given_side, int k, const GivenConditions& conditions,
+              double time_step, const Numbers& loss, const Numbers& upper_loss,
+              const GivenLayer& layer) {
     const Side side = side_of(given_side);
     const LeapfrogOptions options{time_step, vector(loss), vector(upper_loss), layer_of(layer)};
-    if (!conditions && options.layer.width == 0 && !of.mesh)
-        return guarded<Leapfrog>(of.complex, of.stars(), side, k, options);
-    return guarded<Leapfrog>(whole_mesh(of), conditions.value_or(built_in_conditions(side)), side,
-                             k, options);
+    return guarded<Leapfrog>(of, conditions.value_or(built_in_conditions(side)), side, k, options);
 }
 
 /// Steps with sources, given as rates of E and of B at times.
@@ -218,7 +204,8 @@ using GivenWave = std::tuple<Numbers, Numbers, Numbers, Numbers>;
 void add_waves(py::module_& module) {
     using Waves = Guarded<Leapfrog>;
     py::class_<Waves>(module, "Leapfrog")
-        .def(py::init(&waves_of))
+        .def(py::init(&waves_of<Discretization>))
+        .def(py::init(&waves_of<Cells>))
         .def("march",
              [](Waves& self, const GivenWave& given, Index steps, double time,
                 const py::object& source, const py::object& upper_source) {
@@ -240,14 +227,11 @@ void add_waves(py::module_& module) {
                      });
              })
         .def("layer", [](const Waves& self) { return name(self.solver.layer()); });
-    module.def("stable_step", [](const Calculus& of, const std::string& given_side, int k,
+    module.def("stable_step", [](const Cells& of, const std::string& given_side, int k,
                                  const GivenConditions& conditions) {
         const Side side = side_of(given_side);
         return unlocked([&] {
-            return !conditions && !of.mesh
-                       ? stable_step(of.complex, of.stars(), side, k)
-                       : stable_step(whole_mesh(of), conditions.value_or(built_in_conditions(side)),
-                                     side, k);
+            return stable_step(of, conditions.value_or(built_in_conditions(side)), side, k);
         });
     });
 }

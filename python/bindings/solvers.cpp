@@ -19,16 +19,25 @@ py::dict both_in_words(const SolveReport& report, const Compatibility& compatibi
     return result;
 }
 
+/// A mesh knows places and materials.
+template <class On>
+auto poisson_solver(const On& of, const std::string& side, const BoundaryConditions& conditions,
+                    const CellData& conductivity, const std::string& engine) {
+    return guarded<PoissonSolver>(of,
+                                  PoissonOptions{side_of(side), conditions, engine, conductivity});
+}
+
+template <class On>
+auto darcy_solver(const On& of, const BoundaryConditions& conditions, const CellData& conductivity,
+                  const std::string& engine) {
+    return guarded<DarcySolver>(of, PoissonOptions{Side::dual, conditions, engine, conductivity});
+}
+
 void add_poisson(py::module_& module) {
     using Solver = Guarded<PoissonSolver>;
     py::class_<Solver>(module, "PoissonSolver")
-        .def(py::init([](const Calculus& of, const std::string& side,
-                         const BoundaryConditions& conditions, const CellData& conductivity,
-                         const std::string& engine) {
-            const PoissonOptions options{side_of(side), conditions, engine, conductivity};
-            return of.mesh ? guarded<PoissonSolver>(*of.mesh, options)
-                           : guarded<PoissonSolver>(of.complex, of.stars(), options);
-        }))
+        .def(py::init(&poisson_solver<Discretization>))
+        .def(py::init(&poisson_solver<Cells>))
         .def_property_readonly(
             "sites", [](const Solver& self) { return array(Points(self.solver.sites())); })
         .def_property_readonly(
@@ -52,12 +61,8 @@ void add_poisson(py::module_& module) {
 void add_darcy(py::module_& module) {
     using Solver = Guarded<DarcySolver>;
     py::class_<Solver>(module, "DarcySolver")
-        .def(py::init([](const Calculus& of, const BoundaryConditions& conditions,
-                         const CellData& conductivity, const std::string& engine) {
-            const PoissonOptions options{Side::dual, conditions, engine, conductivity};
-            return of.mesh ? guarded<DarcySolver>(*of.mesh, options)
-                           : guarded<DarcySolver>(of.complex, of.stars(), options);
-        }))
+        .def(py::init(&darcy_solver<Discretization>))
+        .def(py::init(&darcy_solver<Cells>))
         .def_property_readonly(
             "sites", [](const Solver& self) { return array(Points(self.solver.sites())); })
         .def_property_readonly(
@@ -79,8 +84,8 @@ void add_hodge(py::module_& module) {
     using Solver = Guarded<HodgeSolver>;
     py::class_<Solver>(module, "HodgeSolver")
         .def(py::init(
-            [](const Calculus& of, const std::string& side, int degree, const std::string& engine) {
-                return guarded<HodgeSolver>(of.complex, of.stars(), side_of(side), degree, engine);
+            [](const Cells& of, const std::string& side, int degree, const std::string& engine) {
+                return guarded<HodgeSolver>(of, side_of(side), degree, engine);
             }))
         .def("decompose",
              [](Solver& self, const std::string& side, int degree, const Numbers& values) {

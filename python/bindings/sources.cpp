@@ -14,14 +14,13 @@ struct FormSolver {
     HodgeLaplaceSolver solver;
 };
 
-std::unique_ptr<Guarded<FormSolver>> form_solver(const Calculus& of, const std::string& side,
+std::unique_ptr<Guarded<FormSolver>> form_solver(const Cells& of, const std::string& side,
                                                  int degree, const BoundaryConditions& conditions,
                                                  const std::string& engine) {
     const HodgeLaplaceOptions options{side_of(side), degree, conditions, engine};
     return unlocked([&] {
         return std::make_unique<Guarded<FormSolver>>(
-            FormSolver{of.complex, of.mesh ? HodgeLaplaceSolver(*of.mesh, options)
-                                           : HodgeLaplaceSolver(of.complex, of.stars(), options)});
+            FormSolver{of.complex(), HodgeLaplaceSolver(of, options)});
     });
 }
 

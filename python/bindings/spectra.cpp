@@ -36,7 +36,7 @@ Certification certification_of(bool certified) {
 }
 
 /// Under conditions, if marks are given, modes have values on all cells, 0 where these fix them.
-py::dict spectrum_of(const Calculus& of, const std::string& side, int degree, Index count,
+py::dict spectrum_of(const Cells& of, const std::string& side, int degree, Index count,
                      const GivenConditions& conditions, bool coexact, bool certified,
                      const std::string& linear_solver, const std::string& eigen_solver,
                      const py::object& progress) {
@@ -44,17 +44,13 @@ py::dict spectrum_of(const Calculus& of, const std::string& side, int degree, In
                                   linear_solver,     eigen_solver, certification_of(certified),
                                   listener(progress)};
     Spectrum found = unlocked([&] {
-        if (!conditions)
-            return coexact   ? coexact_spectrum(of.complex, of.stars(), options)
-                   : of.mesh ? spectrum(*of.mesh, options)
-                             : spectrum(of.complex, of.stars(), options);
+        const auto given = conditions.value_or(built_in_conditions(options.side));
         if (!coexact)
-            return of.mesh ? spectrum(*of.mesh, *conditions, options)
-                           : spectrum(of.complex, of.stars(), *conditions, options);
-        const auto space = conditioned(of, options.side, degree, *conditions);
-        Spectrum on_space = coexact_spectrum(space.relative.complex, space.stars, options);
+            return spectrum(of, given, options);
+        const auto space = conditioned_complex(of, options.side, degree, given);
+        Spectrum on_space = coexact_spectrum(space.cells(), options);
         on_space.modes =
-            space.relative.extend(cell_degree(of.complex, options.side, degree), on_space.modes);
+            space.relative.extend(cell_degree(of.complex(), options.side, degree), on_space.modes);
         return on_space;
     });
     warn(found.warnings);

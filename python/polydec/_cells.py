@@ -27,8 +27,8 @@ class Cells:
     ``scipy.sparse.csr_matrix``. Arrays that are stored are handed out as views of them, read-only.
     """
 
-    def __init__(self, calculus: _core.Calculus) -> None:
-        self._calculus = calculus
+    def __init__(self, cells: _core.Cells) -> None:
+        self._cells = cells
 
     @classmethod
     def of(cls, incidences: Sequence[Any], volumes: Sequence[npt.ArrayLike],
@@ -59,7 +59,7 @@ class Cells:
                 raise InvalidInput(f"d_{k} has entries other than small whole numbers")
             return data, columns, begins, width
 
-        return cls(_core.Calculus(
+        return cls(_core.Cells(
             [parts(k, d) for k, d in enumerate(incidences)],
             [floats(v, f"volumes of degree {k}") for k, v in enumerate(volumes)],
             [floats(v, f"dual volumes of degree {k}") for k, v in enumerate(dual_volumes)]))
@@ -67,16 +67,16 @@ class Cells:
     @property
     def dim(self) -> int:
         """Dimension n."""
-        return self._calculus.dimension
+        return self._cells.dimension
 
     @property
     def shape(self) -> tuple[int, ...]:
         """Numbers of cells of degrees 0 to n."""
-        return tuple(self._calculus.size(k) for k in range(self.dim + 1))
+        return tuple(self._cells.size(k) for k in range(self.dim + 1))
 
     def size(self, k: int, side: str = "primal") -> int:
         """Number of values of a k-form of that side; 0 if there is no such degree."""
-        return self._calculus.size(k if side == "primal" else self.dim - k)
+        return self._cells.size(k if side == "primal" else self.dim - k)
 
     def __len__(self) -> int:
         return self.dim + 1
@@ -93,7 +93,7 @@ class Cells:
 
         Products of such matrices overflow beyond 127; to calculate take `d`.
         """
-        return self._calculus.incidence(k)
+        return self._cells.incidence(k)
 
     def d(self, k: int, side: str = "primal") -> Any:
         """Exterior derivative of k-forms, size(k+1) x size(k); of dual ones ``(-1)**i d_(i-1)^T``
@@ -104,15 +104,15 @@ class Cells:
         >>> square.d(0).shape, square.d(1).toarray()
         ((4, 4), array([[-1.,  1., -1.,  1.]]))
         """
-        return self._calculus.d(side, k)
+        return self._cells.d(side, k)
 
     def boundary(self, k: int, side: str = "primal") -> Any:
         """Boundary of k-chains, size(k-1) x size(k): the transpose of ``d(k-1, side)``."""
-        return self._calculus.boundary(side, k)
+        return self._cells.boundary(side, k)
 
     def coface_counts(self, k: int) -> Integers:
         """Number of (k+1)-cells around each k-cell: 1 at facets of the boundary."""
-        return self._calculus.coface_counts(k)
+        return self._cells.coface_counts(k)
 
     def boundary_facets(self) -> npt.NDArray[np.bool_]:
         """Marks the (n-1)-cells on the boundary."""
@@ -120,21 +120,21 @@ class Cells:
 
     def betti_numbers(self) -> list[int]:
         """Betti numbers b_0 .. b_n."""
-        return self._calculus.betti_numbers()
+        return self._cells.betti_numbers()
 
     def homology_generators(self, k: int) -> Any:
         """A basis of the k-th homology: b_k columns of integers, each a cycle."""
-        return self._calculus.homology_generators(k)
+        return self._cells.homology_generators(k)
 
     # ---- metric
 
     def volumes(self, k: int) -> Floats:
         """k-volumes of the k-cells, 1 for vertices: a view of what is stored."""
-        return self._calculus.volumes(k)
+        return self._cells.volumes(k)
 
     def dual_volumes(self, k: int) -> Floats:
         """Signed (n-k)-volumes of the duals of the k-cells: a view of what is stored."""
-        return self._calculus.dual_volumes(k)
+        return self._cells.dual_volumes(k)
 
     def star(self, k: int) -> Any:
         """Hodge star of primal k-forms: its diagonal, or a matrix where it is none.
@@ -142,7 +142,7 @@ class Cells:
         Diagonal stars are dual over primal volumes, ``dual_volumes(k) / volumes(k)``. Those of
         kind galerkin and hybrid are sparse matrices.
         """
-        return self._calculus.star(k)
+        return self._cells.star(k)
 
     def inverse_star(self, k: int) -> Any:
         """Its inverse, from dual (n-k)-forms to primal k-forms.
@@ -155,18 +155,18 @@ class Cells:
         InvalidInput
             If the star of a cell is zero; ``degree`` and ``cells`` say of which.
         """
-        if self._calculus.is_diagonal(k):
-            return self._calculus.inverse_star(k)
-        return _Operator(self._calculus.size(k), self._calculus.size(k),
-                         lambda x: self._calculus.solve_star(k, x))
+        if self._cells.is_diagonal(k):
+            return self._cells.inverse_star(k)
+        return _Operator(self._cells.size(k), self._cells.size(k),
+                         lambda x: self._cells.solve_star(k, x))
 
     def zeros(self, k: int) -> Integers:
         """The k-cells whose star counts as zero."""
-        return self._calculus.zeros(k)
+        return self._cells.zeros(k)
 
     def negatives(self, k: int) -> Integers:
         """The k-cells whose star is negative."""
-        return self._calculus.negatives(k)
+        return self._cells.negatives(k)
 
     def codifferential(self, k: int, side: str = "primal") -> Any:
         """Codifferential of k-forms, to (k-1)-forms: the adjoint of d in the inner products.
@@ -175,7 +175,7 @@ class Cells:
         """
         if self._inverts(side, k, laplacian=False):
             return self._applied("codifferential", side, k, k - 1)
-        return self._calculus.codifferential(side, k)
+        return self._cells.codifferential(side, k)
 
     def laplacian(self, k: int, side: str = "primal") -> Any:
         """Laplace-de Rham operator on k-forms, d delta + delta d.
@@ -189,15 +189,15 @@ class Cells:
         """
         if self._inverts(side, k, laplacian=True):
             return self._applied("laplacian", side, k, k)
-        return self._calculus.laplacian(side, k)
+        return self._cells.laplacian(side, k)
 
     def stiffness(self, k: int) -> Any:
         """The symmetric ``star(k) * laplacian(k)`` of primal k-forms, a sparse matrix."""
-        return self._calculus.stiffness(k)
+        return self._cells.stiffness(k)
 
     def dual_boundary_derivative(self, j: int) -> Any:
         """What values on the boundary add to the derivative of a dual j-form."""
-        return self._calculus.dual_boundary_derivative(j)
+        return self._cells.dual_boundary_derivative(j)
 
     def inner_product(self, a: Form, b: Form, k: int | None = None,
                       side: str = "primal") -> float:
@@ -210,17 +210,17 @@ class Cells:
         if (a_side, a_degree) != (b_side, b_degree):
             raise InvalidInput(f"the inner product of a {a_side} {a_degree}-form and a {b_side} "
                                f"{b_degree}-form is asked for: expected forms of one kind")
-        return self._calculus.inner_product(a_side, a_degree, a_values, b_values)
+        return self._cells.inner_product(a_side, a_degree, a_values, b_values)
 
     def norm(self, form: Form, k: int | None = None, side: str = "primal") -> float:
         """Square root of the inner product of a form with itself."""
-        return self._calculus.norm(*as_form(self, form, k, side))
+        return self._cells.norm(*as_form(self, form, k, side))
 
     # ---- other stars, other cells
 
     def with_star(self, k: int, star: Any) -> Cells:
         """The same cells with a symmetric positive definite sparse matrix as the star of k-forms."""
-        return Cells(self._calculus.with_star(k, matrix_parts(star, f"the star of degree {k}")))
+        return Cells(self._cells.with_star(k, matrix_parts(star, f"the star of degree {k}")))
 
     def conditioned(self, essential: Any = True, *, degree: int = 0,
                     side: str = "primal") -> ConditionedCells:
@@ -244,8 +244,8 @@ class Cells:
         """
         marked = marks(essential, np.zeros((0, 0)), self.size(self.dim - 1))
         conditions = _core.Conditions(marked, np.zeros(0), [])
-        calculus, cells = self._calculus.conditioned(side, degree, conditions)
-        return ConditionedCells(calculus, cells, self.shape)
+        inside, numbers = self._cells.conditioned(side, degree, conditions)
+        return ConditionedCells(inside, numbers, self.shape)
 
     def _inverts(self, side: str, k: int, laplacian: bool) -> bool:
         """Whether the matrix is dense, since the inverse of a star that is a matrix is in it."""
@@ -255,11 +255,11 @@ class Cells:
         inverted = [cells - 1] if side == "primal" else [cells]
         if laplacian:
             inverted = [cells - 1, cells]
-        return any(0 <= i <= self.dim and not self._calculus.is_diagonal(i) for i in inverted)
+        return any(0 <= i <= self.dim and not self._cells.is_diagonal(i) for i in inverted)
 
     def _applied(self, what: str, side: str, k: int, to: int) -> Any:
         return _Operator(self.size(to, side), self.size(k, side),
-                         lambda x: self._calculus.apply(what, side, k, x)[2])
+                         lambda x: self._cells.apply(what, side, k, x)[2])
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(map(str, self.shape))} cells)"
@@ -274,9 +274,9 @@ class ConditionedCells(Cells):
         Of each degree the numbers that these cells have in the whole.
     """
 
-    def __init__(self, calculus: _core.Calculus, cells: list[Integers],
+    def __init__(self, inside: _core.Cells, cells: list[Integers],
                  whole: tuple[int, ...]) -> None:
-        super().__init__(calculus)
+        super().__init__(inside)
         self.cells = cells
         self._whole = whole
 

@@ -60,7 +60,7 @@ class Cochain:
         return self._complex
 
     def _made(self, what: str) -> Cochain:
-        side, degree, values = self.complex._calculus.apply(what, self.side, self.degree,
+        side, degree, values = self.complex._cells.apply(what, self.side, self.degree,
                                                             self.values)
         return Cochain(values, degree, side, self.complex if len(values) else None)
 

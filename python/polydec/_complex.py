@@ -47,7 +47,7 @@ class Complex(Cells):
 
     def __init__(self, mesh: _core.Discretization, given: Mesh | LengthMesh | None,
                  options: dict[str, Any]) -> None:
-        super().__init__(mesh.calculus)
+        super().__init__(mesh)
         self._mesh = mesh
         self._given = given
         self._options = options
@@ -75,12 +75,12 @@ class Complex(Cells):
 
     @property
     def input(self) -> Cells:
-        return Cells(self._mesh.input_calculus)
+        return Cells(self._mesh.input_cells)
 
     @property
     def pieces(self) -> Cells:
         """What was merged: the simplices that were given, or the triangles after flips."""
-        return Cells(self._mesh.pieces_calculus)
+        return Cells(self._mesh.pieces_cells)
 
     @property
     def merging(self) -> Merging:
@@ -189,11 +189,11 @@ class Complex(Cells):
     def with_star(self, k: int, star: Any) -> Complex:
         """The same with a symmetric positive definite sparse matrix as the star of k-forms."""
         parts = matrix_parts(star, f"the star of degree {k}")
-        return Complex(self._mesh.with_star_matrix(k, parts), None, self._options)
+        return Complex(self._mesh.with_star(k, parts), None, self._options)
 
     def with_stars(self, kind: str) -> Complex:
         """The same with stars of another kind, as the option ``star`` of `discretize`."""
-        return Complex(self._mesh.with_star(kind), self._given, {**self._options, "star": kind})
+        return Complex(self._mesh.with_stars(kind), self._given, {**self._options, "star": kind})
 
     def with_material(self, k: int, weights: CellNumbers) -> Complex:
         """The same with the star of k-forms weighted by positive numbers of cells: signed shares of

@@ -87,7 +87,7 @@ def conditions_of(cells: Cells, essential: Any, robin: Any = None,
     marked = facet_marks(cells, essential)
     made = _core.Conditions(marked, facet_coefficients(cells, robin), vertex_marks(cells, fixed))
     if len(marked) > 1:
-        _core.require_essential(cells._calculus, made, "essential")
+        _core.require_essential(cells._cells, made, "essential")
     return made
 
 

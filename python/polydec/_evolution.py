@@ -54,7 +54,7 @@ class HeatSolver:
         self._complex = complex = as_cells(complex, in_units=True)
         conditions = conditions_or_none(complex, essential, robin, fixed)
         self._kind = side, degree
-        self._solver = _core.HeatSolver(complex._calculus, conditions, side, degree, time_step,
+        self._solver = _core.HeatSolver(complex._cells, conditions, side, degree, time_step,
                                         scheme, engine)
 
     def step(self, u: Form, steps: int = 1) -> Floats:
@@ -177,7 +177,7 @@ class Evolution:
                   _at_boundary(each, complex, form[0], form[1]))
                  for form, nu, each in zip(unknowns, coefficients, _each(boundary, len(unknowns)))]
         self._run = _core.Evolution(
-            complex._calculus, given, self._rates(reaction), self._number(event), time,
+            complex._cells, given, self._rates(reaction), self._number(event), time,
             integrator, (relative_tolerance, absolute_tolerance, first_step, largest_step, fixed_step,
              most_steps), engine)
 

@@ -59,7 +59,7 @@ class PoissonSolver:
                  robin: Values | None = None, fixed: Any = None,
                  conductivity: CellNumbers | None = None, engine: str = "auto") -> None:
         complex = as_cells(complex, in_units=True)
-        self._solver = _core.PoissonSolver(complex._calculus, side,
+        self._solver = _core.PoissonSolver(complex._cells, side,
                                            conditions_of(complex, essential, robin, fixed),
                                            cell_data(complex, conductivity, "conductivities"), engine)
         self._complex = complex
@@ -151,7 +151,7 @@ class DarcySolver:
     def __init__(self, complex: CellsLike, *, essential: Any = True,
                  conductivity: CellNumbers | None = None, engine: str = "auto") -> None:
         self._complex = complex = as_cells(complex)
-        self._solver = _core.DarcySolver(complex._calculus, conditions_of(complex, essential),
+        self._solver = _core.DarcySolver(complex._cells, conditions_of(complex, essential),
                                          cell_data(complex, conductivity, "conductivities"), engine)
         self.sites = self._solver.sites
         self.facet_sites = self._solver.facet_sites
@@ -214,7 +214,7 @@ class HodgeSolver:
                  engine: str = "auto") -> None:
         self._complex = complex = as_cells(complex)
         self._kind = side, degree
-        self._solver = _core.HodgeSolver(complex._calculus, side, degree, engine)
+        self._solver = _core.HodgeSolver(complex._cells, side, degree, engine)
 
     def decompose(self, form: Form) -> HodgeParts:
         """The parts of a form."""

@@ -122,7 +122,7 @@ class HodgeLaplaceSolver:
         self._complex = complex = as_cells(complex)
         self._kind = side, degree
         self._solver = _core.HodgeLaplaceSolver(
-            complex._calculus, side, degree, conditions_of(complex, essential, robin), engine)
+            complex._cells, side, degree, conditions_of(complex, essential, robin), engine)
 
     def solve(self, f: Form, *, values: npt.ArrayLike | None = None,
               codifferential: npt.ArrayLike | None = None, flow: npt.ArrayLike | None = None,
@@ -241,7 +241,7 @@ class StokesSolver:
     def __init__(self, complex: CellsLike, *, viscosity: float = 1.0, no_slip: Any = True,
                  open: Any = False, engine: str = "auto") -> None:
         self._complex = complex = as_cells(complex)
-        self._solver = _core.StokesSolver(complex._calculus, viscosity,
+        self._solver = _core.StokesSolver(complex._cells, viscosity,
                                           facet_marks(complex, no_slip),
                                           facet_marks(complex, open), engine)
 

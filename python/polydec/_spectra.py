@@ -131,7 +131,7 @@ def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str 
     """
     complex = as_cells(complex, in_units=True)
     conditions = conditions_or_none(complex, essential, robin, fixed)
-    parts = _core.spectrum(complex._calculus, side, degree, count, conditions, coexact, certified,
+    parts = _core.spectrum(complex._cells, side, degree, count, conditions, coexact, certified,
                            linear_solver, eigen_solver, progress)
     return Spectrum(**_eigenpairs(parts), side=side, degree=degree)
 

@@ -113,7 +113,7 @@ class Leapfrog:
         self._E, self._B = (side, k), (side, k + 1)
         given = layer if isinstance(layer, AbsorbingLayer) else AbsorbingLayer(layer or 0.0)
         self._waves = _core.Leapfrog(
-            complex._calculus, side, k, conditions_or_none(complex, essential),
+            complex._cells, side, k, conditions_or_none(complex, essential),
             time_step, self._losses(loss, *self._E), self._losses(upper_loss, *self._B),
             (given.width, given.kind, [(bool(a), bool(b)) for a, b in given.sides],
              given.reflection, given.power))
@@ -187,7 +187,7 @@ def stable_step(complex: CellsLike, k: int, *, side: str = "primal",
     0.1
     """
     complex = as_cells(complex, in_units=True)
-    return _core.stable_step(complex._calculus, side, k, conditions_or_none(complex, essential))
+    return _core.stable_step(complex._cells, side, k, conditions_or_none(complex, essential))
 
 
 def wave(complex: CellsLike, E: npt.ArrayLike, time: float, B: npt.ArrayLike | None = None, *,

@@ -70,13 +70,13 @@ def test_results_own_their_memory(square, make):
 
 
 def test_references_are_counted(square):
-    calculus = square._calculus
-    before = sys.getrefcount(calculus)
+    cells = square._cells
+    before = sys.getrefcount(cells)
     held = [square.volumes(1) for _ in range(10)]
-    assert sys.getrefcount(calculus) == before + 10
+    assert sys.getrefcount(cells) == before + 10
     del held
     gc.collect()
-    assert sys.getrefcount(calculus) == before
+    assert sys.getrefcount(cells) == before
 
 
 def test_what_scipy_does_on_views(square):

@@ -28,7 +28,7 @@ void check_cells(const Discretization& mesh) {
         throw InvalidInput(fmt::format("a flow in dimension {} is asked for: expected 2 at least, "
                                        "with less there is no vorticity",
                                        n));
-    check_two_sided(mesh.complex(), facet_duals(mesh.complex(), mesh.stars()));
+    check_two_sided(mesh);
     if (const auto& both = mesh.complex().canceled(n - 1); !both.empty())
         throw InvalidInput(fmt::format("{}-cell {} lies on both sides of facet {}: divide it for "
                                        "flows",

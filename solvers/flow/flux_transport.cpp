@@ -10,22 +10,18 @@
 
 namespace polydec {
 
-FluxTransport::FluxTransport(const CellComplex& complex, const CellVolumes& volumes,
-                             Sampling sampling)
-    : complex_(complex),
-      volumes_((check_fit(complex, volumes), volumes.primal(complex.dimension()))),
+FluxTransport::FluxTransport(const Cells& cells, Sampling sampling)
+    : complex_(cells.complex()),
+      volumes_(in_input_units(cells.volumes().primal(cells.dimension()), cells.unit(),
+                              cells.dimension(), "volumes of cells")),
       sampling_(sampling),
-      sides_(static_cast<std::size_t>(complex.size(complex.dimension() - 1)), Sides{-1, -1}) {
-    check_two_sided(complex, facet_duals(complex, volumes));
+      sides_(static_cast<std::size_t>(complex_.size(cells.dimension() - 1)), Sides{-1, -1}) {
+    check_two_sided(cells);
+    const CellComplex& complex = complex_;
     const int n = complex.dimension();
     for (Index cell = 0; cell < complex.size(n); ++cell)
         for (const auto& [f, sign] : complex.incidences(n - 1)[cell])
             (sign > 0 ? sides_[f].back : sides_[f].front) = cell;
-}
-
-FluxTransport::FluxTransport(const Discretization& mesh, Sampling sampling)
-    : FluxTransport(mesh.complex(), mesh.volumes(), sampling) {
-    volumes_ = in_input_units(volumes_, mesh.unit(), mesh.dimension(), "volumes of cells");
 }
 
 Vector FluxTransport::mass_flux(const Vector& flux, const Vector& density,

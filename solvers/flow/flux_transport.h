@@ -19,10 +19,7 @@ namespace polydec {
 class FluxTransport {
 public:
     /// Throws InvalidInput, naming a facet, if cells branch or are not oriented alike.
-    FluxTransport(const CellComplex& complex, const CellVolumes& volumes,
-                  Sampling sampling = Sampling::upwind);
-    /// In the units of the input.
-    FluxTransport(const Discretization& mesh, Sampling sampling = Sampling::upwind);
+    explicit FluxTransport(const Cells& cells, Sampling sampling = Sampling::upwind);
 
     /// Mass through each facet, as it is oriented: size(n-1). outside has a density for each facet,
     /// of which those count where the flux goes in through the boundary; empty: 0. They all throw

@@ -205,12 +205,8 @@ struct StokesSolver::System {
     }
 };
 
-StokesSolver::StokesSolver(const Discretization& mesh, const StokesOptions& options)
-    : system_(std::make_unique<System>(mesh.complex(), mesh.stars(), options, mesh.unit())) {}
-
-StokesSolver::StokesSolver(const CellComplex& complex, const HodgeStars& stars,
-                           const StokesOptions& options)
-    : system_(std::make_unique<System>(complex, stars, options, 1.0)) {}
+StokesSolver::StokesSolver(const Cells& cells, const StokesOptions& options)
+    : system_(std::make_unique<System>(cells.complex(), cells.stars(), options, cells.unit())) {}
 
 StokesSolver::StokesSolver(StokesSolver&&) noexcept = default;
 StokesSolver::~StokesSolver() = default;

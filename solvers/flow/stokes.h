@@ -53,9 +53,7 @@ public:
     /// numbers of conditions than facets; naming the cells, where star_(n-2), or star_(n-1) at
     /// facets inside, is not positive, or that at open facets negative; and where nothing holds a
     /// flow back: around a hole, or between open facets, if no wall of a component is without slip.
-    StokesSolver(const Discretization& mesh, const StokesOptions& options = {});
-    StokesSolver(const CellComplex& complex, const HodgeStars& stars,
-                 const StokesOptions& options = {});
+    explicit StokesSolver(const Cells& cells, const StokesOptions& options = {});
 
     StokesSolver(StokesSolver&&) noexcept;
     ~StokesSolver();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/boundary_conditions.h"
 
-#include "dec/boundary_star.h"
 #include "dec/conditioned_complex.h"
 #include "dec/discretization.h"
 #include "dec/fields/cell_centers.h"
@@ -215,17 +214,14 @@ TEST(BoundaryStars, beside_matrices_integrate_products_of_linear_functions) {
                             (std::pow(values.sum(), 2) + values.squaredNorm()) / (n * (n + 1));
             }
         const Vector ones = Vector::Ones(mesh.complex().size(n - 1));
-        EXPECT_NEAR(u.dot(boundary_star(mesh, 0, ones) * u) / expected, 1, 1e-12) << name;
+        EXPECT_NEAR(u.dot(mesh.boundary_star(0, ones) * u) / expected, 1, 1e-12) << name;
     }
 }
 
 TEST(BranchingCells, have_no_dual_functions) {
     const auto mesh = circumcentric(mesh_named("branching"));
     const auto ask = [&](Side side, int degree) {
-        return refusal([&] {
-            conditioned_complex(mesh.complex(), mesh.stars(), side, degree,
-                                built_in_conditions(side));
-        });
+        return refusal([&] { conditioned_complex(mesh, side, degree, built_in_conditions(side)); });
     };
     EXPECT_TRUE(says(ask(Side::dual, 0), {"3 cells", "facet", "primal 0-forms"}));
     EXPECT_EQ(ask(Side::primal, 0), "accepted");

@@ -86,7 +86,7 @@ TEST_P(CentersOf, mass_give_laplacians_of_every_degree_on_the_mesh_as_it_is) {
     const auto whole = discretize(mesh_named(GetParam()), {.centers = Centers::centroids()});
     EXPECT_EQ(whole.complex().size(whole.dimension()), whole.input().size(whole.dimension()));
     for (int k = 0; k <= whole.dimension(); ++k) {
-        const SparseMatrix L = symmetric_laplacian(whole.complex(), whole.volumes(), k);
+        const SparseMatrix L = symmetric_laplacian({whole.complex(), whole.volumes()}, k);
         EXPECT_EQ(L.rows(), whole.complex().size(k));
         const Vector x = random_vector(whole.complex().size(k), 4);
         EXPECT_GE(x.dot(L * x), 0) << "degree " << k;

@@ -4,7 +4,6 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/laplacian.h"
 #include "dec/metric/circumcentric_volumes.h"
-#include "dec/operators.h"
 #include "meshes/generate.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/dense_laplacian.h"
@@ -118,7 +117,7 @@ TEST_P(StarsOf, surfaces_have_one_laplacian_of_functions) {
     for (const auto& mesh : both()) {
         if (mesh.dimension() != 2)
             continue;
-        const SparseMatrix d = derivative(mesh, 0), d_transposed = d.transpose();
+        const SparseMatrix d = derivative(mesh.complex(), 0), d_transposed = d.transpose();
         const SparseMatrix expected = d_transposed * mesh.stars()[1].matrix() * d;
         for (const StarKind kind : consistent) {
             const SparseMatrix A = d_transposed * mesh.with_stars(kind).stars()[1].matrix() * d;
@@ -144,7 +143,7 @@ double flux_defect(const Discretization& mesh, const HodgeStars& stars, const Po
         mesh.merging().diamond(1).cast<double>().cwiseAbs() *
         DenseMatrix(combinations(mesh.pieces(), 1, Points::Constant(mesh.pieces().size(1), 2, 0.5),
                                  mesh.points()));
-    const SparseMatrix cofaces = SparseMatrix(derivative(mesh, 1).transpose());
+    const SparseMatrix cofaces = SparseMatrix(derivative(mesh.complex(), 1).transpose());
     const Vector of_orientation = cofaces * Vector::Ones(cofaces.cols());
     Vector differences = cofaces * p;
     for (Index e = 0; e < differences.size(); ++e)
@@ -192,17 +191,17 @@ TEST_P(StarsOf, codifferentials_are_adjoint_and_laplacians_are_those_of_the_mass
         const auto stars = mesh.with_stars(StarKind::galerkin).stars();
         for (int k = 0; k <= mesh.dimension(); ++k) {
             const Vector a = random_vector(mesh.complex().size(k), 3);
-            const Operator A = symmetric_laplacian(mesh.complex(), stars, k);
+            const Operator A = symmetric_laplacian({mesh.complex(), stars}, k);
             const Vector expected = dense_laplacian_of(mesh.complex(), stars, k, a);
             EXPECT_LE(relative_difference(A * a, expected), 1e-8) << "k = " << k;
-            EXPECT_LE(
-                relative_difference(stars[k] * (laplacian(mesh.complex(), stars, k) * a), expected),
-                1e-8)
+            EXPECT_LE(relative_difference(stars[k] * (laplacian({mesh.complex(), stars}, k) * a),
+                                          expected),
+                      1e-8)
                 << "k = " << k;
             if (k > 0) {
                 const Vector b = random_vector(mesh.complex().size(k - 1), 4);
-                const double there = a.dot(stars[k] * (derivative(mesh, k - 1) * b));
-                const Vector delta = codifferential(mesh.complex(), stars, k) * a;
+                const double there = a.dot(stars[k] * (derivative(mesh.complex(), k - 1) * b));
+                const Vector delta = codifferential({mesh.complex(), stars}, k) * a;
                 EXPECT_NEAR(b.dot(stars[k - 1] * delta), there,
                             1e-9 * std::sqrt(a.dot(stars[k] * a) * b.dot(stars[k - 1] * b)) /
                                 mesh.volumes().primal(1).minCoeff());

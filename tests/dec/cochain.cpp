@@ -66,11 +66,11 @@ TEST_P(Cochains, star_star_is_the_sign_of_the_degree) {
                 if (!star(m.volumes, cells).zeros().empty())
                     continue;
                 const auto w = random<Cochain>(m.complex, side, k, 4);
-                const auto there = star(m.complex, m.volumes, w);
+                const auto there = star({m.complex, m.volumes}, w);
                 EXPECT_NE(there.side, side);
                 EXPECT_EQ(there.degree, n - k);
                 const double sign = k * (n - k) % 2 == 0 ? 1 : -1;
-                const auto back = star(m.complex, m.volumes, there);
+                const auto back = star({m.complex, m.volumes}, there);
                 EXPECT_LE(relative_difference(back.values, sign * w.values), rounding);
                 EXPECT_GT(relative_difference(back.values, -sign * w.values), 1);
             }
@@ -87,9 +87,9 @@ TEST_P(Cochains, d_and_codifferential_are_adjoint) {
                     continue;
                 const auto a = random<Cochain>(m.complex, side, k, 5);
                 const auto b = random<Cochain>(m.complex, side, k + 1, 6);
-                const auto db = codifferential(m.complex, m.volumes, b);
-                const double left = inner_product(m.complex, m.volumes, d(m.complex, a), b);
-                const double right = inner_product(m.complex, m.volumes, a, db);
+                const auto db = codifferential({m.complex, m.volumes}, b);
+                const double left = inner_product({m.complex, m.volumes}, d(m.complex, a), b);
+                const double right = inner_product({m.complex, m.volumes}, a, db);
                 const Vector mass = side == Side::primal ? star(m.volumes, upper).diagonal()
                                                          : star(m.volumes, upper).inverse();
                 const double size =
@@ -114,10 +114,10 @@ TEST_P(Cochains, laplacian_is_d_codifferential_plus_codifferential_d) {
                 const auto w = random<Cochain>(m.complex, side, k, 7);
                 Cochain sum{side, k, Vector::Zero(w.values.size())};
                 if (k > 0)
-                    sum = sum + d(m.complex, codifferential(m.complex, m.volumes, w));
+                    sum = sum + d(m.complex, codifferential({m.complex, m.volumes}, w));
                 if (k < n)
-                    sum = sum + codifferential(m.complex, m.volumes, d(m.complex, w));
-                const auto L = laplacian(m.complex, m.volumes, w);
+                    sum = sum + codifferential({m.complex, m.volumes}, d(m.complex, w));
+                const auto L = laplacian({m.complex, m.volumes}, w);
                 EXPECT_LE((L - sum).values.norm(), rounding * (sum.values.norm() + 1e-300));
             }
     }
@@ -129,8 +129,8 @@ TEST_P(Cochains, the_star_is_an_isometry_where_duals_are_positive) {
             if (!star(m.volumes, k).zeros().empty() || !star(m.volumes, k).negatives().empty())
                 continue;
             const auto w = random<Cochain>(m.complex, Side::primal, k, 8);
-            const double length = norm(m.complex, m.volumes, w);
-            EXPECT_NEAR(norm(m.complex, m.volumes, star(m.complex, m.volumes, w)), length,
+            const double length = norm({m.complex, m.volumes}, w);
+            EXPECT_NEAR(norm({m.complex, m.volumes}, star({m.complex, m.volumes}, w)), length,
                         rounding * length);
         }
 }
@@ -171,7 +171,7 @@ TEST(CochainErrors, name_side_degree_and_sizes) {
                      }),
                      {"dual 0-form", "25 values", "16 2-cells"}));
     EXPECT_TRUE(says(refusal([&] {
-                         star(P, m.volumes, Cochain{Side::dual, 3, {}});
+                         star({P, m.volumes}, Cochain{Side::dual, 3, {}});
                      }),
                      {"dual forms", "degree 3", "dimension 2", "0", "2"}));
     EXPECT_TRUE(
@@ -188,7 +188,7 @@ TEST(CochainErrors, name_side_degree_and_sizes) {
     EXPECT_TRUE(says(refusal([&] {
                          Vector spike = Vector::Zero(bad.P().size(0));
                          spike[star(bad.volumes, 0).negatives().front()] = 1;
-                         norm(bad.P(), bad.volumes, {Side::primal, 0, spike});
+                         norm({bad.P(), bad.volumes}, {Side::primal, 0, spike});
                      }),
                      {"norm", "primal 0-form", "7 values"}));
 }
@@ -209,7 +209,7 @@ TEST(CochainErrors, name_the_value_that_is_no_number) {
         EXPECT_TRUE(says(refusal([&] { pairing(zero, bad_chain); }), of_chain));
         EXPECT_TRUE(says(refusal([&] { pairing(bad, chain); }), form));
         EXPECT_TRUE(says(refusal([&] { zero + bad; }), form));
-        EXPECT_TRUE(says(refusal([&] { inner_product(m.P(), m.volumes, zero, bad); }), form));
+        EXPECT_TRUE(says(refusal([&] { inner_product({m.P(), m.volumes}, zero, bad); }), form));
         EXPECT_EQ(refusal([&] { d(m.P(), zero) + d(m.P(), zero); }), "accepted");
     }
 }

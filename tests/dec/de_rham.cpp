@@ -201,7 +201,7 @@ TEST_P(DeRham, takes_the_star_of_constant_forms_to_their_hodge_star) {
         for (int k = 0; k <= n; ++k) {
             const Vector w = random_vector(coefficients(n, k), 5 + k);
             const Cochain left =
-                star(mesh.complex(), mesh.volumes(), de_rham(mesh, k, constant_form(w), 1));
+                star({mesh.complex(), mesh.volumes()}, de_rham(mesh, k, constant_form(w), 1));
             const Vector right =
                 dual_de_rham(mesh, n - k, constant_form(smooth_star(n, k, w)), 1).values;
             EXPECT_LE(
@@ -304,7 +304,7 @@ double star_defect(const Discretization& mesh, const std::vector<Points>& center
     // the (n-1)-form of which the constant 1-form w is the star: (-1)^(n-1) times w's own star
     const Vector coefficient = (n % 2 == 0 ? -1 : 1) * smooth_star(n, 1, w);
     const Cochain form = de_rham(mesh, n - 1, constant_form(coefficient), 1);
-    return relative_difference(flux, star(mesh.complex(), mesh.volumes(), form).values);
+    return relative_difference(flux, star({mesh.complex(), mesh.volumes()}, form).values);
 }
 
 TEST(DeRhamBroken, with_barycenters_the_star_of_constant_forms_is_wrong) {

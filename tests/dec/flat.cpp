@@ -3,9 +3,9 @@
 
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
+#include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
 #include "dec/metric/dual_parts.h"
-#include "dec/operators.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"

@@ -21,7 +21,7 @@ bool positive(const CellVolumes& volumes, int k) {
 Vector eigenvalues(const Metric& m, int k) {
     const Vector root = star(m.volumes, k).diagonal().cwiseSqrt().cwiseInverse();
     const DenseMatrix A = root.asDiagonal() *
-                          DenseMatrix(symmetric_laplacian(m.complex, m.volumes, k).matrix()) *
+                          DenseMatrix(symmetric_laplacian({m.complex, m.volumes}, k).matrix()) *
                           root.asDiagonal();
     return Eigen::SelfAdjointEigenSolver<DenseMatrix>(A, Eigen::EigenvaluesOnly).eigenvalues();
 }

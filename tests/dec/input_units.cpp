@@ -9,7 +9,7 @@
 #include "dec/fields/sharp.h"
 #include "dec/fields/streamlines.h"
 #include "dec/fields/whitney_interpolation.h"
-#include "dec/operators.h"
+#include "dec/forms/laplacian.h"
 #include "tests/support/all_sizes.h"
 
 #include <gtest/gtest.h>

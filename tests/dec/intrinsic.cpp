@@ -99,7 +99,7 @@ TEST_P(Flipped, keep_topology_area_and_points) {
 
 TEST_P(Flipped, make_the_laplacian_an_m_matrix_inside) {
     const auto mesh = flipped(this->mesh(), Delaunay::flips_and_splits);
-    const SparseMatrix L = symmetric_laplacian(mesh.complex(), mesh.volumes(), 0);
+    const SparseMatrix L = symmetric_laplacian({mesh.complex(), mesh.volumes()}, 0);
     for (Index row = 0; row < L.rows(); ++row)
         for (SparseMatrix::InnerIterator entry(L, row); entry; ++entry)
             if (entry.col() != row) {

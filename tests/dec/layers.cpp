@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 #include "dec/discretization.h"
-#include "dec/facets_without_dual.h"
 #include "dec/forms/star.h"
 #include "dec/merging/facet_defects.h"
 #include "meshes/generate.h"
@@ -77,7 +76,8 @@ TEST(Layers, stay_layers_after_flips) {
 TEST(Layers, have_duals_on_their_boundary) {
     for (const int n : {2, 3}) {
         const auto mesh = discretize(layers(n, 4, 1e-5));
-        for (const bool without : boundary_facets_without_dual(mesh.complex(), mesh.volumes()))
+        for (const bool without :
+             Cells(mesh.complex(), mesh.volumes()).boundary_facets_without_dual())
             EXPECT_FALSE(without);
         EXPECT_EQ(mesh.degenerate().boundary, 0);
     }
@@ -111,14 +111,15 @@ TEST(BoundaryFacets, have_no_dual_opposite_to_a_right_angle) {
     for (const double jitter : {0.0, 1e-7}) {
         const auto mesh = discretize(made_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5 + jitter}},
                                              {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}));
-        const auto marks = boundary_facets_without_dual(mesh.complex(), mesh.volumes());
+        const auto marks = Cells(mesh.complex(), mesh.volumes()).boundary_facets_without_dual();
         for (Index f = 0; f < mesh.complex().size(1); ++f)
             EXPECT_EQ(marks[f], mesh.complex().coface_counts(1)[f] == 1 &&
                                     (jitter == 0 || mesh.volumes().dual(1)[f] < 0));
     }
     for (const Mesh& boxes : {grid(3, 3), kuhn(3, 2), kuhn(1, 4)}) {
         const auto mesh = discretize(boxes);
-        for (const bool without : boundary_facets_without_dual(mesh.complex(), mesh.volumes()))
+        for (const bool without :
+             Cells(mesh.complex(), mesh.volumes()).boundary_facets_without_dual())
             EXPECT_FALSE(without);
     }
 }

@@ -262,7 +262,7 @@ TEST(FlatTori, known_by_lengths_alone_merge_to_cubes_with_the_spectrum_of_the_gr
             EXPECT_LE((star(volumes, k).diagonal().array() / entry - 1).abs().maxCoeff(), 1e-13);
             if (P.size(k) > 100)
                 continue; // dense matrices
-            const DenseMatrix A = symmetric_laplacian(P, volumes, k).matrix() / entry;
+            const DenseMatrix A = symmetric_laplacian({P, volumes}, k).matrix() / entry;
             const Vector found = Eigen::SelfAdjointEigenSolver<DenseMatrix>(A).eigenvalues();
             const Vector expected = eigenvalues_of_grid(n, N, h, k);
             EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.maxCoeff());
@@ -279,7 +279,7 @@ TEST(FlatToriBroken, with_one_edge_too_long_keep_simplices_and_lose_the_spectrum
     const auto& P = result.merging.merged();
     EXPECT_EQ(P.size(2), 27); // the two squares beside the edge stay split
     const auto volumes = merged_volumes(result.merging, input);
-    const DenseMatrix A = symmetric_laplacian(P, volumes, 0).matrix();
+    const DenseMatrix A = symmetric_laplacian({P, volumes}, 0).matrix();
     const Vector found = Eigen::SelfAdjointEigenSolver<DenseMatrix>(A).eigenvalues();
     EXPECT_GT((found - eigenvalues_of_grid(2, 5, 1, 0)).cwiseAbs().maxCoeff(), 1e-3);
 }

@@ -66,11 +66,21 @@ TEST_P(OperatorValues, act_on_values_as_their_matrices_do) {
         EXPECT_GT(look_at({[&] { return Operator::derivative(P, k); },
                            [&] { return Operator::derivative(P, k - 1).transposed(); },
                            [&] { return Operator::weights(star(V, k).diagonal()); },
-                           [&] { return codifferential(P, V, k); },
-                           [&] { return dual_codifferential(P, V, k); },
-                           [&] { return laplacian(P, V, k); },
-                           [&] { return symmetric_laplacian(P, V, k); },
-                           [&] { return dual_laplacian(P, V, k); }}),
+                           [&] {
+                               return codifferential({P, V}, k);
+                           },
+                           [&] {
+                               return dual_codifferential({P, V}, k);
+                           },
+                           [&] {
+                               return laplacian({P, V}, k);
+                           },
+                           [&] {
+                               return symmetric_laplacian({P, V}, k);
+                           },
+                           [&] {
+                               return dual_laplacian({P, V}, k);
+                           }}),
                   2);
     }
 }
@@ -109,10 +119,10 @@ TEST(OperatorsByStars, have_a_matrix_and_a_diagonal_where_no_matrix_is_inverted)
         for (int k = 0; k <= n; ++k) {
             const Vector x = random_vector(complex.size(k), 1);
             for (const auto& [A, inverts] :
-                 {std::pair{symmetric_laplacian(complex, stars, k), k > 0},
-                  std::pair{laplacian(complex, stars, k), true},
+                 {std::pair{symmetric_laplacian({complex, stars}, k), k > 0},
+                  std::pair{laplacian({complex, stars}, k), true},
                   std::pair{Operator::star(stars[k]), false},
-                  std::pair{dual_laplacian(complex, stars, n - k), true}}) {
+                  std::pair{dual_laplacian({complex, stars}, n - k), true}}) {
                 const Vector y = A * x;
                 EXPECT_TRUE(y.allFinite());
                 if (inverts) {
@@ -124,7 +134,7 @@ TEST(OperatorsByStars, have_a_matrix_and_a_diagonal_where_no_matrix_is_inverted)
                 EXPECT_LE(relative_difference(A.diagonal(), Vector(A.matrix().diagonal())), 1e-13);
             }
             // columns of the operator, which is dense
-            const Operator A = symmetric_laplacian(complex, stars, k);
+            const Operator A = symmetric_laplacian({complex, stars}, k);
             DenseMatrix columns(complex.size(k), complex.size(k));
             for (Index i = 0; i < columns.cols(); ++i)
                 columns.col(i) = A * Vector::Unit(columns.cols(), i);

@@ -51,7 +51,7 @@ TEST_P(Operators, codifferential_is_the_adjoint_of_the_derivative) {
         if (k == mesh().n())
             return;
         const SparseMatrix d = derivative(m.complex, k);
-        const SparseMatrix c = codifferential(m.complex, m.volumes, k + 1);
+        const SparseMatrix c = codifferential({m.complex, m.volumes}, k + 1);
         const Vector M = star(m.volumes, k).diagonal(), W = star(m.volumes, k + 1).diagonal();
         EXPECT_LE(adjoint_defect(d, c, M, W), rounding);
         EXPECT_GT(adjoint_defect(d, -c, M, W), 1) << "with the sign flipped";
@@ -64,7 +64,7 @@ TEST_P(Operators, dual_codifferential_is_the_adjoint_of_the_dual_derivative) {
             return;
         const int j = mesh().n() - k - 1;
         const SparseMatrix d = dual_derivative(m.complex, j);
-        const SparseMatrix c = dual_codifferential(m.complex, m.volumes, j + 1);
+        const SparseMatrix c = dual_codifferential({m.complex, m.volumes}, j + 1);
         const Vector M = star(m.volumes, k + 1).inverse(), W = star(m.volumes, k).inverse();
         EXPECT_LE(adjoint_defect(d, c, M, W), rounding);
         EXPECT_GT(adjoint_defect(d, -c, M, W), 1) << "with the sign flipped";
@@ -93,11 +93,11 @@ TEST_P(Operators, laplacian_is_d_delta_plus_delta_d) {
         SparseMatrix expected(m.complex.size(k), m.complex.size(k));
         if (k > 0)
             expected +=
-                product(derivative(m.complex, k - 1), codifferential(m.complex, m.volumes, k));
+                product(derivative(m.complex, k - 1), codifferential({m.complex, m.volumes}, k));
         if (k < mesh().n())
             expected +=
-                product(codifferential(m.complex, m.volumes, k + 1), derivative(m.complex, k));
-        const SparseMatrix L = laplacian(m.complex, m.volumes, k);
+                product(codifferential({m.complex, m.volumes}, k + 1), derivative(m.complex, k));
+        const SparseMatrix L = laplacian({m.complex, m.volumes}, k);
         EXPECT_LE(relative_difference(L, expected), rounding);
         if (largest(L) > 0) {
             EXPECT_GT(relative_difference(L, -expected), 1) << "with the sign flipped";
@@ -107,8 +107,8 @@ TEST_P(Operators, laplacian_is_d_delta_plus_delta_d) {
 
 TEST_P(Operators, symmetric_laplacian_is_star_times_laplacian_and_symmetric) {
     for_invertible(mesh(), [&](const Metric& m, int k) {
-        const SparseMatrix A = symmetric_laplacian(m.complex, m.volumes, k);
-        const SparseMatrix L = laplacian(m.complex, m.volumes, k);
+        const SparseMatrix A = symmetric_laplacian({m.complex, m.volumes}, k);
+        const SparseMatrix L = laplacian({m.complex, m.volumes}, k);
         EXPECT_LE(relative_difference(A, star(m.volumes, k).diagonal().asDiagonal() * L), rounding);
         EXPECT_LE(relative_difference(A, SparseMatrix(A.transpose())), rounding);
     });
@@ -116,8 +116,8 @@ TEST_P(Operators, symmetric_laplacian_is_star_times_laplacian_and_symmetric) {
 
 TEST_P(Operators, dual_laplacian_is_similar_by_the_star) {
     for_invertible(mesh(), [&](const Metric& m, int k) {
-        const SparseMatrix L = laplacian(m.complex, m.volumes, k);
-        const SparseMatrix dual = dual_laplacian(m.complex, m.volumes, mesh().n() - k);
+        const SparseMatrix L = laplacian({m.complex, m.volumes}, k);
+        const SparseMatrix dual = dual_laplacian({m.complex, m.volumes}, mesh().n() - k);
         const SparseMatrix similar = star(m.volumes, k).diagonal().asDiagonal() * L *
                                      star(m.volumes, k).inverse().asDiagonal();
         EXPECT_LE(relative_difference(dual, similar), rounding);
@@ -130,11 +130,12 @@ TEST_P(Operators, dual_laplacian_is_d_delta_plus_delta_d_on_duals) {
         SparseMatrix expected(m.complex.size(k), m.complex.size(k));
         if (j > 0)
             expected += product(dual_derivative(m.complex, j - 1),
-                                dual_codifferential(m.complex, m.volumes, j));
+                                dual_codifferential({m.complex, m.volumes}, j));
         if (j < mesh().n())
-            expected += product(dual_codifferential(m.complex, m.volumes, j + 1),
+            expected += product(dual_codifferential({m.complex, m.volumes}, j + 1),
                                 dual_derivative(m.complex, j));
-        EXPECT_LE(relative_difference(dual_laplacian(m.complex, m.volumes, j), expected), rounding);
+        EXPECT_LE(relative_difference(dual_laplacian({m.complex, m.volumes}, j), expected),
+                  rounding);
     });
 }
 
@@ -143,10 +144,10 @@ TEST_P(Operators, derivative_commutes_with_the_laplacian) {
         if (k == mesh().n() || (k + 2 <= mesh().n() && !star(m.volumes, k + 2).zeros().empty()))
             return;
         const SparseMatrix d = derivative(m.complex, k);
-        const SparseMatrix lower = d * laplacian(m.complex, m.volumes, k).matrix();
-        const SparseMatrix upper = laplacian(m.complex, m.volumes, k + 1).matrix() * d;
-        const double size = largest(laplacian(m.complex, m.volumes, k)) +
-                            largest(laplacian(m.complex, m.volumes, k + 1));
+        const SparseMatrix lower = d * laplacian({m.complex, m.volumes}, k).matrix();
+        const SparseMatrix upper = laplacian({m.complex, m.volumes}, k + 1).matrix() * d;
+        const double size = largest(laplacian({m.complex, m.volumes}, k)) +
+                            largest(laplacian({m.complex, m.volumes}, k + 1));
         EXPECT_LE(largest(lower - upper), rounding * size);
     });
 }
@@ -155,7 +156,7 @@ TEST_P(Operators, laplacian_of_functions_kills_constants) {
     for (const auto& [name, complex, volumes] : both(mesh())) {
         if (!star(volumes, 0).zeros().empty())
             continue;
-        const SparseMatrix L = laplacian(complex, volumes, 0);
+        const SparseMatrix L = laplacian({complex, volumes}, 0);
         const Vector image = L * Vector::Ones(complex.size(0));
         EXPECT_LE(image.cwiseAbs().maxCoeff(), rounding * largest(L)) << name;
         const Vector other = L * random_vector(complex.size(0), 3);
@@ -171,7 +172,7 @@ TEST_P(Operators, laplacian_of_dual_functions_kills_constants_where_a_closed_com
             std::all_of(counts.begin(), counts.end(), [](Index c) { return c == 2; });
         if (!closed || !star(volumes, n - 1).zeros().empty())
             continue;
-        const SparseMatrix L = dual_laplacian(complex, volumes, 0);
+        const SparseMatrix L = dual_laplacian({complex, volumes}, 0);
         const Vector image = L * Vector::Ones(complex.size(n));
         const bool killed = image.cwiseAbs().maxCoeff() <= rounding * largest(L);
         EXPECT_EQ(killed, mesh().K().orientable()) << name;
@@ -181,10 +182,10 @@ TEST_P(Operators, laplacian_of_dual_functions_kills_constants_where_a_closed_com
 TEST_P(Operators, have_the_ends_of_the_tower_in_their_shapes) {
     const int n = mesh().n();
     const auto& P = mesh().P();
-    EXPECT_EQ(codifferential(P, mesh().volumes, 0).rows(), 0);
-    EXPECT_EQ(codifferential(P, mesh().volumes, 0).cols(), P.size(0));
-    EXPECT_EQ(dual_codifferential(P, mesh().volumes, 0).rows(), 0);
-    EXPECT_EQ(dual_codifferential(P, mesh().volumes, 0).cols(), P.size(n));
+    EXPECT_EQ(codifferential({P, mesh().volumes}, 0).rows(), 0);
+    EXPECT_EQ(codifferential({P, mesh().volumes}, 0).cols(), P.size(0));
+    EXPECT_EQ(dual_codifferential({P, mesh().volumes}, 0).rows(), 0);
+    EXPECT_EQ(dual_codifferential({P, mesh().volumes}, 0).cols(), P.size(n));
     EXPECT_EQ(derivative(P, n).rows(), 0);
     EXPECT_EQ(derivative(P, -1).cols(), 0);
 }
@@ -196,9 +197,10 @@ TEST(OperatorsBroken, dual_laplacian_is_not_similar_by_the_star_from_the_wrong_s
         const auto& m = merged(name);
         for (int k = 0; k < m.n(); ++k) {
             const Vector M = star(m.volumes, k).diagonal(), inverse = star(m.volumes, k).inverse();
-            const SparseMatrix L = laplacian(m.P(), m.volumes, k);
+            const SparseMatrix L = laplacian({m.P(), m.volumes}, k);
             const SparseMatrix wrong = inverse.asDiagonal() * L * M.asDiagonal();
-            EXPECT_GT(relative_difference(dual_laplacian(m.P(), m.volumes, m.n() - k), wrong), 1e-3)
+            EXPECT_GT(relative_difference(dual_laplacian({m.P(), m.volumes}, m.n() - k), wrong),
+                      1e-3)
                 << name << ", k = " << k;
         }
     }
@@ -206,13 +208,13 @@ TEST(OperatorsBroken, dual_laplacian_is_not_similar_by_the_star_from_the_wrong_s
 
 TEST(OperatorErrors, come_where_a_star_must_be_inverted_that_is_zero) {
     const auto& mesh = merged("fcc1");
-    EXPECT_THROW(laplacian(mesh.P(), mesh.volumes, 3), InvalidInput);
-    EXPECT_THROW(symmetric_laplacian(mesh.P(), mesh.volumes, 3), InvalidInput);
-    EXPECT_THROW(dual_laplacian(mesh.P(), mesh.volumes, 0), InvalidInput);
-    EXPECT_THROW(codifferential(mesh.P(), mesh.volumes, 3), InvalidInput);
-    EXPECT_THROW(dual_codifferential(mesh.P(), mesh.volumes, 1), InvalidInput);
+    EXPECT_THROW(laplacian({mesh.P(), mesh.volumes}, 3), InvalidInput);
+    EXPECT_THROW(symmetric_laplacian({mesh.P(), mesh.volumes}, 3), InvalidInput);
+    EXPECT_THROW(dual_laplacian({mesh.P(), mesh.volumes}, 0), InvalidInput);
+    EXPECT_THROW(codifferential({mesh.P(), mesh.volumes}, 3), InvalidInput);
+    EXPECT_THROW(dual_codifferential({mesh.P(), mesh.volumes}, 1), InvalidInput);
     // functions need no inverse but that of their own star
-    EXPECT_NO_THROW(laplacian(mesh.P(), mesh.volumes, 0));
+    EXPECT_NO_THROW(laplacian({mesh.P(), mesh.volumes}, 0));
 }
 
 } // namespace

@@ -4,10 +4,10 @@
 #include "dec/fields/de_rham.h"
 #include "dec/fields/flat.h"
 #include "dec/fields/sharp.h"
+#include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/overlaps.h"
-#include "dec/operators.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/circumcentric.h"
@@ -176,7 +176,7 @@ TEST_P(FieldsAfterFlips, at_cells_are_adjoint_to_the_dpp_flat_where_the_surface_
         random_vector(mesh.complex().size(2) * 2, 8).reshaped(mesh.complex().size(2), 2);
     const Vector products = sharp_pd(mesh, a).cwiseProduct(X).rowwise().sum();
     const Vector by_cell = products.cwiseProduct(mesh.volumes().primal(2));
-    EXPECT_NEAR(inner_product(mesh.complex(), mesh.volumes(), a, flat(mesh, Flat::dpp, X)),
+    EXPECT_NEAR(inner_product({mesh.complex(), mesh.volumes()}, a, flat(mesh, Flat::dpp, X)),
                 by_cell.sum(), 1e-7 * by_cell.cwiseAbs().sum());
 }
 
@@ -324,7 +324,7 @@ double error_of_star(const Discretization& mesh, double sign) {
     Cochain dual = dual_de_rham(mesh, 1, circulation_form(tangential));
     dual.values *= sign;
     const Cochain primal = de_rham(mesh, 1, circulation_form(turned));
-    return norm(mesh, difference(dual, star(mesh.complex(), mesh.volumes(), primal)));
+    return norm(mesh, difference(dual, star({mesh.complex(), mesh.volumes()}, primal)));
 }
 
 /// The order at which an error falls from one sphere to one twice as fine.

@@ -21,8 +21,8 @@ TEST_P(PrimalDualWedges, add_to_inner_products) {
         for (int k = 0; k <= mesh().n(); ++k) {
             const auto a = random_form(complex, Side::primal, k, 1);
             const auto b = random_form(complex, Side::primal, k, 2);
-            const Vector terms = primal_dual_wedge(complex, a, star(complex, volumes, b));
-            EXPECT_NEAR(terms.sum(), inner_product(complex, volumes, a, b),
+            const Vector terms = primal_dual_wedge(complex, a, star({complex, volumes}, b));
+            EXPECT_NEAR(terms.sum(), inner_product({complex, volumes}, a, b),
                         rounding * terms.cwiseAbs().sum())
                 << name << ", k = " << k;
         }
@@ -60,7 +60,7 @@ double integral_error(const Merged& mesh, const Metric& metric, int k) {
         return {Side::primal, k, on_simplices ? values : on_merged_cells(mesh, k, values)};
     };
     const Vector terms =
-        primal_dual_wedge(metric.complex, form(a), star(metric.complex, metric.volumes, form(b)));
+        primal_dual_wedge(metric.complex, form(a), star({metric.complex, metric.volumes}, form(b)));
     const double volume = metric.volumes.primal(mesh.n()).sum();
     return std::abs(terms.sum() - a.dot(b) * volume) / (a.norm() * b.norm() * volume);
 }

@@ -148,7 +148,7 @@ TEST_P(Sharps, at_polygons_are_adjoint_to_the_dpp_flat) {
     const Vector products = sharp_pd(mesh, a).cwiseProduct(X).rowwise().sum();
     const Vector by_cell = products.cwiseProduct(mesh.volumes().primal(n));
     const Cochain flattened = flat(mesh, Flat::dpp, X);
-    EXPECT_NEAR(inner_product(mesh.complex(), mesh.volumes(), a, flattened), by_cell.sum(),
+    EXPECT_NEAR(inner_product({mesh.complex(), mesh.volumes()}, a, flattened), by_cell.sum(),
                 rounding * by_cell.cwiseAbs().sum());
 }
 

@@ -33,7 +33,7 @@ TEST_P(Stars, twice_is_a_sign) {
             if (!invertible(volumes, k))
                 continue;
             const Cochain ones{Side::primal, k, Vector::Ones(complex.size(k))};
-            const auto twice = star(complex, volumes, star(complex, volumes, ones));
+            const auto twice = star({complex, volumes}, star({complex, volumes}, ones));
             EXPECT_LE(relative_difference(twice.values, sign(mesh().n(), k) * ones.values), 1e-14)
                 << name << ", k = " << k;
         }
@@ -47,7 +47,7 @@ TEST_P(Stars, and_their_inverses_alone_are_the_identity) {
             EXPECT_LE(relative_difference(all.solve(all * ones), ones), 1e-14) << "k = " << k;
             EXPECT_EQ(all.solve(ones), all.inverse()) << "k = " << k;
             const auto dual =
-                star(mesh().P(), mesh().volumes, Cochain{Side::dual, mesh().n() - k, ones});
+                star({mesh().P(), mesh().volumes}, Cochain{Side::dual, mesh().n() - k, ones});
             EXPECT_EQ(relative_difference(dual.values, all.inverse()) == 0, sign(mesh().n(), k) > 0)
                 << "k = " << k;
         }

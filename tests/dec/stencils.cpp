@@ -30,7 +30,7 @@ Index neighbors(const SparseMatrix& L, Index v) {
 
 TEST_P(Stencils, are_those_of_finite_differences_inside_merged_kuhn_grids) {
     const auto grid = mesh();
-    const SparseMatrix L = laplacian(grid.P(), grid.volumes, 0);
+    const SparseMatrix L = laplacian({grid.P(), grid.volumes}, 0);
     const auto boundary = boundary_cells(grid.P())[0];
     const double h = 1.0 / side();
     Index inner = 0;

@@ -22,8 +22,9 @@ struct Results {
     explicit Results(const Mesh& mesh)
         : K(mesh.simplices),
           volumes(circumcentric_volumes(K, mesh.points)),
-          laplacian(symmetric_laplacian(K, volumes, 1)),
-          applied(polydec::laplacian(K, volumes, 1) * Vector(Vector::LinSpaced(K.size(1), -1, 1))),
+          laplacian(symmetric_laplacian({K, volumes}, 1)),
+          applied(polydec::laplacian({K, volumes}, 1) *
+                  Vector(Vector::LinSpaced(K.size(1), -1, 1))),
           merging(merge_cospherical({K, mesh.points, volumes}).merging),
           merged(merged_volumes(merging, volumes)) {}
 

@@ -173,7 +173,7 @@ TEST(TransfersBroken, adding_the_entries_of_star_2_is_not_the_star_of_merged_cel
 
 TEST(Transfers, a_laplacian_of_the_merged_mesh_runs_on_the_triangle_mesh) {
     const auto bundle = discretize(grid(4, 4));
-    const SparseMatrix L = on_input(bundle, dual_laplacian(bundle.complex(), bundle.volumes(), 0),
+    const SparseMatrix L = on_input(bundle, dual_laplacian({bundle.complex(), bundle.volumes()}, 0),
                                     {Side::dual, 0}, {Side::dual, 0});
     EXPECT_EQ(L.rows(), 32);
     const Vector image = L * Vector::Ones(32);

@@ -77,15 +77,23 @@ TEST(DistributedOperators, are_those_of_one_process_in_every_degree_on_both_side
             expect_equal(
                 ranks, cells, k, in("Laplacian"),
                 [&] { return laplacian(ranks, cells, Side::primal, k); },
-                [&] { return laplacian(whole.P(), stars, k).matrix(); });
+                [&] {
+                    return laplacian({whole.P(), stars}, k).matrix();
+                });
             expect_equal(
                 ranks, cells, n - k, in("dual Laplacian"),
                 [&] { return laplacian(ranks, cells, Side::dual, k); },
-                [&] { return dual_laplacian(whole.P(), stars, k).matrix(); });
+                [&] {
+                    return dual_laplacian({whole.P(), stars}, k).matrix();
+                });
             expect_equal(
                 ranks, cells, k, in("symmetric Laplacian"),
-                [&] { return symmetric_laplacian(ranks, cells, k); },
-                [&] { return symmetric_laplacian(whole.P(), stars, k).matrix(); });
+                [&] {
+                    return symmetric_laplacian({ranks, cells}, k);
+                },
+                [&] {
+                    return symmetric_laplacian({whole.P(), stars}, k).matrix();
+                });
         }
     }
 }
@@ -130,7 +138,7 @@ TEST(OperatorFiles, stand_in_the_order_of_numbers_for_any_number_of_ranks) {
             const SparseMatrix d = whole.complex().coboundary(k).cast<double>();
             EXPECT_EQ(difference(loaded(file(fmt::format("d_{}", k))).get(), d), 0) << name;
         }
-        const SparseMatrix L = laplacian(whole.complex(), whole.stars(), 0).matrix();
+        const SparseMatrix L = laplacian(whole, 0).matrix();
         EXPECT_LE(difference(loaded(file("laplacian_primal_0")).get(), L), 1e-12 * L.norm());
         const SparseMatrix twin = 2 * L;
         EXPECT_GT(difference(loaded(file("laplacian_primal_0")).get(), twin), 1e-12 * L.norm());

@@ -215,8 +215,8 @@ Questions of_diagnoses(const Sample& s) {
          [&s, n](Inputs& in) {
              BoundaryConditions conditions;
              conditions.facets = in.list(s.size(n - 1), BoundaryCondition::natural);
-             const auto there =
-                 conditioned_complex(s.P(), s.mesh.stars(), Side::primal, in.degree(0), conditions);
+             const auto there = conditioned_complex({s.P(), s.mesh.stars()}, Side::primal,
+                                                    in.degree(0), conditions);
              return fit(there.stars[0].diagonal(), there.relative.complex.size(0));
          }},
         {"diagnose",

@@ -137,11 +137,12 @@ Questions of_operators(const Sample& s, int k) {
     return {
         {"derivative",
          [&s, k](Inputs& in) {
-             return fit(derivative(s.mesh, in.degree(k)), s.size(k + 1), s.size(k));
+             return fit(derivative(s.mesh.complex(), in.degree(k)), s.size(k + 1), s.size(k));
          }},
         {"dual_derivative",
          [&s, k, n](Inputs& in) {
-             return fit(dual_derivative(s.mesh, in.degree(n - k)), s.size(k - 1), s.size(k));
+             return fit(dual_derivative(s.mesh.complex(), in.degree(n - k)), s.size(k - 1),
+                        s.size(k));
          }},
         {"star",
          [&s, k](Inputs& in) { return fit(star(s.mesh, in.degree(k)).diagonal(), s.size(k)); }},
@@ -302,7 +303,8 @@ Questions of_forms(const Sample& s, Side side, int j) {
          }},
     };
     if (j < n)
-        all.push_back(one("d", side, j + 1, [&s](const Cochain& a) { return d(s.mesh, a); }));
+        all.push_back(
+            one("d", side, j + 1, [&s](const Cochain& a) { return d(s.mesh.complex(), a); }));
     if (j > 0) {
         all.push_back(one("codifferential", side, j - 1,
                           [&s](const Cochain& a) { return codifferential(s.mesh, a); }));

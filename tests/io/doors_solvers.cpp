@@ -38,7 +38,7 @@ Questions of_solvers(const Sample& s, Side side) {
          }},
         {"PoissonSolver of any cells",
          [&s, side, unknowns, boundary](Inputs& in) {
-             const PoissonSolver solver(s.P(), s.V(), {side, conditions_of(s, in), engine});
+             const PoissonSolver solver({s.P(), s.V()}, {side, conditions_of(s, in), engine});
              const Vector f = in.vector(unknowns);
              return fit(solver.solve(f, in.vector(boundary)).values, unknowns);
          }},
@@ -92,7 +92,7 @@ Questions of_solvers_for_forms(const Sample& s, Side side, int j) {
         {"coexact_spectrum",
          [&s, j](Inputs& in) {
              const auto found =
-                 coexact_spectrum(s.P(), s.V(), {.degree = in.degree(j), .count = 1});
+                 coexact_spectrum({s.P(), s.V()}, {.degree = in.degree(j), .count = 1});
              return fit(found.modes, s.size(j), 1);
          }},
         {"Leapfrog",

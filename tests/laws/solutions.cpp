@@ -70,14 +70,21 @@ bool encloses(const Spectrum& spectrum, const DenseSpectrum& exact, double facto
     return true;
 }
 
+/// Then n-forms vanish in the cells beside them.
+bool has_facets_without_dual(const Discretization& mesh) {
+    const auto marks = Cells(mesh.complex(), mesh.volumes()).boundary_facets_without_dual();
+    return std::find(marks.begin(), marks.end(), true) != marks.end();
+}
+
 TEST(HostileMeshes, have_eigenvalues_within_their_radii) {
     EXPECT_TRUE(holds_on_hostile_discretizations("radii", [](const Discretization& mesh) {
         for (int k = 0; k <= mesh.dimension(); ++k) {
             const SpectrumOptions options{.degree = k,
                                           .count = std::min<Index>(4, mesh.complex().size(k))};
-            const auto found =
-                unless_refused([&] { return spectrum(mesh.complex(), mesh.volumes(), options); });
-            if (!found)
+            const auto found = unless_refused([&] {
+                return spectrum({mesh.complex(), mesh.volumes()}, options);
+            });
+            if (!found || (k == mesh.dimension() && has_facets_without_dual(mesh)))
                 continue;
             RC_ASSERT(found->eigenvalues.size() == options.count);
             RC_ASSERT(found->eigenvalues.allFinite());
@@ -130,7 +137,7 @@ TEST(HostileMeshes, have_the_solutions_of_Poisson_problems_that_dense_matrices_h
         const Vector f = random_vector(mesh.complex().size(0), 3);
         const Vector zero = Vector::Zero(f.size());
         const auto u = unless_refused([&] {
-            PoissonSolver solver(mesh.complex(), mesh.volumes());
+            PoissonSolver solver({mesh.complex(), mesh.volumes()});
             const auto [solution, report, compatibility, warnings] = solver.solve(f, zero);
             RC_ASSERT(report.residual <= 1e-6);
             return compatibility.free_components == 0 ? solution : Vector();

@@ -198,7 +198,7 @@ TEST_P(Rivals, are_the_cotangent_laplacian_on_triangles_but_for_the_diamonds) {
     const auto L = laplacian()(mesh());
     const auto made = discretize(split_polygons(mesh()), {.criterion = MergeCriterion::none});
     const SparseMatrix cotangent =
-        symmetric_laplacian(made.input(), made.input_geometry().volumes(), 0);
+        symmetric_laplacian({made.input(), made.input_geometry().volumes()}, 0);
     const double distance = relative_difference(L.stiffness, cotangent);
     if (is("bunge_diamond")) {
         EXPECT_GE(distance, 0.1);

@@ -150,7 +150,7 @@ POLYDEC_ON_REAL_SURFACES(RealTransport);
 class RealDecompositions : public OnRealSurfaces {
 protected:
     double product(const Cochain& a, const Cochain& b) const {
-        return inner_product(P(), mesh().volumes(), a, b);
+        return inner_product({P(), mesh().volumes()}, a, b);
     }
 
     static Cochain rest(Cochain form, const std::vector<Cochain>& parts) {
@@ -208,7 +208,7 @@ TEST_P(RealDecompositions, are_orthogonal_sums_of_closed_and_coclosed_parts_or_r
             EXPECT_LE(worst_product(all, square, weighted), orthogonal);
             EXPECT_LE(std::sqrt(product(rest(w, all), rest(w, all)) / square), rounding);
             EXPECT_LE(closedness(parts.exact, parts.potential), rounding);
-            EXPECT_LE(closedness(star(P(), V, parts.coexact), parts.copotential), rounding);
+            EXPECT_LE(closedness(star({P(), V}, parts.coexact), parts.copotential), rounding);
             if (degree != 1)
                 continue;
             const auto plain = [](const Cochain& a, const Cochain& b) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Forms that change in time with what is known of them on the boundary.
 #include "dec/fields/cell_centers.h"
-#include "dec/operators.h"
+#include "dec/forms/laplacian.h"
 #include "solvers/evolution.h"
 #include "solvers/poisson.h"
 #include "tests/solvers/cases.h"

@@ -2,7 +2,7 @@
 #include "tests/solvers/cases.h"
 
 #include "dec/fields/cell_centers.h"
-#include "dec/operators.h"
+#include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/circumcentric.h"

@@ -4,8 +4,8 @@
 #include "base/decompositions.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
+#include "dec/forms/laplacian.h"
 #include "dec/material_stars.h"
-#include "dec/operators.h"
 #include "meshes/generate.h"
 #include "tests/solvers/cases.h"
 #include "tests/solvers/star_samples.h"
@@ -50,7 +50,7 @@ BoundaryConditions mixed(const Discretization& mesh) {
 /// Fluxes through facets as they leave the domain, per area.
 Vector outflow(const Discretization& mesh, const Vector& flux) {
     const int n = mesh.dimension();
-    const SparseMatrix cofaces = derivative(mesh, n - 1).transpose();
+    const SparseMatrix cofaces = derivative(mesh.complex(), n - 1).transpose();
     Vector result = Vector::Zero(flux.size());
     for (Index f = 0; f < result.size(); ++f)
         if (mesh.complex().coface_counts(n - 1)[f] == 1)
@@ -116,7 +116,7 @@ double imbalance(const Discretization& mesh, const BoundaryConditions& condition
     const Vector flux =
         solver.solve(source, random_vector(facets, 2), random_vector(facets, 3)).flux.values;
     const Vector balance =
-        derivative(mesh, n - 1) * flux - mesh.volumes().primal(n).cwiseProduct(source);
+        derivative(mesh.complex(), n - 1) * flux - mesh.volumes().primal(n).cwiseProduct(source);
     return balance.cwiseAbs().maxCoeff() / flux.cwiseAbs().maxCoeff();
 }
 
@@ -164,7 +164,7 @@ protected:
         const int n = mesh.dimension();
         const auto& counts = mesh.complex().coface_counts(n - 1);
         const Vector sums =
-            derivative(mesh, n - 1).transpose() * Vector::Ones(mesh.complex().size(n));
+            derivative(mesh.complex(), n - 1).transpose() * Vector::Ones(mesh.complex().size(n));
         for (Index f = 0; f < sums.size(); ++f)
             if (counts[f] > 2 || (counts[f] == 2 && sums[f] != 0))
                 return false;
@@ -197,7 +197,7 @@ TEST_P(DarcyByStars, both_equations_hold_for_all_data) {
         const Vector source = random_vector(complex.size(n), 1);
         const Vector pressures = random_vector(facets, 2), out = random_vector(facets, 3);
         const auto flow = solver.solve(source, pressures, out);
-        const SparseMatrix D = derivative(mesh, n - 1);
+        const SparseMatrix D = derivative(mesh.complex(), n - 1);
         const Vector& volumes = mesh.volumes().primal(n);
 
         Vector balance = volumes.cwiseProduct(source) - D * flow.flux.values;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/discretization.h"
-#include "dec/operators.h"
+#include "dec/forms/laplacian.h"
 #include "tests/support/dense_laplacian.h"
 
 namespace polydec::test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/conditioned_complex.h"
 #include "dec/fields/flat.h"
-#include "dec/operators.h"
+#include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"
 #include "meshes/rearrange.h"

@@ -3,8 +3,8 @@
 
 #include "complex/relative.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/forms/laplacian.h"
 #include "dec/material_stars.h"
-#include "dec/operators.h"
 #include "meshes/generate.h"
 #include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
@@ -135,11 +135,11 @@ TEST(CurlCurl, removes_what_is_no_curl_and_keeps_the_gauge) {
         };
         const Cochain curl =
             codifferential(mesh, {Side::primal, 2, random_vector(mesh.complex().size(2), 1)});
-        const Cochain gradient = d(mesh, Cochain{Side::primal, 0, inside(0, 2)});
+        const Cochain gradient = d(mesh.complex(), Cochain{Side::primal, 0, inside(0, 2)});
         const auto solution = solve_curl_curl(solver, mesh.complex(), curl + gradient);
         EXPECT_LE(norm(mesh, solution.removed - gradient), 1e-8 * norm(mesh, gradient));
         const Vector left = relative.restrict(
-            1, codifferential(mesh, d(mesh, solution.potential)).values - curl.values);
+            1, codifferential(mesh, d(mesh.complex(), solution.potential)).values - curl.values);
         EXPECT_LE(left.norm(), 1e-8 * curl.values.norm());
         const Vector gauge = relative.restrict(0, codifferential(mesh, solution.potential).values);
         EXPECT_LE(gauge.norm(), 1e-8 * curl.values.norm());
@@ -173,7 +173,7 @@ TEST(BoundaryDeRham, completes_the_derivative_of_dual_forms) {
         for (int j = 0; j < n; ++j) {
             const WaveForm wave(n, j, 0.7);
             const Vector inside =
-                dual_derivative(mesh, j) * dual_de_rham(mesh, j, wave.form(), 9).values;
+                dual_derivative(mesh.complex(), j) * dual_de_rham(mesh, j, wave.form(), 9).values;
             const Vector whole = dual_de_rham(mesh, j + 1, wave.derivative(), 9).values;
             const Vector data = boundary_de_rham(mesh, j, wave.form(), 9);
             const SparseMatrix B = dual_boundary_derivative(mesh.complex(), j);

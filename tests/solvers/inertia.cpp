@@ -118,7 +118,7 @@ TEST(CoexactSpectrum, of_forms_that_there_are_not_is_refused_at_once) {
     const auto mesh = circumcentric(kuhn(3, 6));
     const auto refused = [&](int k, Index count) {
         return refusal([&] {
-            coexact_spectrum(mesh.complex(), mesh.volumes(), {.degree = k, .count = count});
+            coexact_spectrum({mesh.complex(), mesh.volumes()}, {.degree = k, .count = count});
         });
     };
     EXPECT_TRUE(says(refused(3, 1), {"1 coexact 3-forms", "0"}));
@@ -147,7 +147,8 @@ TEST(CoexactSpectrum, names_its_own_rough_values) {
     for (Index i = 0; i + 1 < count; ++i)
         strip.simplices.row(count + i) << i + 1, count + 2 + i, count + 1 + i;
     const auto mesh = circumcentric(strip);
-    const auto found = coexact_spectrum(mesh.complex(), mesh.volumes(), {.degree = 0, .count = 1});
+    const auto found =
+        coexact_spectrum({mesh.complex(), mesh.volumes()}, {.degree = 0, .count = 1});
     ASSERT_EQ(found.eigenvalues.size(), 1);
     for (const Index i : found.rough)
         EXPECT_EQ(i, 0);

@@ -33,14 +33,15 @@ TEST_P(OnFlippedSurfaces, harmonic_forms_are_as_many_as_betti_numbers_say) {
     const auto mesh = flipped(this->mesh());
     const auto betti = betti_numbers(mesh.complex());
     for (int k = 0; k <= 2; ++k)
-        EXPECT_EQ(harmonic_forms(mesh.complex(), mesh.volumes(), Side::primal, k).cols(), betti[k])
+        EXPECT_EQ(harmonic_forms({mesh.complex(), mesh.volumes()}, Side::primal, k).cols(),
+                  betti[k])
             << "degree " << k;
 }
 
 TEST_P(OnFlippedSurfaces, forms_are_sums_of_orthogonal_parts) {
     const auto mesh = flipped(this->mesh());
     const Cochain form{Side::primal, 1, random_vector(mesh.complex().size(1), 5)};
-    const auto parts = hodge_decomposition(mesh.complex(), mesh.volumes(), form);
+    const auto parts = hodge_decomposition({mesh.complex(), mesh.volumes()}, form);
     const Vector mass = star(mesh.volumes(), 1).diagonal();
     const Vector sum = parts.exact.values + parts.coexact.values + parts.harmonic.values;
     EXPECT_LT(relative_difference(sum, form.values), 1e-9);

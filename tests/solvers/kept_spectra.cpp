@@ -53,7 +53,7 @@ TEST(KeptSpectra, of_coexact_forms_go_on_as_well) {
     for (const Mesh& input : {icosphere(6), torus(12, 8), kuhn(3, 3)}) {
         const auto mesh = circumcentric(input);
         SpectrumOptions options{.degree = 1, .count = 8};
-        const auto of = [&] { return coexact_spectrum(mesh.complex(), mesh.stars(), options); };
+        const auto of = [&] { return coexact_spectrum(mesh, options); };
         const auto whole = of();
         std::vector<DenseMatrix> all;
         options.found = [&](const DenseMatrix& vectors) { all.push_back(vectors); };

@@ -28,8 +28,7 @@ struct Waves {
     BoundaryConditions conditions;
     int e = side == Side::primal ? degree : mesh.dimension() - degree;
     int b = side == Side::primal ? e + 1 : e - 1;
-    ConditionedComplex space =
-        conditioned_complex(mesh.complex(), mesh.stars(), side, degree, conditions);
+    ConditionedComplex space = conditioned_complex(mesh, side, degree, conditions);
 
     SparseMatrix d() const {
         const SparseMatrix of_lower =
@@ -283,7 +282,7 @@ TEST(WaveErrors, name_losses_layers_and_sides) {
     EXPECT_TRUE(says(made({.layer = {.width = 0.2, .reflection = 2}}),
                      {"layer", "reflection 2", "power 3"}));
     EXPECT_TRUE(says(refusal([&] {
-                         Leapfrog(mesh.complex(), mesh.stars(), Side::primal, 0,
+                         Leapfrog(Cells(mesh), built_in_conditions(Side::primal), Side::primal, 0,
                                   {.time_step = dt, .layer = {.width = 0.2}});
                      }),
                      {"layer", "cells", "mesh"}));

@@ -4,7 +4,7 @@
 #include "base/decompositions.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/boundary_conditions.h"
-#include "dec/operators.h"
+#include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "solvers/leapfrog.h"
 #include "tests/solvers/star_samples.h"
@@ -32,7 +32,7 @@ protected:
         for (const auto& [title, mesh, chosen] : with_star_kinds(GetParam()))
             for (int k = 0; k < mesh.dimension(); ++k) {
                 const auto& stars = mesh.stars();
-                if (derivative(mesh, k).nonZeros() == 0 || mesh.complex().size(k) > 150 ||
+                if (derivative(mesh.complex(), k).nonZeros() == 0 || mesh.complex().size(k) > 150 ||
                     (stars[k].is_diagonal() && stars[k + 1].is_diagonal()))
                     continue;
                 SCOPED_TRACE(title + ", k = " + std::to_string(k));
@@ -58,7 +58,7 @@ TEST_P(WavesByStars, keep_their_energy) {
 /// 1 - lambda dt^2 / 2.
 TEST_P(WavesByStars, swing_eigenforms_in_their_frequency_up_to_the_largest_step) {
     for_all([](const Discretization& mesh, int k) {
-        const SparseMatrix d = derivative(mesh, k);
+        const SparseMatrix d = derivative(mesh.complex(), k);
         const auto [values, forms] =
             dense_modes(SparseMatrix(d.transpose() * (mesh.stars()[k + 1].matrix() * d)).toDense(),
                         mesh.stars()[k].matrix().toDense());
@@ -70,7 +70,7 @@ TEST_P(WavesByStars, swing_eigenforms_in_their_frequency_up_to_the_largest_step)
         const Leapfrog waves(mesh, k, dt);
         for (const Index i : {last, last / 2}) {
             const Vector form = forms.col(i);
-            Vector E = form, B = dt / 2 * (derivative(mesh, k) * form);
+            Vector E = form, B = dt / 2 * (derivative(mesh.complex(), k) * form);
             const double angle = std::acos(1 - values[i] * dt * dt / 2);
             for (int j = 0; j < 10; ++j)
                 waves.step(E, B);
@@ -106,8 +106,8 @@ TEST(WavesByOtherStars, of_a_cavity_have_its_frequency) {
     const auto mesh = circumcentric(shaken(kuhn(3, 4), 0.1, 3));
     const auto relative = relative_to_boundary(mesh.complex());
     const auto stars = relative_stars(relative, mesh.with_stars(StarKind::galerkin).stars());
-    const double dt = 0.5 * stable_step(relative.complex, stars, 1);
-    const Leapfrog waves(relative.complex, stars, 1, dt);
+    const double dt = 0.5 * stable_step({relative.complex, stars}, 1);
+    const Leapfrog waves({relative.complex, stars}, 1, dt);
     // sin(pi x) sin(pi y) dz
     const auto form = de_rham(
         mesh, 1, circulation_form([](const Vector& x) {

@@ -2,8 +2,8 @@
 #include "complex/relative.h"
 #include "dec/discretization.h"
 #include "dec/forms/boundary_conditions.h"
+#include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
-#include "dec/operators.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/coexact_spectrum.h"
@@ -37,7 +37,7 @@ struct Cavity {
 Vector cavity_eigenvalues(int cells, Index count) {
     const Cavity cavity(circumcentric(kuhn(3, cells)));
     const auto modes =
-        coexact_spectrum(cavity.relative.complex, cavity.volumes, {.degree = 1, .count = count});
+        coexact_spectrum({cavity.relative.complex, cavity.volumes}, {.degree = 1, .count = count});
     EXPECT_TRUE(modes.certificate.complete);
     EXPECT_LE(modes.residuals.maxCoeff(), 1e-6);
     return modes.eigenvalues / (M_PI * M_PI);
@@ -65,14 +65,15 @@ TEST(CavityModes, converge_with_order_2) {
 TEST(CavityModes, are_divergence_free_and_no_gradients) {
     const Cavity cavity(circumcentric(kuhn(3, 4)));
     const auto modes =
-        coexact_spectrum(cavity.relative.complex, cavity.volumes, {.degree = 1, .count = 8});
-    HodgeSolver hodge(cavity.relative.complex, cavity.volumes, Side::primal, 1);
+        coexact_spectrum({cavity.relative.complex, cavity.volumes}, {.degree = 1, .count = 8});
+    HodgeSolver hodge({cavity.relative.complex, cavity.volumes}, Side::primal, 1);
     for (Index i = 0; i < 8; ++i) {
         const auto parts = hodge.decompose({Side::primal, 1, modes.modes.col(i)});
         EXPECT_LE(parts.exact.values.norm(), 1e-7 * modes.modes.col(i).norm());
     }
     // the plain spectrum has gradients among them: 3 pi^2 of the Dirichlet Laplacian
-    const auto plain = spectrum(cavity.relative.complex, cavity.volumes, {.degree = 1, .count = 8});
+    const auto plain =
+        spectrum({cavity.relative.complex, cavity.volumes}, {.degree = 1, .count = 8});
     EXPECT_GT((plain.eigenvalues - modes.eigenvalues).cwiseAbs().maxCoeff(), 1);
 }
 
@@ -151,7 +152,7 @@ double difference_from_yee(int n, int steps, double factor) {
     const Cavity cavity(mesh);
     const auto& edges = cavity.relative.cells[1];
     const double dt = 0.5 / n;
-    const Leapfrog leapfrog(cavity.relative.complex, cavity.volumes, 1, dt);
+    const Leapfrog leapfrog({cavity.relative.complex, cavity.volumes}, 1, dt);
     Vector E = random_vector(cavity.relative.complex.size(1), 1);
     Vector B = Vector::Zero(cavity.relative.complex.size(2));
 
@@ -180,8 +181,8 @@ TEST(Maxwell, leapfrog_on_a_merged_kuhn_grid_is_the_scheme_of_yee) {
 TEST(Maxwell, energy_is_conserved_over_ten_thousand_steps) {
     const Cavity cavity(circumcentric(kuhn(3, 4)));
     const auto& complex = cavity.relative.complex;
-    const Leapfrog leapfrog(complex, cavity.volumes, 1,
-                            0.99 * stable_step(complex, cavity.volumes, 1));
+    const Leapfrog leapfrog({complex, cavity.volumes}, 1,
+                            0.99 * stable_step({complex, cavity.volumes}, 1));
     Vector E = random_vector(complex.size(1), 3), B = random_vector(complex.size(2), 4);
     const double begin = leapfrog.energy(E, B);
     for (int step = 0; step < 10000; ++step)
@@ -201,11 +202,11 @@ TEST(Waves, of_functions_swing_with_their_frequency_in_any_dimension) {
     for (const int n : {1, 2, 3, 4}) {
         const Cavity cavity(circumcentric(kuhn(n, 4)));
         const auto& complex = cavity.relative.complex;
-        const auto mode = spectrum(complex, cavity.volumes, {.degree = 0, .count = 1});
+        const auto mode = spectrum({complex, cavity.volumes}, {.degree = 0, .count = 1});
         const double frequency = std::sqrt(mode.eigenvalues[0]);
         const int steps = 2000;
         const double dt = 2 * M_PI / frequency / steps;
-        const Leapfrog leapfrog(complex, cavity.volumes, 0, dt);
+        const Leapfrog leapfrog({complex, cavity.volumes}, 0, dt);
         Vector u = mode.modes.col(0), v = Vector::Zero(complex.size(1));
         // half a step back makes the velocity stand still at the beginning
         v = 0.5 * dt * (complex.coboundary(0).cast<double>() * u);
@@ -218,16 +219,22 @@ TEST(Waves, of_functions_swing_with_their_frequency_in_any_dimension) {
 
 TEST(WaveErrors, name_what_is_wrong) {
     const auto mesh = circumcentric(grid(4, 4));
-    EXPECT_TRUE(says(refusal([&] { Leapfrog(mesh.complex(), mesh.volumes(), 2, 0.1); }),
+    EXPECT_TRUE(says(refusal([&] {
+                         Leapfrog({mesh.complex(), mesh.volumes()}, 2, 0.1);
+                     }),
                      {"waves", "2-forms", "dimension 2", "0", "1"}));
-    EXPECT_TRUE(
-        says(refusal([&] { Leapfrog(mesh.complex(), mesh.volumes(), 0, 1); }), {"time step of 1"}));
-    EXPECT_TRUE(
-        says(refusal([&] { HeatSolver(mesh.complex(), mesh.volumes(), Side::dual, 0, {}); }),
-             {"time step of 0"}));
-    EXPECT_TRUE(says(
-        refusal([&] { coexact_spectrum(mesh.complex(), mesh.volumes(), {.side = Side::dual}); }),
-        {"coexact", "primal forms", "dual form"}));
+    EXPECT_TRUE(says(refusal([&] {
+                         Leapfrog({mesh.complex(), mesh.volumes()}, 0, 1);
+                     }),
+                     {"time step of 1"}));
+    EXPECT_TRUE(says(refusal([&] {
+                         HeatSolver({mesh.complex(), mesh.volumes()}, Side::dual, 0, {});
+                     }),
+                     {"time step of 0"}));
+    EXPECT_TRUE(says(refusal([&] {
+                         coexact_spectrum({mesh.complex(), mesh.volumes()}, {.side = Side::dual});
+                     }),
+                     {"coexact", "primal forms", "dual form"}));
 }
 
 } // namespace

@@ -58,8 +58,7 @@ Manufactured between_magnetic_walls(int n) {
 double error(const Discretization& mesh, const Manufactured& exact, Side side, double speed) {
     const int n = mesh.dimension(), degree = exact.degree;
     const int e = side == Side::primal ? degree : n - degree;
-    const auto space =
-        conditioned_complex(mesh.complex(), mesh.stars(), side, degree, {exact.condition});
+    const auto space = conditioned_complex(mesh, side, degree, {exact.condition});
     const HodgeStar star = space.stars[e];
     const auto norm = [&](const Vector& values) {
         const Vector kept = space.relative.restrict(e, values);

@@ -53,7 +53,10 @@ TEST_P(OwnCells, have_the_solutions_of_poisson_problems_that_meshes_have) {
                 return solver.solve(f, g).values;
             };
             expect_equal([&] { return solved(PoissonSolver(whole(), options)); },
-                         [&] { return solved(PoissonSolver(complex(), volumes(), options)); }, 1.1);
+                         [&] {
+                             return solved(PoissonSolver({complex(), volumes()}, options));
+                         },
+                         1.1);
         }
 }
 
@@ -64,7 +67,10 @@ TEST_P(OwnCells, have_the_flows_that_meshes_have) {
         return solver.solve(f, g, g).flux.values;
     };
     expect_equal([&] { return solved(DarcySolver(whole())); },
-                 [&] { return solved(DarcySolver(complex(), volumes())); }, -1);
+                 [&] {
+                     return solved(DarcySolver({complex(), volumes()}));
+                 },
+                 -1);
 }
 
 TEST_P(OwnCells, have_heat_waves_and_decompositions) {
@@ -81,14 +87,17 @@ TEST_P(OwnCells, have_heat_waves_and_decompositions) {
                             .values;
                     },
                     [&] {
-                        return HeatSolver(complex(), volumes(), {condition}, side, degree, options)
+                        return HeatSolver({complex(), volumes()}, {condition}, side, degree,
+                                          options)
                             .step(form)
                             .values;
                     },
                     1.1);
             expect_equal(
                 [&] { return hodge_decomposition(whole(), form).copotential.values; },
-                [&] { return hodge_decomposition(complex(), volumes(), form).copotential.values; },
+                [&] {
+                    return hodge_decomposition({complex(), volumes()}, form).copotential.values;
+                },
                 1.1);
         }
 }
@@ -97,7 +106,10 @@ TEST_P(OwnCells, have_the_stable_steps_that_meshes_have) {
     const auto frequency = [](double step) { return Vector(Vector::Constant(1, 2 / step)); };
     for (int k = 0; k < complex().dimension(); ++k)
         expect_equal([&] { return frequency(stable_step(whole(), k)); },
-                     [&] { return frequency(stable_step(complex(), volumes(), k)); }, 1.1);
+                     [&] {
+                         return frequency(stable_step({complex(), volumes()}, k));
+                     },
+                     1.1);
 }
 
 POLYDEC_OVER_MESHES(OwnCells);
@@ -106,7 +118,7 @@ TEST(OwnCellsOfAGrid, share_what_flows_through_a_facet_among_its_vertices) {
     for (const int n : {1, 2, 3}) {
         const auto mesh = circumcentric(kuhn(n, 3));
         const PoissonOptions options{.boundary = {BoundaryCondition::natural}};
-        const PoissonSolver own(mesh.complex(), mesh.volumes(), options);
+        const PoissonSolver own({mesh.complex(), mesh.volumes()}, options);
         const Points centers = cell_centers(mesh, n - 1);
         Vector slopes = Vector::Zero(centers.rows()); // of x along the outward normal
         for (Index f = 0; f < slopes.size(); ++f)
@@ -125,12 +137,12 @@ TEST(OwnCellsOfAGrid, share_what_flows_through_a_facet_among_its_vertices) {
 
 TEST(OwnCellsRefuse, conductivities_and_volumes_of_other_cells) {
     const auto mesh = circumcentric(grid(2, 2)), other = circumcentric(grid(3, 2));
-    EXPECT_TRUE(says(refusal([&] {
-                         PoissonSolver(mesh.complex(), mesh.volumes(),
-                                       {.conductivity = Vector::Ones(4)});
-                     }),
-                     {"conductivities", "cells of one's own"}));
-    EXPECT_NE(refusal([&] { PoissonSolver(mesh.complex(), other.volumes()); }), "accepted");
+    EXPECT_TRUE(
+        says(refusal([&] {
+                 PoissonSolver({mesh.complex(), mesh.volumes()}, {.conductivity = Vector::Ones(4)});
+             }),
+             {"conductivities", "cells of one's own"}));
+    EXPECT_NE(refusal([&] { PoissonSolver({mesh.complex(), other.volumes()}); }), "accepted");
 }
 
 } // namespace

@@ -295,10 +295,7 @@ TEST(Robin, is_refused_where_it_and_a_negative_half_dual_leave_no_resistance) {
 
 TEST(Robin, is_refused_by_name_where_it_is_not_known) {
     const auto mesh = circumcentric(grid(2, 2));
-    EXPECT_TRUE(says(refusal([&] {
-                         conditioned_complex(mesh.complex(), mesh.stars(), Side::primal, 0,
-                                             robin(1));
-                     }),
+    EXPECT_TRUE(says(refusal([&] { conditioned_complex(mesh, Side::primal, 0, robin(1)); }),
                      {"facet 0", "Robin", "PoissonSolver"}));
     EXPECT_TRUE(says(refusal([&] { DarcySolver(mesh, {.boundary = robin(1)}); }),
                      {"facet 0", "Robin", "Darcy"}));

@@ -5,7 +5,7 @@
 #include "backends/spectra/scaled_pencil.h"
 #include "complex/homology.h"
 #include "dec/conditioned_complex.h"
-#include "dec/operators.h"
+#include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "solvers/coexact_spectrum.h"
 #include "solvers/spectra/laplacian_pencil.h"
@@ -56,7 +56,7 @@ TEST_P(SpectraOfStars, hold_the_eigenvalues_within_their_radii) {
                 continue;
             const auto exact = dense_eigenvalues<long double>(mesh.complex(), stars, k);
             const Index count = std::min<Index>(mesh.complex().size(k), betti[k] + 6);
-            const auto found = spectrum(mesh.complex(), stars, {.degree = k, .count = count});
+            const auto found = spectrum({mesh.complex(), stars}, {.degree = k, .count = count});
             EXPECT_TRUE(found.certificate.complete);
             EXPECT_EQ(number_enclosed(found, exact), count) << name(kind) << ", k = " << k << "\n"
                                                             << exact.head(count).transpose() << "\n"
@@ -71,7 +71,7 @@ TEST_P(SpectraOfStars, hold_the_eigenvalues_within_their_radii) {
             if (k == mesh.dimension() && branches(mesh.complex()))
                 continue;
             const auto dual =
-                spectrum(mesh.complex(), stars,
+                spectrum({mesh.complex(), stars},
                          {.side = Side::dual, .degree = mesh.dimension() - k, .count = count});
             EXPECT_EQ(number_enclosed(dual, exact), count) << name(kind) << ", k = " << k;
             for (Index i = 0; i < count; ++i) {
@@ -90,7 +90,7 @@ TEST(SpectraByStars, of_other_stars_lie_outside_of_the_radii) {
     const auto mesh = circumcentric(mesh_named("torus8x6"), {.criterion = MergeCriterion::none});
     const auto exact = dense_eigenvalues<long double>(
         mesh.complex(), mesh.with_stars(StarKind::galerkin).stars(), 1);
-    const auto other = spectrum(mesh.complex(), mesh.with_stars(StarKind::barycentric).stars(),
+    const auto other = spectrum({mesh.complex(), mesh.with_stars(StarKind::barycentric).stars()},
                                 {.degree = 1, .count = 6});
     EXPECT_LE(number_enclosed(other, exact), 2); // harmonic ones are 0 with all stars
 }
@@ -138,9 +138,9 @@ TEST(SpectraByStars, of_a_cavity_converge) {
         BoundaryConditions walls;
         walls.everywhere = BoundaryCondition::essential;
         const auto space =
-            conditioned_complex(mesh.complex(), chosen.stars, Side::primal, 1, walls);
+            conditioned_complex({mesh.complex(), chosen.stars}, Side::primal, 1, walls);
         const auto found =
-            coexact_spectrum(space.relative.complex, space.stars, {.degree = 1, .count = 6});
+            coexact_spectrum({space.relative.complex, space.stars}, {.degree = 1, .count = 6});
         const Vector values = found.eigenvalues / (std::numbers::pi * std::numbers::pi);
         return Vector((values - exact).cwiseQuotient(exact));
     };
@@ -155,9 +155,10 @@ TEST(SpectraByStars, refuse_masses_that_are_not_positive_definite) {
     M.coeffRef(0, 0) *= 0.1;
     const auto stars = mesh.stars().with(1, M);
     for (const int k : {0, 1, 2})
-        EXPECT_TRUE(
-            says(refusal([&] { spectrum(mesh.complex(), stars, {.degree = k, .count = 2}); }),
-                 {"not positive definite"}))
+        EXPECT_TRUE(says(refusal([&] {
+                             spectrum({mesh.complex(), stars}, {.degree = k, .count = 2});
+                         }),
+                         {"not positive definite"}))
             << k;
 }
 

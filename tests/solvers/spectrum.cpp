@@ -70,8 +70,8 @@ void expect_orthonormal_modes(const Spectrum& found, const Vector& star_of_cells
 /// Of the modes themselves, by an operator that the solver does not use.
 double largest_defect(const Discretization& mesh, const Spectrum& found) {
     const SparseMatrix delta = found.side == Side::primal
-                                   ? laplacian(mesh.complex(), mesh.volumes(), found.degree)
-                                   : dual_laplacian(mesh.complex(), mesh.volumes(), found.degree);
+                                   ? laplacian({mesh.complex(), mesh.volumes()}, found.degree)
+                                   : dual_laplacian({mesh.complex(), mesh.volumes()}, found.degree);
     double largest = 0;
     for (Index i = 0; i < found.modes.cols(); ++i) {
         const Vector x = found.modes.col(i);
@@ -107,7 +107,7 @@ TEST_P(Spectra, have_as_many_zeros_as_the_Betti_number) {
     for (int k = 0; k <= mesh.dimension(); ++k) {
         const Index count = std::min<Index>(betti[k] + 3, mesh.complex().size(k));
         const Vector values = spectrum(mesh, {.degree = k, .count = count}).eigenvalues;
-        const double typical = laplacian(mesh.complex(), mesh.volumes(), k).diagonal().mean();
+        const double typical = laplacian({mesh.complex(), mesh.volumes()}, k).diagonal().mean();
         EXPECT_EQ(number_below(values, 1e-10 * typical), betti[k]) << k;
     }
 }

@@ -3,7 +3,7 @@
 
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/operators.h"
+#include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
@@ -87,7 +87,7 @@ Eigen::Vector3d errors(const Discretization& mesh, const Openings& open, double 
     const Vector e = flow.flux.values - exact.values;
     return {std::sqrt(e.dot(star_of_flux * e) / exact.values.dot(star_of_flux * exact.values)),
             std::sqrt(volumes.dot((flow.pressure.values - p).cwiseAbs2())),
-            d(mesh, flow.flux).values.cwiseAbs().maxCoeff()};
+            d(mesh.complex(), flow.flux).values.cwiseAbs().maxCoeff()};
 }
 
 struct Row : Case {
@@ -190,7 +190,7 @@ TEST(StokesErrors, tell_what_does_not_balance_in_one_of_two_components) {
     EXPECT_TRUE(says(refusal([&] { solver.solve(still, {.through = fluxes(1, 0)}); }),
                      {"1", "balance", "open facet"}));
     const auto flow = solver.solve(still, {.through = fluxes(1, 1)});
-    EXPECT_LE(d(mesh, flow.flux).values.cwiseAbs().maxCoeff(), 1e-13);
+    EXPECT_LE(d(mesh.complex(), flow.flux).values.cwiseAbs().maxCoeff(), 1e-13);
     EXPECT_NEAR(flow.pressure.values.tail(9).norm(), 0, 1e-12) << "where nothing flows";
     EXPECT_NEAR(flow.pressure.values.head(16).sum(), 0, 1e-10) << "its mean is 0 by itself";
 }
