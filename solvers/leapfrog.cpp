@@ -231,6 +231,14 @@ void Leapfrog::Field::advance(Vector& values, Vector rate, double time_step) con
         values += time_step * rate;
 }
 
+WaveState Leapfrog::at_rest(const Vector& given) const {
+    WaveState result{Vector(E_.whole), Vector(B_.whole)};
+    Vector E = E_.restricted(given, "E");
+    B_.put_back(unit_ * (time_step_ / 2 * (d_ * E)), result.B);
+    E_.put_back(std::move(E), result.E);
+    return result;
+}
+
 void Leapfrog::step(WaveState& state, const WaveSources& sources) const {
     Vector E = E_.restricted(state.E, "E"), B = B_.restricted(state.B, "B") / unit_;
     const auto source = [](const Field& field, const Vector& given, const char* what) {

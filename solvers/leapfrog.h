@@ -66,6 +66,10 @@ public:
     Leapfrog(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
              int degree, const LeapfrogOptions& options);
 
+    /// E as the conditions have it, at rest: its B half a step before. Throws InvalidInput
+    /// likewise.
+    WaveState at_rest(const Vector& E) const;
+
     /// One step. Throws InvalidInput for other numbers of values than there are cells.
     void step(WaveState& state, const WaveSources& sources = {}) const;
 
