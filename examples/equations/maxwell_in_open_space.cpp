@@ -14,14 +14,12 @@ int main() {
                                            const double near = std::exp(-60 * r.squaredNorm());
                                            return polydec::Vector{{-r[1] * near, r[0] * near, 0}};
                                        }));
-    const auto flash = [&](double t) -> polydec::Vector {
+    polydec::WaveOptions open{.time_step = 0.025, .layer = {.width = 0.25}};
+    open.conditions = polydec::BoundaryConditions{}; // behind the layer, conductors
+    open.source = [&](double t) -> polydec::Vector {
         return (t - 0.5) * std::exp(-50 * std::pow(t - 0.5, 2)) * ring.values;
     };
-    polydec::Waves light(box, 0 * ring,
-                         {.time_step = 0.025,
-                          .conditions = polydec::BoundaryConditions{},
-                          .layer = {.width = 0.25},
-                          .source = flash});
+    polydec::Waves light(box, 0 * ring, open);
     double most = 0;
     light.march(3, [&](double) { most = std::max(most, light.energy()); });
     std::cout << "of the energy stays " << light.energy() / most << '\n';

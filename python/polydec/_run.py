@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 from typing import Any, Iterator, Sequence
 
+import numpy.typing as npt
+
 from . import _core
 from ._arrays import Floats, floats
 from ._cells import Cells
@@ -46,14 +48,14 @@ class Run:
         """
         return self._run.march(until)
 
-    def frames(self, times: Sequence[float], *,
+    def frames(self, times: npt.ArrayLike, *,
                checkpoint: str | os.PathLike[str] | None = None) -> Iterator[tuple[Any, ...]]:
         """Marches to each of these ascending times, and gives the time and the forms there; the
         last ones are those of an event, if there is one.
 
         Parameters
         ----------
-        times : sequence of float
+        times : array_like
         checkpoint : str or os.PathLike, optional
             A file that keeps what is there before the next time is marched to, and of waves and
             flows every minute. Where it is there already, the run goes on from it, to the times
@@ -76,7 +78,7 @@ class Run:
         0.5 0.6065
         1.0 0.3679
         """
-        frames = self._run.frames(list(times), os.fspath(checkpoint or ""))
+        frames = self._run.frames(floats(times, "times").tolist(), os.fspath(checkpoint or ""))
         while frames.next():
             yield (self.time, *self.forms)
 
