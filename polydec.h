@@ -134,7 +134,6 @@
 #include "solvers/heat.h"
 #include "solvers/hodge.h"
 #include "solvers/hodge_laplace.h"
-#include "solvers/leapfrog.h"
 #include "solvers/poisson.h"
 #include "solvers/run.h"
 #include "solvers/spectrum.h"

@@ -85,7 +85,7 @@ void answer_waves(const WaveWords& words, const Discretization& mesh, const Coch
     answer.steps = steps;
     answer.ran = ran;
     answer.conditions = conditions;
-    answer.layer = run.leapfrog().layer();
+    answer.layer = run.layer();
     answer.layer_width = options.layer.width;
     if (std::isfinite(stable))
         answer.stable_step = stable;

@@ -197,7 +197,7 @@ void add_runs(py::module_& module) {
                  return of_kind<Waves>(self, [](Waves& run) { return run.energy(); });
              })
         .def("layer", [](AnyRun& self) {
-            return of_kind<Waves>(self, [](Waves& run) { return name(run.leapfrog().layer()); });
+            return of_kind<Waves>(self, [](Waves& run) { return name(run.layer()); });
         });
 }
 

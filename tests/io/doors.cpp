@@ -128,7 +128,10 @@ std::vector<Door> doors_of_forms(const Sample& s) {
                          }});
     }
     doors.push_back({"stable_step", 0, n - 1, [&](int k) { stable_step(s.P(), s.V(), k); }});
-    doors.push_back({"Leapfrog", 0, n - 1, [&](int k) { Leapfrog(s.P(), s.V(), k, 1e-3); }});
+    doors.push_back(
+        {"Waves", 0, n - 1, [&](int k) {
+             Waves(s.P(), s.V(), {Side::primal, k, Vector::Zero(s.size(k))}, {.time_step = 1e-3});
+         }});
     if (n <= 3) {
         doors.push_back({"draw_cells", 0, n, [&](int k) { draw_cells(s.mesh, k); }});
         doors.push_back({"add_cochain", 0, n, [&](int k) {

@@ -123,13 +123,13 @@ TEST(doors, values_of_another_number_than_the_cells_are_refused) {
 
 TEST(doors, waves_and_systems_of_other_sizes_are_refused) {
     const Sample& s = sample("a sphere");
-    const Leapfrog waves(s.P(), s.V(), 0, 1e-3);
-    Vector E = Vector::Zero(s.P().size(0)), B = Vector::Zero(s.P().size(1)), little(3);
-    EXPECT_EQ(outcome([&] { waves.step(E, B); }), "accepted");
-    EXPECT_EQ(outcome([&] { waves.step(little, B); }), "refused");
-    EXPECT_EQ(outcome([&] { waves.step(E, little); }), "refused");
-    EXPECT_EQ(outcome([&] { waves.energy(little, B); }), "refused");
-    EXPECT_EQ(outcome([&] { waves.energy(E, little); }), "refused");
+    const auto waves = [&](const Vector& E, const Vector& B) {
+        return outcome([&] { Waves(s.P(), s.V(), {Side::primal, 0, E}, {.B = B}).advance(); });
+    };
+    const Vector E = Vector::Zero(s.P().size(0)), B = Vector::Zero(s.P().size(1)), little(3);
+    EXPECT_EQ(waves(E, B), "accepted");
+    EXPECT_EQ(waves(little, B), "refused");
+    EXPECT_EQ(waves(E, little), "refused");
 }
 
 TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
