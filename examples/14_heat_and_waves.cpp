@@ -63,24 +63,21 @@ polydec::SvgSeries run(int n, int cells) {
         cooling.y.push_back(amplitude(u));
     }
 
-    // half a period turns the wave around; B begins half a step before it
-    const double half = 1 / std::sqrt(n),
-                 bound = polydec::stable_step({inside.complex, volumes}, 0);
+    // half a period turns the wave around
+    const double half = 1 / std::sqrt(n), bound = polydec::stable_step({inside.complex, volumes}, 0);
     const double steps = std::ceil(1.1 * half / bound), dt = half / steps;
-    const polydec::Leapfrog wave({inside.complex, volumes}, 0, dt);
-    polydec::Cochain swing = start;
-    polydec::Vector B = dt / 2 * polydec::d(inside.complex, start).values;
+    polydec::Waves wave({inside.complex, volumes}, start, {.time_step = dt});
     Film swung("waves", box, inside);
     for (int i = 1; i <= steps; ++i) {
-        wave.step(swing.values, B);
+        wave.advance();
         if (i % 4 == 0)
-            swung.add(i * dt, swing.values);
+            swung.add(wave.time(), wave.form(0).values);
     }
 
     std::cout << "n = " << n << ": " << box.input().size(n) << " simplices, "
               << box.complex().size(n) << " cells; rate of cooling "
               << -std::log(cooling.y.back()) / 0.05 / (n * pi * pi)
-              << " of the exact one; after half a period " << amplitude(swing) << '\n';
+              << " of the exact one; after half a period " << amplitude(wave.form(0)) << '\n';
     return cooling;
 }
 

@@ -50,9 +50,9 @@ int main(int count, char** arguments) {
     std::vector<double> times;
     for (int frame = 1; frame <= 20; ++frame)
         times.push_back(150 * frame);
-    pattern.march(times, [&](const polydec::Evolution& now) {
-        series.add(now.time(), {{"v", now.form(1)}});
-    });
+    polydec::march(pattern, times, {.show = [&](const polydec::Run& now) {
+                       series.add(now.time(), {{"v", now.form(1)}});
+                   }});
 
     std::cout << mesh.complex().size(2) << " cells, " << pattern.report().steps << " steps of "
               << pattern.time() / pattern.report().steps << " in the mean, "

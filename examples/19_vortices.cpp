@@ -37,16 +37,17 @@ void march(const std::string& name, const polydec::Discretization& mesh, double 
     };
     const double energy = flow.energy(w), harmonic = around != 0 ? harmonic_part() : 0;
     const double size = flow.circulations(w).cwiseAbs().sum();
-    const polydec::FlowSolver solver(flow, {.time_step = 0.4 * flow.exchange_time(w)});
-    const double time = steps * 0.4 * flow.exchange_time(w);
+    polydec::Flow vortices(flow, w, {.time_step = 0.4 * flow.exchange_time(w)});
     double drift = 0;
     for (int i = 0; i < steps; ++i) {
-        w = solver.step(w);
+        vortices.advance();
+        w = vortices.flux();
         drift = std::max(drift, std::abs(flow.energy(w) / energy - 1));
     }
-    std::cout << name << ", " << steps << " steps to the time " << time << ": energy off by "
-              << drift << ", circulation by " << std::abs(flow.total_circulation(w)) / size
-              << ", divergence " << flow.divergence(w);
+    std::cout << name << ", " << steps << " steps to the time " << vortices.time()
+              << ": energy off by " << drift << ", circulation by "
+              << std::abs(flow.total_circulation(w)) / size << ", divergence "
+              << flow.divergence(w);
     if (around != 0)
         std::cout << ", harmonic part from " << harmonic << " to " << harmonic_part();
     std::cout << (drift < 1e-10 ? "; kept\n" : "; lost\n");

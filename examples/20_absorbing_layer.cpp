@@ -30,16 +30,16 @@ polydec::Vector hill(const polydec::Discretization& mesh, double x, double width
 /// The field over time in the middle, and at the end everywhere.
 std::vector<double> run(int half, const polydec::AbsorbingLayer& absorbing) {
     const auto mesh = plane(half);
-    const polydec::Leapfrog light(mesh, {}, polydec::Side::primal, 0,
-                                  {.time_step = step, .layer = absorbing});
-    polydec::WaveState state{hill(mesh, 0, 3), polydec::Vector::Zero(mesh.complex().size(1))};
+    polydec::Waves light(
+        mesh, {polydec::Side::primal, 0, hill(mesh, 0, 3)},
+        {.time_step = step, .conditions = polydec::BoundaryConditions{}, .layer = absorbing});
     std::vector<double> seen;
-    for (double t = 0; t < 60; t += step) {
-        light.step(state);
-        for (polydec::Index v = 0; v < state.E.size(); ++v)
+    light.march(60, [&](double) {
+        const polydec::Vector E = light.form(0).values;
+        for (polydec::Index v = 0; v < E.size(); ++v)
             if (mesh.points().row(v).cwiseAbs().maxCoeff() < 20)
-                seen.push_back(state.E[v]);
-    }
+                seen.push_back(E[v]);
+    });
     return seen;
 }
 
@@ -70,20 +70,21 @@ void rod() {
         centers.rowwise().norm().unaryExpr([](double r) { return r < 8 ? 4.0 : 1.0; });
     mesh = mesh.with_stars(
         polydec::weighted_stars(mesh, 0, polydec::CellData::on_cells(permittivity)));
-    const polydec::Leapfrog light(mesh, {}, polydec::Side::primal, 0,
-                                  {.time_step = step, .layer = {.width = layer}});
-    polydec::WaveState state{polydec::Vector::Zero(mesh.complex().size(0)),
-                             polydec::Vector::Zero(mesh.complex().size(1))};
     const polydec::Vector antenna = hill(mesh, -14, 1.5);
+    const auto current = [&](double t) -> polydec::Vector {
+        return std::sin(0.5 * t) * std::exp(-std::pow((t - 30) / 15, 2)) * antenna;
+    };
+    polydec::Waves light(mesh, {polydec::Side::primal, 0, 0 * antenna},
+                         {.time_step = step,
+                          .conditions = polydec::BoundaryConditions{},
+                          .layer = {.width = layer},
+                          .source = current});
     double most = 0;
-    for (int i = 0; i * step < 200; ++i) {
-        const double t = (i + 0.5) * step;
-        light.step(state, {std::sin(0.5 * t) * std::exp(-std::pow((t - 30) / 15, 2)) * antenna});
-        most = std::max(most, light.energy(state.E, state.B));
-        if (i == 75)
-            draw(mesh, state.E);
-    }
-    std::cout << "with a glass rod " << 100 * (1 - light.energy(state.E, state.B) / most)
+    const auto look = [&](double) { most = std::max(most, light.energy()); };
+    light.march(76 * step, look);
+    draw(mesh, light.form(0).values);
+    light.march(200, look);
+    std::cout << "with a glass rod " << 100 * (1 - light.energy() / most)
               << " % of the energy has left\n";
 }
 

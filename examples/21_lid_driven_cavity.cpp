@@ -66,14 +66,12 @@ int main(int argc, char** argv) {
     const polydec::IncompressibleFlow flow(square, options);
 
     const int steps = static_cast<int>(std::ceil(time * cells / 0.7));
-    const polydec::FlowSolver solver(
-        flow, {.time_step = time / steps, .scheme = polydec::FlowScheme::imex});
-    polydec::Vector w = flow.project(polydec::Vector::Zero(walls.rows()));
-    for (int i = 0; i < steps; ++i)
-        w = solver.step(w);
+    polydec::Flow water(flow, flow.project(polydec::Vector::Zero(walls.rows())),
+                        {.time_step = time / steps, .scheme = polydec::FlowScheme::imex});
+    water.march(time);
 
     const polydec::Points sites = polydec::cell_centroids(square, 2);
-    const polydec::Vector u = polydec::flux_sharp(square, {polydec::Side::primal, 1, w}).col(0);
+    const polydec::Vector u = polydec::flux_sharp(square, water.form(0)).col(0);
     double worst = 0, sum = 0;
     for (std::size_t i = 0; i < heights.size(); ++i) {
         const double found = value_at({0.5, heights[i]}, sites, u, 1.0 / cells);

@@ -79,22 +79,20 @@ int main(int argc, char** argv) {
                                  : facets(f, 0) > 0         ? polydec::FlowBoundary::open
                                                             : polydec::FlowBoundary::free_slip);
     const polydec::IncompressibleFlow flow(mesh, options);
-    polydec::Vector w = flow.project(flow_of(mesh, [](double x, double y) {
+    const polydec::Vector start = flow.project(flow_of(mesh, [](double x, double y) {
         return y + std::exp(-4 * (std::pow(x - 1, 2) + std::pow(y - 0.5, 2))); // a first push
     }));
 
-    const int steps = static_cast<int>(std::ceil(until / (0.6 * flow.exchange_time(w))));
+    const int steps = static_cast<int>(std::ceil(until / (0.6 * flow.exchange_time(start))));
     const double step = until / steps;
-    const polydec::FlowSolver solver(flow,
-                                     {.time_step = step, .scheme = polydec::FlowScheme::imex});
+    polydec::Flow street(flow, start, {.time_step = step, .scheme = polydec::FlowScheme::imex});
     polydec::Index behind = 0;
     const polydec::Points cells = polydec::cell_centroids(mesh, 2);
     (cells.rowwise() - Eigen::RowVector2d(2, 0.1)).rowwise().norm().minCoeff(&behind);
     std::vector<double> across;
-    for (int i = 0; i < steps; ++i) {
-        w = solver.step(w);
-        across.push_back(polydec::flux_sharp(mesh, {polydec::Side::primal, 1, w})(behind, 1));
-    }
+    street.march(until, [&](double) {
+        across.push_back(polydec::flux_sharp(mesh, street.form(0))(behind, 1));
+    });
 
     const std::vector<double> times = rises(across, step);
     if (times.size() < 2) {

@@ -4,7 +4,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "base/printable.h"
-#include "dec/forms/star.h"
+#include "dec/fingerprint.h"
 #include "io/byte_reader.h"
 #include "io/source_file.h"
 
@@ -84,69 +84,6 @@ void check_whole(const SourceFile& file) {
 }
 
 } // namespace
-
-Fingerprint& Fingerprint::add(std::uint64_t word) {
-    value_ = (value_ ^ word) * 0x9e3779b97f4a7c15;
-    value_ ^= value_ >> 29;
-    return *this;
-}
-
-Fingerprint& Fingerprint::add(double number) {
-    return add(std::bit_cast<std::uint64_t>(number));
-}
-
-Fingerprint& Fingerprint::add(std::string_view text) {
-    add(static_cast<std::uint64_t>(text.size()));
-    for (const char c : text)
-        add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
-    return *this;
-}
-
-Fingerprint& Fingerprint::add(const Eigen::Ref<const DenseMatrix>& numbers) {
-    add(static_cast<std::uint64_t>(numbers.rows()));
-    add(static_cast<std::uint64_t>(numbers.cols()));
-    for (Eigen::Index j = 0; j < numbers.cols(); ++j)
-        for (Eigen::Index i = 0; i < numbers.rows(); ++i)
-            add(numbers(i, j));
-    return *this;
-}
-
-Fingerprint& Fingerprint::add(const Discretization& mesh) {
-    const int n = mesh.dimension();
-    add(DenseMatrix(mesh.measured_points())).add(mesh.unit());
-    for (int k = 0; k <= n; ++k) {
-        add(mesh.volumes().primal(k)).add(mesh.volumes().dual(k));
-        if (k == 0)
-            continue;
-        for (Index cell = 0; cell < mesh.complex().size(k); ++cell)
-            for (const SignedFace& f : mesh.complex().incidences(k - 1)[cell])
-                add(static_cast<std::uint64_t>(2 * std::int64_t{f.face} + (f.sign > 0)));
-    }
-    for (int k = 0; k <= n; ++k)
-        add(mesh.stars()[k]);
-    return add(name(mesh.chosen_stars().kind));
-}
-
-Fingerprint& Fingerprint::add(const BoundaryConditions& conditions) {
-    add(static_cast<std::uint64_t>(conditions.everywhere));
-    for (const auto condition : conditions.facets)
-        add(static_cast<std::uint64_t>(condition));
-    for (const double coefficient : conditions.coefficients)
-        add(coefficient);
-    for (const bool is_fixed : conditions.fixed_vertices)
-        add(std::uint64_t{is_fixed});
-    return *this;
-}
-
-Fingerprint& Fingerprint::add(const HodgeStar& star) {
-    if (star.is_diagonal())
-        return add(star.diagonal());
-    const SparseMatrix matrix = star.matrix();
-    for (Index row = 0; row < matrix.rows(); ++row)
-        for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry)
-            add(static_cast<std::uint64_t>(entry.col())).add(entry.value());
-    return *this;
-}
 
 struct CheckpointWriter::Words {
     explicit Words(const std::filesystem::path& path) : file(path), words(file) {}

@@ -2,40 +2,13 @@
 #pragma once
 
 #include "base/types.h"
-#include "dec/discretization.h"
-#include "dec/forms/boundary_conditions.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <string_view>
 #include <vector>
 
 namespace polydec {
-
-/// 64 bits by which what belongs together is known again: the same numbers and words in the same
-/// order give the same value on every machine. No protection against intent.
-class Fingerprint {
-public:
-    Fingerprint& add(std::uint64_t word);
-    Fingerprint& add(double number);
-    Fingerprint& add(std::string_view text);
-    Fingerprint& add(const Eigen::Ref<const DenseMatrix>& numbers);
-
-    /// Every entry of a star.
-    Fingerprint& add(const HodgeStar& star);
-
-    /// Those of every facet, coefficients, and fixed vertices.
-    Fingerprint& add(const BoundaryConditions& conditions);
-
-    /// Points, simplices, merged cells, volumes and stars of a mesh.
-    Fingerprint& add(const Discretization& mesh);
-
-    std::uint64_t value() const { return value_; }
-
-private:
-    std::uint64_t value_ = 0xcbf29ce484222325;
-};
 
 /// How far a computation in time got.
 struct Checkpoint {

@@ -35,8 +35,9 @@ def vortices():
     vorticity = sum(np.exp(-30 * ((y - at) ** 2 + z * z)) * (x > 0) for at in (0.25, -0.25))
     flow = polydec.IncompressibleFlow(sphere, viscosity=3e-4)
     w = flow.project(polydec.flow_of_vorticity(sphere, 10 * vorticity))
-    w = polydec.FlowSolver(flow, 0.02, scheme="imex").step(w, 100)
-    return sphere, flow.vorticity(w)
+    vortices = polydec.Flow(flow, w, 0.02, scheme="imex")
+    vortices.march(2.0)
+    return sphere, flow.vorticity(vortices.forms[0])
 
 
 def light():
@@ -44,10 +45,10 @@ def light():
     square = polydec.discretize(polydec.meshes.grid(80, 80))
     ring = polydec.de_rham(square, 1, lambda x: (x - 0.5) @ [[0, 1], [-1, 0]] * np.exp(
         -400 * ((x - 0.5) ** 2).sum(axis=1, keepdims=True)))
-    waves = polydec.Leapfrog(square, 1, 0.008, essential=True, layer=0.15)
-    now = polydec.WaveState(0 * ring, np.zeros(square.size(2)))
-    now = waves.march(now, 70, source=lambda t: np.sin(60 * t) * ring)
-    return square, now.B
+    waves = polydec.Waves(square, 0 * ring, time_step=0.008, essential=True, layer=0.15,
+                          source=lambda t: np.sin(60 * t) * ring)
+    waves.march(70 * 0.008)
+    return square, waves.forms[1]
 
 
 def main():

@@ -233,4 +233,12 @@ Vector Diffusion::values_of(const Vector& form, const BoundaryForms& data) const
     return values_of(whole);
 }
 
+Fingerprint Diffusion::fingerprint() const {
+    Fingerprint result;
+    result.add(side_).add(degree_).add(coefficient_).add(unit_).add(solver_->name());
+    if (space_)
+        return result.add(space_->whole).add(space_->stars).add(space_->conditions);
+    return result.add(mass_).add(stiffness_.matrix());
+}
+
 } // namespace polydec

@@ -3,6 +3,7 @@
 
 #include "backends/linear_solver.h"
 #include "dec/conditioned_complex.h"
+#include "dec/fingerprint.h"
 #include "dec/forms/cochain.h"
 #include "dec/forms/operator.h"
 #include "solvers/boundary_forms.h"
@@ -77,6 +78,10 @@ public:
     /// Throws like LinearSolver, and SolverFailure where x is longer than u in its own norm: then
     /// the Laplacian has negative eigenvalues.
     Vector solve(const Vector& values, double explicit_part = 0) const;
+
+    /// Of all that makes rates and solutions: cells, stars, conditions, coefficient, engine, or a
+    /// stiffness of one's own. Throws like Operator::matrix.
+    Fingerprint fingerprint() const;
 
 private:
     SparseMatrix step_matrix(double gamma) const;

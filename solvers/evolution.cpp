@@ -80,6 +80,8 @@ struct Evolution::Equation {
     Reaction reaction;
     EvolutionOptions options;
     double unit = 1; ///< of time
+    TimeListener progress;
+    std::function<Fingerprint()> cells;
     Vector start, scale;
 
     void add(const Cells& cells, const Unknown& unknown);
@@ -88,6 +90,7 @@ struct Evolution::Equation {
     Vector stiff_rate(double time, const Vector& values) const;
     Vector solve(const Vector& b) const;
     InitialValueProblem problem(const std::shared_ptr<Equation>& self) const;
+    std::optional<Fingerprint> fingerprint() const;
 };
 
 void Evolution::Equation::add(const Cells& cells, const Unknown& unknown) {
@@ -192,13 +195,43 @@ InitialValueProblem Evolution::Equation::problem(const std::shared_ptr<Equation>
                                         part.stiff->prepare(self->unit * gamma);
                             },
                         .solve = [self](const Vector& b) { return self->solve(b); }};
-    if (options.progress)
-        result.progress = [self](double t) { self->options.progress(self->unit * t); };
+    result.progress = [self](double t) {
+        if (self->progress)
+            self->progress(self->unit * t);
+    };
     if (options.event)
         result.event = [self](double t, const Vector& y) {
             const double time = self->unit * t;
             return self->options.event(time, self->forms(time, y));
         };
+    return result;
+}
+
+std::optional<Fingerprint> Evolution::Equation::fingerprint() const {
+    bool has_functions = reaction || options.event;
+    for (const Part& part : parts)
+        has_functions = has_functions || part.unknown.boundary;
+    if (has_functions && options.label.empty())
+        return std::nullopt;
+    const IntegratorOptions& steps = options.steps;
+    Fingerprint result = cells();
+    result.add("evolution").add(options.label).add(has_functions);
+    result.add(options.integrator).add(options.time).add(steps.most_steps);
+    for (const double number : {steps.relative_tolerance, steps.absolute_tolerance,
+                                steps.first_step, steps.largest_step, steps.fixed_step})
+        result.add(number);
+    for (const Part& part : parts) {
+        const auto& [side, degree, values] = part.unknown.start;
+        result.add(side).add(degree).add(values);
+        if (part.stiff)
+            result.add(part.stiff->fingerprint().value());
+        const BoundaryForms data = part.boundary(options.time);
+        for (const Vector* given :
+             {&data.values, &data.codifferential, &data.flow, &data.derivative_flow})
+            result.add(*given);
+    }
+    if (reaction)
+        result.add(rate(options.time, start));
     return result;
 }
 
@@ -220,6 +253,7 @@ Evolution::Evolution(const Cells& cells, std::vector<Unknown> unknowns, Reaction
     integrator_ = make_integrator(options.integrator, in_unit(options.steps, equation_->unit));
     equation_->reaction = std::move(reaction);
     equation_->options = std::move(options);
+    equation_->cells = [cells] { return Fingerprint().add(cells); };
     for (const Unknown& unknown : unknowns)
         equation_->add(cells, unknown);
     begin(time, equation_->start, {});
@@ -229,19 +263,9 @@ void Evolution::begin(double time, const Vector& values, const Vector& memory) {
     integrator_->begin(equation_->problem(equation_), time / equation_->unit, values, memory);
 }
 
-Arrival Evolution::march(double until) {
+Arrival Evolution::march(double until, const TimeListener& progress) {
+    equation_->progress = progress;
     return integrator_->advance(until / equation_->unit);
-}
-
-Arrival Evolution::march(const std::vector<double>& times,
-                         const std::function<void(const Evolution&)>& show) {
-    for (const double time : times) {
-        const Arrival arrival = march(time);
-        show(*this);
-        if (arrival == Arrival::at_event)
-            return arrival;
-    }
-    return Arrival::at_time;
 }
 
 double Evolution::time() const {
@@ -262,6 +286,10 @@ void Evolution::resume(double time, const std::vector<Vector>& state) {
                                        "and the integrator's memory",
                                        equation_->start.size()));
     begin(time, state[0], state[1]);
+}
+
+std::optional<Fingerprint> Evolution::fingerprint() const {
+    return equation_->fingerprint();
 }
 
 IntegratorReport Evolution::report() const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "backends/integrator.h"
 #include "solvers/diffusion.h"
+#include "solvers/run.h"
 
 #include <functional>
 #include <memory>
@@ -37,9 +37,7 @@ struct EvolutionOptions {
     std::string linear_solver = "auto";
     /// A march stops where this goes through 0.
     std::function<double(double time, const std::vector<Cochain>& forms)> event = {};
-    /// Told of the time at each evaluation on the way; what it throws ends a march, behind its last
-    /// good step.
-    std::function<void(double time)> progress = {};
+    std::string label = {}; ///< of what the functions compute, for checkpoints
 };
 
 /// The largest coefficient of a form: of its values over the sizes of cells, by which Evolution
@@ -52,30 +50,23 @@ double largest_coefficient(const Cells& cells, const Cochain& form);
 /// mesh is, since diffusion is solved for. A step's error is measured in values over the sizes of
 /// cells, so that the absolute tolerance is one of coefficients. Times and rates are those of the
 /// caller, of lengths of a mesh's input.
-class Evolution {
+class Evolution final : public Run {
 public:
     /// Throws InvalidInput, numbering the unknown from 0, for forms that do not live on the mesh,
     /// and like Diffusion; BackendUnavailable or InvalidInput for an integrator that is not there.
     Evolution(const Cells& cells, std::vector<Unknown> unknowns, Reaction reaction = {},
               EvolutionOptions options = {});
 
-    /// Marches to this time, or to the first event. Throws like Integrator::advance.
-    Arrival march(double until);
+    double time() const override;
+    std::vector<Cochain> forms() const override;
 
-    /// Marches to each of these times, ascending, and shows what is there; stops behind an event.
-    Arrival march(const std::vector<double>& times,
-                  const std::function<void(const Evolution&)>& show);
+    /// Progress is told at each evaluation on the way. Throws like Integrator::advance.
+    Arrival march(double until, const TimeListener& progress = {}) override;
+    std::vector<Vector> state() const override;
+    void resume(double time, const std::vector<Vector>& state) override;
 
-    double time() const;
-
-    /// The forms now, values on essential facets included.
-    std::vector<Cochain> forms() const;
-    Cochain form(std::size_t unknown) const { return forms().at(unknown); }
-
-    /// What a checkpoint has to keep beside the time: with it, resume() goes on with the same
-    /// steps; to the same bits if the integrator resumes exactly.
-    std::vector<Vector> state() const;
-    void resume(double time, const std::vector<Vector>& state);
+    /// What the reaction and the data on the boundary give at the start is part of it as well.
+    std::optional<Fingerprint> fingerprint() const override;
 
     IntegratorReport report() const;
 

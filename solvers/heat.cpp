@@ -36,4 +36,28 @@ Cochain HeatSolver::step(const Cochain& form) const {
     return {side, degree, std::move(result)};
 }
 
+HeatRun::HeatRun(const Cells& cells, const BoundaryConditions& conditions,
+                 const Cochain& start, const HeatOptions& options)
+    : FixedSteps(options.time_step, {start.values}),
+      solver_(cells, conditions, start.side, start.degree, options),
+      start_(start),
+      problem_([=] {
+          Fingerprint result;
+          result.add("heat").add(cells).add(conditions).add(start.side).add(start.degree);
+          result.add(start.values).add(options.time_step).add(options.scheme);
+          return result.add(options.linear_solver);
+      }) {}
+
+void HeatRun::step(std::vector<Vector>& state) const {
+    state[0] = solver_.step({start_.side, start_.degree, state[0]}).values;
+}
+
+std::vector<Cochain> HeatRun::forms() const {
+    return {{start_.side, start_.degree, now()[0]}};
+}
+
+std::optional<Fingerprint> HeatRun::fingerprint() const {
+    return problem_();
+}
+
 } // namespace polydec

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solvers/diffusion.h"
+#include "solvers/fixed_steps.h"
 
 #include <string>
 
@@ -46,6 +47,24 @@ private:
     CellComplex complex_;
     double explicit_part_ = 0; // of the time step
     Diffusion diffusion_;
+};
+
+/// A form that cools by the steps of a HeatSolver.
+class HeatRun final : public FixedSteps {
+public:
+    /// Throws like HeatSolver.
+    HeatRun(const Cells& cells, const BoundaryConditions& conditions, const Cochain& start,
+            const HeatOptions& options);
+
+    std::vector<Cochain> forms() const override;
+    std::optional<Fingerprint> fingerprint() const override;
+
+private:
+    void step(std::vector<Vector>& state) const override;
+
+    HeatSolver solver_;
+    Cochain start_;
+    std::function<Fingerprint()> problem_;
 };
 
 } // namespace polydec

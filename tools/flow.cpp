@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "solvers/flow/flow.h"
+
 #include "base/errors.h"
 #include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
 #include "io/diagnosis_json.h"
 #include "solvers/flow/flow_data.h"
-#include "solvers/flow/flow_solver.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/component_values.h"
@@ -183,27 +184,17 @@ void run_flow(const FlowArguments& arguments) {
     });
     const Vector start = flow.project(given.start(mesh));
     const TimeSteps steps = time_steps(arguments.time, own_step(flow, start, arguments));
-    const FlowSolver solver(flow, {.time_step = steps.length, .scheme = arguments.scheme});
+    Flow moving(flow, start, {.time_step = steps.length, .scheme = arguments.scheme});
     const std::string words = boundary_in_words(options.facets, mesh.complex());
     PageText text;
     text.title = fmt::format("{}: flow", arguments.mesh.mesh.filename().string());
     text.facts = {
         fmt::format("an incompressible flow of viscosity {:.6g}", arguments.flow.viscosity), words,
         in_words(mesh.chosen_stars())};
-    March march{"flow", in_page(std::move(text), log), steps, {start}, {}, {}, {}};
-    march.step = [&](std::vector<Vector>& state) {
-        state[0] = computed_on(arguments.mesh.mesh, [&] { return solver.step(state[0]); });
-    };
-    march.shown = [&](const std::vector<Vector>& state) { return shown(flow, state[0]); };
-    march.problem.add(mesh).add(start).add(words).add(options.viscosity);
-    march.problem.add(static_cast<std::uint64_t>(arguments.scheme));
-    for (const Vector* data : {&options.boundary_flux, &options.rotation})
-        march.problem.add(*data);
-    march.problem.add(Vector(options.wall_velocity.reshaped()));
-    for (const auto kind : options.facets)
-        march.problem.add(static_cast<std::uint64_t>(kind));
-    const Ran ran = run(march, arguments.time, mesh);
-    Flowed answer(flow, start, march.state[0], arguments.flow.viscosity);
+    const March march{"flow", in_page(std::move(text), log), steps,
+                      [&](const Run&) { return shown(flow, moving.flux()); }};
+    const Ran ran = march_to_end(moving, march, arguments.time, arguments.mesh.mesh, mesh);
+    Flowed answer(flow, start, moving.flux(), arguments.flow.viscosity);
     answer.steps = steps;
     answer.ran = ran;
     answer.conditions = words;

@@ -70,19 +70,20 @@ struct Cooled : Answer {
     std::optional<IntegratorReport> integrated;
 
     Cooled(const Heat& heat, const TimeSteps& equal, const Ran& how, std::string words,
-           const Cochain& end, const Evolution* run)
-        : side(end.side),
-          degree(end.degree),
+           const Run& run)
+        : side(heat.start.side),
+          degree(heat.start.degree),
           steps(equal),
           ran(how),
           conditions(std::move(words)),
-          min(end.values.minCoeff()),
-          max(end.values.maxCoeff()),
-          norm(tools::norm(heat.mesh, end)),
-          relative_norm(part_of(norm, tools::norm(heat.mesh, heat.start))),
           stars(heat.mesh.chosen_stars()) {
-        if (run)
-            integrated = run->report();
+        const Cochain end = run.form(0);
+        min = end.values.minCoeff();
+        max = end.values.maxCoeff();
+        norm = tools::norm(heat.mesh, end);
+        relative_norm = part_of(norm, tools::norm(heat.mesh, heat.start));
+        if (const auto* evolution = dynamic_cast<const Evolution*>(&run))
+            integrated = evolution->report();
     }
 
     void write(JsonWriter& json) const override {
@@ -113,29 +114,6 @@ struct Cooled : Answer {
              in_words(relative_norm));
     }
 };
-
-/// Equal steps by the scheme that was asked for.
-void take_equal_steps(March& march, const Heat& heat) {
-    auto options = heat.arguments.heat;
-    options.time_step = march.steps.length;
-    const auto& start = heat.start;
-    const auto file = heat.arguments.mesh.mesh;
-    const auto solver = std::make_shared<HeatSolver>(computed_on(file, [&] {
-        const Progress progress;
-        progress("factorize");
-        return HeatSolver(heat.mesh, heat.conditions.value_or(built_in_conditions(start.side)),
-                          start.side, start.degree, options);
-    }));
-    march.step = [=, side = start.side, degree = start.degree](std::vector<Vector>& state) {
-        state[0] = computed_on(file, [&] {
-            return solver->step({side, degree, std::move(state[0])}).values;
-        });
-    };
-    march.shown = [side = start.side, degree = start.degree](const std::vector<Vector>& state) {
-        return std::vector{NamedForm("u", {side, degree, state[0]}, "the heat")};
-    };
-    march.problem.add(static_cast<std::uint64_t>(options.scheme));
-}
 
 /// A value at each time; the same one where an expression does not use the time, none without one.
 std::function<Vector(double)> in_time(const std::optional<FormValues>& values,
@@ -172,7 +150,8 @@ double largest_of(const Heat& heat) {
     return largest > 0 ? largest : 1;
 }
 
-std::shared_ptr<Evolution> evolution(const Heat& heat, std::function<void(double)> progress) {
+/// Steps from frame to frame, each of as many as the tolerance asks for.
+std::unique_ptr<Run> integrated(const Heat& heat) {
     const Side side = heat.start.side;
     const int degree = heat.start.degree;
     const Discretization& mesh = heat.mesh;
@@ -196,44 +175,28 @@ std::shared_ptr<Evolution> evolution(const Heat& heat, std::function<void(double
     const double tolerance = heat.arguments.tolerance > 0 ? heat.arguments.tolerance : 1e-5;
     EvolutionOptions options{.integrator = heat.arguments.integrator,
                              .linear_solver = heat.arguments.heat.linear_solver,
-                             .progress = std::move(progress)};
+                             .label = "data"};
+    for (const auto& [values, text] : {std::pair(&heat.source, heat.arguments.source),
+                                       {&heat.boundary, heat.arguments.boundary},
+                                       {&heat.flux, heat.arguments.flux}})
+        options.label += *values && (*values)->uses_time() ? "; in time " + text : "; fixed";
     options.steps = {.relative_tolerance = tolerance,
                      .absolute_tolerance = 1e-3 * tolerance * largest_of(heat),
                      .fixed_step = heat.arguments.time.time_step};
-    return std::make_shared<Evolution>(mesh, std::vector{unknown}, reaction, options);
+    return std::make_unique<Evolution>(mesh, std::vector{unknown}, reaction, options);
 }
 
-/// Steps from frame to frame, each of as many as the tolerance asks for. The state is that of the
-/// evolution, and the time behind it.
-std::shared_ptr<Evolution> integrate(March& march, const Heat& heat) {
-    const auto file = heat.arguments.mesh.mesh;
-    const double length = march.steps.length;
-    const auto progress = [&march, length](double time) {
-        const double frames = time / length;
-        if (march.within)
-            march.within(frames - std::floor(frames));
-    };
-    const auto run = computed_on(file, [&] { return evolution(heat, progress); });
-    const auto state_now = [run] {
-        auto state = run->state();
-        state.push_back(Vector{{run->time()}});
-        return state;
-    };
-    march.state = state_now();
-    march.step = [=](std::vector<Vector>& state) {
-        computed_on(file, [&] {
-            const double now = state[2][0];
-            if (now != run->time())
-                run->resume(now, {state[0], state[1]});
-            run->march(length * (std::round(now / length) + 1));
-            state = state_now();
-            return 0;
-        });
-    };
-    march.shown = [run](const std::vector<Vector>&) {
-        return std::vector{NamedForm("u", run->form(0), "the heat")};
-    };
-    return run;
+/// By what was asked for; else equal steps by a scheme.
+std::unique_ptr<Run> run_of(const Heat& heat, const TimeSteps& steps) {
+    if (heat.arguments.needs_integrator())
+        return integrated(heat);
+    const Progress progress;
+    progress("factorize");
+    auto options = heat.arguments.heat;
+    options.time_step = steps.length;
+    return std::make_unique<HeatRun>(heat.mesh,
+                                     heat.conditions.value_or(built_in_conditions(heat.start.side)),
+                                     heat.start, options);
 }
 
 void check_boundary(const HeatArguments& arguments) {
@@ -293,17 +256,12 @@ void run_heat(const HeatArguments& arguments) {
                               heat.source ? " + " + arguments.source : "", name(side), degree,
                               arguments.initial),
                   words, in_words(mesh.chosen_stars())};
-    March march{"heat", in_page(std::move(text), log), steps, {heat.start.values}, {}, {}, {}};
-    march.problem.add(mesh).add(heat.start.values).add(name(side)).add(words);
-    std::shared_ptr<Evolution> integrated;
-    if (arguments.needs_integrator())
-        integrated = integrate(march, heat);
-    else
-        take_equal_steps(march, heat);
-    march.problem.add(conditions);
-    const Ran ran = run(march, arguments.time, mesh);
-    const Cochain end = integrated ? integrated->form(0) : Cochain{side, degree, march.state[0]};
-    tell(Cooled(heat, steps, ran, words, end, integrated.get()), log, arguments.mesh.tell);
+    const March march{"heat", in_page(std::move(text), log), steps, [](const Run& now) {
+                          return std::vector{NamedForm("u", now.form(0), "the heat")};
+                      }};
+    const auto run = computed_on(arguments.mesh.mesh, [&] { return run_of(heat, steps); });
+    const Ran ran = march_to_end(*run, march, arguments.time, arguments.mesh.mesh, mesh);
+    tell(Cooled(heat, steps, ran, words, *run), log, arguments.mesh.tell);
 }
 
 } // namespace

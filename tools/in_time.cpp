@@ -3,9 +3,10 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "io/march.h"
 #include "io/pages/series.h"
-#include "io/source_file.h"
 #include "tools/common.h"
+#include "tools/messages.h"
 #include "tools/options.h"
 #include "tools/outputs.h"
 #include "tools/stop_signals.h"
@@ -13,22 +14,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <string_view>
-#include <system_error>
 
 namespace polydec::tools {
 
 namespace {
 
-/// Steps done, and the time that the others will take, as often as somebody can read it.
+/// What is done, and the time that the rest will take, as often as somebody can read it.
 class Remaining {
 public:
-    Remaining(std::string title, Index first, Index last)
+    Remaining(std::string title, double first, double last)
         : title_(std::move(title)), first_(first), last_(last) {}
 
     void operator()(double done) {
@@ -45,7 +43,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     std::string title_;
-    Index first_, last_;
+    double first_, last_;
     Clock::time_point begin_ = Clock::now(), told_ = begin_;
     Progress progress_;
 };
@@ -55,94 +53,9 @@ Index step_of_frame(Index frame, Index frames, Index steps) {
     return static_cast<Index>(std::int64_t{frame} * steps / frames);
 }
 
-void check_numbers(const std::vector<Vector>& state, Index step) {
-    for (const Vector& values : state)
-        if (!values.allFinite())
-            throw SolverFailure(fmt::format("after step {} values are no finite numbers: take "
-                                            "shorter steps, or look at the data",
-                                            step));
-}
-
-/// Options that change nothing of the numbers: where answers go and how they are told, how far and
-/// in whose memory, and the mesh, whose content is known.
-constexpr std::array<std::string_view, 8> without_effect{"-h,--help",    "MESH",        "-o,--out",
-                                                         "--checkpoint", "--resume",    "--json",
-                                                         "--timing",     "--max-memory"};
-
-/// Of all that makes the numbers: what files hold, not what they are called.
-Fingerprint problem_of(const March& march, const TimeArguments& arguments, Index frames) {
-    auto result = march.problem;
-    result.add(march.what).add(static_cast<std::uint64_t>(march.steps.count));
-    result.add(march.steps.length).add(static_cast<std::uint64_t>(frames));
-    for (const CLI::Option* option : arguments.command->get_options()) {
-        const std::string name = option->get_name(false, true);
-        if (option->count() == 0 ||
-            std::find(without_effect.begin(), without_effect.end(), name) != without_effect.end())
-            continue;
-        result.add(name);
-        for (const std::string& given : option->results()) {
-            std::error_code error;
-            const bool is_file = std::filesystem::is_regular_file(given, error);
-            result.add(is_file ? read_source_file(given).text : given);
-        }
-    }
-    return result;
-}
-
-/// Keeps the states of a march: at frames, when the last one is long ago, and before the program
-/// ends by a signal.
-class Keeper {
-public:
-    Keeper(const std::filesystem::path& path, std::uint64_t problem)
-        : path_(path), problem_(problem) {
-        if (!path.empty())
-            signals_.emplace();
-    }
-
-    void operator()(const March& march, Index step, double time, bool at_frame) {
-        if (path_.empty())
-            return;
-        const auto now = Clock::now();
-        const bool ends = signals_->asked();
-        if (at_frame || ends || now - kept_ > longest) {
-            check_numbers(march.state, step);
-            write_checkpoint(path_,
-                             {problem_, static_cast<std::uint64_t>(step), time, march.state});
-            kept_ = now;
-        }
-        if (ends)
-            signals_->end();
-    }
-
-    /// Ends within a step: what was kept last stays.
-    void within() const {
-        if (signals_ && signals_->asked())
-            signals_->end();
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    static constexpr std::chrono::seconds longest{60};
-
-    std::filesystem::path path_;
-    std::uint64_t problem_;
-    std::optional<StopSignals> signals_;
-    Clock::time_point kept_ = Clock::now();
-};
-
-/// Takes the state of a checkpoint, if there is one to go on from; the step it was made after.
-Index resume(March& march, const TimeArguments& arguments, std::uint64_t problem) {
-    if (!arguments.resume || !std::filesystem::exists(arguments.checkpoint))
-        return 0;
-    auto checkpoint = read_checkpoint(arguments.checkpoint, problem);
-    march.state = std::move(checkpoint.state);
-    return static_cast<Index>(checkpoint.step);
-}
-
 } // namespace
 
 void add_time(CLI::App& command, TimeArguments& arguments, const std::string& own_step) {
-    arguments.command = &command;
     command.add_option("--until", arguments.until, "the time at the end")
         ->required()
         ->check(CLI::PositiveNumber);
@@ -195,42 +108,36 @@ TimeSteps time_steps(const TimeArguments& arguments, double length) {
     return {static_cast<Index>(count), arguments.until / count};
 }
 
-Ran run(March& march, const TimeArguments& arguments, const Discretization& mesh) {
-    const Index steps = march.steps.count;
-    const auto time_after = [&](Index step) { return arguments.until * step / steps; };
-    const Index frames = std::min(arguments.frames, steps);
-    const std::uint64_t problem = problem_of(march, arguments, frames).value();
-    const Index first = resume(march, arguments, problem);
-    std::vector<double> times; // of frames that an earlier run has written
-    Index frame = 0;
-    for (; first > 0 && step_of_frame(frame, frames, steps) <= first; ++frame)
-        times.push_back(time_after(step_of_frame(frame, frames, steps)));
+Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,
+                 const std::filesystem::path& file, const Discretization& mesh) {
+    const Index steps = march.steps.count, frames = std::min(arguments.frames, steps);
+    std::vector<double> times;
+    for (Index frame = 0; frame <= frames; ++frame)
+        times.push_back(arguments.until * step_of_frame(frame, frames, steps) / steps);
+    std::optional<StopSignals> signals;
+    if (!arguments.checkpoint.empty())
+        signals.emplace();
+    std::optional<Remaining> remaining;
+    Frames to_come(run, times,
+                   {.checkpoint = arguments.checkpoint,
+                    .resume = arguments.resume,
+                    .progress = [&](double time) { (*remaining)(time); },
+                    .stop = [&] { return signals && signals->asked(); }});
+    const double begin = run.time();
+    remaining.emplace(march.what, begin, arguments.until);
     std::optional<Series> series;
     if (!arguments.out.empty())
-        series.emplace(arguments.out, mesh, march.text, times, problem);
-    Remaining remaining(march.what, first, steps);
-    Keeper keep(arguments.checkpoint, problem);
-    for (Index step = first;; ++step) {
-        const bool at_frame = frame <= frames && step == step_of_frame(frame, frames, steps);
-        if (at_frame) {
-            check_numbers(march.state, step);
-            if (series)
-                series->add(time_after(step), march.shown(march.state));
-            ++frame;
-        }
-        keep(march, step, time_after(step), at_frame);
-        if (step == steps)
-            break;
-        march.within = [&, step](double part) {
-            keep.within();
-            remaining(step + part);
-        };
-        march.step(march.state);
-        remaining(step + 1);
-    }
+        series.emplace(arguments.out, mesh, march.text,
+                       std::vector(times.begin(), times.begin() + to_come.passed()),
+                       run.fingerprint().value_or(polydec::Fingerprint()).value());
+    while (computed_on(file, [&] { return to_come.next(); }))
+        if (series)
+            series->add(times[to_come.passed() - 1], march.shown(run));
+    if (signals && signals->asked())
+        signals->end();
     if (series)
         series->close();
-    return {first, frames + 1};
+    return {static_cast<Index>(std::lround(begin / march.steps.length)), frames + 1};
 }
 
 std::optional<double> in_range(const std::function<double()>& number) {

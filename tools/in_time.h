@@ -2,8 +2,8 @@
 #pragma once
 
 #include "dec/discretization.h"
-#include "io/checkpoint.h"
 #include "io/pages/draw_page.h"
+#include "solvers/run.h"
 #include "tools/answer.h"
 
 #include <CLI/CLI.hpp>
@@ -23,7 +23,6 @@ struct TimeArguments {
     Index frames = 20;
     std::filesystem::path out, checkpoint;
     bool resume = false;
-    const CLI::App* command = nullptr; ///< whose options these are among
 };
 
 /// Adds --until, --time-step, --frames, -o, --checkpoint and --resume; what the command takes for a
@@ -43,18 +42,12 @@ struct TimeSteps {
 /// Throws InvalidInput for more than 1e9 steps.
 TimeSteps time_steps(const TimeArguments& arguments, double length);
 
-/// What marches: forms that each step takes to the next ones.
+/// How a run is told of.
 struct March {
     std::string what; ///< heat, say, for progress
     PageText text;
     TimeSteps steps;
-    std::vector<Vector> state; ///< at the time 0; at the end after run
-    std::function<void(std::vector<Vector>&)> step;
-    std::function<std::vector<NamedForm>(const std::vector<Vector>&)> shown;
-    Fingerprint problem; ///< of what makes the numbers besides the options of the command
-
-    /// Is told by a long step on its way how much of it is done, of 1; may end the program.
-    std::function<void(double part)> within = {};
+    std::function<std::vector<NamedForm>(const Run&)> shown;
 };
 
 /// Where a run began: at a checkpoint, or at step 0.
@@ -63,10 +56,11 @@ struct Ran {
     Index frames = 0;
 };
 
-/// Runs to the end, with what happens on the way: the frames of the series that is asked for, and a
-/// checkpoint after each. A run that goes on from a checkpoint ends in the same bits. Throws
-/// SolverFailure, naming the step, for what is no number.
-Ran run(March& march, const TimeArguments& arguments, const Discretization& mesh);
+/// Marches to the end, with what happens on the way: the frames of the series that is asked for,
+/// and a checkpoint after each; see march of the library. A signal that asks for it ends the
+/// program, where a checkpoint is kept. Errors name the file of the mesh.
+Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,
+                 const std::filesystem::path& file, const Discretization& mesh);
 
 /// A number as a part of that at the beginning; none if there was nothing.
 std::optional<double> part_of(double now, double before);

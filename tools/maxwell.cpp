@@ -6,9 +6,9 @@
 #include "tools/conditions.h"
 #include "tools/expression.h"
 #include "tools/form_values.h"
-#include "tools/march_waves.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
+#include "tools/wave_answer.h"
 
 #include <fmt/format.h>
 
@@ -115,20 +115,15 @@ private:
     Vector permittivity_, permeability_, conductivity_;
 };
 
-WaveProblem described(const MaxwellArguments& arguments) {
-    WaveProblem problem{.what = "maxwell",
-                        .form = "E",
-                        .form_words = "the electric field",
-                        .side = arguments.side,
-                        .degree = arguments.degree};
-    problem.title = fmt::format("{}: Maxwell's equations", arguments.mesh.mesh.filename().string());
-    problem.equation = "dB/dt = -d E, dE/dt = (delta B - conductivity E - J) / permittivity";
+WaveWords words_of(const MaxwellArguments& arguments) {
+    std::string equation = "dB/dt = -d E, dE/dt = (delta B - conductivity E - J) / permittivity";
     if (!arguments.initial.empty())
-        problem.equation += fmt::format(", E = {} at the time 0", arguments.initial);
+        equation += fmt::format(", E = {} at the time 0", arguments.initial);
     if (!arguments.current.empty())
-        problem.equation += fmt::format(", J = ({}) times {}", arguments.current, arguments.pulse);
-    problem.options.layer = arguments.layer;
-    return problem;
+        equation += fmt::format(", J = ({}) times {}", arguments.current, arguments.pulse);
+    return {"maxwell",
+            fmt::format("{}: Maxwell's equations", arguments.mesh.mesh.filename().string()),
+            equation, "E", "the electric field"};
 }
 
 void run_maxwell(const MaxwellArguments& arguments) {
@@ -156,18 +151,23 @@ void run_maxwell(const MaxwellArguments& arguments) {
     if (!arguments.time.out.empty())
         check_drawable(empty);
     const Filling filling(empty, arguments, material);
-    WaveProblem problem = described(arguments);
-    problem.conditions = asked.on(empty).value_or(BoundaryConditions{BoundaryCondition::essential});
     const auto on_cells = [&](const FormValues& values) {
-        return values.on(empty, arguments.side, arguments.degree).values;
+        return values.on(empty, arguments.side, arguments.degree);
     };
-    problem.start = initial ? on_cells(*initial) : 0 * on_cells(*current);
-    if (current)
-        problem.source = filling.source(on_cells(*current));
-    problem.pulse = [&](double t) { return pulse.of_label(t); };
-    problem.pulse_text = arguments.pulse;
-    problem.options.loss = filling.loss();
-    march_waves(std::move(problem), filling.filled(), arguments.mesh, arguments.time, log);
+    WaveOptions options{.loss = filling.loss(), .layer = arguments.layer};
+    options.conditions = asked.on(empty).value_or(BoundaryConditions{BoundaryCondition::essential});
+    Cochain start = on_cells(first);
+    if (!initial)
+        start.values.setZero();
+    if (current) {
+        pulse.of_label(0); // which there must be
+        const Vector source = filling.source(on_cells(*current).values);
+        options.source = [=, &pulse](double t) { return Vector(pulse.of_label(t) * source); };
+        options.label =
+            fmt::format("{} of {:x}", arguments.pulse, polydec::Fingerprint().add(source).value());
+    }
+    answer_waves(words_of(arguments), filling.filled(), start, options, arguments.mesh,
+                 arguments.time, log);
 }
 
 void add_materials(CLI::App& command, MaxwellArguments& arguments) {

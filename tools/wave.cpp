@@ -3,9 +3,9 @@
 #include "tools/common.h"
 #include "tools/conditions.h"
 #include "tools/form_values.h"
-#include "tools/march_waves.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
+#include "tools/wave_answer.h"
 
 #include <fmt/format.h>
 
@@ -32,18 +32,15 @@ void run_wave(const WaveArguments& arguments) {
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.time.out.empty())
         check_drawable(mesh);
-    WaveProblem problem{.what = "wave",
-                        .form = "u",
-                        .form_words = "the wave",
-                        .side = arguments.side,
-                        .degree = arguments.degree};
-    problem.title = fmt::format("{}: waves", arguments.mesh.mesh.filename().string());
-    problem.equation = fmt::format("d2u/dt2 = -delta d u of a {} {}-form, u = {} at rest at the "
-                                   "time 0",
-                                   name(arguments.side), arguments.degree, arguments.initial);
-    problem.conditions = asked.on(mesh).value_or(built_in_conditions(arguments.side));
-    problem.start = initial.on(mesh, arguments.side, arguments.degree).values;
-    march_waves(std::move(problem), mesh, arguments.mesh, arguments.time, log);
+    const WaveWords words{
+        "wave", fmt::format("{}: waves", arguments.mesh.mesh.filename().string()),
+        fmt::format("d2u/dt2 = -delta d u of a {} {}-form, u = {} at rest at the time 0",
+                    name(arguments.side), arguments.degree, arguments.initial),
+        "u", "the wave"};
+    WaveOptions options;
+    options.conditions = asked.on(mesh).value_or(built_in_conditions(arguments.side));
+    answer_waves(words, mesh, initial.on(mesh, arguments.side, arguments.degree), options,
+                 arguments.mesh, arguments.time, log);
 }
 
 } // namespace

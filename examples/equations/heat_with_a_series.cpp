@@ -9,9 +9,9 @@ int main() {
     const polydec::Cochain z{polydec::Side::primal, 0, sphere.points().col(2)};
     polydec::Evolution heat(sphere, {{.start = z, .diffusion = 1}});
     polydec::Series film("heat.pvd", sphere);
-    heat.march({0.1, 0.2, 0.3, 0.4, 0.5}, [&](const polydec::Evolution& now) {
-        film.add(now.time(), {{"heat", now.form(0)}});
-    });
+    polydec::march(heat, {0.1, 0.2, 0.3, 0.4, 0.5}, {.show = [&](const polydec::Run& now) {
+                       film.add(now.time(), {{"heat", now.form(0)}});
+                   }});
     const double left = polydec::norm(sphere, heat.form(0)) / polydec::norm(sphere, z);
     std::cout << "after 0.5 there is " << left << " of it\n";
 }

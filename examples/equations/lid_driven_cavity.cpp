@@ -13,11 +13,10 @@ int main() {
     const auto sticky = polydec::FlowBoundary::no_slip;
     const polydec::IncompressibleFlow flow(
         square, {.viscosity = 0.01, .everywhere = sticky, .wall_velocity = lid});
-    const polydec::FlowSolver solver(flow, {0.02, polydec::FlowScheme::imex});
-    polydec::Vector w = polydec::Vector::Zero(walls.rows());
-    for (int i = 0; i < 400; ++i)
-        w = solver.step(w);
-    const polydec::Points u = polydec::flux_sharp(square, {polydec::Side::primal, 1, w});
+    const polydec::Vector rest = polydec::Vector::Zero(walls.rows());
+    polydec::Flow water(flow, rest, {0.02, polydec::FlowScheme::imex});
+    water.march(8);
+    const polydec::Points u = polydec::flux_sharp(square, water.form(0));
     const polydec::Vector x = polydec::cell_centers(square, 2).col(0);
     const auto back = ((x.array() - 0.5).abs() < 0.02).select(-u.col(0), 0);
     std::cout << "back with " << back.maxCoeff() << '\n';

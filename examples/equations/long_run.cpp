@@ -10,11 +10,11 @@ void run(const std::vector<double>& times) {
     const auto sphere = polydec::discretize(polydec::goldberg(8));
     const polydec::Cochain z{polydec::Side::primal, 0, sphere.points().col(2)};
     polydec::Evolution heat(sphere, {{.start = z, .diffusion = 1}});
-    const auto problem = polydec::Fingerprint().add(sphere).add("heat").value();
-    polydec::kept_march(heat, times, "run.checkpoint", problem, [&](const auto& now) {
+    const auto show = [&](const polydec::Run& now) {
         const double left = polydec::norm(sphere, now.form(0)) / polydec::norm(sphere, z);
         std::cout << "at " << now.time() << " there is " << left << '\n';
-    });
+    };
+    polydec::march(heat, times, {.checkpoint = "run.checkpoint", .show = show});
 }
 
 int main() {

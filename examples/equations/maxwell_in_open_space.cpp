@@ -14,13 +14,13 @@ int main() {
                                            const double near = std::exp(-60 * r.squaredNorm());
                                            return polydec::Vector{{-r[1] * near, r[0] * near, 0}};
                                        }));
-    const polydec::Leapfrog light(box, {}, polydec::Side::primal, 1,
-                                  {.time_step = 0.025, .layer = {.width = 0.25}});
-    polydec::WaveState now{0 * ring.values, polydec::Vector::Zero(box.complex().size(2))};
+    polydec::WaveOptions open{.time_step = 0.025, .layer = {.width = 0.25}};
+    open.conditions = polydec::BoundaryConditions{}; // behind the layer, conductors
+    open.source = [&](double t) -> polydec::Vector {
+        return (t - 0.5) * std::exp(-50 * std::pow(t - 0.5, 2)) * ring.values;
+    };
+    polydec::Waves light(box, 0 * ring, open);
     double most = 0;
-    for (double t = 0.0125; t < 3; t += light.time_step()) {
-        light.step(now, {(t - 0.5) * std::exp(-50 * std::pow(t - 0.5, 2)) * ring.values});
-        most = std::max(most, light.energy(now.E, now.B));
-    }
-    std::cout << "of the energy stays " << light.energy(now.E, now.B) / most << '\n';
+    light.march(3, [&](double) { most = std::max(most, light.energy()); });
+    std::cout << "of the energy stays " << light.energy() / most << '\n';
 }

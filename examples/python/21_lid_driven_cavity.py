@@ -29,9 +29,9 @@ square = polydec.discretize(polydec.meshes.grid(cells, cells))
 lid = lambda x: np.outer(x[:, 1] > 0.999, [1.0, 0.0])
 flow = polydec.IncompressibleFlow(square, viscosity=0.01, no_slip=True, wall_velocity=lid)
 steps = int(np.ceil(time * cells / 0.7))
-solver = polydec.FlowSolver(flow, time / steps, scheme="imex")
-w = solver.step(flow.project(np.zeros(square.size(1))), steps)
-u = polydec.flux_sharp(square, square.cochain(w, 1))[:, 0]
+water = polydec.Flow(flow, flow.project(np.zeros(square.size(1))), time / steps, scheme="imex")
+water.march(time)
+u = polydec.flux_sharp(square, square.cochain(water.forms[0], 1))[:, 0]
 off = [abs(value_at([0.5, height], square.centroids(2), u, 1 / cells) - velocity)
        for height, velocity in zip(heights, velocities)]
 print(f"{square.size(2)} quads, Reynolds number 100: velocities off by at most {max(off):g}, in the "

@@ -27,12 +27,10 @@ flow = polydec.IncompressibleFlow(
 w = flow.project(mesh.d(0) @ (y + np.exp(-4 * ((x - 1) ** 2 + (y - 0.5) ** 2)))) # a first push
 
 steps = int(np.ceil(until / (0.6 * flow.exchange_time(w))))
-solver = polydec.FlowSolver(flow, until / steps, scheme="imex")
+street = polydec.Flow(flow, w, until / steps, scheme="imex")
 behind = int(np.argmin(np.linalg.norm(mesh.centroids(2) - [2, 0.1], axis=1)))
-across = np.zeros(steps)
-for step in range(steps):
-    w = solver.step(w)
-    across[step] = polydec.flux_sharp(mesh, mesh.cochain(w, 1))[behind, 1]
+across = np.array([polydec.flux_sharp(mesh, mesh.cochain(w, 1))[behind, 1]
+                   for _, w in street.frames(street.time_step * np.arange(1, steps + 1))])
 
 rises = np.flatnonzero((across[:-1] < 0) & (across[1:] >= 0)) + 1
 times = until / steps * (rises - across[rises] / (across[rises] - across[rises - 1]))

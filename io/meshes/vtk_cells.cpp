@@ -17,8 +17,6 @@ namespace polydec {
 
 namespace {
 
-using Corners = std::span<const Index>;
-
 /// How the numbers of a cell become cells of the mesh: strips and polylines are many; pixels and
 /// voxels have their corners along the axes, not around.
 enum class Order { around, along_axes, edges, strip, half_are_corners };
@@ -203,7 +201,7 @@ private:
     }
 
     void add(const CellKind& kind, Index tag) {
-        const Corners corners = corners_;
+        const std::span<const Index> corners = corners_;
         switch (kind.order) {
         case Order::along_axes:
             for (std::size_t i = 2; i < corners_.size(); i += 4)
@@ -223,7 +221,7 @@ private:
     }
 
     /// Every other triangle of a strip has its corners the other way around.
-    void add_strip_triangle(Corners corners, bool turned, Index tag) {
+    void add_strip_triangle(std::span<const Index> corners, bool turned, Index tag) {
         const std::array triangle{corners[0], corners[turned ? 2 : 1], corners[turned ? 1 : 2]};
         cells_.add(2, triangle, tag, file_);
     }

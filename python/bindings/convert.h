@@ -171,7 +171,6 @@ void add_solvers(py::module_& module);
 void add_in_time(py::module_& module);
 void add_sources(py::module_& module);
 void add_flows(py::module_& module);
-void add_checkpoints(py::module_& module);
 void add_shape(py::module_& module);
 void add_spectra(py::module_& module);
 void add_engines(py::module_& module);

@@ -3,8 +3,8 @@
 #include "python/bindings/convert.h"
 #include "python/bindings/guarded.h"
 #include "solvers/flow/flow_data.h"
-#include "solvers/flow/flow_solver.h"
 #include "solvers/flow/flux_transport.h"
+#include "solvers/flow/incompressible_flow.h"
 #include "solvers/flow/shallow_water.h"
 #include "solvers/flow/stokes.h"
 
@@ -77,29 +77,6 @@ void add_flow(py::module_& module) {
             return of.pressure(given).values;
         }));
     });
-
-    using Solver = Guarded<FlowSolver>;
-    py::class_<Solver>(module, "FlowSolver")
-        .def(py::init([](const Flow& of, double time_step, const std::string& scheme,
-                         double tolerance, int most_passes) {
-            const FlowSteps steps{
-                time_step,
-                chosen<FlowScheme>("scheme", scheme,
-                                   {{"implicit_midpoint", FlowScheme::implicit_midpoint},
-                                    {"imex", FlowScheme::imex}}),
-                tolerance, most_passes};
-            return guarded<FlowSolver>(of.solver, steps);
-        }))
-        .def("step", [](Solver& self, const Numbers& w, Index steps) {
-            Vector now = vector(w);
-            self.use([&](const FlowSolver& solver) {
-                for (Index i = 0; i < steps; ++i) {
-                    now = solver.step(now);
-                    check_signals();
-                }
-            });
-            return array(std::move(now));
-        });
 }
 
 void add_flux_transport(py::module_& module) {

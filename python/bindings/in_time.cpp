@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "io/march.h"
 #include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
 #include "python/bindings/guarded.h"
 #include "solvers/evolution.h"
+#include "solvers/flow/flow.h"
 #include "solvers/heat.h"
-#include "solvers/leapfrog.h"
+#include "solvers/waves.h"
 
 #include <array>
 
@@ -123,42 +125,92 @@ IntegratorOptions steps_of(const GivenSteps& given) {
             .most_steps = most};
 }
 
-void add_evolution(py::module_& module) {
-    using Run = Guarded<Evolution>;
-    py::class_<Run>(module, "Evolution")
-        .def(py::init([](const Cells& of, const std::vector<GivenUnknown>& unknowns,
-                         const py::object& reaction, const py::object& event, double time,
-                         const std::string& integrator, const GivenSteps& steps,
-                         const std::string& linear_solver) {
-            const EvolutionOptions options{.time = time,
-                                           .integrator = integrator,
-                                           .steps = steps_of(steps),
-                                           .linear_solver = linear_solver,
-                                           .event = event_of(event),
-                                           .progress = [](double) { check_signals(); }};
-            const auto given = unknowns_of(unknowns);
-            const auto rate = reaction_of(reaction);
-            return guarded<Evolution>(of, given, rate, options);
-        }))
+/// A run of any kind, for one thread at a time.
+using AnyRun = Guarded<std::unique_ptr<Run>>;
+
+template <class Kind, class... Arguments>
+std::unique_ptr<AnyRun> run_of(const Arguments&... arguments) {
+    return unlocked([&] { return std::make_unique<AnyRun>(std::make_unique<Kind>(arguments...)); });
+}
+
+/// What one kind of run alone can say, for which Python asks no others.
+template <class Kind, class Work>
+auto of_kind(AnyRun& self, Work work) {
+    return self.use([&](auto& run) { return work(dynamic_cast<Kind&>(*run)); });
+}
+
+void let_ctrl_c_end(double) {
+    check_signals();
+}
+
+struct GivenFrames {
+    AnyRun& run;
+    Frames frames;
+};
+
+void add_runs(py::module_& module) {
+    py::class_<GivenFrames>(module, "Frames").def("next", [](GivenFrames& self) {
+        return self.run.use([&](auto&) { return self.frames.next(); });
+    });
+    py::class_<AnyRun>(module, "Run")
         .def("march",
-             [](Run& self, double until) {
-                 return self.use([&](Evolution& run) { return run.march(until); }) ==
+             [](AnyRun& self, double until) {
+                 return self.use([&](auto& run) { return run->march(until, let_ctrl_c_end); }) ==
                         Arrival::at_event;
              })
-        .def("time", [](Run& self) { return self.use([](Evolution& run) { return run.time(); }); })
+        .def(
+            "frames",
+            [](AnyRun& self, const std::vector<double>& times, const std::string& checkpoint) {
+                return self.use([&](auto& run) {
+                    return std::unique_ptr<GivenFrames>(new GivenFrames{
+                        self,
+                        {*run, times, {.checkpoint = checkpoint, .progress = let_ctrl_c_end}}});
+                });
+            },
+            py::keep_alive<0, 1>())
+        .def("time", [](AnyRun& self) { return self.use([](auto& run) { return run->time(); }); })
         .def("forms",
-             [](Run& self) {
-                 return arrays_of(self.use([](Evolution& run) { return run.forms(); }));
+             [](AnyRun& self) {
+                 return arrays_of(self.use([](auto& run) { return run->forms(); }));
              })
         .def("state",
-             [](Run& self) { return arrays(self.use([](Evolution& run) { return run.state(); })); })
+             [](AnyRun& self) { return arrays(self.use([](auto& run) { return run->state(); })); })
         .def("resume",
-             [](Run& self, double time, const std::vector<Numbers>& state) {
-                 self.use([&, given = vectors(state)](Evolution& run) { run.resume(time, given); });
+             [](AnyRun& self, double time, const std::vector<Numbers>& state) {
+                 self.use([&, given = vectors(state)](auto& run) { run->resume(time, given); });
              })
-        .def("report", [](Run& self) {
-            return report_in_words(self.use([](Evolution& run) { return run.report(); }));
+        .def("report",
+             [](AnyRun& self) {
+                 return report_in_words(
+                     of_kind<Evolution>(self, [](Evolution& run) { return run.report(); }));
+             })
+        .def("time_step",
+             [](AnyRun& self) {
+                 return of_kind<FixedSteps>(self, [](FixedSteps& run) { return run.time_step(); });
+             })
+        .def("energy",
+             [](AnyRun& self) {
+                 return of_kind<Waves>(self, [](Waves& run) { return run.energy(); });
+             })
+        .def("layer", [](AnyRun& self) {
+            return of_kind<Waves>(self, [](Waves& run) { return name(run.layer()); });
         });
+}
+
+std::unique_ptr<AnyRun> evolution_of(const Cells& of, const std::vector<GivenUnknown>& unknowns,
+                                     const py::object& reaction, const py::object& event,
+                                     double time, const std::string& integrator,
+                                     const GivenSteps& steps, const std::string& linear_solver,
+                                     const std::string& label) {
+    const EvolutionOptions options{.time = time,
+                                   .integrator = integrator,
+                                   .steps = steps_of(steps),
+                                   .linear_solver = linear_solver,
+                                   .event = event_of(event),
+                                   .label = label};
+    const auto given = unknowns_of(unknowns);
+    const auto rate = reaction_of(reaction);
+    return run_of<Evolution>(of, given, rate, options);
 }
 
 /// A layer as Python names it: width, kind, sides, reflection, power.
@@ -175,64 +227,46 @@ AbsorbingLayer layer_of(const GivenLayer& given) {
             sides, reflection, power};
 }
 
+/// Losses of E and of B, and the B that E begins with; of them any may be empty.
+using GivenWave = std::tuple<Numbers, Numbers, Numbers>;
+
 /// A mesh knows where a layer is.
 template <class On>
-auto waves_of(const On& of, const std::string& given_side, int k, const GivenConditions& conditions,
-              double time_step, const Numbers& loss, const Numbers& upper_loss,
-              const GivenLayer& layer) {
+std::unique_ptr<AnyRun> waves_of(const On& of, const std::string& side, int degree,
+                                 const Numbers& E, double time_step,
+                                 const GivenConditions& conditions, const GivenWave& wave,
+                                 const GivenLayer& layer, const py::object& source,
+                                 const py::object& upper_source, const std::string& label) {
+    const auto& [loss, upper_loss, B] = wave;
+    const WaveOptions options{.time_step = time_step,
+                              .conditions = conditions,
+                              .loss = vector(loss),
+                              .upper_loss = vector(upper_loss),
+                              .layer = layer_of(layer),
+                              .B = vector(B),
+                              .source = values_in_time(source),
+                              .upper_source = values_in_time(upper_source),
+                              .label = label};
+    const Cochain start = form(side, degree, E);
+    return run_of<Waves>(of, start, options);
+}
+
+std::unique_ptr<AnyRun> flow_of(const Guarded<IncompressibleFlow>& of, const Numbers& start,
+                                double time_step, const std::string& scheme, double tolerance,
+                                int most_passes) {
+    const FlowSteps steps{time_step,
+                          chosen<FlowScheme>("scheme", scheme,
+                                             {{"implicit_midpoint", FlowScheme::implicit_midpoint},
+                                              {"imex", FlowScheme::imex}}),
+                          tolerance, most_passes};
+    return run_of<Flow>(of.solver, vector(start), steps);
+}
+
+double stable_step_of(const Cells& of, const std::string& given_side, int degree,
+                      const GivenConditions& conditions) {
     const Side side = side_of(given_side);
-    const LeapfrogOptions options{time_step, vector(loss), vector(upper_loss), layer_of(layer)};
-    return guarded<Leapfrog>(of, conditions.value_or(built_in_conditions(side)), side, k, options);
-}
-
-/// Steps with sources, given as rates of E and of B at times.
-void march(const Leapfrog& waves, WaveState& state, Index steps, double time,
-           const std::function<Vector(double)>& source,
-           const std::function<Vector(double)>& upper_source) {
-    const double dt = waves.time_step();
-    for (Index i = 0; i < steps; ++i) {
-        const double now = time + i * dt;
-        waves.step(state, {source ? source(now + dt / 2) : Vector(),
-                           upper_source ? upper_source(now) : Vector()});
-        check_signals();
-    }
-}
-
-/// E and B, and what the layer remembers.
-using GivenWave = std::tuple<Numbers, Numbers, Numbers, Numbers>;
-
-void add_waves(py::module_& module) {
-    using Waves = Guarded<Leapfrog>;
-    py::class_<Waves>(module, "Leapfrog")
-        .def(py::init(&waves_of<Discretization>))
-        .def(py::init(&waves_of<Cells>))
-        .def("march",
-             [](Waves& self, const GivenWave& given, Index steps, double time,
-                const py::object& source, const py::object& upper_source) {
-                 const auto& [E, B, E_memory, B_memory] = given;
-                 WaveState state{vector(E), vector(B), vector(E_memory), vector(B_memory)};
-                 self.use([&, of_E = values_in_time(source),
-                           of_B = values_in_time(upper_source)](const Leapfrog& waves) {
-                     march(waves, state, steps, time, of_E, of_B);
-                 });
-                 return py::make_tuple(array(std::move(state.E)), array(std::move(state.B)),
-                                       array(std::move(state.E_memory)),
-                                       array(std::move(state.B_memory)));
-             })
-        .def("energy",
-             [](Waves& self, const Numbers& E, const Numbers& B) {
-                 return self.use(
-                     [&, electric = vector(E), magnetic = vector(B)](const Leapfrog& waves) {
-                         return waves.energy(electric, magnetic);
-                     });
-             })
-        .def("layer", [](const Waves& self) { return name(self.solver.layer()); });
-    module.def("stable_step", [](const Cells& of, const std::string& given_side, int k,
-                                 const GivenConditions& conditions) {
-        const Side side = side_of(given_side);
-        return unlocked([&] {
-            return stable_step(of, conditions.value_or(built_in_conditions(side)), side, k);
-        });
+    return unlocked([&] {
+        return stable_step(of, conditions.value_or(built_in_conditions(side)), side, degree);
     });
 }
 
@@ -240,8 +274,12 @@ void add_waves(py::module_& module) {
 
 void add_in_time(py::module_& module) {
     add_heat(module);
-    add_evolution(module);
-    add_waves(module);
+    add_runs(module);
+    module.def("evolution", &evolution_of);
+    module.def("waves", &waves_of<Discretization>);
+    module.def("waves", &waves_of<Cells>);
+    module.def("flow", &flow_of);
+    module.def("stable_step", &stable_step_of);
 }
 
 } // namespace polydec::python

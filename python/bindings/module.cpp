@@ -15,7 +15,6 @@ PYBIND11_MODULE(_core, module) {
     add_in_time(module);
     add_sources(module);
     add_flows(module);
-    add_checkpoints(module);
     add_shape(module);
     add_spectra(module);
     add_engines(module);

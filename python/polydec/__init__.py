@@ -17,7 +17,6 @@ import os as _os
 from . import _core, meshes
 from ._core import __version__
 from ._cells import Cells, ConditionedCells
-from ._checkpoint import Checkpoint, fingerprint, read_checkpoint, write_checkpoint
 from ._cochain import Cochain
 from ._complex import Complex, Merging, discretize
 from ._distance import GeodesicDistance, ParallelTransport, geodesic_distance
@@ -29,13 +28,14 @@ from ._evolution import Evolution, HeatSolver, heat
 from ._fields import (LieDerivative, boundary_de_rham, de_rham, flat, flux_form, flux_sharp, gradient, inflow, interior_product,
                       lie_derivative, primal_dual_wedge, sharp_pd, sharp_pp, wedge,
                       whitney_at_centroids, whitney_form)
-from ._flow import (FlowSolver, FluxTransport, IncompressibleFlow, ShallowWater, flow_of_velocity,
+from ._flow import (Flow, FluxTransport, IncompressibleFlow, ShallowWater, flow_of_velocity,
                     flow_of_vorticity, flux_through_boundary)
 from ._given import as_mesh, split_polygons
 from ._lists import CellList, Polygons
 from ._mesh import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, write_mesh
 from ._periodic import PeriodicMesh, glue, periodic
 from ._plot import plot, to_meshio, to_pyvista
+from ._run import Run
 from ._shape import CountBelow, ShapeSpectrum, count_below, shape_spectrum
 from ._solvers import (DarcyFlow, DarcySolver, HodgeParts, HodgeSolver, PoissonSolver, darcy,
                        harmonic_forms, hodge_decomposition, poisson)
@@ -43,27 +43,27 @@ from ._sources import (CurlCurlSolution, FormSolution, HodgeLaplaceSolver, Stoke
                        hodge_laplace, outward_flow)
 from ._spectra import Certificate, Eigenpairs, Spectrum, smallest_eigenpairs, spectrum
 from ._view import Page, Series, view, write_vtu
-from ._waves import AbsorbingLayer, Leapfrog, WaveState, stable_step, wave
+from ._waves import AbsorbingLayer, Waves, stable_step, wave
 
 __all__ = [
     "__version__", "meshes", "AbsorbingLayer", "Backend", "BackendUnavailable", "CellList",
-    "Cells", "Certificate", "Checkpoint", "Cochain", "Complex", "ConditionedCells", "CountBelow",
+    "Cells", "Certificate", "Cochain", "Complex", "ConditionedCells", "CountBelow",
     "CurlCurlSolution", "DarcyFlow", "DarcySolver", "Eigenpairs", "Error", "Evolution",
-    "FlowSolver", "FluxTransport", "FormSolution", "GeodesicDistance", "HeatSolver",
+    "Flow", "FluxTransport", "FormSolution", "GeodesicDistance", "HeatSolver",
     "HodgeLaplaceSolver", "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
-    "IoError", "Leapfrog", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page",
-    "ParallelTransport", "PeriodicMesh", "PoissonSolver", "PolydecWarning", "Polygons", "Series", "ShallowWater",
+    "IoError", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page",
+    "ParallelTransport", "PeriodicMesh", "PoissonSolver", "PolydecWarning", "Polygons", "Run", "Series", "ShallowWater",
     "ShapeSpectrum",
-    "Solution", "SolverFailure", "Spectrum", "StokesFlow", "StokesSolver", "WaveState", "as_mesh",
-    "backends", "boundary_de_rham", "count_below", "darcy", "de_rham", "discretize", "fingerprint", "flat",
+    "Solution", "SolverFailure", "Spectrum", "StokesFlow", "StokesSolver", "Waves", "as_mesh",
+    "backends", "boundary_de_rham", "count_below", "darcy", "de_rham", "discretize", "flat",
     "flow_of_velocity", "flow_of_vorticity", "flux_form", "flux_sharp", "flux_through_boundary",
     "geodesic_distance", "glue", "gradient", "harmonic_forms", "heat", "hodge_decomposition",
     "hodge_laplace", "inflow", "interior_product", "lie_derivative", "load_engine", "outward_flow",
-    "periodic", "plot", "poisson", "primal_dual_wedge", "read_checkpoint", "read_lengths", "read_mesh",
+    "periodic", "plot", "poisson", "primal_dual_wedge", "read_lengths", "read_mesh",
     "register_eigen_solver", "register_linear_solver", "set_memory_limit", "shape_spectrum", "sharp_pd", "sharp_pp",
     "smallest_eigenpairs", "solve", "spectrum", "split_polygons", "stable_step", "to_meshio",
     "to_pyvista", "view", "wave", "wedge", "whitney_at_centroids", "whitney_form",
-    "write_checkpoint", "write_lengths", "write_mesh", "write_vtu",
+    "write_lengths", "write_mesh", "write_vtu",
 ]
 
 # a child that is forked has the parent's threads in its memory, but not running

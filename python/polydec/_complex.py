@@ -215,7 +215,7 @@ class Complex(Cells):
 
     def cell_means(self, k: int, weights: CellNumbers) -> Floats:
         """The mean around each k-cell of numbers of cells, as `with_material` takes them but at
-        least 0, such as the losses that `Leapfrog` takes."""
+        least 0, such as the losses that `Waves` take."""
         return self._mesh.cell_means(k, cell_data(self, weights, "weights"))
 
     def material_star(self, k: int, weights: CellNumbers) -> Any:

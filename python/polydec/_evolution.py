@@ -2,19 +2,18 @@
 """Problems in time: heat, and forms that diffuse and react."""
 from __future__ import annotations
 
-import os
-from typing import Any, Callable, Iterator, Mapping, Sequence, Union
+from typing import Any, Callable, Mapping, Sequence, Union
 
 import numpy as np
 
 from . import _core
 from ._arrays import Floats, Values, floats
 from ._cells import Cells, Form, as_form
-from ._checkpoint import Checkpoint, read_checkpoint, write_checkpoint
 from ._cochain import Cochain
 from ._complex import CellsLike, as_cells
 from ._conditions import conditions_or_none
 from ._errors import InvalidInput
+from ._run import Run
 from ._sources import boundary_data
 from ._vertices import form_at_cells, form_at_vertices
 
@@ -84,7 +83,7 @@ def heat(complex: CellsLike, u: Form, time_step: float, steps: int = 1, *, degre
     return solver.step(u, steps)
 
 
-class Evolution:
+class Evolution(Run):
     """Forms that change in time: ``du_i/dt = -nu_i Delta u_i + f_i(t, u_1, u_2, ..)``.
 
     Diffusion is solved for, so steps are as long as the tolerances allow, however fine the mesh is.
@@ -129,12 +128,9 @@ class Evolution:
         In one march.
     engine : str
         A linear solver, by its name of `backends`.
-
-    Attributes
-    ----------
-    time : float
-    forms : tuple of numpy.ndarray
-        The unknowns now, values on essential facets included.
+    label : str
+        Says what the functions compute, with which numbers: without one a run that calls functions
+        keeps no checkpoint.
 
     Raises
     ------
@@ -163,7 +159,8 @@ class Evolution:
                  time: float = 0.0, integrator: str = "runge-kutta",
                  relative_tolerance: float = 1e-5, absolute_tolerance: float = 1e-8,
                  first_step: float = 0.0, largest_step: float = 0.0, fixed_step: float = 0.0,
-                 most_steps: int = 1_000_000, engine: str = "auto") -> None:
+                 most_steps: int = 1_000_000, engine: str = "auto",
+                 label: str = "") -> None:
         self._complex = complex = as_cells(complex, in_units=True)
         unknowns = [as_form(complex, form, degree, side) for form in _several(start)]
         self._kinds = [(form[0], form[1]) for form in unknowns]
@@ -176,23 +173,10 @@ class Evolution:
         given = [(*form, float(nu), conditions,
                   _at_boundary(each, complex, form[0], form[1]))
                  for form, nu, each in zip(unknowns, coefficients, _each(boundary, len(unknowns)))]
-        self._run = _core.Evolution(
+        self._run = _core.evolution(
             complex._cells, given, self._rates(reaction), self._number(event), time,
             integrator, (relative_tolerance, absolute_tolerance, first_step, largest_step, fixed_step,
-             most_steps), engine)
-
-    @property
-    def time(self) -> float:
-        return self._run.time()
-
-    @property
-    def forms(self) -> tuple[Floats, ...]:
-        return self._told(self._run.forms())
-
-    def _told(self, forms: Sequence[Floats]) -> tuple[Floats, ...]:
-        """Forms as they are given: those of vertices with all that were given."""
-        return tuple(form_at_vertices(self._complex, values, side, degree)
-                     for values, (side, degree) in zip(forms, self._kinds))
+             most_steps), engine, label)
 
     def _rates(self, reaction: Callable[..., Any] | None) -> Any:
         """The reaction as C++ calls it: with a list of arrays, for a list of them."""
@@ -228,63 +212,6 @@ class Evolution:
         """What it took: ``engine``, ``steps``, ``rejected``, ``evaluations`` of the reaction,
         ``stiff_evaluations``, ``preparations``, ``solves``, ``last_step``."""
         return self._run.report()
-
-    def march(self, until: float) -> bool:
-        """Marches to this time, or to the first event; whether it was one.
-
-        Ctrl-C ends it behind its last good step.
-        """
-        return self._run.march(until)
-
-    def frames(self, times: Sequence[float], *,
-               checkpoint: str | os.PathLike[str] | None = None,
-               problem: int = 0) -> Iterator[tuple[Any, ...]]:
-        """Marches to each of these ascending times, and gives the time and the forms there; the
-        last ones are those of an event, if there is one.
-
-        Parameters
-        ----------
-        times : sequence of float
-        checkpoint : str or os.PathLike, optional
-            A file that keeps what is there before the next time is marched to. Where it is there
-            already, the run goes on from it, to the times behind it alone.
-        problem : int
-            The `fingerprint` of what a checkpoint belongs to.
-
-        Examples
-        --------
-        >>> import numpy as np, polydec
-        >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
-        >>> run = polydec.Evolution(square, np.ones(9), reaction=lambda t, u: -u)
-        >>> for t, u in run.frames([0.5, 1.0]):
-        ...     print(t, round(u[0], 4))
-        0.5 0.6065
-        1.0 0.3679
-        """
-        step, stopped = 0, False
-        if checkpoint is not None and os.path.exists(checkpoint):
-            step, stopped = self._go_on(read_checkpoint(checkpoint, problem))
-        while step < len(times) and not stopped:
-            stopped = self.march(times[step])
-            step += 1
-            yield (self.time, *self.forms)
-            if checkpoint is not None:
-                write_checkpoint(checkpoint, [*self.state(), [float(stopped)]], step=step,
-                                 time=self.time, problem=problem)
-
-    def _go_on(self, kept: Checkpoint) -> tuple[int, bool]:
-        if not kept.state or len(kept.state[-1]) != 1:
-            raise InvalidInput("the checkpoint is none that frames wrote")
-        self.resume(kept.time, kept.state[:-1])
-        return kept.step, bool(kept.state[-1][0])
-
-    def state(self) -> list[Floats]:
-        """What a checkpoint has to keep beside the time, for `resume`."""
-        return self._run.state()
-
-    def resume(self, time: float, state: Sequence[Floats]) -> None:
-        """Goes on from what `state` gave at this time, with the same steps."""
-        self._run.resume(time, [floats(values, "values of a state") for values in state])
 
 
 def _several(start: Forms) -> list[Form]:

@@ -12,6 +12,7 @@ from ._arrays import Floats, Values, at_places, floats
 from ._cochain import Cochain
 from ._complex import CellsLike, Complex, as_complex, mesh_of
 from ._conditions import facet_marks
+from ._run import Run
 from ._vertices import at_cells
 
 
@@ -57,7 +58,10 @@ class IncompressibleFlow:
     >>> sphere = polydec.discretize(polydec.meshes.goldberg(6))
     >>> flow = polydec.IncompressibleFlow(sphere)
     >>> w = flow.project(sphere.d(0) @ sphere.points[:, 2])     # as a rigid body turns
-    >>> after = polydec.FlowSolver(flow, 0.1).step(w, 10)
+    >>> run = polydec.Flow(flow, w, 0.1)
+    >>> run.march(1.0)
+    False
+    >>> after = run.forms[0]
     >>> bool(abs(flow.energy(after) / flow.energy(w) - 1) < 1e-10)
     True
     """
@@ -66,7 +70,7 @@ class IncompressibleFlow:
                  open: Any = False, boundary_flux: npt.ArrayLike | None = None,
                  wall_velocity: Values | None = None, rotation: npt.ArrayLike | None = None,
                  engine: str = "auto") -> None:
-        complex = as_complex(complex)
+        self._complex = complex = as_complex(complex)
         walls = np.zeros((0, 0)) if wall_velocity is None else _rows(wall_velocity,
                                                                      complex.facet_sites())
         none = np.zeros(0)
@@ -176,12 +180,14 @@ def flux_through_boundary(complex: Complex, velocity: Values) -> Floats:
     return _core.flux_through_boundary(mesh_of(complex), _rows(velocity, complex.facet_sites()))
 
 
-class FlowSolver:
-    """Marches an incompressible flow, with one factorization for all steps.
+class Flow(Run):
+    """An incompressible flow that runs, with one factorization for all steps.
 
     Parameters
     ----------
-    flow : IncompressibleFlow
+    equations : IncompressibleFlow
+    w : Cochain or array_like
+        At the time 0, as its `project` gives it; the only one of the `forms`.
     time_step : float
         At most about `IncompressibleFlow.exchange_time`.
     scheme : {"implicit_midpoint", "imex"}
@@ -192,15 +198,18 @@ class FlowSolver:
     most_passes : int
     """
 
-    def __init__(self, flow: IncompressibleFlow, time_step: float, *,
+    def __init__(self, equations: IncompressibleFlow, w: npt.ArrayLike, time_step: float, *,
                  scheme: str = "implicit_midpoint", tolerance: float = 1e-13,
                  most_passes: int = 100) -> None:
-        self._solver = _core.FlowSolver(flow._flow, time_step, scheme, tolerance, most_passes)
-        self.time_step = time_step
+        self._complex = equations._complex
+        self._kinds = [("primal", self._complex.dim - 1)]
+        self._run = _core.flow(equations._flow, _fluxes(w), time_step, scheme, tolerance,
+                               most_passes)
 
-    def step(self, w: npt.ArrayLike, steps: int = 1) -> Floats:
-        """The flow so many steps later. Ctrl-C ends it between two steps."""
-        return self._solver.step(_fluxes(w), steps)
+    @property
+    def time_step(self) -> float:
+        """How long its steps are."""
+        return self._run.time_step()
 
 
 class ShallowWater:

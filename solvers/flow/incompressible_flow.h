@@ -97,7 +97,7 @@ public:
     FlowProjection implicit_part(double theta) const;
 
 private:
-    friend class FlowSolver;
+    friend class Flow;
     struct Parts;
 
     double ratio_of_energies(const Vector& w, const Vector& other) const;

@@ -95,14 +95,14 @@ Questions of_solvers_for_forms(const Sample& s, Side side, int j) {
                  coexact_spectrum({s.P(), s.V()}, {.degree = in.degree(j), .count = 1});
              return fit(found.modes, s.size(j), 1);
          }},
-        {"Leapfrog",
+        {"Waves",
          [&s, j](Inputs& in) {
              const int degree = in.degree(j);
-             const double step = stable_step(s.mesh, degree);
-             const Leapfrog waves(s.mesh, degree, std::isfinite(step) ? step / 2 : 1);
-             Vector E = in.vector(s.size(j)), B = in.vector(s.size(j + 1));
-             waves.step(E, B);
-             return fit(E, s.size(j)) + fit(B, s.size(j + 1)) + fit(waves.energy(E, B));
+             Waves waves(s.mesh, {Side::primal, degree, in.vector(s.size(j))},
+                         {.B = in.vector(s.size(j + 1))});
+             waves.advance();
+             return fit(waves.form(0).values, s.size(j)) +
+                    fit(waves.form(1).values, s.size(j + 1)) + fit(waves.energy());
          }},
     };
 }

@@ -3,7 +3,7 @@
 #include "dec/fields/de_rham.h"
 #include "dec/forms/boundary_conditions.h"
 #include "meshes/generate.h"
-#include "solvers/leapfrog.h"
+#include "solvers/waves.h"
 #include "tests/support/circumcentric.h"
 
 #include <gtest/gtest.h>
@@ -63,8 +63,6 @@ BoundaryConditions conditions_of(const Experiment& experiment, const Discretizat
 std::vector<double> watched(const Experiment& experiment, int half, const AbsorbingLayer& layer) {
     const auto& [n, side, degree, inner, ignored, width, memory, octant] = experiment;
     const auto box = box_of(experiment, half);
-    const Leapfrog waves(box, conditions_of(experiment, box), side, degree,
-                         {.time_step = 0.9 / std::sqrt(n), .layer = layer});
     const int e = side == Side::primal ? degree : n - degree;
     const int b = side == Side::primal ? e + 1 : e - 1;
     std::vector<Index> inside; // cells of grids of one kind are in one order
@@ -73,14 +71,20 @@ std::vector<double> watched(const Experiment& experiment, int half, const Absorb
         if (centers.row(i).cwiseAbs().maxCoeff() < inner - 0.9)
             inside.push_back(i);
 
-    WaveState state{pulse(box, side, degree, width).values, Vector::Zero(box.complex().size(b))};
+    Waves waves(box, pulse(box, side, degree, width),
+                {.time_step = 0.9 / std::sqrt(n),
+                 .conditions = conditions_of(experiment, box),
+                 .layer = layer,
+                 .B = Vector::Zero(box.complex().size(b))});
     std::vector<double> values;
-    for (double t = 0; t < 2 * inner + 4 * width; t += waves.time_step()) {
-        waves.step(state);
+    while (waves.time() < 2 * inner + 4 * width) {
+        waves.advance();
+        auto state = waves.state();
         if (!memory)
-            state.B_memory.setZero();
+            state[3].setZero();
+        waves.resume(waves.time(), state);
         for (const Index i : inside)
-            values.push_back(state.E[i]);
+            values.push_back(state[0][i]);
     }
     return values;
 }
@@ -142,18 +146,19 @@ double straight_reflection(const std::function<Mesh(int length)>& mesh,
         const auto box = circumcentric(mesh(length));
         const BoundaryConditions free{BoundaryCondition::natural};
         const double step = 0.4;
-        const Leapfrog waves(box, free, Side::primal, 0,
-                             {.time_step = step, .layer = with_layer ? layer : AbsorbingLayer{}});
         const Vector z = box.points().rightCols(1);
-        WaveState state{(-((z.array() - 8) / 4).square()).exp(),
-                        Vector::Zero(box.complex().size(1))};
+        Waves waves(box, {Side::primal, 0, (-((z.array() - 8) / 4).square()).exp()},
+                    {.time_step = step,
+                     .conditions = free,
+                     .layer = with_layer ? layer : AbsorbingLayer{},
+                     .B = Vector::Zero(box.complex().size(1))});
         std::vector<double> values;
-        for (double t = 0; t < until; t += step) {
-            waves.step(state);
+        waves.march(until, [&](double) {
+            const Vector E = waves.form(0).values;
             for (Index i = 0; i < z.size(); ++i)
                 if (z[i] < height)
-                    values.push_back(state.E[i]);
-        }
+                    values.push_back(E[i]);
+        });
         std::sort(values.begin(), values.end()); // vertices are numbered otherwise
         return values;
     };

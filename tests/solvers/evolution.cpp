@@ -5,8 +5,9 @@
 #include "base/errors.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/derivative.h"
-#include "dec/forms/laplacian.h"
 #include "dec/metric/subsets.h"
+#include "dec/forms/laplacian.h"
+#include "io/march.h"
 #include "meshes/generate.h"
 #include "solvers/heat.h"
 #include "tests/solvers/cases.h"
@@ -195,8 +196,7 @@ TEST(evolution, diffusion_keeps_the_mean_where_nothing_flows_out) {
             continue;
         const Index count = mesh.complex().size(0);
         const Cochain slope{Side::primal, 0, Vector::LinSpaced(count, 0, 1)};
-        Evolution heat(
-            {mesh, {{.start = slope, .diffusion = mesh.volumes().primal(1).squaredNorm()}}});
+        Evolution heat(mesh, {{.start = slope, .diffusion = mesh.volumes().primal(1).squaredNorm()}});
         const auto heat_in = [&](const Cochain& u) { return Vector(star * u.values).sum(); };
         const double before = heat_in(heat.form(0));
         heat.march(0.01);
@@ -241,11 +241,11 @@ TEST(evolution, a_run_that_is_resumed_ends_in_the_same_bits) {
     const auto mesh = circumcentric(uv_sphere(8, 6));
     auto whole = gray_scott(mesh, "runge-kutta", Side::primal);
     std::vector<std::vector<Vector>> states;
-    whole.march({1, 2.5, 4}, [&](const Evolution& now) { states.push_back(now.state()); });
+    march(whole, {1, 2.5, 4}, {.show = [&](const auto& now) { states.push_back(now.state()); }});
     const auto end_of = [&](std::vector<Vector> state) {
         auto rest = gray_scott(mesh, "runge-kutta", Side::primal);
         rest.resume(1, state);
-        rest.march({2.5, 4}, [](const Evolution&) {});
+        march(rest, {2.5, 4});
         return rest.state();
     };
     EXPECT_EQ(end_of(states[0]), states[2]);
@@ -262,7 +262,8 @@ TEST(evolution, a_march_stops_where_a_form_has_cooled_to_a_half) {
                         return inner_product(mesh, now[0], u) / inner_product(mesh, u, u) - 0.5;
                     }});
     int shown = 0;
-    EXPECT_EQ(heat.march({0.01, 1, 2}, [&](const Evolution&) { ++shown; }), Arrival::at_event);
+    EXPECT_EQ(march(heat, {0.01, 1, 2}, {.show = [&](const auto&) { ++shown; }}),
+              Arrival::at_event);
     EXPECT_EQ(shown, 2);
     EXPECT_NEAR(heat.time(), std::log(2.0) / (2 * pi * pi), 2e-4);
 }

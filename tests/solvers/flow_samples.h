@@ -4,7 +4,7 @@
 #include "dec/discretization.h"
 #include "dec/forms/cochain.h"
 #include "meshes/generate.h"
-#include "solvers/flow/flow_solver.h"
+#include "solvers/flow/flow.h"
 
 #include <cmath>
 #include <functional>

@@ -3,9 +3,9 @@
 #include "solvers/evolution.h"
 #include "solvers/heat.h"
 #include "solvers/hodge_laplace.h"
-#include "solvers/leapfrog.h"
 #include "solvers/poisson.h"
 #include "solvers/spectrum.h"
+#include "solvers/waves.h"
 #include "tests/support/all_sizes.h"
 
 #include <gtest/gtest.h>
@@ -137,20 +137,20 @@ TEST(InputUnits, are_those_of_waves) {
         [](const Discretization& mesh, double size, Side side, int) {
             const auto conditions = built_in_conditions(side);
             const double stable = stable_step(mesh, conditions, side, 0) / size;
-            LeapfrogOptions options{.time_step = 0.3 * stable * size};
+            WaveOptions options{.time_step = 0.3 * stable * size};
             const Cochain E = any_form(mesh, side, 0), B = any_form(mesh, side, 1);
             options.loss = Vector::Constant(E.values.size(), 0.5 / size);
             options.upper_loss = Vector::Constant(B.values.size(), 0.25 / size);
             if (mesh.points().cols() == mesh.dimension())
                 options.layer = {.width = 0.2 * size, .kind = LayerKind::conducting};
-            const Leapfrog waves(mesh, conditions, side, 0, options);
-            WaveState state{E.values, size * B.values};
-            for (int step = 0; step < 3; ++step)
-                waves.step(state, {E.values / size, B.values});
-            const double energy = waves.energy(state.E, state.B);
-            return joined(
-                {state.E, state.B / size,
-                 Vector{{waves.time_step() / size, energy / std::pow(size, mesh.dimension())}}});
+            options.B = size * B.values;
+            options.source = [&](double) { return Vector(E.values / size); };
+            options.upper_source = [&](double) { return B.values; };
+            Waves waves(mesh, E, options);
+            waves.advance(3);
+            return joined({waves.form(0).values, waves.form(1).values / size,
+                           Vector{{waves.time_step() / size,
+                                   waves.energy() / std::pow(size, mesh.dimension())}}});
         },
         1);
 }

@@ -89,23 +89,22 @@ struct Loop {
 std::array<double, 2> changes(const char* shape, int cells) {
     const auto mesh = circumcentric(square(shape, cells));
     const IncompressibleFlow flow(mesh);
-    Vector w = flow.project(flow_of(mesh, [](const Vector& x) {
+    const Vector start = flow.project(flow_of(mesh, [](const Vector& x) {
         return (std::sin(pi * x[0]) + 0.5 * std::sin(2 * pi * x[0])) * std::sin(pi * x[1]);
     }));
     const Velocities velocities(cell_centroids(mesh, 2), 1.0 / cells);
-    const auto field = [&] { return flux_sharp(mesh, {Side::primal, 1, w}); };
-
     constexpr double time = 0.3;
     const int steps = 2 * cells;
     const double dt = time / steps;
-    const FlowSolver solver(flow, {.time_step = dt});
+    Flow moving(flow, start, {.time_step = dt});
+    const auto field = [&] { return flux_sharp(mesh, moving.form(0)); };
     const Loop fixed(256);
     Loop carried = fixed;
     DenseMatrix now = field();
     const double begin = fixed.circulation(fixed.of(velocities, now));
     for (int i = 0; i < steps; ++i) {
         const DenseMatrix first = carried.of(velocities, now);
-        w = solver.step(w);
+        moving.advance();
         now = field();
         Loop ahead = carried;
         ahead.points += dt * first;

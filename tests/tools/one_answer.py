@@ -139,15 +139,12 @@ def wave(mesh, *words, degree, essential):
 
     def python(mesh):
         start = polydec.de_rham(mesh, 1, swirl) if degree else linear(mesh.points[mesh.vertices])
-        if essential:
-            space = mesh.conditioned(essential, degree=degree)
-            start = space.extend(degree, space.restrict(degree, start))
         longest = 0.9 * polydec.stable_step(mesh, degree, essential=essential)
         steps = max(1, int(np.ceil(until / longest)))
-        march = polydec.Leapfrog(mesh, degree, until / steps, essential=essential)
-        E, B = march.step(start, until / steps / 2 * (mesh.d(degree) @ start), steps)
-        energy = march.energy(E, B)
-        return {**extremes(E), "energy": energy}, max(np.abs(start).max(), energy)
+        run = polydec.Waves(mesh, start, degree=degree, time_step=until / steps,
+                            essential=essential)
+        run.march(until)
+        return {**extremes(run.forms[0]), "energy": run.energy}, max(np.abs(start).max(), run.energy)
 
     return Question([*words, "--initial", texts(mesh.points.shape[1])[degree], *in_time(until)],
                     ["min", "max", "energy"], python)
@@ -159,7 +156,9 @@ def flow(_):
     def python(mesh):
         equations = polydec.IncompressibleFlow(mesh)
         w = equations.project(polydec.flow_of_vorticity(mesh, linear(mesh.points)))
-        w = polydec.FlowSolver(equations, step).step(w, 2)
+        run = polydec.Flow(equations, w, step)
+        run.march(2 * step)
+        w = run.forms[0]
         z = equations.vorticity(w)
         return {"energy": equations.energy(w), "min_vorticity": z.min(),
                 "max_vorticity": z.max()}, np.abs(z).max()

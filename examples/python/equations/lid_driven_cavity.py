@@ -8,7 +8,8 @@ import polydec
 square = polydec.discretize(polydec.meshes.grid(32, 32))
 lid = lambda x: np.outer(x[:, 1] > 0.999, [1.0, 0.0])
 flow = polydec.IncompressibleFlow(square, viscosity=0.01, no_slip=True, wall_velocity=lid)
-w = polydec.FlowSolver(flow, 0.02, scheme="imex").step(np.zeros(square.size(1)), 400)
-u = polydec.flux_sharp(square, square.cochain(w, 1))
+water = polydec.Flow(flow, np.zeros(square.size(1)), 0.02, scheme="imex")
+water.march(8.0)
+u = polydec.flux_sharp(square, square.cochain(water.forms[0], 1))
 middle = abs(square.centers(2)[:, 0] - 0.5) < 0.02
 print(f"back with {-u[middle, 0].min():g}")

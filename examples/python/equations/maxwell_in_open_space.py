@@ -9,9 +9,7 @@ box = polydec.discretize(polydec.meshes.kuhn([20, 20, 20]))
 turned = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 0]])
 ring = polydec.de_rham(box, 1, lambda x: (x - 0.5) @ turned * np.exp(
     -60 * ((x - 0.5) ** 2).sum(axis=1, keepdims=True)))
-light = polydec.Leapfrog(box, 1, 0.025, essential=True, layer=0.25)
-now, energies = polydec.WaveState(0 * ring, np.zeros(box.size(2))), []
-for _ in range(120):
-    now = light.march(now, source=lambda t: (t - 0.5) * np.exp(-50 * (t - 0.5) ** 2) * ring)
-    energies.append(light.energy(now.E, now.B))
+light = polydec.Waves(box, 0 * ring, degree=1, time_step=0.025, essential=True, layer=0.25,
+                      source=lambda t: (t - 0.5) * np.exp(-50 * (t - 0.5) ** 2) * ring)
+energies = [light.energy for _ in light.frames(np.linspace(0.025, 3, 120))]
 print(f"of the energy stays {energies[-1] / max(energies):g}")

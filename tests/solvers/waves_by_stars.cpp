@@ -6,7 +6,7 @@
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
-#include "solvers/leapfrog.h"
+#include "solvers/waves.h"
 #include "tests/solvers/star_samples.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/dense_laplacian.h"
@@ -20,7 +20,7 @@
 
 #include <cmath>
 
-namespace polydec::test::in_leapfrog_by_stars {
+namespace polydec::test::in_waves_by_stars {
 namespace {
 
 class WavesByStars : public OverMeshes {
@@ -32,7 +32,7 @@ protected:
         for (const auto& [title, mesh, chosen] : with_star_kinds(GetParam()))
             for (int k = 0; k < mesh.dimension(); ++k) {
                 const auto& stars = mesh.stars();
-                if (derivative(mesh.complex(), k).nonZeros() == 0 || mesh.complex().size(k) > 150 ||
+                if (derivative(mesh, k).nonZeros() == 0 || mesh.complex().size(k) > 150 ||
                     (stars[k].is_diagonal() && stars[k + 1].is_diagonal()))
                     continue;
                 SCOPED_TRACE(title + ", k = " + std::to_string(k));
@@ -43,14 +43,11 @@ protected:
 
 TEST_P(WavesByStars, keep_their_energy) {
     for_all([](const Discretization& mesh, int k) {
-        const Leapfrog waves(mesh, k, 0.9 * stable_step(mesh, k));
-        Vector E = random_vector(mesh.complex().size(k), 1),
-               B = random_vector(mesh.complex().size(k + 1), 2);
-        const double before = waves.energy(E, B);
-        EXPECT_GT(before, 0);
-        for (int i = 0; i < 200; ++i)
-            waves.step(E, B);
-        EXPECT_NEAR(waves.energy(E, B), before, 1e-11 * before);
+        Waves waves(mesh, {Side::primal, k, random_vector(mesh.complex().size(k), 1)},
+                    {.B = random_vector(mesh.complex().size(k + 1), 2)});
+        EXPECT_GT(waves.energy(), 0);
+        waves.advance(200);
+        EXPECT_NEAR(waves.relative_energy().value(), 1, 1e-11);
     });
 }
 
@@ -58,7 +55,7 @@ TEST_P(WavesByStars, keep_their_energy) {
 /// 1 - lambda dt^2 / 2.
 TEST_P(WavesByStars, swing_eigenforms_in_their_frequency_up_to_the_largest_step) {
     for_all([](const Discretization& mesh, int k) {
-        const SparseMatrix d = derivative(mesh.complex(), k);
+        const SparseMatrix d = derivative(mesh, k);
         const auto [values, forms] =
             dense_modes(SparseMatrix(d.transpose() * (mesh.stars()[k + 1].matrix() * d)).toDense(),
                         mesh.stars()[k].matrix().toDense());
@@ -67,13 +64,12 @@ TEST_P(WavesByStars, swing_eigenforms_in_their_frequency_up_to_the_largest_step)
         EXPECT_NEAR(limit, 2 / std::sqrt(largest), 1e-6 * limit);
         EXPECT_LE(limit, 2 / std::sqrt(largest) * (1 + 1e-9));
         const double dt = 0.7 * limit;
-        const Leapfrog waves(mesh, k, dt);
         for (const Index i : {last, last / 2}) {
             const Vector form = forms.col(i);
-            Vector E = form, B = dt / 2 * (derivative(mesh.complex(), k) * form);
+            Waves waves(mesh, {Side::primal, k, form}, {.time_step = dt});
             const double angle = std::acos(1 - values[i] * dt * dt / 2);
-            for (int j = 0; j < 10; ++j)
-                waves.step(E, B);
+            waves.advance(10);
+            const Vector E = waves.form(0).values;
             EXPECT_LE((E - std::cos(10 * angle) * form).norm(), 1e-8 * form.norm());
             EXPECT_GT((E - std::cos(10 * angle + 1) * form).norm() +
                           (E - std::cos(10 * angle - 1) * form).norm(),
@@ -86,18 +82,18 @@ POLYDEC_OVER_MESHES(WavesByStars);
 
 TEST(WavesByOtherStars, keep_another_energy) {
     const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
-    EXPECT_NE(refusal([&] { Leapfrog(mesh, 1, 1e-3); }), "accepted");
+    const Cochain E{Side::primal, 1, random_vector(mesh.complex().size(1), 1)};
+    EXPECT_NE(refusal([&] { Waves(mesh, E, {.time_step = 1e-3}); }), "accepted");
     const auto by = [&](StarKind kind) { return mesh.with_stars(mesh.with_stars(kind).stars()); };
     const auto galerkin = by(StarKind::galerkin), other = by(StarKind::barycentric);
     const double dt = 0.5 * std::min(stable_step(galerkin, 1), stable_step(other, 1));
-    const Leapfrog waves(galerkin, 1, dt), twin(other, 1, dt);
-    Vector E = random_vector(mesh.complex().size(1), 1),
-           B = random_vector(mesh.complex().size(2), 2);
-    const double before = twin.energy(E, B);
-    for (int i = 0; i < 50; ++i)
-        waves.step(E, B);
-    EXPECT_GT(std::abs(twin.energy(E, B) - before), 1e-3 * before);
-    EXPECT_TRUE(says(refusal([&] { Leapfrog(galerkin, 1, 1.01 * stable_step(galerkin, 1)); }),
+    const WaveOptions options{.time_step = dt, .B = random_vector(mesh.complex().size(2), 2)};
+    Waves waves(galerkin, E, options), twin(other, E, options);
+    waves.advance(50);
+    twin.resume(waves.time(), waves.state());
+    EXPECT_GT(std::abs(twin.relative_energy().value() - 1), 1e-3);
+    const double long_step = 1.01 * stable_step(galerkin, 1);
+    EXPECT_TRUE(says(refusal([&] { Waves(galerkin, E, {.time_step = long_step}); }),
                      {"time step", "waves", "grow"}));
 }
 
@@ -107,22 +103,20 @@ TEST(WavesByOtherStars, of_a_cavity_have_its_frequency) {
     const auto relative = relative_to_boundary(mesh.complex());
     const auto stars = relative_stars(relative, mesh.with_stars(StarKind::galerkin).stars());
     const double dt = 0.5 * stable_step({relative.complex, stars}, 1);
-    const Leapfrog waves({relative.complex, stars}, 1, dt);
     // sin(pi x) sin(pi y) dz
     const auto form = de_rham(
         mesh, 1, circulation_form([](const Vector& x) {
             return Vector(Eigen::Vector3d(0, 0, std::sin(M_PI * x[0]) * std::sin(M_PI * x[1])));
         }));
     const Vector start = relative.restrict(1, form.values);
-    Vector E = start, B = dt / 2 * (derivative(relative.complex, 1) * start);
-    double time = 0, before = 1;
+    Waves waves({relative.complex, stars}, {Side::primal, 1, start}, {.time_step = dt});
+    double before = 1;
     const double square = start.dot(stars[1] * start);
-    while (time < 1) {
-        waves.step(E, B);
-        time += dt;
-        const double now = start.dot(stars[1] * E) / square;
+    while (waves.time() < 1) {
+        waves.advance();
+        const double now = start.dot(stars[1] * waves.form(0).values) / square;
         if (now < 0) { // a quarter of the period
-            EXPECT_NEAR(time - dt * now / (now - before), 0.25 * std::sqrt(2.0), 0.02);
+            EXPECT_NEAR(waves.time() - dt * now / (now - before), 0.25 * std::sqrt(2.0), 0.02);
             return;
         }
         before = now;
@@ -131,4 +125,4 @@ TEST(WavesByOtherStars, of_a_cavity_have_its_frequency) {
 }
 
 } // namespace
-} // namespace polydec::test::in_leapfrog_by_stars
+} // namespace polydec::test::in_waves_by_stars

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "solvers/fixed_steps.h"
 #include "solvers/flow/incompressible_flow.h"
 
 namespace polydec {
@@ -19,26 +20,32 @@ struct FlowSteps {
     int most_passes = 100;
 };
 
-/// Marches an incompressible flow, with one factorization for all steps. A midpoint is found by
+/// An incompressible flow that runs, with one factorization for all steps. A midpoint is found by
 /// solving with friction and last pass's inertia until nothing changes any more, which it does for
 /// steps below about the exchange time.
-class FlowSolver {
+class Flow final : public FixedSteps {
 public:
-    /// Throws InvalidInput unless the time step is positive; what linear engines throw.
-    FlowSolver(const IncompressibleFlow& flow, const FlowSteps& steps);
+    /// From a flow as IncompressibleFlow::project makes. Throws InvalidInput unless the time step
+    /// is positive, and for another number of fluxes than facets; what linear engines throw.
+    Flow(const IncompressibleFlow& equations, const Vector& start, const FlowSteps& steps);
 
-    /// The flow one step later, of a flow as IncompressibleFlow::project makes. Throws
-    /// SolverFailure if a midpoint is not found: steps must be shorter.
-    Vector step(const Vector& w) const;
+    const IncompressibleFlow& equations() const { return equations_; }
 
-    const IncompressibleFlow& flow() const { return flow_; }
+    /// The flux now, and as the only one of the forms.
+    const Vector& flux() const { return now()[0]; }
+    std::vector<Cochain> forms() const override;
+
+    std::optional<Fingerprint> fingerprint() const override;
 
 private:
+    /// Throws SolverFailure if a midpoint is not found: steps must be shorter.
+    void step(std::vector<Vector>& state) const override;
     Vector midpoint(const Vector& w) const;
     Vector imex(const Vector& w) const;
 
-    IncompressibleFlow flow_;
+    IncompressibleFlow equations_;
     FlowSteps steps_;
+    Vector start_;
     FlowProjection implicit_, projection_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/leapfrog.h"
+#include "solvers/waves.h"
 
 #include "dec/fields/de_rham.h"
 #include "dec/forms/boundary_conditions.h"
@@ -15,20 +15,21 @@
 
 #include <cmath>
 
-namespace polydec::test::in_leapfrog {
+namespace polydec::test::in_waves {
 namespace {
 
 constexpr BoundaryCondition kinds[] = {BoundaryCondition::essential, BoundaryCondition::natural};
 
 /// Waves of one side and degree, with all that their laws speak of as matrices.
-struct Waves {
+struct WaveSample {
     Discretization mesh;
     Side side;
     int degree;
     BoundaryConditions conditions;
     int e = side == Side::primal ? degree : mesh.dimension() - degree;
     int b = side == Side::primal ? e + 1 : e - 1;
-    ConditionedComplex space = conditioned_complex(mesh, side, degree, conditions);
+    ConditionedComplex space =
+        conditioned_complex(mesh, side, degree, conditions);
 
     SparseMatrix d() const {
         const SparseMatrix of_lower =
@@ -45,11 +46,19 @@ struct Waves {
         return space.relative.extend(k, random_vector(kept, seed));
     }
     Vector kept(int k, const Vector& values) const { return space.relative.restrict(k, values); }
+
+    /// From random values, or a B that is given.
+    Waves wave(WaveOptions options) const {
+        options.conditions = conditions;
+        if (options.B.size() == 0)
+            options.B = random(b, 2);
+        return {mesh, {side, degree, random(e, 1)}, options};
+    }
 };
 
 /// Grids of every kind of cell, under both conditions, of every degree and side.
-std::vector<Waves> samples() {
-    std::vector<Waves> result;
+std::vector<WaveSample> samples() {
+    std::vector<WaveSample> result;
     const Mesh meshes[] = {well_centered(4), grid(4, 4), hexagons(4), kuhn(3, 3),
                            fcc(2),           bcc(2),     torus(8, 6), kuhn(1, 5)};
     for (const Mesh& mesh : meshes) {
@@ -57,7 +66,7 @@ std::vector<Waves> samples() {
         for (const Side side : {Side::primal, Side::dual})
             for (int degree = 0; degree < cells.dimension(); ++degree)
                 for (const auto kind : kinds) {
-                    Waves waves{cells, side, degree, {kind}};
+                    WaveSample waves{cells, side, degree, {kind}};
                     const auto bad = [&](int k) {
                         return !waves.space.stars[k].zeros().empty() ||
                                !waves.space.stars[k].negatives().empty() ||
@@ -70,35 +79,33 @@ std::vector<Waves> samples() {
     return result;
 }
 
-std::string in_words(const Waves& waves) {
+std::string in_words(const WaveSample& waves) {
     return std::string(name(waves.side)) + " " + std::to_string(waves.degree) + "-forms in " +
            std::to_string(waves.mesh.dimension()) + " dimensions, " +
            in_words(waves.conditions, waves.mesh.complex(), waves.degree);
 }
 
-double half_stable(const Waves& waves) {
+double half_stable(const WaveSample& waves) {
     return stable_step(waves.mesh, waves.conditions, waves.side, waves.degree) / 2;
 }
 
 TEST(WavesOfBothSides, are_on_every_mesh_and_degree) {
     int dual = 0;
-    for (const Waves& waves : samples())
+    for (const WaveSample& waves : samples())
         dual += waves.side == Side::dual;
     EXPECT_GE(dual, 20);
     EXPECT_GE(std::ssize(samples()), 50);
 }
 
 TEST(WavesOfBothSides, have_minus_delta_d_as_their_second_difference) {
-    for (const Waves& waves : samples()) {
+    for (const WaveSample& waves : samples()) {
         const double dt = half_stable(waves);
-        const Leapfrog leapfrog(waves.mesh, waves.conditions, waves.side, waves.degree,
-                                {.time_step = dt});
-        WaveState state{waves.random(waves.e, 1), waves.random(waves.b, 2)};
-        const Vector before = state.E;
-        leapfrog.step(state);
-        const Vector now = state.E;
-        leapfrog.step(state);
-        const Vector difference = waves.kept(waves.e, state.E - 2 * now + before);
+        Waves run = waves.wave({.time_step = dt});
+        const Vector before = run.form(0).values;
+        run.advance();
+        const Vector now = run.form(0).values;
+        run.advance();
+        const Vector difference = waves.kept(waves.e, run.form(0).values - 2 * now + before);
         const SparseMatrix d = waves.d();
         const Vector flow = waves.mass(waves.b).cwiseProduct(d * waves.kept(waves.e, now));
         const Vector expected =
@@ -109,19 +116,18 @@ TEST(WavesOfBothSides, have_minus_delta_d_as_their_second_difference) {
 }
 
 TEST(WavesOfBothSides, keep_their_energy) {
-    for (const Waves& waves : samples()) {
-        const Leapfrog leapfrog(waves.mesh, waves.conditions, waves.side, waves.degree,
-                                {.time_step = 1.9 * half_stable(waves)});
-        WaveState state{waves.random(waves.e, 1), waves.random(waves.b, 2)};
-        const double begin = leapfrog.energy(state.E, state.B);
-        double squares = 0, first = 0;
-        for (int i = 0; i < 200; ++i) {
-            leapfrog.step(state);
-            const Vector b = waves.kept(waves.b, state.B);
-            squares = b.dot(waves.mass(waves.b).cwiseProduct(b));
-            first = i == 0 ? squares : first;
-        }
-        EXPECT_NEAR(leapfrog.energy(state.E, state.B), begin, 1e-11 * begin) << in_words(waves);
+    for (const WaveSample& waves : samples()) {
+        Waves run = waves.wave({.time_step = 1.9 * half_stable(waves)});
+        const double begin = run.energy();
+        const auto squares_now = [&] {
+            const Vector b = waves.kept(waves.b, run.form(1).values);
+            return b.dot(waves.mass(waves.b).cwiseProduct(b));
+        };
+        run.advance();
+        const double first = squares_now();
+        run.advance(199);
+        const double squares = squares_now();
+        EXPECT_NEAR(run.energy(), begin, 1e-11 * begin) << in_words(waves);
         EXPECT_GT(std::abs(squares - first), 1e-6 * first) << "a part of it is kept alone";
     }
 }
@@ -131,14 +137,14 @@ TEST(WavesOfBothSides, are_stars_of_each_other) {
     const auto mesh = circumcentric(kuhn(3, 3));
     const int n = 3;
     for (int k = 1; k <= n; ++k) {
-        const Waves dual{mesh, Side::dual, n - k, {BoundaryCondition::essential}};
-        const Waves primal{mesh, Side::primal, k - 1, {BoundaryCondition::natural}};
+        const WaveSample dual{mesh, Side::dual, n - k, {BoundaryCondition::essential}};
+        const WaveSample primal{mesh, Side::primal, k - 1, {BoundaryCondition::natural}};
         EXPECT_NEAR(half_stable(dual), half_stable(primal), 1e-6 * half_stable(primal));
     }
 }
 
 /// The energy that a step finds, by the B half a step before and after.
-double energy(const Waves& waves, const Vector& E, const Vector& before, const Vector& after) {
+double energy(const WaveSample& waves, const Vector& E, const Vector& before, const Vector& after) {
     const Vector e = waves.kept(waves.e, E);
     return (e.dot(waves.mass(waves.e).cwiseProduct(e)) +
             waves.kept(waves.b, before)
@@ -148,45 +154,44 @@ double energy(const Waves& waves, const Vector& E, const Vector& before, const V
 
 /// What is missing in the balance of energy of a step in the middle of others, of what flows in
 /// one; losses as the balance believes them are those given times `believed`.
-double imbalance(const Waves& waves, double believed) {
+double imbalance(const WaveSample& waves, double believed) {
     const double dt = half_stable(waves);
-    LeapfrogOptions options{.time_step = dt};
+    WaveOptions options{.time_step = dt};
     options.loss = random_vector(waves.mesh.complex().size(waves.e), 5).cwiseAbs() / dt;
-    const Leapfrog leapfrog(waves.mesh, waves.conditions, waves.side, waves.degree, options);
-    const WaveSources sources{waves.random(waves.e, 6) / dt, waves.random(waves.b, 7) / dt};
-    WaveState state{waves.random(waves.e, 1), waves.random(waves.b, 2)};
-    const Vector B0 = state.B, E0 = state.E;
-    leapfrog.step(state, sources);
-    const Vector B1 = state.B, E1 = state.E;
-    leapfrog.step(state, sources);
-    const Vector B2 = state.B;
+    const Vector source = waves.random(waves.e, 6) / dt, upper = waves.random(waves.b, 7) / dt;
+    options.source = [=](double) { return source; };
+    options.upper_source = [=](double) { return upper; };
+    Waves run = waves.wave(options);
+    const Vector B0 = run.form(1).values, E0 = run.form(0).values;
+    run.advance();
+    const Vector B1 = run.form(1).values, E1 = run.form(0).values;
+    run.advance();
+    const Vector B2 = run.form(1).values;
     const Vector mean = waves.kept(waves.e, E0 + E1) / 2;
     const Vector loss = waves.kept(waves.e, options.loss);
-    const double flow = mean.dot(waves.mass(waves.e).cwiseProduct(
-                            waves.kept(waves.e, sources.E) - believed * loss.cwiseProduct(mean))) +
-                        waves.kept(waves.b, B1)
-                            .dot(waves.mass(waves.b).cwiseProduct(waves.kept(waves.b, sources.B)));
+    const double flow =
+        mean.dot(waves.mass(waves.e).cwiseProduct(waves.kept(waves.e, source) -
+                                                  believed * loss.cwiseProduct(mean))) +
+        waves.kept(waves.b, B1).dot(waves.mass(waves.b).cwiseProduct(waves.kept(waves.b, upper)));
     const double change = energy(waves, E1, B1, B2) - energy(waves, E0, B0, B1);
     return std::abs(change - dt * flow) / (std::abs(dt * flow) + energy(waves, E0, B0, B0));
 }
 
 TEST(WavesWithLosses, balance_their_energy_to_rounding) {
-    for (const Waves& waves : samples()) {
+    for (const WaveSample& waves : samples()) {
         EXPECT_LE(imbalance(waves, 1), 1e-11) << in_words(waves);
         EXPECT_GT(imbalance(waves, 0.9), 1e-5) << "with other losses";
     }
 }
 
 /// The energy after 20 steps as a part of that before; each value of E decays at this rate.
-double energy_left(const Waves& waves, double loss) {
-    LeapfrogOptions options{.time_step = half_stable(waves)};
+double energy_left(const WaveSample& waves, double loss) {
+    WaveOptions options{.time_step = half_stable(waves)};
     options.loss = Vector::Constant(waves.mesh.complex().size(waves.e), loss / options.time_step);
-    const Leapfrog leapfrog(waves.mesh, waves.conditions, waves.side, waves.degree, options);
-    WaveState state{waves.random(waves.e, 1), Vector::Zero(waves.mesh.complex().size(waves.b))};
-    const double begin = leapfrog.energy(state.E, state.B);
-    for (int i = 0; i < 20; ++i)
-        leapfrog.step(state);
-    return leapfrog.energy(state.E, state.B) / begin;
+    options.B = Vector::Zero(waves.mesh.complex().size(waves.b));
+    Waves run = waves.wave(options);
+    run.advance(20);
+    return run.relative_energy().value();
 }
 
 // A loss that is the same everywhere commutes with every star, so a matrix that is a diagonal one
@@ -201,8 +206,8 @@ TEST(WavesWithLosses, die_away_alike_where_stars_are_matrices) {
                                                                      : BoundaryCondition::natural};
             const auto as_matrix = diagonal.with_stars(
                 diagonal.stars().with(k, SparseMatrix(diagonal.stars()[k].matrix())));
-            const Waves one{diagonal, side, degree, conditions};
-            const Waves other{as_matrix, side, degree, conditions};
+            const WaveSample one{diagonal, side, degree, conditions};
+            const WaveSample other{as_matrix, side, degree, conditions};
             EXPECT_NEAR(energy_left(other, 0), 1, 1e-11) << name(side) << degree;
             EXPECT_NEAR(energy_left(other, 0.1), energy_left(one, 0.1), 1e-9)
                 << name(side) << degree;
@@ -212,7 +217,7 @@ TEST(WavesWithLosses, die_away_alike_where_stars_are_matrices) {
         const int k = side == Side::primal ? 1 : 2;
         const auto mesh = diagonal.with_stars(
             diagonal.stars().with(k, material_star(diagonal, k, CellData::on_cells(ones))));
-        const Waves waves{mesh, side, 1, {BoundaryCondition::essential}};
+        const WaveSample waves{mesh, side, 1, {BoundaryCondition::essential}};
         EXPECT_NEAR(energy_left(waves, 0), 1, 1e-11) << name(side);
         EXPECT_LT(energy_left(waves, 0.1), 0.5) << name(side);
     }
@@ -220,18 +225,18 @@ TEST(WavesWithLosses, die_away_alike_where_stars_are_matrices) {
 
 TEST(WavesWithLosses, keep_the_divergence_of_their_fluxes) {
     const auto mesh = circumcentric(kuhn(3, 3));
-    const Waves waves{mesh, Side::primal, 1, {BoundaryCondition::essential}};
-    LeapfrogOptions options{.time_step = half_stable(waves)};
+    const WaveSample waves{mesh, Side::primal, 1, {BoundaryCondition::essential}};
+    WaveOptions options{.time_step = half_stable(waves)};
     const SparseMatrix out = mesh.complex().coboundary(2).cast<double>();
     const auto divergence = [&](double magnetic) {
         options.loss = Vector::Constant(mesh.complex().size(1), 0.3);
         options.upper_loss = magnetic * random_vector(mesh.complex().size(2), 3).cwiseAbs();
-        const Leapfrog leapfrog(mesh, waves.conditions, Side::primal, 1, options);
-        WaveState state{waves.random(1, 1), Vector::Zero(mesh.complex().size(2))};
-        const WaveSources sources{waves.random(1, 9)};
-        for (int i = 0; i < 100; ++i)
-            leapfrog.step(state, sources);
-        return (out * state.B).norm() / state.B.norm();
+        options.B = Vector::Zero(mesh.complex().size(2));
+        options.source = [source = waves.random(1, 9)](double) { return source; };
+        Waves run = waves.wave(options);
+        run.advance(100);
+        const Vector B = run.form(1).values;
+        return (out * B).norm() / B.norm();
     };
     EXPECT_LE(divergence(0), 1e-13);
     EXPECT_GT(divergence(1), 1e-3) << "magnetic losses are sources of B";
@@ -272,30 +277,29 @@ TEST(WaveErrors, name_losses_layers_and_sides) {
     const auto mesh = circumcentric(grid(4, 4));
     const BoundaryConditions conditions{BoundaryCondition::natural};
     const double dt = 1e-3;
-    const auto made = [&](LeapfrogOptions options) {
+    const auto made = [&](WaveOptions options, const Discretization& on) {
         options.time_step = dt;
-        return refusal([&] { Leapfrog(mesh, conditions, Side::primal, 0, options); });
+        options.conditions = conditions;
+        const Cochain u{Side::primal, 0, Vector::Zero(on.complex().size(0))};
+        return refusal([&] { Waves(on, u, options); });
     };
-    EXPECT_TRUE(says(made({.loss = Vector::Constant(25, -1)}), {"loss", "value 0", "E", "-1"}));
-    EXPECT_NE(made({.loss = Vector::Ones(3)}).find("losses of E"), std::string::npos);
-    EXPECT_TRUE(says(made({.layer = {.width = 2}}), {"layer", "width 2", "0", "1"}));
-    EXPECT_TRUE(says(made({.layer = {.width = 0.2, .reflection = 2}}),
+    EXPECT_TRUE(
+        says(made({.loss = Vector::Constant(25, -1)}, mesh), {"loss", "value 0", "E", "-1"}));
+    EXPECT_NE(made({.loss = Vector::Ones(3)}, mesh).find("losses of E"), std::string::npos);
+    EXPECT_TRUE(says(made({.layer = {.width = 2}}, mesh), {"layer", "width 2", "0", "1"}));
+    EXPECT_TRUE(says(made({.layer = {.width = 0.2, .reflection = 2}}, mesh),
                      {"layer", "reflection 2", "power 3"}));
     EXPECT_TRUE(says(refusal([&] {
-                         Leapfrog(Cells(mesh), built_in_conditions(Side::primal), Side::primal, 0,
-                                  {.time_step = dt, .layer = {.width = 0.2}});
+                         Waves(Cells(mesh), {Side::primal, 0, Vector::Zero(25)},
+                               {.layer = {.width = 0.2}});
                      }),
                      {"layer", "cells", "mesh"}));
     EXPECT_TRUE(says(refusal([&] { stable_step(mesh, conditions, Side::dual, 2); }),
                      {"waves", "2-forms", "dimension 2", "0", "1"}));
     const auto triangles = circumcentric(well_centered(8));
-    EXPECT_TRUE(
-        says(refusal([&] {
-                 Leapfrog(triangles, conditions, Side::primal, 0,
-                          {.time_step = dt, .layer = {.width = 0.2, .kind = LayerKind::stretched}});
-             }),
-             {"parallel", "axes"}));
+    EXPECT_TRUE(says(made({.layer = {.width = 0.2, .kind = LayerKind::stretched}}, triangles),
+                     {"parallel", "axes"}));
 }
 
 } // namespace
-} // namespace polydec::test::in_leapfrog
+} // namespace polydec::test::in_waves

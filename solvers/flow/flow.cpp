@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/flow/flow_solver.h"
+#include "solvers/flow/flow.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -30,39 +31,53 @@ struct Imex {
         {{g, 0, 0}, {a31, a32, 0}, {1 - 2 * a, a, a}}};
 };
 
-double checked(double time_step) {
-    if (!(time_step > 0) || !std::isfinite(time_step))
-        throw InvalidInput(
-            fmt::format("a time step of {} is given: expected a finite one above 0", time_step));
-    return time_step;
-}
-
 double implicit_part(const FlowSteps& steps) {
-    return checked(steps.time_step) *
-           (steps.scheme == FlowScheme::implicit_midpoint ? 0.5 : Imex::g);
+    return steps.time_step * (steps.scheme == FlowScheme::implicit_midpoint ? 0.5 : Imex::g);
 }
 
 } // namespace
 
-FlowSolver::FlowSolver(const IncompressibleFlow& flow, const FlowSteps& steps)
-    : flow_(flow),
+Flow::Flow(const IncompressibleFlow& equations, const Vector& start, const FlowSteps& steps)
+    : FixedSteps(steps.time_step, {start}),
+      equations_(equations),
       steps_(steps),
-      implicit_(flow.implicit_part(implicit_part(steps))),
-      projection_(flow.implicit_part(0)) {}
-
-Vector FlowSolver::step(const Vector& w) const {
-    return steps_.scheme == FlowScheme::implicit_midpoint ? midpoint(w) : imex(w);
+      start_(start),
+      implicit_(equations.implicit_part(implicit_part(steps))),
+      projection_(equations.implicit_part(0)) {
+    const Discretization& mesh = equations.mesh();
+    check_as_many("fluxes", start.size(), mesh.complex().size(mesh.dimension() - 1));
 }
 
-Vector FlowSolver::midpoint(const Vector& w) const {
-    const Vector momentum = flow_.momentum(w);
+void Flow::step(std::vector<Vector>& state) const {
+    const bool is_midpoint = steps_.scheme == FlowScheme::implicit_midpoint;
+    state[0] = is_midpoint ? midpoint(state[0]) : imex(state[0]);
+}
+
+std::vector<Cochain> Flow::forms() const {
+    return {{Side::primal, equations_.mesh().dimension() - 1, flux()}};
+}
+
+std::optional<Fingerprint> Flow::fingerprint() const {
+    const FlowOptions& given = equations_.options();
+    Fingerprint result;
+    result.add("flow").add(equations_.mesh()).add(start_).add(steps_.time_step);
+    result.add(steps_.scheme).add(steps_.tolerance).add(steps_.most_passes);
+    result.add(given.viscosity).add(given.everywhere).add(given.facets.size());
+    for (const FlowBoundary kind : given.facets)
+        result.add(kind);
+    result.add(given.boundary_flux).add(DenseMatrix(given.wall_velocity)).add(given.rotation);
+    return result.add(given.linear_solver);
+}
+
+Vector Flow::midpoint(const Vector& w) const {
+    const Vector momentum = equations_.momentum(w);
     Vector middle = w;
     double change = 0;
     for (int pass = 0; pass < steps_.most_passes && std::isfinite(change); ++pass) {
         const Vector next =
-            implicit_.solve(momentum + steps_.time_step / 2 * flow_.inertia(middle)).flux;
+            implicit_.solve(momentum + steps_.time_step / 2 * equations_.inertia(middle)).flux;
         const Vector by = next - middle;
-        change = by.isZero(0) ? 0 : std::sqrt(flow_.ratio_of_energies(by, next));
+        change = by.isZero(0) ? 0 : std::sqrt(equations_.ratio_of_energies(by, next));
         middle = next;
         if (change <= steps_.tolerance)
             return 2 * middle - w;
@@ -71,15 +86,15 @@ Vector FlowSolver::midpoint(const Vector& w) const {
         fmt::format("the midpoint of a step of {:.6g} of a flow was not found in {} "
                     "passes: the last one changed it by {:.2g}\nTake steps well "
                     "below the exchange time, {:.6g}.",
-                    steps_.time_step, steps_.most_passes, change, flow_.exchange_time(w)));
+                    steps_.time_step, steps_.most_passes, change, equations_.exchange_time(w)));
 }
 
-Vector FlowSolver::imex(const Vector& w) const {
+Vector Flow::imex(const Vector& w) const {
     const double dt = steps_.time_step;
-    const Vector momentum = flow_.momentum(w);
+    const Vector momentum = equations_.momentum(w);
     std::array<Vector, 4> inertia;
     std::array<Vector, 3> friction;
-    inertia[0] = flow_.inertia(w);
+    inertia[0] = equations_.inertia(w);
     for (int stage = 0; stage < 3; ++stage) {
         Vector right_side = momentum;
         for (int i = 0; i <= stage; ++i)
@@ -87,8 +102,8 @@ Vector FlowSolver::imex(const Vector& w) const {
         for (int i = 0; i < stage; ++i)
             right_side += dt * Imex::friction[stage][i] * friction[i];
         const Vector at_stage = implicit_.solve(right_side).flux;
-        inertia[stage + 1] = flow_.inertia(at_stage);
-        friction[stage] = flow_.friction(at_stage);
+        inertia[stage + 1] = equations_.inertia(at_stage);
+        friction[stage] = equations_.friction(at_stage);
     }
     Vector result = momentum;
     for (int i = 0; i < 3; ++i)

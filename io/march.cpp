@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "io/march.h"
+
+#include "base/errors.h"
+#include "base/printable.h"
+#include "io/checkpoint.h"
+
+#include <fmt/format.h>
+
+namespace polydec {
+
+namespace {
+
+constexpr std::chrono::seconds longest{60}; // between checkpoints
+
+struct Stopped {};
+
+} // namespace
+
+Frames::Frames(Run& run, std::vector<double> times, MarchOptions options)
+    : run_(run), times_(std::move(times)), options_(std::move(options)) {
+    if (options_.checkpoint.empty())
+        return;
+    const auto problem = run_.fingerprint();
+    if (!problem)
+        throw InvalidInput("a checkpoint is asked for of a run that calls functions, which cannot "
+                           "be told from others: give it a label, words that say what they "
+                           "compute with which numbers");
+    problem_ = problem->value();
+    if (options_.resume && std::filesystem::exists(options_.checkpoint))
+        go_on();
+}
+
+/// Behind the state of a run are two numbers of the march: 1 if an event has ended it, and the last
+/// of the times that are behind.
+void Frames::keep() {
+    Checkpoint now{problem_, passed_, run_.time(), run_.state()};
+    now.state.push_back(Vector{
+        {arrival_ == Arrival::at_event ? 1.0 : 0.0, passed_ > 0 ? times_[passed_ - 1] : 0.0}});
+    write_checkpoint(options_.checkpoint, now);
+    kept_ = std::chrono::steady_clock::now();
+    is_new_ = false;
+}
+
+void Frames::go_on() {
+    Checkpoint last = read_checkpoint(options_.checkpoint, problem_);
+    const auto refuse = [&](const char* why) {
+        throw InvalidInput(fmt::format("{} cannot be gone on from: {}",
+                                       printable(options_.checkpoint.string()), why),
+                           {.path = options_.checkpoint});
+    };
+    if (last.state.empty() || last.state.back().size() != 2)
+        refuse("it is none of a march");
+    const Vector of_march = last.state.back();
+    if (last.step > times_.size() || (last.step > 0 && times_[last.step - 1] != of_march[1]))
+        refuse("it belongs to a march to another list of times; begin anew, or give the same");
+    last.state.pop_back();
+    run_.resume(last.time, last.state);
+    passed_ = last.step;
+    arrival_ = of_march[0] != 0 ? Arrival::at_event : Arrival::at_time;
+}
+
+void Frames::between(double time) {
+    if (options_.progress)
+        options_.progress(time);
+    if (options_.stop && options_.stop())
+        throw Stopped();
+    if (!options_.checkpoint.empty() && run_.resumes_anywhere() &&
+        std::chrono::steady_clock::now() - kept_ > longest)
+        keep();
+}
+
+bool Frames::next() {
+    if (is_new_ && !options_.checkpoint.empty())
+        keep();
+    if (passed_ == times_.size() || arrival_ == Arrival::at_event ||
+        (options_.stop && options_.stop()))
+        return false;
+    try {
+        arrival_ = run_.march(times_[passed_], [this](double time) { between(time); });
+    } catch (const Stopped&) {
+        if (!options_.checkpoint.empty() && run_.resumes_anywhere())
+            keep();
+        return false;
+    }
+    ++passed_;
+    is_new_ = true;
+    return true;
+}
+
+Arrival march(Run& run, const std::vector<double>& times, const MarchOptions& options) {
+    Frames frames(run, times, options);
+    while (frames.next())
+        if (options.show)
+            options.show(run);
+    return frames.arrival();
+}
+
+} // namespace polydec

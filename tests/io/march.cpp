@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "io/march.h"
+
+#include "dec/material_stars.h"
+#include "io/checkpoint.h"
+#include "meshes/generate.h"
+#include "solvers/evolution.h"
+#include "solvers/flow/flow.h"
+#include "solvers/heat.h"
+#include "solvers/waves.h"
+#include "tests/io/support.h"
+#include "tests/support/says.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+namespace polydec::test::in_march {
+
+namespace {
+
+const std::vector<double> times{0, 0.1, 0.2, 0.4, 0.5};
+
+/// What a run may have otherwise than another one.
+struct Problem {
+    double material = 1, step = 0.02, until_value = -2;
+    std::string label = "as written here";
+    BoundaryCondition condition = BoundaryCondition::natural;
+    StarKind star = StarKind::circumcentric;
+
+    Discretization mesh() const {
+        const auto empty = discretize(kuhn(2, 4), {.star = star});
+        Vector weights = Vector::Ones(empty.complex().size(2));
+        weights.tail(3).setConstant(material);
+        return with_material(empty, 1, CellData::on_cells(weights));
+    }
+    static Cochain start(const Discretization& mesh) {
+        return {Side::primal, 0, Vector::LinSpaced(mesh.complex().size(0), 0.5, 1)};
+    }
+};
+
+using Made = std::unique_ptr<Run>;
+
+Made heat(const Problem& problem) {
+    const auto mesh = problem.mesh();
+    return std::make_unique<HeatRun>(mesh, BoundaryConditions{problem.condition},
+                                     Problem::start(mesh), HeatOptions{problem.step});
+}
+
+Made waves(const Problem& problem) {
+    const auto mesh = problem.mesh();
+    const Cochain u = Problem::start(mesh);
+    return std::make_unique<Waves>(
+        mesh, u,
+        WaveOptions{.time_step = problem.step,
+                    .conditions = BoundaryConditions{problem.condition},
+                    .layer = {.width = 0.3},
+                    .source = [=](double t) { return Vector(std::sin(9 * t) * u.values); },
+                    .label = problem.label});
+}
+
+Made flow(const Problem& problem) {
+    const auto mesh = problem.mesh();
+    const bool sticks = problem.condition == BoundaryCondition::essential;
+    const IncompressibleFlow equations(
+        mesh,
+        {.viscosity = 0.1, .everywhere = sticks ? FlowBoundary::no_slip : FlowBoundary::free_slip});
+    const Vector w =
+        equations.project(Vector::LinSpaced(mesh.complex().size(1), 0, 3).array().sin().matrix());
+    return std::make_unique<Flow>(equations, w, FlowSteps{problem.step});
+}
+
+Made evolution(const Problem& problem) {
+    const auto mesh = problem.mesh();
+    return std::make_unique<Evolution>(
+        mesh,
+        std::vector<Unknown>{{.start = Problem::start(mesh),
+                              .diffusion = 0.1,
+                              .conditions = BoundaryConditions{problem.condition}}},
+        [](double t, const std::vector<Cochain>& now) {
+            return std::vector{Vector(std::cos(9 * t) * now[0].values)};
+        },
+        EvolutionOptions{.steps = {.first_step = problem.step},
+                         .event =
+                             [=](double, const std::vector<Cochain>& now) {
+                                 return now[0].values.maxCoeff() - problem.until_value;
+                             },
+                         .label = problem.label});
+}
+
+const std::vector<Made (*)(const Problem&)> makers{heat, waves, flow, evolution};
+
+bool are_same(const Run& one, const Run& other) {
+    const auto a = one.forms(), b = other.forms();
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i].values != b[i].values)
+            return false;
+    return one.time() == other.time() && a.size() == b.size();
+}
+
+struct Killed : std::runtime_error {
+    Killed() : std::runtime_error("killed") {}
+};
+
+} // namespace
+
+// The twin: without the memory of the integrator the bits are others.
+TEST(March, ends_in_the_same_bits_wherever_it_was_killed) {
+    for (const auto make : makers) {
+        const auto whole = make({});
+        march(*whole, times);
+        for (std::size_t kill = 1; kill <= times.size(); ++kill) {
+            const TemporaryFolder folder;
+            const MarchOptions kept{.checkpoint = folder.path("a")};
+            std::vector<double> shown;
+            auto dying = kept, living = kept, none = kept;
+            living.show = [&](const auto& now) { shown.push_back(now.time()); };
+            dying.show = [&](const auto& now) {
+                living.show(now);
+                if (shown.size() == kill)
+                    throw Killed();
+            };
+            none.show = [](const auto&) { FAIL(); };
+            const auto first = make({}), second = make({}), third = make({});
+            EXPECT_THROW(march(*first, times, dying), Killed);
+            march(*second, times, living);
+            EXPECT_EQ(shown.size(), times.size() + 1) << "the time of the kill is shown again";
+            EXPECT_EQ(shown[kill], shown[kill - 1]);
+            EXPECT_TRUE(are_same(*second, *whole)) << kill;
+            march(*third, times, none);
+            EXPECT_TRUE(are_same(*third, *whole));
+        }
+    }
+    const auto whole = evolution({}), forgetful = evolution({});
+    march(*whole, times);
+    forgetful->march(0.2);
+    forgetful->resume(0.2, {forgetful->state()[0], Vector()});
+    march(*forgetful, {0.4, 0.5});
+    EXPECT_FALSE(are_same(*forgetful, *whole));
+}
+
+// Between two times, where steps do not depend on them; else at the last of these.
+TEST(March, that_is_stopped_goes_on_from_there) {
+    for (const auto make : makers) {
+        const auto whole = make({});
+        march(*whole, times);
+        for (const int asked : {0, 3, 8, 14}) {
+            const TemporaryFolder folder;
+            const auto first = make({}), second = make({});
+            int before = 0;
+            march(*first, times,
+                  {.checkpoint = folder.path("a"), .stop = [&] { return before++ >= asked; }});
+            EXPECT_LT(first->time(), 0.5);
+            Frames rest(*second, times, {.checkpoint = folder.path("a")});
+            if (first->resumes_anywhere() && std::filesystem::exists(folder.path("a")))
+                EXPECT_EQ(second->time(), first->time());
+            EXPECT_LE(second->time(), first->time());
+            while (rest.next()) {
+            }
+            EXPECT_TRUE(are_same(*second, *whole)) << asked;
+        }
+    }
+}
+
+// The twins are what differs: a material in a few cells, a condition, a star, a step, a label.
+TEST(March, refuses_checkpoints_of_other_problems) {
+    for (const auto make : makers) {
+        const TemporaryFolder folder;
+        const MarchOptions kept{.checkpoint = folder.path("a")};
+        march(*make({}), times, kept);
+        march(*make({}), times, kept);
+        std::vector<Problem> others(4);
+        others[0].material = 1 + 1e-15;
+        others[1].condition = BoundaryCondition::essential;
+        others[2].star = StarKind::galerkin;
+        others[3].step = 0.01;
+        if (make({.label = ""})->fingerprint() == std::nullopt)
+            others.push_back({.label = "another"});
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            if (i == 2 && make == flow)
+                continue; // viscosity needs the other star
+            const auto run = make(others[i]);
+            EXPECT_TRUE(says(error_of([&] { march(*run, times, kept); }),
+                             {"InvalidInput", "another", "option"}))
+                << i;
+            EXPECT_EQ(run->time(), 0);
+        }
+        const auto run = make({});
+        EXPECT_TRUE(says(error_of([&] {
+                             march(*run, {0, 0.1, 0.2, 0.3, 0.4}, kept);
+                         }),
+                         {"InvalidInput", "another", "times"}));
+        march(*run, {0, 0.1, 0.2, 0.4, 0.5, 0.6}, kept);
+        EXPECT_NEAR(run->time(), 0.6, 1e-15);
+    }
+}
+
+TEST(March, of_functions_is_kept_by_a_label_alone) {
+    const TemporaryFolder folder;
+    for (const auto make : {waves, evolution}) {
+        const auto run = make({.label = ""});
+        EXPECT_TRUE(says(error_of([&] { march(*run, times, {.checkpoint = folder.path("a")}); }),
+                         {"InvalidInput", "functions", "label"}));
+        march(*run, times);
+    }
+    const auto mesh = discretize(kuhn(2, 2));
+    EXPECT_TRUE(Evolution(mesh, {{.start = Problem::start(mesh), .diffusion = 1}}).fingerprint());
+}
+
+TEST(March, stays_where_an_event_had_ended_it) {
+    const TemporaryFolder folder;
+    const auto first = evolution({.until_value = 1.05}), second = evolution({.until_value = 1.05});
+    const MarchOptions kept{.checkpoint = folder.path("a")};
+    EXPECT_EQ(march(*first, times, kept), Arrival::at_event);
+    EXPECT_LT(first->time(), 0.5);
+    EXPECT_EQ(march(*second, times, kept), Arrival::at_event);
+    EXPECT_TRUE(are_same(*second, *first));
+}
+
+TEST(March, refuses_files_of_others) {
+    const TemporaryFolder folder;
+    const auto run = heat({});
+    const std::uint64_t problem = run->fingerprint()->value();
+    for (const std::vector<Vector>& state : {std::vector<Vector>{}, {Vector::Zero(3)}}) {
+        write_checkpoint(folder.path("a"), {.problem = problem, .state = state});
+        EXPECT_TRUE(says(error_of([&] { march(*run, times, {.checkpoint = folder.path("a")}); }),
+                         {"InvalidInput", "gone on", "march"}));
+    }
+    write_checkpoint(folder.path("a"),
+                     {.problem = problem, .state = {Vector::Zero(3), Vector::Zero(2)}});
+    EXPECT_TRUE(says(error_of([&] { march(*run, times, {.checkpoint = folder.path("a")}); }),
+                     {"InvalidInput", "state", "another"}));
+    march(*run, times, {.checkpoint = folder.path("a"), .resume = false});
+    EXPECT_THROW(run->march(0.1), InvalidInput);
+}
+
+} // namespace polydec::test::in_march

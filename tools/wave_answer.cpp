@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "tools/wave_answer.h"
+
+#include "io/diagnosis_json.h"
+#include "tools/messages.h"
+#include "tools/picture.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+namespace polydec::tools {
+
+namespace {
+
+struct Swung : Answer {
+    Side side;
+    int degree;
+    TimeSteps steps;
+    Ran ran;
+    std::string conditions;
+    LayerKind layer;
+    double layer_width;
+    std::optional<double> stable_step; // in the units of the file; none: any step is stable
+    double min, max;
+    std::optional<double> energy, relative_energy; // at the end, in the units of the file
+    ChosenStars stars;
+
+    explicit Swung(const ChosenStars& chosen) : stars(chosen) {}
+
+    void write(JsonWriter& json) const override {
+        json.member("side", name(side));
+        json.member("degree", degree);
+        write_time(json, steps, ran);
+        json.member("stable_step", stable_step);
+        json.member("min", min);
+        json.member("max", max);
+        json.member("energy", energy);
+        json.member("relative_energy", relative_energy);
+        if (layer_width > 0)
+            json.member("layer", name(layer));
+        json.member("conditions", conditions);
+        write_stars(json, stars);
+    }
+
+    void write(Text& text) const override {
+        text("waves of {} {}-forms, {}\n", name(side), degree, in_words(steps, ran));
+        text("  {}\n  {}\n", conditions, in_words(stars));
+        if (layer_width > 0)
+            text("  an absorbing layer of the width {:.6g}, {}\n", layer_width, name(layer));
+        text("  steps {}\n", stable_step ? fmt::format("are stable below {:.6g}", *stable_step)
+                                         : "of any length are stable");
+        text("  values from {:.10g} to {:.10g}; energy {}{}\n", min, max, in_digits(energy),
+             in_words(relative_energy));
+    }
+};
+
+} // namespace
+
+void answer_waves(const WaveWords& words, const Discretization& mesh, const Cochain& start,
+                  WaveOptions options, const MeshArguments& arguments, const TimeArguments& time,
+                  Log& log) {
+    const auto& [side, degree, values] = start;
+    log.timing.begin("solve");
+    Swung answer(mesh.chosen_stars());
+    const double stable = computed_on(arguments.mesh, [&] {
+        const Progress progress;
+        progress("find the stable step");
+        return stable_step(mesh, *options.conditions, side, degree);
+    });
+    const TimeSteps steps = time_steps(time, part_of_stable_step * stable);
+    options.time_step = steps.length;
+    Waves run(mesh, start, options);
+    const std::string conditions = in_words(*options.conditions, mesh.complex(), degree);
+    PageText text;
+    text.title = words.title;
+    text.facts = {words.equation, conditions, in_words(answer.stars)};
+    const March march{words.what, in_page(std::move(text), log), steps, [&](const Run& now) {
+                          return std::vector{NamedForm(words.form, now.form(0), words.form_words)};
+                      }};
+    const Ran ran = march_to_end(run, march, time, arguments.mesh, mesh);
+    answer.side = side;
+    answer.degree = degree;
+    answer.steps = steps;
+    answer.ran = ran;
+    answer.conditions = conditions;
+    answer.layer = run.layer();
+    answer.layer_width = options.layer.width;
+    if (std::isfinite(stable))
+        answer.stable_step = stable;
+    const Vector E = run.form(0).values;
+    answer.min = E.minCoeff();
+    answer.max = E.maxCoeff();
+    answer.energy = in_range([&] { return run.energy(); });
+    answer.relative_energy = run.relative_energy();
+    tell(answer, log, arguments.tell);
+}
+
+} // namespace polydec::tools
