@@ -64,7 +64,8 @@ polydec::SvgSeries run(int n, int cells) {
     }
 
     // half a period turns the wave around
-    const double half = 1 / std::sqrt(n), bound = polydec::stable_step({inside.complex, volumes}, 0);
+    const double half = 1 / std::sqrt(n),
+                 bound = polydec::stable_step({inside.complex, volumes}, 0);
     const double steps = std::ceil(1.1 * half / bound), dt = half / steps;
     polydec::Waves wave({inside.complex, volumes}, start, {.time_step = dt});
     Film swung("waves", box, inside);

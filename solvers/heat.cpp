@@ -36,8 +36,8 @@ Cochain HeatSolver::step(const Cochain& form) const {
     return {side, degree, std::move(result)};
 }
 
-HeatRun::HeatRun(const Cells& cells, const BoundaryConditions& conditions,
-                 const Cochain& start, const HeatOptions& options)
+HeatRun::HeatRun(const Cells& cells, const BoundaryConditions& conditions, const Cochain& start,
+                 const HeatOptions& options)
     : FixedSteps(options.time_step, {start.values}),
       solver_(cells, conditions, start.side, start.degree, options),
       start_(start),

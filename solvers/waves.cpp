@@ -43,8 +43,7 @@ ConditionedComplex conditioned(const Cells& cells,
                                const std::optional<BoundaryConditions>& conditions, Side side,
                                int degree) {
     degrees(cells.complex(), side, degree); // which there must be
-    return conditioned_complex(cells, side, degree,
-                               conditions.value_or(built_in_conditions(side)));
+    return conditioned_complex(cells, side, degree, conditions.value_or(built_in_conditions(side)));
 }
 
 void check_stars(const CellComplex& complex, const HodgeStars& stars, Side side, int degree) {
@@ -157,9 +156,8 @@ struct Waves::Scheme {
 
     Scheme(const Cells& cells, const Discretization* mesh, const Cochain& start,
            const WaveOptions& options)
-        : Scheme(cells.complex(),
-                 conditioned(cells, options.conditions, start.side, start.degree), mesh, start,
-                 options) {}
+        : Scheme(cells.complex(), conditioned(cells, options.conditions, start.side, start.degree),
+                 mesh, start, options) {}
     Scheme(const CellComplex& whole, const ConditionedComplex& space, const Discretization* mesh,
            const Cochain& start, const WaveOptions& options);
 

@@ -232,11 +232,10 @@ using GivenWave = std::tuple<Numbers, Numbers, Numbers>;
 
 /// A mesh knows where a layer is.
 template <class On>
-std::unique_ptr<AnyRun> waves_of(const On& of, const std::string& side, int degree,
-                                 const Numbers& E, double time_step,
-                                 const GivenConditions& conditions, const GivenWave& wave,
-                                 const GivenLayer& layer, const py::object& source,
-                                 const py::object& upper_source, const std::string& label) {
+std::unique_ptr<AnyRun>
+waves_of(const On& of, const std::string& side, int degree, const Numbers& E, double time_step,
+         const GivenConditions& conditions, const GivenWave& wave, const GivenLayer& layer,
+         const py::object& source, const py::object& upper_source, const std::string& label) {
     const auto& [loss, upper_loss, B] = wave;
     const WaveOptions options{.time_step = time_step,
                               .conditions = conditions,

@@ -55,11 +55,26 @@ std::vector<Door> doors_of_operators(const Sample& s) {
         {"dual_derivative", -1, n, [=, &s](int j) { dual_derivative(s.P(), j); }},
         {"star", 0, n, [=, &s](int k) { star(s.V(), k); }},
         {"HodgeStars", 0, n, [=, &s](int k) { s.mesh.stars()[k]; }},
-        {"codifferential", 0, n, [=, &s](int k) { codifferential({s.P(), s.V()}, k); }},
-        {"dual_codifferential", 0, n, [=, &s](int j) { dual_codifferential({s.P(), s.V()}, j); }},
-        {"laplacian", 0, n, [=, &s](int k) { laplacian({s.P(), s.V()}, k); }},
-        {"dual_laplacian", 0, n, [=, &s](int j) { dual_laplacian({s.P(), s.V()}, j); }},
-        {"symmetric_laplacian", 0, n, [=, &s](int k) { symmetric_laplacian({s.P(), s.V()}, k); }},
+        {"codifferential", 0, n,
+         [=, &s](int k) {
+             codifferential({s.P(), s.V()}, k);
+         }},
+        {"dual_codifferential", 0, n,
+         [=, &s](int j) {
+             dual_codifferential({s.P(), s.V()}, j);
+         }},
+        {"laplacian", 0, n,
+         [=, &s](int k) {
+             laplacian({s.P(), s.V()}, k);
+         }},
+        {"dual_laplacian", 0, n,
+         [=, &s](int j) {
+             dual_laplacian({s.P(), s.V()}, j);
+         }},
+        {"symmetric_laplacian", 0, n,
+         [=, &s](int k) {
+             symmetric_laplacian({s.P(), s.V()}, k);
+         }},
         {"Operator::derivative", -1, n, [=, &s](int k) { Operator::derivative(s.P(), k); }},
         {"dual_boundary_derivative", 0, n, [=, &s](int j) { dual_boundary_derivative(s.P(), j); }},
         {"primal_to_merged", 0, n, [=, &s](int k) { primal_to_merged(s.mesh.merging(), k); }},
@@ -113,8 +128,9 @@ std::vector<Door> doors_of_forms(const Sample& s) {
         add("inner_product", [&](const Cochain& w) { inner_product({s.P(), s.V()}, w, w); });
         add("boundary", [&](const Cochain& w) { boundary(s.P(), {w.side, w.degree, w.values}); });
         add("to_input", [&](const Cochain& w) { to_input(s.mesh, w); });
-        add("hodge_decomposition",
-            [&](const Cochain& w) { hodge_decomposition({s.P(), s.V()}, w, "eigen.ldlt"); });
+        add("hodge_decomposition", [&](const Cochain& w) {
+            hodge_decomposition({s.P(), s.V()}, w, "eigen.ldlt");
+        });
         doors.push_back({std::string("cell_degree, ") + name(side), 0, n,
                          [&s, side](int k) { cell_degree(s.P(), side, k); }});
         doors.push_back({std::string("HeatSolver, ") + name(side), 0, n, [&s, side](int k) {

@@ -81,13 +81,26 @@ TEST(doors, values_of_another_number_than_the_cells_are_refused) {
                     {"apply_derivative", [&] { Operator::derivative(s.P(), k) * x; }},
                     {"apply_transposed_derivative",
                      [&] { Operator::derivative(s.P(), k - 1).transposed() * x; }},
-                    {"apply_codifferential", [&] { codifferential({s.P(), s.V()}, k) * x; }},
+                    {"apply_codifferential",
+                     [&] {
+                         codifferential({s.P(), s.V()}, k) * x;
+                     }},
                     {"apply_dual_codifferential",
-                     [&] { dual_codifferential({s.P(), s.V()}, n - k) * x; }},
-                    {"apply_laplacian", [&] { laplacian({s.P(), s.V()}, k) * x; }},
+                     [&] {
+                         dual_codifferential({s.P(), s.V()}, n - k) * x;
+                     }},
+                    {"apply_laplacian",
+                     [&] {
+                         laplacian({s.P(), s.V()}, k) * x;
+                     }},
                     {"apply_symmetric_laplacian",
-                     [&] { symmetric_laplacian({s.P(), s.V()}, k) * x; }},
-                    {"apply_dual_laplacian", [&] { dual_laplacian({s.P(), s.V()}, n - k) * x; }},
+                     [&] {
+                         symmetric_laplacian({s.P(), s.V()}, k) * x;
+                     }},
+                    {"apply_dual_laplacian",
+                     [&] {
+                         dual_laplacian({s.P(), s.V()}, n - k) * x;
+                     }},
                     {"restrict", [&] { relative.restrict(k, x); }},
                     {"pairing",
                      [&] {
@@ -138,21 +151,57 @@ TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
         for (int k = 0; k <= s.n(); ++k) {
             const Cochain w = form(s, Side::primal, k);
             const std::pair<const char*, std::function<void()>> calls[] = {
-                {"codifferential", [&] { codifferential({s.P(), other.V()}, k); }},
-                {"dual_codifferential", [&] { dual_codifferential({s.P(), other.V()}, k); }},
-                {"laplacian", [&] { laplacian({s.P(), other.V()}, k); }},
-                {"dual_laplacian", [&] { dual_laplacian({s.P(), other.V()}, k); }},
-                {"symmetric_laplacian", [&] { symmetric_laplacian({s.P(), other.V()}, k); }},
-                {"diagonal", [&] { symmetric_laplacian({s.P(), other.V()}, k).diagonal(); }},
-                {"apply_laplacian", [&] { laplacian({s.P(), other.V()}, k) * w.values; }},
-                {"star", [&] { star({s.P(), other.V()}, w); }},
-                {"inner_product", [&] { inner_product({s.P(), other.V()}, w, w); }},
+                {"codifferential",
+                 [&] {
+                     codifferential({s.P(), other.V()}, k);
+                 }},
+                {"dual_codifferential",
+                 [&] {
+                     dual_codifferential({s.P(), other.V()}, k);
+                 }},
+                {"laplacian",
+                 [&] {
+                     laplacian({s.P(), other.V()}, k);
+                 }},
+                {"dual_laplacian",
+                 [&] {
+                     dual_laplacian({s.P(), other.V()}, k);
+                 }},
+                {"symmetric_laplacian",
+                 [&] {
+                     symmetric_laplacian({s.P(), other.V()}, k);
+                 }},
+                {"diagonal",
+                 [&] {
+                     symmetric_laplacian({s.P(), other.V()}, k).diagonal();
+                 }},
+                {"apply_laplacian",
+                 [&] {
+                     laplacian({s.P(), other.V()}, k) * w.values;
+                 }},
+                {"star",
+                 [&] {
+                     star({s.P(), other.V()}, w);
+                 }},
+                {"inner_product",
+                 [&] {
+                     inner_product({s.P(), other.V()}, w, w);
+                 }},
                 {"dual_to_merged", [&] { dual_to_merged(s.mesh.merging(), other.W(), k); }},
                 {"geometry", [&] { Geometry(s.K(), s.mesh.geometry().metric(), other.W()); }},
                 {"cells", [&] { MergedCells(s.mesh.merging(), s.mesh.geometry(), other.V()); }},
-                {"heat", [&] { HeatSolver({s.P(), other.V()}, Side::primal, k, {.time_step = 1}); }},
-                {"hodge", [&] { harmonic_forms({s.P(), other.V()}, Side::primal, k); }},
-                {"spectrum", [&] { spectrum({s.P(), other.V()}, {.degree = k, .count = 1}); }},
+                {"heat",
+                 [&] {
+                     HeatSolver({s.P(), other.V()}, Side::primal, k, {.time_step = 1});
+                 }},
+                {"hodge",
+                 [&] {
+                     harmonic_forms({s.P(), other.V()}, Side::primal, k);
+                 }},
+                {"spectrum",
+                 [&] {
+                     spectrum({s.P(), other.V()}, {.degree = k, .count = 1});
+                 }},
                 {"volumes", [&] { relative_volumes(relative_to_boundary(s.P()), other.V()); }},
             };
             for (const auto& [what, call] : calls)

@@ -5,8 +5,8 @@
 #include "base/errors.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/derivative.h"
-#include "dec/metric/subsets.h"
 #include "dec/forms/laplacian.h"
+#include "dec/metric/subsets.h"
 #include "io/march.h"
 #include "meshes/generate.h"
 #include "solvers/heat.h"
@@ -196,7 +196,8 @@ TEST(evolution, diffusion_keeps_the_mean_where_nothing_flows_out) {
             continue;
         const Index count = mesh.complex().size(0);
         const Cochain slope{Side::primal, 0, Vector::LinSpaced(count, 0, 1)};
-        Evolution heat(mesh, {{.start = slope, .diffusion = mesh.volumes().primal(1).squaredNorm()}});
+        Evolution heat(mesh,
+                       {{.start = slope, .diffusion = mesh.volumes().primal(1).squaredNorm()}});
         const auto heat_in = [&](const Cochain& u) { return Vector(star * u.values).sum(); };
         const double before = heat_in(heat.form(0));
         heat.march(0.01);

@@ -28,8 +28,7 @@ struct WaveSample {
     BoundaryConditions conditions;
     int e = side == Side::primal ? degree : mesh.dimension() - degree;
     int b = side == Side::primal ? e + 1 : e - 1;
-    ConditionedComplex space =
-        conditioned_complex(mesh, side, degree, conditions);
+    ConditionedComplex space = conditioned_complex(mesh, side, degree, conditions);
 
     SparseMatrix d() const {
         const SparseMatrix of_lower =
@@ -289,11 +288,11 @@ TEST(WaveErrors, name_losses_layers_and_sides) {
     EXPECT_TRUE(says(made({.layer = {.width = 2}}, mesh), {"layer", "width 2", "0", "1"}));
     EXPECT_TRUE(says(made({.layer = {.width = 0.2, .reflection = 2}}, mesh),
                      {"layer", "reflection 2", "power 3"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         Waves(Cells(mesh), {Side::primal, 0, Vector::Zero(25)},
-                               {.layer = {.width = 0.2}});
-                     }),
-                     {"layer", "cells", "mesh"}));
+    EXPECT_TRUE(
+        says(refusal([&] {
+                 Waves(Cells(mesh), {Side::primal, 0, Vector::Zero(25)}, {.layer = {.width = 0.2}});
+             }),
+             {"layer", "cells", "mesh"}));
     EXPECT_TRUE(says(refusal([&] { stable_step(mesh, conditions, Side::dual, 2); }),
                      {"waves", "2-forms", "dimension 2", "0", "1"}));
     const auto triangles = circumcentric(well_centered(8));

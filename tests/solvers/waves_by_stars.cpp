@@ -32,7 +32,7 @@ protected:
         for (const auto& [title, mesh, chosen] : with_star_kinds(GetParam()))
             for (int k = 0; k < mesh.dimension(); ++k) {
                 const auto& stars = mesh.stars();
-                if (derivative(mesh, k).nonZeros() == 0 || mesh.complex().size(k) > 150 ||
+                if (derivative(mesh.complex(), k).nonZeros() == 0 || mesh.complex().size(k) > 150 ||
                     (stars[k].is_diagonal() && stars[k + 1].is_diagonal()))
                     continue;
                 SCOPED_TRACE(title + ", k = " + std::to_string(k));
@@ -55,7 +55,7 @@ TEST_P(WavesByStars, keep_their_energy) {
 /// 1 - lambda dt^2 / 2.
 TEST_P(WavesByStars, swing_eigenforms_in_their_frequency_up_to_the_largest_step) {
     for_all([](const Discretization& mesh, int k) {
-        const SparseMatrix d = derivative(mesh, k);
+        const SparseMatrix d = derivative(mesh.complex(), k);
         const auto [values, forms] =
             dense_modes(SparseMatrix(d.transpose() * (mesh.stars()[k + 1].matrix() * d)).toDense(),
                         mesh.stars()[k].matrix().toDense());

@@ -2,8 +2,8 @@
 #include "complex/relative.h"
 #include "dec/discretization.h"
 #include "dec/forms/boundary_conditions.h"
-#include "dec/forms/star.h"
 #include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/coexact_spectrum.h"
@@ -72,7 +72,8 @@ TEST(CavityModes, are_divergence_free_and_no_gradients) {
         EXPECT_LE(parts.exact.values.norm(), 1e-7 * modes.modes.col(i).norm());
     }
     // the plain spectrum has gradients among them: 3 pi^2 of the Dirichlet Laplacian
-    const auto plain = spectrum({cavity.relative.complex, cavity.volumes}, {.degree = 1, .count = 8});
+    const auto plain =
+        spectrum({cavity.relative.complex, cavity.volumes}, {.degree = 1, .count = 8});
     EXPECT_GT((plain.eigenvalues - modes.eigenvalues).cwiseAbs().maxCoeff(), 1);
 }
 
@@ -219,12 +220,14 @@ TEST(WaveErrors, name_what_is_wrong) {
     };
     EXPECT_TRUE(says(refused(2, 0.1), {"waves", "2-forms", "dimension 2", "0", "1"}));
     EXPECT_TRUE(says(refused(0, 1), {"time step of 1"}));
-    EXPECT_TRUE(
-        says(refusal([&] { HeatSolver({mesh.complex(), mesh.volumes()}, Side::dual, 0, {}); }),
-             {"time step of 0"}));
-    EXPECT_TRUE(says(
-        refusal([&] { coexact_spectrum({mesh.complex(), mesh.volumes()}, {.side = Side::dual}); }),
-        {"coexact", "primal forms", "dual form"}));
+    EXPECT_TRUE(says(refusal([&] {
+                         HeatSolver({mesh.complex(), mesh.volumes()}, Side::dual, 0, {});
+                     }),
+                     {"time step of 0"}));
+    EXPECT_TRUE(says(refusal([&] {
+                         coexact_spectrum({mesh.complex(), mesh.volumes()}, {.side = Side::dual});
+                     }),
+                     {"coexact", "primal forms", "dual form"}));
 }
 
 } // namespace
