@@ -38,11 +38,15 @@ file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/public_headers.txt
 file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/component_headers.txt
     CONTENT "$<JOIN:${component_headers},\n>\n")
 
+# What the shared library is linked of, one a line: the tests link it again with sanitized objects.
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/library_objects.txt
+    CONTENT "$<JOIN:$<TARGET_OBJECTS:polydec>;$<TARGET_OBJECTS:polydec_page_template>,\n>\n")
+
 set(polydec_packages)
 foreach(name IN LISTS polydec_built_components)
     list(APPEND polydec_packages ${${name}_package})
 endforeach()
-set(polydec_openmp ${OpenMP_CXX_FOUND})
+set(polydec_openmp ${OpenMP_CXX_LIBRARIES})
 set(polydec_version ${PROJECT_VERSION})
 set(polydec_compiler ${CMAKE_CXX_COMPILER})
 set(polydec_build)

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <unistd.h>
-
 namespace polydec::python {
 
 namespace {
@@ -150,33 +148,28 @@ py::dict report_of(const SolveReport& report) {
 }
 
 void check_signals() {
-    const py::gil_scoped_acquire lock;
-    if (PyErr_CheckSignals() != 0)
-        throw py::error_already_set();
+    locked([] {
+        if (PyErr_CheckSignals() != 0)
+            throw py::error_already_set();
+    });
 }
 
 std::shared_ptr<py::object> shared(const py::object& function) {
     return {new py::object(function), [](py::object* object) {
                 if (!Py_IsInitialized()) // an engine's, which stays until the program ends
                     return;
-                const py::gil_scoped_acquire lock;
-                delete object;
+                locked([&] { delete object; });
             }};
 }
 
 std::function<void(std::string_view)> listener(const py::object& function) {
     return [kept = shared(function)](std::string_view what) {
-        Unlocked::wait_at_the_end();
-        const py::gil_scoped_acquire lock;
-        check_signals();
-        if (!kept->is_none())
-            (*kept)(std::string(what));
+        locked([&] {
+            check_signals();
+            if (!kept->is_none())
+                (*kept)(std::string(what));
+        });
     };
-}
-
-void Unlocked::wait_at_the_end() {
-    while (_Py_IsFinalizing() != 0)
-        pause();
 }
 
 void warn(const std::vector<std::string>& warnings) {

@@ -6,8 +6,10 @@
 #include "dec/forms/cochain.h"
 #include "solvers/boundary_forms.h"
 
+#include <cxxabi.h>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -15,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -135,20 +138,32 @@ std::function<void(std::string_view)> listener(const py::object& function);
 /// Lets Ctrl-C end what is being done. To be called with or without the interpreter's lock.
 void check_signals();
 
-/// Lets go of the interpreter's lock. Where the interpreter has ended meanwhile, a thread that
-/// asked for the lock again would be unwound, and the program with it: it waits for the end of the
-/// process.
+/// While the interpreter ends, it unwinds every other thread that asks for its lock or runs Python.
+/// Destructors and functions of C++ must not be unwound, which would end the program by
+/// std::terminate: such a thread waits here for the end of the process instead.
+template <class Work>
+auto until_the_end(Work work) {
+#ifdef __GLIBCXX__
+    try {
+        return work();
+    } catch (const abi::__forced_unwind&) {
+        for (;;)
+            ::pause();
+    }
+#else
+    return work(); // nothing is unwound
+#endif
+}
+
+/// Lets go of the interpreter's lock.
 class Unlocked {
 public:
     Unlocked() : state_(PyEval_SaveThread()) {}
     ~Unlocked() {
-        wait_at_the_end();
-        PyEval_RestoreThread(state_);
+        until_the_end([&] { PyEval_RestoreThread(state_); });
     }
     Unlocked(const Unlocked&) = delete;
     Unlocked& operator=(const Unlocked&) = delete;
-
-    static void wait_at_the_end();
 
 private:
     PyThreadState* state_;
@@ -159,6 +174,16 @@ template <class Work>
 auto unlocked(Work work) {
     const Unlocked release;
     return work();
+}
+
+/// What is done with the interpreter's lock, by C++ that runs without it.
+template <class Work>
+auto locked(Work work) {
+    std::optional<py::gil_scoped_acquire> lock;
+    return until_the_end([&] {
+        lock.emplace();
+        return work();
+    });
 }
 
 void add_errors(py::module_& module);

@@ -43,23 +43,22 @@ public:
                  std::shared_ptr<py::object> factorize)
         : CheckedSolver(name, {}, options), factorize_(std::move(factorize)) {}
     ~PythonSolver() override {
-        const py::gil_scoped_acquire lock;
-        solve_ = py::object();
+        locked([&] { solve_ = py::object(); });
     }
 
 protected:
     void compute(const SparseMatrix& A, const MatrixFacts&, Pattern) override {
-        const py::gil_scoped_acquire lock;
-        solve_ = (*factorize_)(csr(SparseMatrix(A)));
+        locked([&] { solve_ = (*factorize_)(csr(SparseMatrix(A))); });
     }
 
     Solution apply_inverse(const DenseMatrix& B) override {
-        const py::gil_scoped_acquire lock;
-        const auto found = py::array_t<double, py::array::f_style | py::array::forcecast>::ensure(
-            solve_(array(DenseMatrix(B))));
-        if (!found || found.size() != B.size())
-            fail("the function of Python gave something else than as many numbers");
-        return {Eigen::Map<const DenseMatrix>(found.data(), B.rows(), B.cols())};
+        return locked([&]() -> Solution {
+            using Columns = py::array_t<double, py::array::f_style | py::array::forcecast>;
+            const auto found = Columns::ensure(solve_(array(DenseMatrix(B))));
+            if (!found || found.size() != B.size())
+                fail("the function of Python gave something else than as many numbers");
+            return {Eigen::Map<const DenseMatrix>(found.data(), B.rows(), B.cols())};
+        });
     }
 
 private:
@@ -84,7 +83,12 @@ public:
 protected:
     EigenPairs compute(const SymmetricOperator& A, Index count,
                        const EigenOptions& options) const override {
-        const py::gil_scoped_acquire lock;
+        return locked([&] { return computed(A, count, options); });
+    }
+
+private:
+    EigenPairs computed(const SymmetricOperator& A, Index count,
+                        const EigenOptions& options) const {
         Index operations = 0;
         const py::cpp_function apply([&](const Numbers& values) {
             ++operations;
@@ -108,7 +112,6 @@ protected:
         return {vector(values), columns(vectors), static_cast<Index>(values.shape(0)), operations};
     }
 
-private:
     std::string name_;
     std::shared_ptr<py::object> largest_;
 };

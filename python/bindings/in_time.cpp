@@ -53,8 +53,7 @@ auto in_time(const py::object& function, Make make) {
     std::function<decltype(make(std::declval<As>()))(double)> result;
     if (!function.is_none())
         result = [kept = shared(function), make](double time) {
-            const py::gil_scoped_acquire lock;
-            return make((*kept)(time).template cast<As>());
+            return locked([&] { return make((*kept)(time).template cast<As>()); });
         };
     return result;
 }
@@ -74,8 +73,8 @@ Reaction reaction_of(const py::object& function) {
     if (function.is_none())
         return {};
     return [kept = shared(function)](double time, const std::vector<Cochain>& forms) {
-        const py::gil_scoped_acquire lock;
-        return vectors((*kept)(time, arrays_of(forms)).cast<std::vector<Numbers>>());
+        return locked(
+            [&] { return vectors((*kept)(time, arrays_of(forms)).cast<std::vector<Numbers>>()); });
     };
 }
 
@@ -83,8 +82,7 @@ std::function<double(double, const std::vector<Cochain>&)> event_of(const py::ob
     if (function.is_none())
         return {};
     return [kept = shared(function)](double time, const std::vector<Cochain>& forms) {
-        const py::gil_scoped_acquire lock;
-        return (*kept)(time, arrays_of(forms)).cast<double>();
+        return locked([&] { return (*kept)(time, arrays_of(forms)).cast<double>(); });
     };
 }
 

@@ -133,7 +133,7 @@ void add_files(py::module_& module) {
 void add_generators(py::module_& module) {
     using Counts = std::vector<int>;
     using Lengths = std::vector<double>;
-    const py::call_guard<py::gil_scoped_release> unlocking;
+    const py::call_guard<Unlocked> unlocking;
     module.def("grid", &grid, unlocking);
     module.def("hexagons", &hexagons, unlocking);
     module.def("well_centered", &well_centered, unlocking);

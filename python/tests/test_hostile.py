@@ -192,7 +192,11 @@ def test_certified_values_are_those_of_the_matrix(height):
     def solve():
         while True:
             polydec.spectrum(polydec.meshes.grid(12, 12), count=3)
-    threading.Thread(target=solve, daemon=True).start()
+    def make():
+        while True:
+            polydec.meshes.grid(3, 3)
+    for work in (solve, make, make):
+        threading.Thread(target=work, daemon=True).start()
     time.sleep(.3)
     print('end')""", "end"),
     ("""if True:
@@ -200,7 +204,7 @@ def test_certified_values_are_those_of_the_matrix(height):
     with multiprocessing.get_context('fork').Pool(2) as pool:
         again = pool.map(polydec.discretize, 2 * [polydec.meshes.kuhn([10, 10, 10])])
     print([other.shape == c.shape for other in again])""", "[True, True]")],
-    ids=["daemon_thread", "forked_children"])
+    ids=["daemon_threads", "forked_children"])
 def test_the_interpreter_ends_with_its_own_code(code, printed):
     code = f"import multiprocessing, threading, time, polydec\n{code}"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60,

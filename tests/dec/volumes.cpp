@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "base/decompositions.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/rounding.h"
-#include "tests/support/decompositions.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"

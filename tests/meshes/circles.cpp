@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "base/decompositions.h"
 #include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
-#include "tests/support/decompositions.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -40,14 +40,15 @@ Distances distances(const Points& points, const std::vector<Index>& polygon) {
     for (Eigen::Index i = 0; i < p; ++i)
         X.row(i) = points.row(polygon[i]);
     X.rowwise() -= X.colwise().mean().eval();
-    const Eigen::JacobiSVD<DenseMatrix> svd(X, Eigen::ComputeFullV);
-    const DenseMatrix in_plane = X * svd.matrixV().leftCols(2);
+    const Eigen::SelfAdjointEigenSolver<DenseMatrix> axes(
+        DenseMatrix(X.transpose() * X)); // ascending
+    const DenseMatrix in_plane = X * axes.eigenvectors().rightCols(2);
 
     DenseMatrix A(p, 3);
     A << 2.0 * in_plane, Vector::Ones(p);
     const Vector squares = in_plane.rowwise().squaredNorm();
     const Vector circle = A.colPivHouseholderQr().solve(squares);
-    return {points.cols() == 2 ? 0.0 : svd.singularValues()[2] / std::sqrt(p),
+    return {points.cols() == 2 ? 0.0 : (X * axes.eigenvectors().col(0)).norm() / std::sqrt(p),
             (A * circle - squares).cwiseAbs().maxCoeff() / (2.0 * std::sqrt(squares.mean()))};
 }
 

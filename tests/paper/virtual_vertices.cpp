@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "base/decompositions.h"
 #include "examples/paper/rivals/bunge_virtual_vertex.h"
 #include "tests/paper/rival_surfaces.h"
-#include "tests/support/decompositions.h"
 
 #include <gtest/gtest.h>
 

@@ -110,7 +110,7 @@ DenseMatrix random_isometry(Index N, unsigned seed) {
     DenseMatrix A(N, N);
     for (double& a : A.reshaped())
         a = 2.0 * random() / std::mt19937::max() - 1;
-    return A.householderQr().householderQ();
+    return orthonormal_columns(A);
 }
 
 Mesh polygon_curve() {
