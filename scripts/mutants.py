@@ -40,7 +40,7 @@ MUTANTS = {
                            "    return discretization.unit() *\n           mean_over_cells(discretization, k, middles(",
                            "    return mean_over_cells(discretization, k, middles("),
     "streamlines_in_the_unit": ("dec/fields/streamlines.cpp", "    lines.points *= mesh.unit();\n", ""),
-    "dual_volumes_in_the_unit": ("dec/input_units.cpp", "scaled(volumes.dual(k), n - k)",
+    "dual_volumes_in_the_unit": ("dec/forms/input_units.cpp", "scaled(volumes.dual(k), n - k)",
                                  "scaled(volumes.dual(k), k)"),
     "vertices_of_splits_in_front": ("dec/input_vertices.cpp", ": v + unused;", ": v;"),
     "fixed_vertices_free": ("dec/forms/boundary_conditions.cpp",

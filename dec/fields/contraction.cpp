@@ -2,7 +2,7 @@
 #include "dec/fields/contraction.h"
 
 #include "base/errors.h"
-#include "dec/input_units.h"
+#include "dec/forms/input_units.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/simplex_geometry.h"
 

@@ -6,9 +6,9 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
+#include "dec/forms/input_units.h"
 #include "dec/forms/star.h"
 #include "dec/glued_box.h"
-#include "dec/input_units.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/simplex_geometry.h"
 

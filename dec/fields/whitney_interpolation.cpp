@@ -4,7 +4,7 @@
 #include "base/errors.h"
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
-#include "dec/input_units.h"
+#include "dec/forms/input_units.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/simplex_metric.h"

@@ -2,7 +2,7 @@
 #include "dec/forms/cells.h"
 
 #include "base/checks.h"
-#include "dec/input_units.h"
+#include "dec/forms/input_units.h"
 #include "dec/merging/merged_cells.h"
 
 #include <fmt/format.h>

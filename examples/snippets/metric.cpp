@@ -45,12 +45,11 @@ void adjoint() {
     const auto& P = mesh.complex();
     const polydec::Cochain f{polydec::Side::primal, 0, polydec::Vector::Random(P.size(0))};
     const polydec::Cochain w{polydec::Side::primal, 1, polydec::Vector::Random(P.size(1))};
-    const double left = polydec::inner_product({P, mesh.volumes()}, polydec::d(P, f), w);
-    const double right = polydec::inner_product({P, mesh.volumes()}, f,
-                                                polydec::codifferential({P, mesh.volumes()}, w));
+    const double left = polydec::inner_product(mesh, polydec::d(P, f), w);
+    const double right = polydec::inner_product(mesh, f, polydec::codifferential(mesh, w));
     std::cout << "<df, w> - <f, delta w> = " << (std::abs(left - right) < 1e-12 ? "0" : "not 0")
               << '\n';
-    const auto twice = polydec::star({P, mesh.volumes()}, polydec::star({P, mesh.volumes()}, w));
+    const auto twice = polydec::star(mesh, polydec::star(mesh, w));
     std::cout << "star star w = " << twice.values[0] / w.values[0] << " w\n";
 }
 
@@ -58,11 +57,11 @@ void laplacian_of_a_parabola() {
     const auto mesh = polydec::discretize(polydec::grid(8, 8));
     const auto& P = mesh.complex();
     const polydec::Vector u = mesh.points().rowwise().squaredNorm(); // x^2 + y^2
-    const polydec::Vector Lu = polydec::laplacian({P, mesh.volumes()}, 0) * u;
+    const polydec::Vector Lu = polydec::laplacian(mesh, 0) * u;
     const polydec::Index middle = 4 * 9 + 4;
     std::cout << "Delta(x^2 + y^2) in the middle: " << Lu[middle] << '\n';
 
-    const polydec::SparseMatrix A = polydec::symmetric_laplacian({P, mesh.volumes()}, 0);
+    const polydec::SparseMatrix A = polydec::symmetric_laplacian(mesh, 0);
     std::cout << "stencil: " << A.coeff(middle, middle) << " and " << A.coeff(middle, middle + 1)
               << ", along the diagonal " << A.coeff(middle, middle + 10) << '\n';
 }

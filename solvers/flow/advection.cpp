@@ -5,7 +5,7 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/developed_cells.h"
-#include "dec/input_units.h"
+#include "dec/forms/input_units.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/permutation_sign.h"
 #include "dec/metric/simplex_geometry.h"

@@ -4,8 +4,8 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "dec/fields/interior_product.h"
+#include "dec/forms/input_units.h"
 #include "dec/forms/operator.h"
-#include "dec/input_units.h"
 #include "dec/metric/simplex_geometry.h"
 #include "solvers/poisson.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "complex/relative.h"
+#include "dec/forms/input_units.h"
 #include "dec/forms/operator.h"
-#include "dec/input_units.h"
 #include "solvers/flow/incompressible_flow.h"
 
 #include <vector>

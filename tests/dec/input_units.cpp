@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/input_units.h"
+#include "dec/forms/input_units.h"
 
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"

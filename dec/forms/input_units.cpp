@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/input_units.h"
+#include "dec/forms/input_units.h"
 
 #include <fmt/format.h>
 
