@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/cell_centers.h"
+#include "solvers/coexact_spectrum.h"
 #include "solvers/evolution.h"
 #include "solvers/heat.h"
+#include "solvers/hodge.h"
 #include "solvers/hodge_laplace.h"
 #include "solvers/poisson.h"
 #include "solvers/spectrum.h"
@@ -128,6 +130,33 @@ TEST(InputUnits, are_those_of_spectra) {
             const auto found =
                 spectrum(mesh, robin(1.5 / size), {.side = side, .degree = degree, .count = 5});
             return Vector(size * size * found.eigenvalues);
+        },
+        all_degrees);
+}
+
+TEST(InputUnits, are_those_of_coexact_spectra) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int degree) {
+            if (side == Side::dual || degree == mesh.dimension())
+                return Vector();
+            const auto found = coexact_spectrum(mesh, {.degree = degree, .count = 3});
+            return Vector(size * size * joined({found.eigenvalues, found.radii}));
+        },
+        all_degrees);
+}
+
+// Of the star of a coexact form, and of the norm of harmonic ones.
+TEST(InputUnits, are_those_of_hodge_decompositions) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int degree) {
+            const int power = mesh.dimension() - 2 * degree;
+            const DenseMatrix harmonic = harmonic_forms(mesh, side, degree);
+            const Vector copotential =
+                hodge_decomposition(mesh, any_form(mesh, side, degree)).copotential.values;
+            if (power == 0 || copotential.size() + harmonic.size() == 0)
+                return Vector();
+            return joined({std::pow(size, -power) * copotential,
+                           std::pow(size, power / 2.0) * harmonic.reshaped()});
         },
         all_degrees);
 }
