@@ -24,8 +24,8 @@ int main() {
     // (star + dt star Delta) u_new = star u for 3-forms, the amounts in cells
     const double dt = 0.002;
     const int n = mesh.dimension(), steps = 10;
-    const polydec::OwnedVec star = polydec::star({ranks, mesh.cells}, n);
-    const polydec::OwnedMat A = polydec::symmetric_laplacian({ranks, mesh.cells}, n);
+    const polydec::OwnedVec star = polydec::star(ranks, mesh.cells, n);
+    const polydec::OwnedMat A = polydec::symmetric_laplacian(ranks, mesh.cells, n);
     MatScale(A.get(), dt);
     MatDiagonalSet(A.get(), star.get(), ADD_VALUES);
     KSP solver = nullptr;

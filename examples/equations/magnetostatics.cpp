@@ -19,6 +19,6 @@ int main() {
                                        }));
     const polydec::HodgeLaplaceSolver solver(iron, {.degree = 1});
     const auto [A, removed, report] = polydec::solve_curl_curl(solver, iron.complex(), coil);
-    std::cout << "energy " << std::pow(polydec::norm(iron, polydec::d(iron, A)), 2) / 2 << ", work "
-              << polydec::inner_product(iron, A, coil) / 2 << '\n';
+    std::cout << "energy " << std::pow(polydec::norm(iron, polydec::d(iron.complex(), A)), 2) / 2
+              << ", work " << polydec::inner_product(iron, A, coil) / 2 << '\n';
 }

@@ -55,7 +55,6 @@ void adjoint() {
 
 void laplacian_of_a_parabola() {
     const auto mesh = polydec::discretize(polydec::grid(8, 8));
-    const auto& P = mesh.complex();
     const polydec::Vector u = mesh.points().rowwise().squaredNorm(); // x^2 + y^2
     const polydec::Vector Lu = polydec::laplacian(mesh, 0) * u;
     const polydec::Index middle = 4 * 9 + 4;

@@ -43,7 +43,7 @@ void magnet() {
     const polydec::HodgeLaplaceSolver solver(iron, {.degree = 1});
     const auto [A, removed, report] = polydec::solve_curl_curl(solver, mesh.complex(), coil);
 
-    const auto B = polydec::d(iron, A);
+    const auto B = polydec::d(iron.complex(), A);
     std::cout << "energy of the field " << 0.5 * std::pow(polydec::norm(iron, B), 2)
               << ", work of the current " << 0.5 * polydec::inner_product(iron, A, coil - removed)
               << '\n';

@@ -88,9 +88,7 @@ TEST(DistributedOperators, are_those_of_one_process_in_every_degree_on_both_side
                 });
             expect_equal(
                 ranks, cells, k, in("symmetric Laplacian"),
-                [&] {
-                    return symmetric_laplacian(ranks, cells, k);
-                },
+                [&] { return symmetric_laplacian(ranks, cells, k); },
                 [&] {
                     return symmetric_laplacian({whole.P(), stars}, k).matrix();
                 });
