@@ -83,7 +83,7 @@ void rod() {
     const auto look = [&](double) { most = std::max(most, light.energy()); };
     light.march(76 * step, look);
     draw(mesh, light.form(0).values);
-    light.march(200, look);
+    light.march(334 * step, look);
     std::cout << "with a glass rod " << 100 * (1 - light.energy() / most)
               << " % of the energy has left\n";
 }
