@@ -59,9 +59,8 @@ public:
     std::size_t left() const { return (file_.text.size() - at_) / word_size; }
 
     [[noreturn]] void fail(std::string_view reason) const {
-        throw InvalidInput(
-            fmt::format("{} cannot be gone on from: {}", printable(file_.name), reason),
-            {.path = file_.name});
+        throw InvalidInput(fmt::format("{} cannot be resumed: {}", printable(file_.name), reason),
+                           {.path = file_.name});
     }
 
 private:

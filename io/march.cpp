@@ -23,9 +23,8 @@ Frames::Frames(Run& run, std::vector<double> times, MarchOptions options)
         return;
     const auto problem = run_.fingerprint();
     if (!problem)
-        throw InvalidInput("a checkpoint is asked for of a run that calls functions, which cannot "
-                           "be told from others: give it a label, words that say what they "
-                           "compute with which numbers");
+        throw InvalidInput("a checkpoint cannot compare the functions that this run calls: give "
+                           "the run a label that says what they compute and with which numbers");
     problem_ = problem->value();
     if (options_.resume && std::filesystem::exists(options_.checkpoint))
         go_on();
@@ -45,12 +44,12 @@ void Frames::keep() {
 void Frames::go_on() {
     Checkpoint last = read_checkpoint(options_.checkpoint, problem_);
     const auto refuse = [&](const char* why) {
-        throw InvalidInput(fmt::format("{} cannot be gone on from: {}",
-                                       printable(options_.checkpoint.string()), why),
-                           {.path = options_.checkpoint});
+        throw InvalidInput(
+            fmt::format("{} cannot be resumed: {}", printable(options_.checkpoint.string()), why),
+            {.path = options_.checkpoint});
     };
     if (last.state.empty() || last.state.back().size() != 2)
-        refuse("it is none of a march");
+        refuse("it is not the checkpoint of a march");
     const Vector of_march = last.state.back();
     if (last.step > times_.size() || (last.step > 0 && times_[last.step - 1] != of_march[1]))
         refuse("it belongs to a march to another list of times; begin anew, or give the same");

@@ -24,9 +24,9 @@ struct MarchOptions {
 /// A march to ascending times, from one to the next.
 class Frames {
 public:
-    /// Goes on from a checkpoint. Throws InvalidInput for one that belongs to another run or to
-    /// other times, and if one is asked for of a run without fingerprint (see Run); IoError if it
-    /// cannot be read.
+    /// Resumes from the checkpoint, if there is one. Throws InvalidInput if it belongs to another
+    /// run or to other times, and if the run has no fingerprint (see Run); IoError if it cannot be
+    /// read.
     Frames(Run& run, std::vector<double> times, MarchOptions options = {});
 
     /// How many of the times are behind.

@@ -36,8 +36,8 @@ Arrival FixedSteps::march(double until, const TimeListener& progress) {
     constexpr double most = 1e15;
     const double last = std::round(until / time_step_);
     if (!(last >= static_cast<double>(steps_) && last <= most))
-        throw InvalidInput(fmt::format("a march to the time {:.6g} is asked for: expected one from "
-                                       "now, {:.6g}, on",
+        throw InvalidInput(fmt::format("the run cannot march to the time {:.6g}: expected a time "
+                                       "of at least {:.6g}, where it is now",
                                        until, time()));
     advance(static_cast<std::int64_t>(last) - steps_, progress);
     return Arrival::at_time;

@@ -15,7 +15,7 @@ namespace polydec {
 /// step.
 using TimeListener = std::function<void(double time)>;
 
-/// A computation in time that can be stopped, kept and gone on with: an evolution, waves, a flow.
+/// A computation in time that can be interrupted, saved and resumed: an evolution, waves, a flow.
 class Run {
 public:
     virtual ~Run() = default;
@@ -30,8 +30,9 @@ public:
     /// SolverFailure, naming the time, where values are not finite.
     virtual Arrival march(double until, const TimeListener& progress = {}) = 0;
 
-    /// What changes, beside the time; with both, resume() goes on with the same steps, to the same
-    /// bits if an integrator resumes exactly. Throws InvalidInput for a state of another run.
+    /// Everything that changes, apart from the time. A resumed run continues with the same steps,
+    /// and with the same bits if its integrator can. Throws InvalidInput for a state of another
+    /// run.
     virtual std::vector<Vector> state() const = 0;
     virtual void resume(double time, const std::vector<Vector>& state) = 0;
 

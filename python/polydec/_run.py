@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What evolutions, waves and flows have in common: they run, stop, and are gone on with."""
+"""What evolutions, waves and flows have in common: they run, stop and can be resumed."""
 from __future__ import annotations
 
 import os

@@ -226,7 +226,7 @@ TEST(March, refuses_files_of_others) {
     for (const std::vector<Vector>& state : {std::vector<Vector>{}, {Vector::Zero(3)}}) {
         write_checkpoint(folder.path("a"), {.problem = problem, .state = state});
         EXPECT_TRUE(says(error_of([&] { march(*run, times, {.checkpoint = folder.path("a")}); }),
-                         {"InvalidInput", "gone on", "march"}));
+                         {"InvalidInput", "resumed", "march"}));
     }
     write_checkpoint(folder.path("a"),
                      {.problem = problem, .state = {Vector::Zero(3), Vector::Zero(2)}});
