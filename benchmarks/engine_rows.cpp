@@ -130,7 +130,9 @@ void spectrum_row(benchmark::State& state, const Settings& settings, Mesh mesh) 
     Vector ours, theirs;
     compare(
         state, {static_cast<double>(A.rows()), bytes(A)},
-        [&] { return ours = spectrum(cells, {.count = count}).eigenvalues; },
+        [&] {
+            return ours = spectrum({cells, Side::primal, 0}, {.count = count}).eigenvalues;
+        },
         [&] {
             theirs = eigenvalues_by_bare_spectra(A, M, count);
             return Uncertified{theirs};

@@ -2,7 +2,7 @@
 #include "dec/fingerprint.h"
 
 #include "dec/discretization.h"
-#include "dec/forms/boundary_conditions.h"
+#include "dec/form_space.h"
 
 #include <bit>
 
@@ -77,6 +77,14 @@ Fingerprint& Fingerprint::add(const Cells& cells) {
 Fingerprint& Fingerprint::add(const Discretization& mesh) {
     add(static_cast<const Cells&>(mesh)).add(name(mesh.chosen_stars().kind));
     return add(DenseMatrix(mesh.measured_points()));
+}
+
+Fingerprint& Fingerprint::add(const FormSpace& space) {
+    add(space.cells()).add(space.side()).add(space.degree()).add(space.conditions());
+    for (const std::vector<bool>& of_degree : space.fixed())
+        for (const bool is_fixed : of_degree)
+            add(is_fixed);
+    return *this;
 }
 
 } // namespace polydec

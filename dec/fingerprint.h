@@ -13,6 +13,7 @@ namespace polydec {
 class CellComplex;
 class Cells;
 class Discretization;
+class FormSpace;
 class HodgeStar;
 class HodgeStars;
 struct BoundaryConditions;
@@ -43,6 +44,9 @@ public:
     /// Incidences, stars and the unit of cells; of a mesh its points as well.
     Fingerprint& add(const Cells& cells);
     Fingerprint& add(const Discretization& mesh);
+
+    /// Its cells, side, degree and conditions, and which cells are fixed.
+    Fingerprint& add(const FormSpace& space);
 
     std::uint64_t value() const { return value_; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/well_defined.h"
 
-#include "dec/conditioned_complex.h"
+#include "dec/form_space.h"
 #include "dec/forms/star.h"
 #include "dec/merging/facet_defects.h"
 
@@ -241,11 +241,9 @@ std::vector<SpectrumVerdict> spectrum_verdicts(const HodgeStars& stars) {
 }
 
 std::vector<SpectrumVerdict> spectrum_verdicts(const Discretization& discretization, Side side) {
-    const auto conditions = built_in_conditions(side);
     const int n = discretization.dimension();
     const auto judged = [&](int degree) {
-        return spectrum_verdicts(
-            conditioned_complex(discretization, side, degree, conditions).stars);
+        return spectrum_verdicts(FormSpace(discretization, side, degree).inside().stars());
     };
     auto verdicts = judged(side == Side::primal ? 0 : n);
     if (side == Side::primal)

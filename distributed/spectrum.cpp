@@ -183,12 +183,13 @@ void SharedSearch::find(Index count) {
 
 } // namespace
 
-Spectrum spectrum(const Ranks& ranks, const DistributedMesh& mesh, const SpectrumOptions& options) {
+Spectrum spectrum(const Ranks& ranks, const DistributedMesh& mesh, Side side, int degree,
+                  const SpectrumOptions& options) {
     const int n = mesh.dimension();
-    const int k = options.side == Side::primal ? options.degree : n - options.degree;
+    const int k = side == Side::primal ? degree : n - degree;
     if (k < 0 || k > n)
         throw InvalidInput(fmt::format("there are no {} {}-forms: expected a degree from 0 to {}",
-                                       name(options.side), options.degree, n));
+                                       name(side), degree, n));
     check_stars(ranks, mesh);
     const GlobalIndex size = mesh.cells.degree(k).count;
     if (options.count < 1 || options.count > size)
@@ -198,8 +199,8 @@ Spectrum spectrum(const Ranks& ranks, const DistributedMesh& mesh, const Spectru
     search.find(options.count);
     const FoundPairs& pairs = search.pairs();
     const Index count = options.count;
-    Spectrum result{options.side,
-                    options.degree,
+    Spectrum result{side,
+                    degree,
                     pairs.values().head(count),
                     pairs.radii().head(count),
                     search.pencil().eigenvectors(pairs.vectors().leftCols(count)),
@@ -208,7 +209,7 @@ Spectrum spectrum(const Ranks& ranks, const DistributedMesh& mesh, const Spectru
                     "petsc.mumps",
                     "slepc",
                     rough_values(pairs, search.pencil().norm(), 1, count)};
-    if (options.side == Side::dual)
+    if (side == Side::dual)
         result.modes = HodgeStar(mesh.cells.volumes, k).diagonal().asDiagonal() * result.modes;
     return result;
 }

@@ -11,6 +11,7 @@ namespace polydec {
 /// cells. The iteration is SLEPc's, factors are MUMPS' (options.linear_solver and eigen_solver do
 /// not matter). Throws InvalidInput, naming the cells, also for stars that are not positive;
 /// BackendUnavailable without SLEPc or MUMPS.
-Spectrum spectrum(const Ranks& ranks, const DistributedMesh& mesh, const SpectrumOptions& options);
+Spectrum spectrum(const Ranks& ranks, const DistributedMesh& mesh, Side side, int degree,
+                  const SpectrumOptions& options = {});
 
 } // namespace polydec

@@ -3,7 +3,6 @@
 
 int main() {
     const auto fandisk = polydec::discretize(polydec::read_mesh("fandisk.off"));
-    const auto modes =
-        polydec::spectrum(fandisk, {.side = polydec::Side::dual, .degree = 0, .count = 20});
+    const auto modes = polydec::spectrum({fandisk, polydec::Side::dual, 0}, {.count = 20});
     polydec::write_page("modes.html", polydec::draw_page(fandisk, modes));
 }

@@ -10,7 +10,7 @@
 int main() {
     const auto sphere = polydec::discretize(polydec::goldberg(8));
     for (const auto side : {polydec::Side::primal, polydec::Side::dual}) {
-        const auto modes = polydec::spectrum(sphere, {.side = side, .degree = 0, .count = 16});
+        const auto modes = polydec::spectrum({sphere, side, 0}, {.count = 16});
         std::cout << polydec::name(side) << " 0-forms, " << modes.certificate.below_shift
                   << " eigenvalues below " << modes.certificate.shift << " by inertia, "
                   << modes.certificate.returned_below_shift << " computed\n";

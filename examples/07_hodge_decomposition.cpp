@@ -14,10 +14,10 @@ int main() {
     const auto wind = polydec::de_rham(torus, 1, [](const polydec::Vector& p) {
         return polydec::Vector(Eigen::Vector3d(-p[1], p[0], p[0] > 0 ? 0.5 * p[0] : 0.0));
     });
-    const auto parts = polydec::hodge_decomposition({P, torus.volumes()}, wind);
+    const auto parts = polydec::hodge_decomposition({torus, polydec::Side::primal, 1}, wind);
 
     const auto energy = [&](const polydec::Cochain& form) {
-        return polydec::inner_product({P, torus.volumes()}, form, form);
+        return polydec::inner_product(torus, form, form);
     };
     std::cout << "energy of the wind " << energy(wind) << " = exact " << energy(parts.exact)
               << " + coexact " << energy(parts.coexact) << " + harmonic " << energy(parts.harmonic)

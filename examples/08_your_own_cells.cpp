@@ -33,17 +33,17 @@ int main() {
     std::vector<polydec::Vector> ones;
     for (int k = 0; k <= 2; ++k)
         ones.push_back(polydec::Vector::Ones(torus.size(k)));
-    const polydec::CellVolumes volumes(ones, ones);
+    const polydec::Cells cells(torus, polydec::CellVolumes(ones, ones));
 
     std::cout << "smallest eigenvalues of the Laplacian of 1-forms:";
-    const auto modes = polydec::spectrum({torus, volumes}, {.degree = 1, .count = 4});
+    const auto modes = polydec::spectrum({cells, polydec::Side::primal, 1}, {.count = 4});
     for (const double value : modes.eigenvalues)
         std::cout << ' ' << (std::abs(value) < 1e-12 ? 0.0 : value);
     // two harmonic forms, then 4 sin^2(pi/16), eight times
     std::cout << "\nharmonic 1-forms: "
-              << polydec::harmonic_forms({torus, volumes}, polydec::Side::primal, 1).cols() << '\n';
+              << polydec::harmonic_forms({cells, polydec::Side::primal, 1}).cols() << '\n';
 
     polydec::Vector heat = polydec::Vector::Unit(torus.size(0), 0); // mean 0 is made of it
-    const polydec::PoissonSolver solver({torus, volumes});
+    const polydec::PoissonSolver solver(cells);
     std::cout << "above the mean at the source: " << solver.solve(heat, 0 * heat).values[0] << '\n';
 }

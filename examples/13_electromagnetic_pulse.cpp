@@ -13,10 +13,9 @@ namespace {
 
 void run(const std::string& name, const polydec::Mesh& mesh) {
     const auto box = polydec::discretize(mesh, {.star = polydec::StarKind::circumcentric});
-    const auto inside = polydec::relative_to_boundary(box.complex());
-    const auto volumes = polydec::relative_volumes(inside, box.volumes());
-    const double bound = polydec::stable_step({inside.complex, volumes}, 1);
-    const int steps = static_cast<int>(std::ceil(0.4 / (0.9 * bound)));
+    const polydec::FormSpace field(box, polydec::Side::primal, 1,
+                                   {polydec::BoundaryCondition::essential});
+    const int steps = static_cast<int>(std::ceil(0.4 / (0.9 * polydec::stable_step(field))));
 
     // at first a field upwards in the middle of the box; light has the speed 1
     const auto pulse =
@@ -24,20 +23,16 @@ void run(const std::string& name, const polydec::Mesh& mesh) {
                              const double r2 = (x - Eigen::Vector3d::Constant(0.5)).squaredNorm();
                              return polydec::Vector(Eigen::Vector3d(0, 0, std::exp(-r2 / 0.01)));
                          }));
-    polydec::Waves light({inside.complex, volumes},
-                         {polydec::Side::primal, 1, inside.restrict(1, pulse.values)},
-                         {.time_step = 0.4 / steps});
+    polydec::Waves light(field, pulse.values, {.time_step = 0.4 / steps});
     double drift = 0;
     polydec::Series film(name + ".html", box, "A pulse of light: the electric field upwards");
     polydec::Vector vertical; // component of the field in each cell
     light.march(0.4, [&](double time) {
-        const polydec::Cochain field{polydec::Side::primal, 1,
-                                     inside.extend(1, light.form(0).values)};
-        vertical = polydec::sharp_pd(box, field).col(2);
+        vertical = polydec::sharp_pd(box, light.form(0)).col(2);
         film.add(time, {{"E_z", {polydec::Side::dual, 0, vertical}}});
         drift = std::max(drift, std::abs(light.relative_energy().value() - 1));
     });
-    std::cout << name << ": " << inside.complex.size(1) << " edges, " << steps << " steps, energy "
+    std::cout << name << ": " << field.size() << " edges, " << steps << " steps, energy "
               << (drift < 1e-12 ? "kept to rounding" : "lost") << '\n';
 
     // the rear half at the end

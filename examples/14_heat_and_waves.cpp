@@ -20,59 +20,53 @@ constexpr double pi = std::numbers::pi;
 /// Pictures of functions that are 0 at the walls, for ParaView; none of four dimensions.
 class Film {
 public:
-    Film(const std::string& name, const polydec::Discretization& box,
-         const polydec::RelativeComplex& inside)
-        : inside_(inside) {
+    Film(const std::string& name, const polydec::Discretization& box) {
         if (box.dimension() <= 3)
             series_.emplace(name + std::to_string(box.dimension()) + "d.pvd", box);
     }
 
-    void add(double time, const polydec::Vector& u) {
+    void add(double time, const polydec::Cochain& u) {
         if (series_)
-            series_->add(time, {{"u", {polydec::Side::primal, 0, inside_.extend(0, u)}}});
+            series_->add(time, {{"u", u}});
     }
 
 private:
-    const polydec::RelativeComplex& inside_;
     std::optional<polydec::Series> series_;
 };
 
 polydec::SvgSeries run(int n, int cells) {
     const auto box = polydec::discretize(polydec::kuhn(n, cells));
-    const auto inside = polydec::relative_to_boundary(box.complex());
-    const auto volumes = polydec::relative_volumes(inside, box.volumes());
+    const polydec::FormSpace space(box, polydec::Side::primal, 0,
+                                   {polydec::BoundaryCondition::essential});
     const auto sine = polydec::de_rham(box, 0, polydec::function_form([](const auto& x) {
                                            return (pi * x.array()).sin().prod();
                                        }));
-    const polydec::Cochain start{polydec::Side::primal, 0, inside.restrict(0, sine.values)};
     const auto amplitude = [&](const polydec::Cochain& u) {
-        return polydec::inner_product({inside.complex, volumes}, start, u) /
-               polydec::inner_product({inside.complex, volumes}, start, start);
+        return polydec::inner_product(box, sine, u) / polydec::inner_product(box, sine, sine);
     };
 
-    polydec::HeatSolver heat({inside.complex, volumes}, polydec::Side::primal, 0,
+    polydec::HeatSolver heat(space,
                              {.time_step = 0.001, .scheme = polydec::HeatScheme::crank_nicolson});
     polydec::SvgSeries cooling{"n = " + std::to_string(n), {0}, {1}, polydec::SvgTrace::line};
-    polydec::Cochain u = start;
-    Film cooled("heat", box, inside);
+    polydec::Cochain u = sine;
+    Film cooled("heat", box);
     for (int i = 1; i <= 50; ++i) {
         u = heat.step(u);
         if (i % 10 == 0)
-            cooled.add(0.001 * i, u.values);
+            cooled.add(0.001 * i, u);
         cooling.x.push_back(0.001 * i);
         cooling.y.push_back(amplitude(u));
     }
 
     // half a period turns the wave around
-    const double half = 1 / std::sqrt(n),
-                 bound = polydec::stable_step({inside.complex, volumes}, 0);
+    const double half = 1 / std::sqrt(n), bound = polydec::stable_step(space);
     const double steps = std::ceil(1.1 * half / bound), dt = half / steps;
-    polydec::Waves wave({inside.complex, volumes}, start, {.time_step = dt});
-    Film swung("waves", box, inside);
+    polydec::Waves wave(space, sine.values, {.time_step = dt});
+    Film swung("waves", box);
     for (int i = 1; i <= steps; ++i) {
         wave.advance();
         if (i % 4 == 0)
-            swung.add(wave.time(), wave.form(0).values);
+            swung.add(wave.time(), wave.form(0));
     }
 
     std::cout << "n = " << n << ": " << box.input().size(n) << " simplices, "

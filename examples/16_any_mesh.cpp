@@ -42,7 +42,7 @@ int main(int argc, char** argv) try {
               << " stars, Galerkin's on " << 100 * chosen.galerkin_share() << " % of the cells\n";
 
     const Index holes = polydec::betti_numbers(mesh.complex())[1];
-    const auto found = polydec::spectrum(mesh, {.degree = 1, .count = holes + 4});
+    const auto found = polydec::spectrum({mesh, polydec::Side::primal, 1}, {.count = holes + 4});
     std::cout << "Betti number " << holes << ", smallest eigenvalues of 1-forms:";
     for (Index i = 0; i < found.eigenvalues.size(); ++i)
         std::cout << ' '
@@ -53,7 +53,7 @@ int main(int argc, char** argv) try {
     const auto wind = polydec::de_rham(mesh, 1, [](const polydec::Vector& p) {
         return polydec::Vector(Eigen::Vector3d(-p[1], p[0], p[0] > 0 ? 0.5 * p[0] : 0.0));
     });
-    const auto parts = polydec::hodge_decomposition(mesh, wind);
+    const auto parts = polydec::hodge_decomposition({mesh, polydec::Side::primal, 1}, wind);
     const auto energy = [&](const Cochain& a, const Cochain& b) {
         return polydec::inner_product(mesh, a, b);
     };

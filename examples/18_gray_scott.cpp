@@ -35,17 +35,17 @@ int main(int count, char** arguments) {
     const auto mesh =
         polydec::discretize(count > 1 ? polydec::read_mesh(arguments[1]) : polydec::goldberg(16));
     const polydec::Points sites = polydec::cell_centers(mesh, mesh.dimension());
-    polydec::Cochain u{polydec::Side::dual, 0, polydec::Vector::Ones(sites.rows())}, v = u;
+    polydec::Vector u = polydec::Vector::Ones(sites.rows()), v = u;
     for (polydec::Index cell = 0; cell < sites.rows(); ++cell) {
         const auto x = sites.row(cell);
         const double waves = std::sin(9 * x[0] + 1) * std::sin(8 * x[1] + 2) * std::sin(7 * x[2]);
-        v.values[cell] = waves > 0.4 ? 0.25 : 0;
-        u.values[cell] = waves > 0.4 ? 0.5 : 1;
+        v[cell] = waves > 0.4 ? 0.25 : 0;
+        u[cell] = waves > 0.4 ? 0.5 : 1;
     }
 
-    polydec::Evolution pattern(
-        mesh, {{.start = u, .diffusion = fastness}, {.start = v, .diffusion = fastness / 2}},
-        reaction, {.steps = {.relative_tolerance = 1e-3, .absolute_tolerance = 1e-5}});
+    const polydec::FormSpace cells(mesh, polydec::Side::dual, 0);
+    polydec::Evolution pattern({{cells, u, fastness}, {cells, v, fastness / 2}}, reaction,
+                               {.steps = {.relative_tolerance = 1e-3, .absolute_tolerance = 1e-5}});
     polydec::Series series("gray_scott.pvd", mesh);
     std::vector<double> times;
     for (int frame = 1; frame <= 20; ++frame)

@@ -31,8 +31,9 @@ void march(const std::string& name, const polydec::Discretization& mesh, double 
     w = flow.project(w);
 
     const auto harmonic_part = [&] {
-        const auto part =
-            polydec::hodge_decomposition(mesh, {polydec::Side::primal, 1, w}).harmonic;
+        const auto part = polydec::hodge_decomposition({mesh, polydec::Side::primal, 1},
+                                                       {polydec::Side::primal, 1, w})
+                              .harmonic;
         return std::sqrt(2 * flow.energy(part.values));
     };
     const double energy = flow.energy(w), harmonic = around != 0 ? harmonic_part() : 0;

@@ -45,16 +45,19 @@ LayerCells cells_of(const Discretization& mesh, const std::vector<Index>& kept, 
 /// The rates of decay over the depth, a column for each direction, at places.
 class Profile {
 public:
-    Profile(const Points& points, const AbsorbingLayer& layer)
-        : layer_(layer), low_(points.colwise().minCoeff()), high_(points.colwise().maxCoeff()) {}
+    explicit Profile(const AbsorbingLayer& layer)
+        : layer_(layer),
+          width_(layer.width / layer.mesh.unit()),
+          low_(layer.mesh.measured_points().colwise().minCoeff()),
+          high_(layer.mesh.measured_points().colwise().maxCoeff()) {}
 
     double rate(const Eigen::RowVectorXd& place, int a) const {
-        const double depth = std::max(has(a, 0) ? low_[a] + layer_.width - place[a] : 0,
-                                      has(a, 1) ? place[a] - high_[a] + layer_.width : 0);
-        if (!(depth > rounding * layer_.width))
+        const double depth = std::max(has(a, 0) ? low_[a] + width_ - place[a] : 0,
+                                      has(a, 1) ? place[a] - high_[a] + width_ : 0);
+        if (!(depth > rounding * width_))
             return 0;
-        const double most = -(layer_.power + 1) * std::log(layer_.reflection) / (2 * layer_.width);
-        return most * std::pow(depth / layer_.width, layer_.power);
+        const double most = -(layer_.power + 1) * std::log(layer_.reflection) / (2 * width_);
+        return most * std::pow(depth / width_, layer_.power);
     }
 
     Vector sums(const Points& places) const {
@@ -74,6 +77,7 @@ private:
     }
 
     const AbsorbingLayer& layer_;
+    double width_; // in the unit of the mesh
     Eigen::RowVectorXd low_, high_;
 };
 
@@ -121,7 +125,11 @@ LayerMemory memory(const SparseMatrix& d, const LayerCells& rows, const LayerCel
             Eigen::Map<const Vector>(decays.data(), static_cast<Eigen::Index>(decays.size()))};
 }
 
-void check(const Discretization& mesh, const AbsorbingLayer& layer) {
+void check(const AbsorbingLayer& layer, const FormSpace& space) {
+    const Discretization& mesh = layer.mesh;
+    for (int k = 0; k <= mesh.dimension(); ++k)
+        check_as_many(fmt::format("{}-cells of the layer's mesh", k), mesh.complex().size(k),
+                      space.cells().complex().size(k));
     if (mesh.measured_points().cols() == 0 || !mesh.passage().is_identity())
         throw InvalidInput("an absorbing layer needs the coordinates of the cells: expected a mesh "
                            "with points, without flips");
@@ -133,10 +141,11 @@ void check(const Discretization& mesh, const AbsorbingLayer& layer) {
     for (int a = 0; a < extent.size(); ++a)
         if (layer.sides.empty() ? extent[a] > 0 : layer.sides[a][0] || layer.sides[a][1])
             smallest = std::min(smallest, extent[a]);
-    if (!(layer.width > 0 && layer.width < smallest))
+    const double width = layer.width / mesh.unit();
+    if (!(width > 0 && width < smallest))
         throw InvalidInput(fmt::format("an absorbing layer of the width {:.6g} is asked for: "
                                        "expected one above 0 and below {:.6g}, that of the mesh",
-                                       mesh.unit() * layer.width, mesh.unit() * smallest));
+                                       layer.width, mesh.unit() * smallest));
     if (!(layer.reflection > 0 && layer.reflection < 1 && layer.power >= 1 &&
           std::isfinite(layer.power)))
         throw InvalidInput(fmt::format("a layer with the reflection {:.6g} and the power {:.6g} is "
@@ -170,13 +179,14 @@ void LayerMemory::add(const Vector& values, Vector& memory, Vector& derivative) 
         derivative[cells_[i]] += memory[i];
 }
 
-LayerParts layer_parts(const Discretization& mesh, const ConditionedComplex& space,
-                       const SparseMatrix& d, int e_degree, int b_degree,
-                       const AbsorbingLayer& layer, double time_step) {
-    check(mesh, layer);
-    const Profile profile(mesh.measured_points(), layer);
-    const LayerCells E = cells_of(mesh, space.relative.cells[e_degree], e_degree);
-    const LayerCells B = cells_of(mesh, space.relative.cells[b_degree], b_degree);
+LayerParts layer_parts(const AbsorbingLayer& layer, const FormSpace& space, const SparseMatrix& d,
+                       int e_degree, int b_degree, double time_step) {
+    check(layer, space);
+    const Discretization& mesh = layer.mesh;
+    const auto& cells = space.relative().cells;
+    const Profile profile(layer);
+    const LayerCells E = cells_of(mesh, cells[e_degree], e_degree);
+    const LayerCells B = cells_of(mesh, cells[b_degree], b_degree);
     if (layer.kind != LayerKind::conducting) {
         constexpr Index none = -1;
         Index bad_E = none, bad_B = none;
@@ -186,7 +196,7 @@ LayerParts layer_parts(const Discretization& mesh, const ConditionedComplex& spa
         if (bad_E == none && bad_B == none)
             return parts;
         const int degree = bad_B != none ? b_degree : e_degree;
-        const Index cell = space.relative.cells[degree][bad_B != none ? bad_B : bad_E];
+        const Index cell = cells[degree][bad_B != none ? bad_B : bad_E];
         if (layer.kind == LayerKind::stretched)
             throw InvalidInput(
                 fmt::format("{}-cell {} lies in the absorbing layer and is not parallel to the "

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/conditioned_complex.h"
 #include "dec/discretization.h"
+#include "dec/form_space.h"
 
 #include <array>
 #include <vector>
@@ -23,7 +23,8 @@ const char* name(LayerKind kind);
 /// A layer along the sides of the box around a mesh in which outgoing waves die away before they
 /// reach the boundary and come back. Waves are taken to have the speed 1 there.
 struct AbsorbingLayer {
-    double width = 0; ///< of the layer, in units of length; 0: none
+    Discretization mesh; ///< whose cells waves are on, with points
+    double width;        ///< of the layer, in units of length
     LayerKind kind = LayerKind::automatic;
     /// Along which sides: the low and the high one of each coordinate; empty: all.
     std::vector<std::array<bool, 2>> sides = {};
@@ -62,13 +63,12 @@ struct LayerParts {
     Vector E_loss, B_loss;
 };
 
-/// Of waves with E on the e_degree-cells of a conditioned complex and B on the b_degree-cells, on
-/// which d takes the values of E to those of B; the layer and the step in the unit of the mesh.
-/// Throws InvalidInput for a width, reflection, power or sides that make no layer, for a mesh
-/// without coordinates, and, naming the cell, for stretched coordinates if one in the layer is not
-/// parallel to the axes.
-LayerParts layer_parts(const Discretization& mesh, const ConditionedComplex& space,
-                       const SparseMatrix& d, int e_degree, int b_degree,
-                       const AbsorbingLayer& layer, double time_step);
+/// Of waves with E on the free e_degree-cells of a space and B on the b_degree-cells, on which d
+/// takes the values of E to those of B; the step in the unit of the mesh. Throws InvalidInput for a
+/// width, reflection, power or sides that make no layer, for a mesh without coordinates or of other
+/// cells, and, naming the cell, for stretched coordinates if one in the layer is not parallel to
+/// the axes.
+LayerParts layer_parts(const AbsorbingLayer& layer, const FormSpace& space, const SparseMatrix& d,
+                       int e_degree, int b_degree, double time_step);
 
 } // namespace polydec

@@ -2,7 +2,6 @@
 #include "solvers/coexact_spectrum.h"
 
 #include "backends/spectra/found_pairs.h"
-#include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "complex/homology.h"
@@ -56,13 +55,6 @@ Index coexact_forms(const CellComplex& complex, const std::vector<Index>& betti,
     for (int j = 0; j <= k; ++j)
         coexact = complex.size(j) - betti[j] - coexact;
     return coexact;
-}
-
-void check(const CellComplex& complex, const SpectrumOptions& options) {
-    if (options.side != Side::primal)
-        throw InvalidInput("coexact spectra are of primal forms: a coexact dual form is the star "
-                           "of an exact primal one");
-    check_number("coexact forms of degree", options.degree, 0, complex.dimension());
 }
 
 [[noreturn]] void refuse_to_tell(Index zeros, Index harmonic, int k) {
@@ -135,13 +127,16 @@ void measure(const Pencil& given, const DenseMatrix& modes, Index count, Spectru
 
 } // namespace
 
-Spectrum coexact_spectrum(const Cells& cells, const SpectrumOptions& options) {
-    const CellComplex& complex = cells.complex();
-    const HodgeStars& stars = cells.stars();
-    check(complex, options);
-    const int k = options.degree;
+Spectrum coexact_spectrum(const FormSpace& space, const SpectrumOptions& options) {
+    if (space.side() != Side::primal)
+        throw InvalidInput("coexact spectra are of primal forms: a coexact dual form is the star "
+                           "of an exact primal one");
+    space.refuse_robin("a coexact spectrum");
+    const Cells inside = space.inside();
+    const CellComplex& complex = inside.complex();
+    const int k = space.degree();
     const auto betti = betti_numbers(complex);
-    const Index size = complex.size(k), all_coexact = coexact_forms(complex, betti, k);
+    const Index size = space.size(), all_coexact = coexact_forms(complex, betti, k);
     if (options.count < 1 || options.count > all_coexact)
         throw InvalidInput(fmt::format("{} coexact {}-forms asked for: there are {}", options.count,
                                        k, all_coexact));
@@ -149,13 +144,16 @@ Spectrum coexact_spectrum(const Cells& cells, const SpectrumOptions& options) {
     all.count = betti[k] + 2 * options.count + 10;
     if (all.count > size / 2)
         all.count = size;
+    // measured in the unit of the mesh until coexact modes are found
+    const auto on_inside = FormSpace::vanishing_on({complex, inside.stars()}, Side::primal, k);
     while (true) {
-        Spectrum found = spectrum({complex, stars}, all);
-        const DenseMatrix modes = coexact_modes(complex, stars, found, betti[k]);
+        Spectrum found = spectrum(on_inside, all);
+        const DenseMatrix modes = coexact_modes(complex, inside.stars(), found, betti[k]);
         if (modes.cols() >= options.count) {
             check_zeros(found, betti[k]);
-            measure(coexact_pencil(complex, stars, k), modes, options.count, found);
-            use_input_units(found, cells.unit());
+            measure(coexact_pencil(complex, inside.stars(), k), modes, options.count, found);
+            use_input_units(found, inside.unit());
+            found.modes = space.extend(found.modes);
             return found;
         }
         if (all.count == size)

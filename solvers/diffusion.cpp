@@ -23,8 +23,12 @@ namespace {
 /// M_k + t (d^T M_(k+1) d + weights, if there are), and beside it t times d^T M_k and, negative,
 /// M_(k-1): of a form and its codifferential. Quasi-definite, so that it has factors in every
 /// order.
-SparseMatrix mixed_step(const CellComplex& complex, const HodgeStars& stars,
-                        const SparseMatrix& weights, int k, double t) {
+SparseMatrix mixed_step(const FormSpace& space, double t) {
+    const Cells inside = space.inside();
+    const CellComplex& complex = inside.complex();
+    const HodgeStars& stars = inside.stars();
+    const SparseMatrix weights = space.free_robin_weights();
+    const int k = space.cell_degree();
     const Operator mass = Operator::star(stars[k]);
     const Operator below = Operator::derivative(complex, k - 1).transposed();
     Operator A =
@@ -49,44 +53,34 @@ bool has_any(const BoundaryForms& data) {
 } // namespace
 
 struct Diffusion::Space {
-    CellComplex whole;
-    HodgeStars stars;
-    RobinComplex kept;
-    BoundaryConditions conditions;
-    Lazy<HodgeLaplaceEquations> equations; // which data need alone
+    FormSpace of;
+    Lazy<HodgeLaplaceEquations> equations = {}; // which data need alone
 };
 
-Diffusion::Diffusion(const Cells& cells, Side side, int degree, const DiffusionOptions& options)
-    : side_(side),
-      degree_(degree),
-      coefficient_(in_unit_of(cells, options.coefficient)),
-      unit_(cells.unit()),
+Diffusion::Diffusion(const FormSpace& space, double nu, const std::string& linear_solver)
+    : kept_(space.free()),
+      side_(space.side()),
+      degree_(space.degree()),
+      coefficient_(in_unit_of(space.cells(), nu)),
+      unit_(space.cells().unit()),
       stiffness_(Operator::zero(0, 0)),
-      mass_(cells.stars()[cell_degree(cells.complex(), side, degree)]) {
-    const auto conditions = options.conditions.value_or(built_in_conditions(side));
-    RobinComplex given = with_robin(cells, side, degree, conditions);
-    const CellComplex& complex = given.space.relative.complex;
-    const HodgeStars& stars = given.space.stars;
-    const int k = mass_.degree();
-    mass_ = stars[k];
-    robin_ = given.weights;
-    kept_ = given.space.relative.cells[k];
-    check_positive_mass(mass_, side, degree);
+      mass_(space.inside().stars()[space.cell_degree()]),
+      space_(new Space{space}) {
+    const Cells inside = space.inside();
+    const int k = space.cell_degree();
+    check_positive_mass(mass_, side_, degree_);
     if (!(coefficient_ >= 0) || !std::isfinite(coefficient_))
         throw InvalidInput(fmt::format("a coefficient of diffusion of {} is given: expected a "
                                        "finite one of at least 0",
                                        coefficient_));
-    solver_ = make_linear_solver(options.linear_solver);
-    stiffness_ = symmetric_laplacian({complex, stars}, k);
-    if (robin_.size() > 0)
-        stiffness_ = stiffness_ + Operator::star({stars.volumes(), k, robin_});
+    solver_ = make_linear_solver(linear_solver);
+    stiffness_ = space.stiffness();
     facts_ = {.symmetry = Symmetry::symmetric,
-              .domain_dimension = complex.dimension(),
+              .domain_dimension = inside.dimension(),
               .many_solves = true};
-    is_mixed_ = k > 0 && !(mass_.is_diagonal() && stars[k - 1].is_diagonal());
-    if (!is_mixed_ && laplacian_definiteness(stars, k) == Definiteness::semidefinite)
+    is_mixed_ = k > 0 && !(mass_.is_diagonal() && inside.stars()[k - 1].is_diagonal());
+    if (!is_mixed_ && laplacian_definiteness(inside.stars(), k) == Definiteness::semidefinite)
         facts_.definiteness = Definiteness::positive;
-    space_.reset(new Space{cells.complex(), cells.stars(), std::move(given), conditions, {}});
 }
 
 Diffusion::Diffusion(const HodgeStar& mass, const Operator& stiffness, Side side,
@@ -112,8 +106,7 @@ Diffusion::Diffusion(const HodgeStar& mass, const Operator& stiffness, Side side
 SparseMatrix Diffusion::step_matrix(double gamma) const {
     const double t = gamma * coefficient_;
     if (is_mixed_)
-        return mixed_step(space_->kept.space.relative.complex, space_->kept.space.stars, robin_,
-                          mass_.degree(), t);
+        return mixed_step(space_->of, t);
     return Operator::star(mass_) + t * stiffness_;
 }
 
@@ -165,10 +158,7 @@ const HodgeLaplaceEquations& Diffusion::equations() const {
     if (!space_)
         throw InvalidInput("a diffusion by a stiffness knows no boundary: add what it brings to "
                            "the rate");
-    return space_->equations.get([&] {
-        return HodgeLaplaceEquations(space_->whole, space_->stars, space_->kept.space,
-                                     space_->kept.parts, side_, degree_, space_->conditions);
-    });
+    return space_->equations.get([&] { return HodgeLaplaceEquations(space_->of); });
 }
 
 BoundaryLoads Diffusion::loads(const BoundaryForms& data) const {
@@ -179,9 +169,8 @@ BoundaryLoads Diffusion::loads(const BoundaryForms& data) const {
 Vector Diffusion::moved(const Vector& fixed) const {
     if (!space_ || mass_.is_diagonal())
         return Vector::Zero(size());
-    const int k = mass_.degree();
-    const Vector moments = space_->stars[k] * fixed;
-    return mass_.solve(Vector(space_->kept.space.relative.restrict(k, moments)));
+    const Vector moments = space_->of.cells().stars()[mass_.degree()] * fixed;
+    return mass_.solve(Vector(space_->of.restrict(moments)));
 }
 
 Vector Diffusion::boundary_rate(const BoundaryForms& data) const {
@@ -191,7 +180,7 @@ Vector Diffusion::boundary_rate(const BoundaryForms& data) const {
     b += of.upper * shift + of.robin * shift;
     g += of.down * shift;
     if (of.k > 0) {
-        const HodgeStar& star = space_->kept.space.stars[of.k - 1];
+        const HodgeStar star = space_->of.inside().stars()[of.k - 1];
         const Vector s = star.solve(Vector(of.kept_below.transpose() * g));
         b += of.down.transpose() * Vector(of.kept_below * s);
     }
@@ -202,8 +191,7 @@ Vector Diffusion::boundary_rate(const BoundaryForms& data) const {
 Vector Diffusion::form_of(const Vector& values, const BoundaryForms& data) const {
     if (!space_)
         return values;
-    const int k = mass_.degree();
-    const HodgeStar& star = space_->stars[k];
+    const HodgeStar star = space_->of.cells().stars()[mass_.degree()];
     Vector w = Vector::Zero(star.size());
     if (has_any(data))
         w = loads(data).w;
@@ -237,7 +225,7 @@ Fingerprint Diffusion::fingerprint() const {
     Fingerprint result;
     result.add(side_).add(degree_).add(coefficient_).add(unit_).add(solver_->name());
     if (space_)
-        return result.add(space_->whole).add(space_->stars).add(space_->conditions);
+        return result.add(space_->of);
     return result.add(mass_).add(stiffness_.matrix());
 }
 

@@ -2,14 +2,11 @@
 #pragma once
 
 #include "backends/linear_solver.h"
-#include "dec/conditioned_complex.h"
 #include "dec/fingerprint.h"
-#include "dec/forms/cochain.h"
-#include "dec/forms/operator.h"
+#include "dec/form_space.h"
 #include "solvers/boundary_forms.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,30 +15,20 @@ namespace polydec {
 struct BoundaryLoads;
 struct HodgeLaplaceEquations;
 
-struct DiffusionOptions {
-    double coefficient = 1; ///< nu, at least 0; length squared over time, of a mesh's input
-    /// Without, those that hold where nothing is done about the boundary (built_in_conditions).
-    /// Robin's as well: what flows out is the coefficient times the trace, but for data.
-    std::optional<BoundaryConditions> conditions = {};
-    std::string linear_solver = "auto";
-};
-
-/// The rate -nu Delta u of primal or dual forms of any degree under conditions on the boundary, and
-/// solutions of x + gamma nu Delta x = b, by which steps in time need not be as short as the mesh
-/// is fine. Where star_k or star_(k-1) is a matrix, each solves for the codifferential beside the
-/// form: the inverse of star_(k-1) is dense, or its entries are of such different sizes that
-/// products with it lose the star's digits.
+/// The rate -nu Delta u of the forms of a space, and solutions of x + gamma nu Delta x = b, by
+/// which steps in time need not be as short as the mesh is fine. Where star_k or star_(k-1) is a
+/// matrix, each solves for the codifferential beside the form: the inverse of star_(k-1) is dense,
+/// or its entries are of such different sizes that products with it lose the star's digits.
 ///
-/// Values are those of the cells kept(), which no condition fixes: of primal forms all but those on
-/// essential facets, of dual ones all but those whose duals are on natural facets, or all but
-/// those on essential facets without a dual.
+/// Values are the free ones of the space. Where Robin's condition holds, what flows out is the
+/// coefficient times the trace, but for data.
 class Diffusion {
 public:
-    /// Throws InvalidInput if there is no such degree, the mass of these forms is not positive or a
-    /// star that must be inverted has a zero (naming the cells), the coefficient is negative or not
-    /// finite, or there are conditions but not one for each facet; for Robin's condition like
-    /// with_robin.
-    Diffusion(const Cells& cells, Side side, int degree, const DiffusionOptions& options);
+    /// nu is at least 0, length squared over time, of a mesh's input. Throws InvalidInput for
+    /// another nu and, naming the cells, if the mass of these forms is not positive or a star that
+    /// must be inverted has a zero; for Robin's condition like Cells::boundary_star.
+    explicit Diffusion(const FormSpace& space, double nu = 1,
+                       const std::string& linear_solver = "auto");
 
     /// M u' = -A u in place of that, for any symmetric A, of primal forms, or of those of which
     /// dual ones are stars; all cells are kept. Throws InvalidInput for sizes that do not fit.
@@ -96,14 +83,13 @@ private:
     double coefficient_ = 1, unit_ = 1; // of length
     Operator stiffness_;
     HodgeStar mass_;
-    SparseMatrix robin_; // what Robin's condition adds to the stiffness of primal forms
     bool is_mixed_ = false;
     MatrixFacts facts_;
     std::shared_ptr<LinearSolver> solver_;
     Vector scales_; // of rows and columns of what is solved in a step
 
     struct Space;
-    std::shared_ptr<const Space> space_; // of forms under conditions
+    std::shared_ptr<const Space> space_; // none for a stiffness of one's own
 };
 
 } // namespace polydec

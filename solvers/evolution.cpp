@@ -9,23 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 namespace polydec {
 
 namespace {
-
-std::shared_ptr<Diffusion> stiff_part(const Cells& cells, const Unknown& unknown,
-                                      const std::string& linear_solver) {
-    if (unknown.stiff || unknown.diffusion == 0)
-        return unknown.stiff;
-    const auto& [side, degree, values] = unknown.start;
-    const DiffusionOptions options{.coefficient = unknown.diffusion,
-                                   .conditions = unknown.conditions,
-                                   .linear_solver = linear_solver};
-    return std::make_shared<Diffusion>(cells, side, degree, options);
-}
 
 /// Sizes of cells, by which values are coefficients; where one is nothing, the mean.
 Vector sizes_of_cells(const CellVolumes& volumes, Side side, int degree) {
@@ -40,15 +30,15 @@ Vector sizes_of_cells(const CellVolumes& volumes, Side side, int degree) {
 /// The time to measure in, so that rates of diffusion are ordinary numbers: 1 where the largest
 /// coefficient in the unit of the mesh is between 2^-80 and 2^80, else the power of two by which it
 /// becomes 1 to 2.
-double unit_of_time(const Cells& cells, const std::vector<Unknown>& unknowns) {
+double unit_of_time(const std::vector<Unknown>& unknowns) {
     constexpr int moderate = 80;
-    double largest = 0;
+    std::optional<int> largest;
     for (const Unknown& unknown : unknowns)
-        largest = std::max(largest, unknown.diffusion);
-    if (!(largest > 0) || !std::isfinite(largest))
-        return 1;
-    const int exponent = std::ilogb(largest) - 2 * std::ilogb(cells.unit());
-    return std::abs(exponent) <= moderate ? 1 : std::ldexp(1.0, -exponent);
+        if (unknown.diffusion > 0 && std::isfinite(unknown.diffusion))
+            largest = std::max(largest.value_or(std::numeric_limits<int>::min()),
+                               std::ilogb(unknown.diffusion) -
+                                   2 * std::ilogb(unknown.space.cells().unit()));
+    return !largest || std::abs(*largest) <= moderate ? 1 : std::ldexp(1.0, -*largest);
 }
 
 /// All times in this unit.
@@ -81,10 +71,9 @@ struct Evolution::Equation {
     EvolutionOptions options;
     double unit = 1; ///< of time
     TimeListener progress;
-    std::function<Fingerprint()> cells;
     Vector start, scale;
 
-    void add(const Cells& cells, const Unknown& unknown);
+    void add(const Unknown& unknown);
     std::vector<Cochain> forms(double time, const Vector& values) const;
     Vector rate(double time, const Vector& values) const;
     Vector stiff_rate(double time, const Vector& values) const;
@@ -93,24 +82,28 @@ struct Evolution::Equation {
     std::optional<Fingerprint> fingerprint() const;
 };
 
-void Evolution::Equation::add(const Cells& cells, const Unknown& unknown) {
-    const auto& [side, degree, values] = unknown.start;
-    const std::size_t number = parts.size();
-    check(cells.complex(), unknown.start);
-    auto stiff = stiff_part(cells, unknown, options.linear_solver);
+void Evolution::Equation::add(const Unknown& unknown) {
+    const FormSpace& space = unknown.space;
+    const Side side = space.side();
+    const int degree = space.degree();
+    space.check({side, degree, unknown.start});
+    auto stiff = unknown.stiff;
+    if (!stiff && unknown.diffusion != 0)
+        stiff = std::make_shared<Diffusion>(space, unknown.diffusion, options.linear_solver);
     if (stiff && (stiff->side() != side || stiff->degree() != degree))
         throw InvalidInput(fmt::format("unknown {}: its stiff part is for {} {}-forms, and it is a "
                                        "{} {}-form",
-                                       number, name(stiff->side()), stiff->degree(), name(side),
-                                       degree));
+                                       parts.size(), name(stiff->side()), stiff->degree(),
+                                       name(side), degree));
     if (unknown.boundary && !stiff)
         throw InvalidInput(fmt::format("unknown {}: data on the boundary are given, and no "
                                        "diffusion that would take them in",
-                                       number));
-    std::vector<Index> kept(values.size());
+                                       parts.size()));
+    std::vector<Index> kept(unknown.start.size());
     std::iota(kept.begin(), kept.end(), 0);
     if (stiff)
         kept = stiff->kept();
+    const Cells cells = space.cells();
     const Vector sizes = in_input_units(sizes_of_cells(cells.stars().volumes(), side, degree),
                                         cells.unit(), degree, "sizes of cells");
     const auto first = static_cast<Index>(start.size());
@@ -120,16 +113,17 @@ void Evolution::Equation::add(const Cells& cells, const Unknown& unknown) {
     parts.push_back({unknown, std::move(stiff), std::move(kept), first});
     const Part& part = parts.back();
     start.tail(part.size()) =
-        part.stiff ? part.stiff->values_of(values, part.boundary(options.time)) : values;
+        part.stiff ? part.stiff->values_of(unknown.start, part.boundary(options.time))
+                   : unknown.start;
 }
 
 std::vector<Cochain> Evolution::Equation::forms(double time, const Vector& values) const {
     std::vector<Cochain> result;
     for (const Part& part : parts) {
-        const auto& [side, degree, start_values] = part.unknown.start;
+        const FormSpace& space = part.unknown.space;
         const Vector now = part.of(values);
-        result.push_back(
-            {side, degree, part.stiff ? part.stiff->form_of(now, part.boundary(time)) : now});
+        result.push_back({space.side(), space.degree(),
+                          part.stiff ? part.stiff->form_of(now, part.boundary(time)) : now});
     }
     return result;
 }
@@ -142,7 +136,7 @@ Vector Evolution::Equation::rate(double time, const Vector& values) const {
     Vector result = Vector::Zero(values.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Part& part = parts[i];
-        const auto expected = part.unknown.start.values.size();
+        const auto expected = part.unknown.start.size();
         if (rates[i].size() != 0 && rates[i].size() != expected)
             throw InvalidInput(fmt::format("the reaction gives {} rates of unknown {}: expected "
                                            "{}, one for each cell, or none",
@@ -214,15 +208,14 @@ std::optional<Fingerprint> Evolution::Equation::fingerprint() const {
     if (has_functions && options.label.empty())
         return std::nullopt;
     const IntegratorOptions& steps = options.steps;
-    Fingerprint result = cells();
+    Fingerprint result;
     result.add("evolution").add(options.label).add(has_functions);
     result.add(options.integrator).add(options.time).add(steps.most_steps);
     for (const double number : {steps.relative_tolerance, steps.absolute_tolerance,
                                 steps.first_step, steps.largest_step, steps.fixed_step})
         result.add(number);
     for (const Part& part : parts) {
-        const auto& [side, degree, values] = part.unknown.start;
-        result.add(side).add(degree).add(values);
+        result.add(part.unknown.space).add(part.unknown.start);
         if (part.stiff)
             result.add(part.stiff->fingerprint().value());
         const BoundaryForms data = part.boundary(options.time);
@@ -245,17 +238,15 @@ double largest_coefficient(const Cells& cells, const Cochain& form) {
     return coefficients.cwiseAbs().maxCoeff();
 }
 
-Evolution::Evolution(const Cells& cells, std::vector<Unknown> unknowns, Reaction reaction,
-                     EvolutionOptions options)
+Evolution::Evolution(std::vector<Unknown> unknowns, Reaction reaction, EvolutionOptions options)
     : equation_(std::make_shared<Equation>()) {
     const double time = options.time;
-    equation_->unit = unit_of_time(cells, unknowns);
+    equation_->unit = unit_of_time(unknowns);
     integrator_ = make_integrator(options.integrator, in_unit(options.steps, equation_->unit));
     equation_->reaction = std::move(reaction);
     equation_->options = std::move(options);
-    equation_->cells = [cells] { return Fingerprint().add(cells); };
     for (const Unknown& unknown : unknowns)
-        equation_->add(cells, unknown);
+        equation_->add(unknown);
     begin(time, equation_->start, {});
 }
 

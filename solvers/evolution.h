@@ -12,17 +12,17 @@
 
 namespace polydec {
 
-/// A form that changes in time, and what of its rate is stiff: diffusion, -nu Delta u.
+/// A form of a space that changes in time, and what of its rate is stiff: diffusion, -nu Delta u.
+/// Without a stiff part the conditions of the space fix nothing.
 struct Unknown {
-    Cochain start = {};
+    FormSpace space;
+    Vector start;         ///< a value for each cell
     double diffusion = 0; ///< nu, at least 0; length squared over time, of a mesh's input
-    /// Under these conditions; without, the built-in ones. Without diffusion they fix nothing.
-    std::optional<BoundaryConditions> conditions = {};
 
     /// What is known on the boundary at a time, as HodgeLaplaceSolver takes it; none: 0.
     std::function<BoundaryForms(double time)> boundary = {};
 
-    /// Another stiff part, in place of diffusion and its conditions.
+    /// Another stiff part, in place of diffusion.
     std::shared_ptr<Diffusion> stiff = {};
 };
 
@@ -46,16 +46,16 @@ struct EvolutionOptions {
 double largest_coefficient(const Cells& cells, const Cochain& form);
 
 /// Forms that change in time: u_i' = -nu_i Delta u_i + f_i(t, u_1, u_2, ..), for primal and dual
-/// forms of any degrees on one mesh. The steps are what the tolerances ask for, however fine the
+/// forms of any degrees. The steps are what the tolerances ask for, however fine the
 /// mesh is, since diffusion is solved for. A step's error is measured in values over the sizes of
 /// cells, so that the absolute tolerance is one of coefficients. Times and rates are those of the
 /// caller, of lengths of a mesh's input.
 class Evolution final : public Run {
 public:
-    /// Throws InvalidInput, numbering the unknown from 0, for forms that do not live on the mesh,
-    /// and like Diffusion; BackendUnavailable or InvalidInput for an integrator that is not there.
-    Evolution(const Cells& cells, std::vector<Unknown> unknowns, Reaction reaction = {},
-              EvolutionOptions options = {});
+    /// Throws InvalidInput like FormSpace::check and Diffusion, and, numbering the unknown from 0,
+    /// for a stiff part of other forms; BackendUnavailable or InvalidInput for an integrator that
+    /// is not there.
+    Evolution(std::vector<Unknown> unknowns, Reaction reaction = {}, EvolutionOptions options = {});
 
     double time() const override;
     std::vector<Cochain> forms() const override;

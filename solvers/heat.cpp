@@ -10,11 +10,8 @@
 
 namespace polydec {
 
-HeatSolver::HeatSolver(const Cells& cells, const BoundaryConditions& conditions, Side side,
-                       int degree, const HeatOptions& options)
-    : complex_(cells.complex()),
-      diffusion_(cells, side, degree,
-                 {.conditions = conditions, .linear_solver = options.linear_solver}) {
+HeatSolver::HeatSolver(const FormSpace& space, const HeatOptions& options)
+    : space_(space), diffusion_(space, 1, options.linear_solver) {
     if (!(options.time_step > 0) || !std::isfinite(options.time_step))
         throw InvalidInput(fmt::format("a time step of {} is given: expected a finite one above 0",
                                        options.time_step));
@@ -25,39 +22,30 @@ HeatSolver::HeatSolver(const Cells& cells, const BoundaryConditions& conditions,
 }
 
 Cochain HeatSolver::step(const Cochain& form) const {
-    check(complex_, form);
-    const Side side = diffusion_.side();
-    const int degree = diffusion_.degree();
-    if (form.side != side || form.degree != degree)
-        throw InvalidInput(fmt::format("a {} {}-form is given: this solver is for {} {}-forms",
-                                       name(form.side), form.degree, name(side), degree));
-    Vector result = Vector::Zero(form.values.size());
-    result(diffusion_.kept()) = diffusion_.solve(form.values(diffusion_.kept()), explicit_part_);
-    return {side, degree, std::move(result)};
+    space_.check(form);
+    const Vector next = diffusion_.solve(space_.restrict(form.values), explicit_part_);
+    return {form.side, form.degree, space_.extend(next)};
 }
 
-HeatRun::HeatRun(const Cells& cells, const BoundaryConditions& conditions, const Cochain& start,
-                 const HeatOptions& options)
-    : FixedSteps(options.time_step, {start.values}),
-      solver_(cells, conditions, start.side, start.degree, options),
-      start_(start),
-      problem_([=] {
-          Fingerprint result;
-          result.add("heat").add(cells).add(conditions).add(start.side).add(start.degree);
-          result.add(start.values).add(options.time_step).add(options.scheme);
-          return result.add(options.linear_solver);
-      }) {}
+HeatRun::HeatRun(const FormSpace& space, const Vector& start, const HeatOptions& options)
+    : FixedSteps(options.time_step, {start}),
+      space_(space),
+      options_(options),
+      solver_(space, options),
+      start_(start) {}
 
 void HeatRun::step(std::vector<Vector>& state) const {
-    state[0] = solver_.step({start_.side, start_.degree, state[0]}).values;
+    state[0] = solver_.step({space_.side(), space_.degree(), state[0]}).values;
 }
 
 std::vector<Cochain> HeatRun::forms() const {
-    return {{start_.side, start_.degree, now()[0]}};
+    return {{space_.side(), space_.degree(), now()[0]}};
 }
 
 std::optional<Fingerprint> HeatRun::fingerprint() const {
-    return problem_();
+    Fingerprint result;
+    result.add("heat").add(space_).add(start_).add(options_.time_step).add(options_.scheme);
+    return result.add(options_.linear_solver);
 }
 
 } // namespace polydec

@@ -20,31 +20,19 @@ struct HeatOptions {
     std::string linear_solver = "auto";
 };
 
-/// The heat equation du/dt = -Delta u for primal or dual forms of any degree, with one
-/// factorization for all steps. Without conditions given, those hold that need nothing done about
-/// the boundary (see built_in_conditions): for 0-forms nothing flows through the boundary (Neumann)
-/// if they are primal; values are 0 on it (Dirichlet) if they are dual. Where star_k or star_(k-1)
-/// is a matrix, each step solves for the codifferential beside the form: the inverse of star_(k-1)
-/// is dense, or its entries are of such different sizes that products with it lose the star's
-/// digits.
+/// The heat equation du/dt = -Delta u for the forms of a space, with one factorization for all
+/// steps of a Diffusion. Values that the conditions fix are 0 after every step, whatever they were
+/// before.
 class HeatSolver {
 public:
-    /// Throws InvalidInput if there is no such degree, the mass of these forms is not positive or a
-    /// star that must be inverted has a zero (naming the cells), or the time step is not positive.
-    HeatSolver(const Cells& cells, Side side, int degree, const HeatOptions& options)
-        : HeatSolver(cells, built_in_conditions(side), side, degree, options) {}
+    /// Throws like Diffusion, and InvalidInput if the time step is not positive.
+    HeatSolver(const FormSpace& space, const HeatOptions& options);
 
-    /// Under homogeneous conditions on the boundary, those of conditioned_complex: values that they
-    /// fix are 0 after every step, whatever they were before. Dual forms need no boundary facet to
-    /// have a dual. Throws also if there are conditions but not one for each facet.
-    HeatSolver(const Cells& cells, const BoundaryConditions& conditions, Side side, int degree,
-               const HeatOptions& options);
-
-    /// The form one step later. Throws InvalidInput for a form of another kind.
+    /// The form one step later. Throws InvalidInput like FormSpace::check.
     Cochain step(const Cochain& form) const;
 
 private:
-    CellComplex complex_;
+    FormSpace space_;
     double explicit_part_ = 0; // of the time step
     Diffusion diffusion_;
 };
@@ -53,8 +41,7 @@ private:
 class HeatRun final : public FixedSteps {
 public:
     /// Throws like HeatSolver.
-    HeatRun(const Cells& cells, const BoundaryConditions& conditions, const Cochain& start,
-            const HeatOptions& options);
+    HeatRun(const FormSpace& space, const Vector& start, const HeatOptions& options);
 
     std::vector<Cochain> forms() const override;
     std::optional<Fingerprint> fingerprint() const override;
@@ -62,9 +49,10 @@ public:
 private:
     void step(std::vector<Vector>& state) const override;
 
+    FormSpace space_;
+    HeatOptions options_;
     HeatSolver solver_;
-    Cochain start_;
-    std::function<Fingerprint()> problem_;
+    Vector start_;
 };
 
 } // namespace polydec

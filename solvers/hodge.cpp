@@ -3,14 +3,11 @@
 
 #include "backends/blas.h"
 #include "backends/registry.h"
-#include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/operator.h"
 #include "solvers/saddle_solver.h"
 #include "solvers/spectra/positive_mass.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -160,32 +157,31 @@ struct HodgeSolver::Parts {
     std::unique_ptr<Projection> exact = nullptr, coexact = nullptr;
 };
 
-HodgeSolver::HodgeSolver(const Cells& cells, Side side, int degree, const std::string& engine)
-    : complex_(cells.complex()),
-      side_(side),
-      degree_(degree),
-      k_(cell_degree(complex_, side, degree)) {
-    const CellComplex& complex = complex_;
-    const HodgeStar mass = cells.input_stars()[k_];
-    check_positive_mass(mass, side, degree);
+HodgeSolver::HodgeSolver(const FormSpace& space, const std::string& linear_solver) : space_(space) {
+    space.refuse_robin("a Hodge decomposition");
+    const Cells inside = space.inside();
+    const CellComplex& complex = inside.complex();
+    const int n = complex.dimension(), k = space.cell_degree();
+    const HodgeStar mass = inside.input_stars()[k];
+    check_positive_mass(mass, space.side(), space.degree());
     parts_ = std::make_unique<Parts>(Parts{ScaledStar(mass)});
     auto& [star, exact, coexact] = *parts_;
-    const int n = complex.dimension();
     const auto least_squares = [&](SparseMatrix D, SparseMatrix weighted,
                                    const std::vector<Index>& kept, int degree_of_potential) {
         return std::make_unique<LeastSquares>(std::move(D), std::move(weighted), kept,
-                                              complex.size(degree_of_potential), engine, n);
+                                              complex.size(degree_of_potential), linear_solver, n);
     };
-    const auto faces = k_ > 0 ? regular_minor(complex, k_ - 1).columns : std::vector<Index>{};
-    const SparseMatrix below = rows_of(transposed(derivative(complex, k_ - 1)), faces);
-    exact = least_squares(transposed(below), below * star.matrix, faces, k_ - 1);
+    const auto faces = k > 0 ? regular_minor(complex, k - 1).columns : std::vector<Index>{};
+    const SparseMatrix below = rows_of(transposed(derivative(complex, k - 1)), faces);
+    exact = least_squares(transposed(below), below * star.matrix, faces, k - 1);
     if (mass.is_diagonal()) {
-        const auto cofaces = regular_minor(complex, k_).rows;
-        const SparseMatrix above = rows_of(derivative(complex, k_), cofaces);
-        coexact = least_squares(star.inverse.matrix() * transposed(above), above, cofaces, k_ + 1);
+        const auto cofaces = regular_minor(complex, k).rows;
+        const SparseMatrix above = rows_of(derivative(complex, k), cofaces);
+        coexact = least_squares(star.inverse.matrix() * transposed(above), above, cofaces, k + 1);
     } else {
         star.inverse* Vector::Zero(star.inverse.cols()); // refuses what is not definite
-        coexact = std::make_unique<ByMultipliers>(derivative(complex, k_), star.matrix, engine, n);
+        coexact =
+            std::make_unique<ByMultipliers>(derivative(complex, k), star.matrix, linear_solver, n);
     }
 }
 
@@ -193,40 +189,42 @@ HodgeSolver::HodgeSolver(HodgeSolver&&) noexcept = default;
 HodgeSolver::~HodgeSolver() = default;
 
 HodgeParts HodgeSolver::decompose(const Cochain& form) const {
-    check(complex_, form);
-    if (form.side != side_ || form.degree != degree_)
-        throw InvalidInput(fmt::format("a {} {}-form is given: this solver decomposes {} {}-forms",
-                                       name(form.side), form.degree, name(side_), degree_));
-    const int n = complex_.dimension();
-    const bool primal = side_ == Side::primal;
+    space_.check(form);
+    const RelativeComplex& cells = space_.relative();
+    const int n = cells.complex.dimension(), k = space_.cell_degree();
+    const bool primal = form.side == Side::primal;
     const auto& [star, exact, coexact] = *parts_;
-    const Vector w = primal ? form.values : star.inverse * form.values;
+    const Vector values = space_.restrict(form.values);
+    const Vector w = primal ? values : star.inverse * values;
 
     const auto [potential, da] = exact->of(w);
     const auto [c, delta] = coexact->of(w);
     // star delta = d^T c, which is the dual derivative of c up to this sign
-    const double dual_sign = k_ % 2 == 0 ? -1 : 1;
-    const double star_star = k_ * (n - k_) % 2 == 0 ? 1 : -1;
+    const double dual_sign = k % 2 == 0 ? -1 : 1;
+    const double star_star = k * (n - k) % 2 == 0 ? 1 : -1;
     const Vector copotential = dual_sign * c;
+    const auto part = [&](const Vector& of_free) {
+        return Cochain{form.side, form.degree, space_.extend(of_free)};
+    };
+    const auto beside = [&](Side side, int j, const Vector& of_free) {
+        const int degree = side == Side::primal ? j : n - j;
+        return Cochain{side, degree, j >= 0 && j <= n ? cells.extend(j, of_free) : of_free};
+    };
     // by the star over the unit, a dual form is as if w were the unit times as large, and then c is
     // what it should be; of a primal one c lacks the unit
     if (primal)
-        return {{side_, degree_, da},
-                {side_, degree_, delta},
-                {side_, degree_, w - da - delta},
-                {Side::primal, k_ - 1, potential},
-                {Side::dual, n - k_ - 1, star.unit * copotential}};
-    return {{side_, degree_, star.matrix * delta},
-            {side_, degree_, star.matrix * da},
-            {side_, degree_, star.matrix * (w - da - delta)},
-            {Side::dual, n - k_ - 1, copotential},
-            {Side::primal, k_ - 1, star_star * potential / star.unit}};
+        return {part(da), part(delta), part(w - da - delta), beside(Side::primal, k - 1, potential),
+                beside(Side::dual, k + 1, star.unit * copotential)};
+    return {part(star.matrix * delta), part(star.matrix * da), part(star.matrix * (w - da - delta)),
+            beside(Side::dual, k + 1, copotential),
+            beside(Side::primal, k - 1, star_star * potential / star.unit)};
 }
 
 DenseMatrix HodgeSolver::harmonic_forms() const {
     const auto& [star, exact, coexact] = *parts_;
     // a cycle, read as a form through the inverse star, is coclosed
-    const SparseMatrix generators = homology_generators(complex_, k_);
+    const SparseMatrix generators =
+        homology_generators(space_.relative().complex, space_.cell_degree());
     DenseMatrix forms(generators);
     for (Index i = 0; i < forms.cols(); ++i) {
         const Vector w = star.inverse * Vector(forms.col(i));
@@ -235,17 +233,18 @@ DenseMatrix HodgeSolver::harmonic_forms() const {
     orthonormalize(forms, star.matrix);
     // so far of norm 1 by the star over the unit
     const double root = std::sqrt(star.unit);
-    if (side_ == Side::primal)
-        return forms / root;
-    return root * (star.matrix * forms);
+    if (space_.side() == Side::primal)
+        return space_.extend(DenseMatrix(forms / root));
+    return space_.extend(DenseMatrix(root * (star.matrix * forms)));
 }
 
-HodgeParts hodge_decomposition(const Cells& cells, const Cochain& form, const std::string& engine) {
-    return HodgeSolver(cells, form.side, form.degree, engine).decompose(form);
+HodgeParts hodge_decomposition(const FormSpace& space, const Cochain& form,
+                               const std::string& linear_solver) {
+    return HodgeSolver(space, linear_solver).decompose(form);
 }
 
-DenseMatrix harmonic_forms(const Cells& cells, Side side, int degree, const std::string& engine) {
-    return HodgeSolver(cells, side, degree, engine).harmonic_forms();
+DenseMatrix harmonic_forms(const FormSpace& space, const std::string& linear_solver) {
+    return HodgeSolver(space, linear_solver).harmonic_forms();
 }
 
 } // namespace polydec

@@ -22,16 +22,19 @@ namespace polydec {
 namespace {
 
 /// The star below counts with the layer that Robin's condition adds to it.
-void check_stars(const ConditionedComplex& space, const RobinParts& robin, Side side, int k) {
-    const HodgeStars& stars = space.stars;
+void check_stars(const FormSpace& space) {
+    const HodgeStars stars = relative_stars(space.relative(), space.cells().stars());
+    const Side side = space.side();
+    const int k = space.cell_degree();
     const auto degree = [&](int j) { return side == Side::primal ? j : stars.dimension() - j; };
     check_positive_mass(stars[k], side, degree(k));
     if (k == 0)
         return;
     HodgeStar below = stars[k - 1];
-    if (below.is_diagonal() && robin.layer.size() > 0) {
+    if (space.cells().stars()[k - 1].is_diagonal() && space.robin_layer().size() > 0) {
         const CellVolumes& volumes = stars.volumes();
-        const Vector layer = space.relative.restrict(k - 1, Vector(robin.layer.diagonal()))
+        const Vector layer = space.relative()
+                                 .restrict(k - 1, Vector(space.robin_layer().diagonal()))
                                  .cwiseProduct(volumes.primal(k - 1));
         below = HodgeStar(volumes.with_dual(k - 1, volumes.dual(k - 1) + layer,
                                             volumes.terms(k - 1).vector(),
@@ -51,12 +54,13 @@ struct HodgeLaplaceSolver::System : HodgeLaplaceEquations {
     using HodgeLaplaceEquations::HodgeLaplaceEquations;
 
     /// Finds the harmonic forms, which take no work where there are none, and factorizes.
-    void prepare(const ConditionedComplex& space, const std::string& engine) {
-        const auto& complex = space.relative.complex;
+    void prepare(const FormSpace& space, const std::string& engine) {
+        const CellComplex complex = space.relative().complex;
         harmonic.resize(kept.cols(), 0);
         if (homology_generators(complex, k).cols() > 0)
-            harmonic =
-                HodgeSolver({complex, space.stars}, Side::primal, k, engine).harmonic_forms();
+            harmonic = polydec::harmonic_forms(
+                FormSpace::vanishing_on({complex, space.inside().stars()}, Side::primal, k),
+                engine);
         keep_free_of_robin();
         const SparseMatrix P = kept.transpose(), P_below = kept_below.transpose();
         weighted = P * M * kept * harmonic;
@@ -82,18 +86,11 @@ struct HodgeLaplaceSolver::System : HodgeLaplaceEquations {
     }
 };
 
-HodgeLaplaceSolver::HodgeLaplaceSolver(const Cells& cells, const HodgeLaplaceOptions& options)
-    : complex_(cells.complex()),
-      side_(options.side),
-      degree_(options.degree),
-      k_(cell_degree(complex_, options.side, options.degree)),
-      unit_(cells.unit()) {
-    const auto space = conditioned_but_for_robin(cells, side_, degree_, options.boundary);
-    const auto robin = robin_parts(cells, side_, degree_, options.boundary);
-    check_stars(space, robin, side_, k_);
-    auto system = std::make_unique<System>(complex_, cells.stars(), space, robin, side_, degree_,
-                                           options.boundary);
-    system->prepare(space, options.linear_solver);
+HodgeLaplaceSolver::HodgeLaplaceSolver(const FormSpace& space, const std::string& linear_solver)
+    : space_(space) {
+    check_stars(space);
+    auto system = std::make_unique<System>(space);
+    system->prepare(space, linear_solver);
     system_ = std::move(system);
 }
 
@@ -102,17 +99,16 @@ HodgeLaplaceSolver::~HodgeLaplaceSolver() = default;
 
 FormSolution HodgeLaplaceSolver::solve(const Cochain& given, const BoundaryForms& data,
                                        const Vector& harmonic) const {
-    check(complex_, given);
-    if (given.side != side_ || given.degree != degree_)
-        throw InvalidInput(fmt::format("a {} {}-form is given: this solver is for {} {}-forms",
-                                       name(given.side), given.degree, name(side_), degree_));
-    const Vector f = in_input_units(given.values, unit_, 2, "source");
+    space_.check(given);
+    const Side side = space_.side();
+    const int n = space_.cells().dimension(), k = space_.cell_degree();
+    const double unit = space_.cells().unit();
+    const Vector f = in_input_units(given.values, unit, 2, "source");
     const System& of = *system_;
-    const bool primal = side_ == Side::primal;
+    const bool primal = side == Side::primal;
     if (harmonic.size() != 0)
         check_as_many("coefficients of harmonic forms", harmonic.size(), of.harmonic.cols());
-    auto [w, below, b, g, b_terms, g_terms] =
-        of.loads(in_unit(data, unit_, complex_.dimension(), degree_));
+    auto [w, below, b, g, b_terms, g_terms] = of.loads(in_unit(data, unit, n, space_.degree()));
     b += primal ? of.M * f : f;
     b_terms += primal ? Vector(of.M.cwiseAbs() * f.cwiseAbs()) : f.cwiseAbs();
     Vector free = of.kept.transpose() * b;
@@ -133,33 +129,32 @@ FormSolution HodgeLaplaceSolver::solve(const Cochain& given, const BoundaryForms
     w += of.kept * (of.harmonic * coefficients);
 
     const Vector removed =
-        in_input_units(of.kept * (of.harmonic * excess), unit_, -2, "removed part");
-    const int n = complex_.dimension();
+        in_input_units(of.kept * (of.harmonic * excess), unit, -2, "removed part");
     if (primal)
-        return {{side_, k_, std::move(w)},
-                {side_, k_ - 1, form_in_input_units(below, unit_, -2, "codifferential")},
-                {side_, k_, removed},
+        return {{side, k, std::move(w)},
+                {side, k - 1, form_in_input_units(below, unit, -2, "codifferential")},
+                {side, k, removed},
                 report};
-    return {{side_, degree_, of.M * w},
-            {side_, n - k_ + 1, (k_ % 2 == 0 ? 1 : -1) * (of.M_below * below)},
-            {side_, degree_, of.M * removed},
+    return {{side, n - k, of.M * w},
+            {side, n - k + 1, (k % 2 == 0 ? 1 : -1) * (of.M_below * below)},
+            {side, n - k, of.M * removed},
             report};
 }
 
 DenseMatrix HodgeLaplaceSolver::harmonic_forms() const {
     const DenseMatrix forms = system_->kept * system_->harmonic;
-    return side_ == Side::primal ? forms : DenseMatrix(system_->M * forms);
+    return space_.side() == Side::primal ? forms : DenseMatrix(system_->M * forms);
 }
 
-CurlCurlSolution solve_curl_curl(const HodgeLaplaceSolver& solver, const CellComplex& complex,
-                                 const Cochain& j, const BoundaryForms& data) {
+CurlCurlSolution solve_curl_curl(const HodgeLaplaceSolver& solver, const Cochain& j,
+                                 const BoundaryForms& data) {
     if (j.side != Side::primal)
         throw InvalidInput("a dual form is given as the source of a curl of a curl: expected a "
                            "primal one");
     const auto first = solver.solve(j, data);
     Cochain exact{Side::primal, j.degree, Vector::Zero(j.values.size())};
     if (j.degree > 0)
-        exact.values = d(complex, first.beside).values;
+        exact.values = d(solver.space().cells().complex(), first.beside).values;
     auto second = solver.solve(j - exact, data);
     return {std::move(second.form), exact + first.removed, std::move(second.report)};
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/conditioned_complex.h"
-#include "dec/forms/cochain.h"
+#include "dec/form_space.h"
 #include "solvers/boundary_forms.h"
 #include "solvers/constrained_system.h"
 
@@ -13,13 +12,6 @@ namespace polydec {
 
 class SaddleSolver;
 
-struct HodgeLaplaceOptions {
-    Side side = Side::primal;
-    int degree = 0;
-    BoundaryConditions boundary = {};
-    std::string linear_solver = "auto";
-};
-
 /// A solution and what is found beside it.
 struct FormSolution {
     Cochain form;
@@ -28,8 +20,8 @@ struct FormSolution {
     SolveReport report;
 };
 
-/// Solves Delta u = (d delta + delta d) u = f for primal or dual forms of any degree, under
-/// essential, natural and Robin's conditions with data, with one factorization.
+/// Solves Delta u = (d delta + delta d) u = f for the forms of a space, with data for its
+/// conditions, with one factorization.
 ///
 /// Harmonic forms obey Delta u = 0 and the conditions with data 0 (on a torus, say, two 1-forms).
 /// The harmonic part of f and of what the data add to it is removed and reported; u has the
@@ -42,10 +34,10 @@ struct FormSolution {
 /// An object is used by one thread at a time.
 class HodgeLaplaceSolver {
 public:
-    /// Throws InvalidInput if there is no such degree; naming the cells, if the star of the forms
-    /// or of those beside them is not positive; if conditions do not fit the facets; like
-    /// boundary_star where there are Robin's; what the engine throws where it fails.
-    HodgeLaplaceSolver(const Cells& cells, const HodgeLaplaceOptions& options);
+    /// Throws InvalidInput, naming the cells, if the star of the forms or of those beside them is
+    /// not positive; like Cells::boundary_star where there is Robin's condition; what the engine
+    /// throws where it fails.
+    explicit HodgeLaplaceSolver(const FormSpace& space, const std::string& linear_solver = "auto");
 
     HodgeLaplaceSolver(HodgeLaplaceSolver&&) noexcept;
     ~HodgeLaplaceSolver();
@@ -60,15 +52,12 @@ public:
     /// Columns, orthonormal in the inner product of the side; 0 where conditions fix values.
     DenseMatrix harmonic_forms() const;
 
-    /// The unit of length of the mesh; 1 for cells of one's own.
-    double unit() const { return unit_; }
+    const FormSpace& space() const& { return space_; }
+    FormSpace space() && { return space_; }
 
 private:
     struct System;
-    CellComplex complex_;
-    Side side_;
-    int degree_, k_;
-    double unit_ = 1;
+    FormSpace space_;
     std::unique_ptr<const System> system_;
 };
 
@@ -85,7 +74,7 @@ struct CurlCurlSolution {
 
 /// Of primal forms, d delta of which is the exact part of j. Data are those of the conditions with
 /// delta u = 0. Throws like HodgeLaplaceSolver::solve, and InvalidInput for dual forms.
-CurlCurlSolution solve_curl_curl(const HodgeLaplaceSolver& solver, const CellComplex& complex,
-                                 const Cochain& j, const BoundaryForms& data = {});
+CurlCurlSolution solve_curl_curl(const HodgeLaplaceSolver& solver, const Cochain& j,
+                                 const BoundaryForms& data = {});
 
 } // namespace polydec

@@ -129,15 +129,19 @@ Vector asked_for(const CellComplex& complex, Side side, const BoundaryConditions
 
 } // namespace
 
-HodgeLaplaceEquations::HodgeLaplaceEquations(const CellComplex& complex, const HodgeStars& stars,
-                                             const ConditionedComplex& space,
-                                             const RobinParts& robin_parts, Side of_side,
-                                             int degree, const BoundaryConditions& conditions)
-    : side(of_side),
+HodgeLaplaceEquations::HodgeLaplaceEquations(const FormSpace& space)
+    : HodgeLaplaceEquations(space, space.cells().complex(), space.cells().stars()) {}
+
+HodgeLaplaceEquations::HodgeLaplaceEquations(const FormSpace& space, const CellComplex& complex,
+                                             const HodgeStars& stars)
+    : side(space.side()),
       dimension(complex.dimension()),
-      k(cell_degree(complex, side, degree)),
-      kept(kept_cells(space.relative, k)),
-      kept_below(k > 0 ? kept_cells(space.relative, k - 1) : SparseMatrix(0, 0)),
+      k(space.cell_degree()),
+      kept(kept_cells(space.relative(), k)),
+      kept_below(k > 0 ? kept_cells(space.relative(), k - 1) : SparseMatrix(0, 0)),
+      given(ones_at(space.fixed(), k)),
+      given_below(ones_at(space.fixed(), k - 1)),
+      asked(k > 0 ? asked_for(complex, side, space.conditions(), k - 1) : Vector()),
       M(stars[k].matrix()),
       M_below(k > 0 ? stars[k - 1].matrix() : SparseMatrix(0, 0)),
       upper(M.rows(), M.rows()),
@@ -146,19 +150,15 @@ HodgeLaplaceEquations::HodgeLaplaceEquations(const CellComplex& complex, const H
       B_below(boundary_part(complex, k - 1)),
       fix(M.rows(), B_below.cols()),
       load(M.rows(), M.rows()),
-      robin(or_zeros(robin_parts.weights, M.rows())),
-      robin_below(or_zeros(robin_parts.layer, M_below.rows())) {
-    const auto fixed = essential_cells(complex, conditions, side, degree);
-    given = ones_at(fixed, k);
-    given_below = ones_at(fixed, k - 1);
-    asked = k > 0 ? asked_for(complex, side, conditions, k - 1) : Vector();
-    const SparseMatrix centers = centers_on_the_boundary(complex, space.relative, fixed);
+      robin(or_zeros(space.robin_weights(), M.rows())),
+      robin_below(or_zeros(space.robin_layer(), M_below.rows())) {
+    const SparseMatrix centers = centers_on_the_boundary(complex, space.relative(), space.fixed());
     if (k == dimension) {
         fix = centers;
         return;
     }
     const SparseMatrix d = derivative(complex, k),
-                       above = with_derivative(space.relative, fixed, k + 1);
+                       above = with_derivative(space.relative(), space.fixed(), k + 1);
     const SparseMatrix free = transpose_of(above) * d;
     upper = transpose_of(free) * SparseMatrix(transpose_of(above) * stars[k + 1].matrix() * above) *
             free;

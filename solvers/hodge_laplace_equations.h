@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/conditioned_complex.h"
+#include "dec/form_space.h"
 #include "solvers/boundary_forms.h"
 
 namespace polydec {
@@ -19,9 +19,7 @@ struct BoundaryLoads {
 /// star_w and star_dw over the duals within the boundary. Under conditions these are the rows of
 /// the kept cells, and the values at all others are known.
 struct HodgeLaplaceEquations {
-    HodgeLaplaceEquations(const CellComplex& complex, const HodgeStars& stars,
-                          const ConditionedComplex& space, const RobinParts& robin, Side side,
-                          int degree, const BoundaryConditions& conditions);
+    explicit HodgeLaplaceEquations(const FormSpace& space);
 
     /// Throws InvalidInput for other numbers of values than there are cells, and what is not
     /// finite.
@@ -38,6 +36,10 @@ struct HodgeLaplaceEquations {
     SparseMatrix B, B_below;
     SparseMatrix fix, load; // where n-cells have their centers on the boundary: star w, star dw
     SparseMatrix robin, robin_below; // what Robin's condition adds to upper, and to M_below
+
+private:
+    HodgeLaplaceEquations(const FormSpace& space, const CellComplex& complex,
+                          const HodgeStars& stars);
 };
 
 } // namespace polydec

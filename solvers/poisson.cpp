@@ -3,7 +3,6 @@
 
 #include "base/errors.h"
 #include "dec/advice.h"
-#include "dec/conditioned_complex.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/gram.h"
 #include "dec/forms/laplacian.h"
@@ -104,7 +103,8 @@ Stiffness stiffness(const CellComplex& complex, const HodgeStars& stars) {
 }
 
 PoissonOptions in_unit_of(const Cells& cells, PoissonOptions options) {
-    options.boundary = polydec::in_unit_of(cells, std::move(options.boundary));
+    for (double& coefficient : options.boundary.coefficients)
+        coefficient *= cells.unit();
     return options;
 }
 

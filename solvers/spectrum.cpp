@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/advice.h"
-#include "dec/conditioned_complex.h"
 #include "dec/forms/cochain.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/hodge.h"
@@ -22,25 +21,18 @@ namespace polydec {
 
 namespace {
 
-void check_count(const CellComplex& complex, const SpectrumOptions& options, int k) {
-    if (complex.size(k) == 0)
+void check_count(const FormSpace& space, const SpectrumOptions& options) {
+    const int k = space.cell_degree();
+    if (space.size() == 0)
         throw InvalidInput(
             fmt::format("{} {}-forms have no eigenvalues here: with these conditions "
                         "they are 0 on all {}-cells",
-                        name(options.side), options.degree, k));
-    if (options.count < 1 || options.count > complex.size(k))
+                        name(space.side()), space.degree(), k));
+    if (options.count < 1 || options.count > space.size())
         throw InvalidInput(fmt::format("{} eigenvalues asked for: {} {}-forms live on {} {}-cells, "
                                        "so 1 to {} can be had",
-                                       options.count, name(options.side), options.degree,
-                                       complex.size(k), k, complex.size(k)));
-}
-
-/// The pencil of the Laplacian with these weights, if there are, added.
-Pencil pencil_of(const CellComplex& complex, const HodgeStars& stars, int k,
-                 const SparseMatrix& weights) {
-    Pencil pencil = laplacian_pencil(complex, stars, k);
-    pencil.C = weights;
-    return pencil;
+                                       options.count, name(space.side()), space.degree(),
+                                       space.size(), k, space.size()));
 }
 
 std::vector<std::string> warning_of_negative_values(const Spectrum& spectrum,
@@ -62,63 +54,16 @@ std::vector<std::string> warning_of_negative_values(const Spectrum& spectrum,
 }
 
 /// The forms with the eigenvalue 0, where there are so many of them that a direct way pays.
-DenseMatrix kernel(const ConditionedComplex& space, const SpectrumOptions& options, int k,
-                   Index zeros, bool is_dual_function) {
+DenseMatrix kernel(const Cells& inside, const SpectrumOptions& options, int k, Index zeros,
+                   bool is_dual_function) {
     constexpr Index many = 10;
     if (zeros < many)
         return {};
     if (options.progress)
         options.progress("harmonic forms");
-    const DenseMatrix forms = harmonic_forms({space.relative.complex, space.stars}, Side::primal, k,
-                                             options.linear_solver);
-    return is_dual_function ? DenseMatrix(space.stars[k].matrix() * forms) : forms;
-}
-
-/// Under conditions, of which Robin's adds weights, with modes on all cells; `star` is theirs.
-Spectrum spectrum_in(const RobinComplex& given, const HodgeStar& star,
-                     const SpectrumOptions& options) {
-    const ConditionedComplex& space = given.space;
-    const CellComplex& complex = space.relative.complex;
-    const HodgeStars& stars = space.stars;
-    const SparseMatrix& weights = given.weights;
-    const int k = star.degree();
-    check_count(complex, options, k);
-    check_positive_mass(stars[k], options.side, options.degree);
-
-    const bool is_dual_function = k == complex.dimension() && stars[k].is_diagonal();
-    const Index zeros = weights.size() > 0 ? 0 : betti_numbers(complex)[k];
-    CertifiedEigensolver solver(is_dual_function ? dual_function_pencil(complex, stars, k)
-                                                 : pencil_of(complex, stars, k, weights),
-                                {.linear_solver = options.linear_solver,
-                                 .eigen_solver = options.eigen_solver,
-                                 .certification = options.certification,
-                                 .domain_dimension = complex.dimension(),
-                                 .definiteness = laplacian_definiteness(stars, k),
-                                 .zeros = zeros,
-                                 .kernel = kernel(space, options, k, zeros, is_dual_function),
-                                 .progress = options.progress,
-                                 .found = options.found,
-                                 .start = options.start});
-    auto pairs = solver.smallest(options.count);
-    pairs.vectors = space.relative.extend(k, pairs.vectors);
-    if (options.side == Side::dual && !is_dual_function)
-        pairs.vectors = SparseMatrix(star.matrix()) * pairs.vectors;
-    if (options.side == Side::primal && is_dual_function)
-        pairs.vectors = star.inverse().asDiagonal() * pairs.vectors;
-    Spectrum result{options.side,
-                    options.degree,
-                    std::move(pairs.values),
-                    std::move(pairs.radii),
-                    std::move(pairs.vectors),
-                    std::move(pairs.residuals),
-                    pairs.certificate,
-                    std::move(pairs.linear_solver),
-                    std::move(pairs.eigen_solver),
-                    std::move(pairs.rough)};
-    result.warnings = warning_of_negative_values(result, stars);
-    for (auto& warning : warning_of_rough_values(result.rough))
-        result.warnings.push_back(std::move(warning));
-    return result;
+    const DenseMatrix forms =
+        harmonic_forms(FormSpace::vanishing_on(inside, Side::primal, k), options.linear_solver);
+    return is_dual_function ? DenseMatrix(inside.stars()[k].matrix() * forms) : forms;
 }
 
 } // namespace
@@ -149,16 +94,52 @@ void use_input_units(Spectrum& spectrum, double unit) {
             radius += std::numeric_limits<double>::denorm_min();
 }
 
-Spectrum spectrum(const Cells& cells, const SpectrumOptions& options) {
-    return spectrum(cells, built_in_conditions(options.side), options);
-}
+Spectrum spectrum(const FormSpace& space, const SpectrumOptions& options) {
+    const int k = space.cell_degree();
+    const Cells inside = space.inside();
+    const CellComplex& complex = inside.complex();
+    const HodgeStars& stars = inside.stars();
+    check_count(space, options);
+    check_positive_mass(stars[k], space.side(), space.degree());
 
-Spectrum spectrum(const Cells& cells, const BoundaryConditions& conditions,
-                  const SpectrumOptions& options) {
-    const int k = cell_degree(cells.complex(), options.side, options.degree);
-    auto result = spectrum_in(with_robin(cells, options.side, options.degree, conditions),
-                              cells.stars()[k], options);
-    use_input_units(result, cells.unit());
+    const bool is_dual_function = k == complex.dimension() && stars[k].is_diagonal();
+    const SparseMatrix weights = space.free_robin_weights();
+    const Index zeros = weights.size() > 0 ? 0 : betti_numbers(complex)[k];
+    Pencil pencil = is_dual_function ? dual_function_pencil(complex, stars, k)
+                                     : laplacian_pencil(complex, stars, k);
+    pencil.C = weights;
+    CertifiedEigensolver solver(std::move(pencil),
+                                {.linear_solver = options.linear_solver,
+                                 .eigen_solver = options.eigen_solver,
+                                 .certification = options.certification,
+                                 .domain_dimension = complex.dimension(),
+                                 .definiteness = laplacian_definiteness(stars, k),
+                                 .zeros = zeros,
+                                 .kernel = kernel(inside, options, k, zeros, is_dual_function),
+                                 .progress = options.progress,
+                                 .found = options.found,
+                                 .start = options.start});
+    auto pairs = solver.smallest(options.count);
+    pairs.vectors = space.extend(pairs.vectors);
+    const HodgeStar star = space.cells().stars()[k];
+    if (space.side() == Side::dual && !is_dual_function)
+        pairs.vectors = SparseMatrix(star.matrix()) * pairs.vectors;
+    if (space.side() == Side::primal && is_dual_function)
+        pairs.vectors = star.inverse().asDiagonal() * pairs.vectors;
+    Spectrum result{space.side(),
+                    space.degree(),
+                    std::move(pairs.values),
+                    std::move(pairs.radii),
+                    std::move(pairs.vectors),
+                    std::move(pairs.residuals),
+                    pairs.certificate,
+                    std::move(pairs.linear_solver),
+                    std::move(pairs.eigen_solver),
+                    std::move(pairs.rough)};
+    result.warnings = warning_of_negative_values(result, stars);
+    for (auto& warning : warning_of_rough_values(result.rough))
+        result.warnings.push_back(std::move(warning));
+    use_input_units(result, inside.unit());
     return result;
 }
 

@@ -2,15 +2,11 @@
 #pragma once
 
 #include "backends/spectra/certified_eigensolver.h"
-#include "dec/forms/boundary_conditions.h"
-#include "dec/forms/cells.h"
-#include "dec/forms/side.h"
+#include "dec/form_space.h"
 
 namespace polydec {
 
 struct SpectrumOptions {
-    Side side = Side::primal;
-    int degree = 0;
     Index count = 10;
     std::string linear_solver = "auto";
     std::string eigen_solver = "auto"; ///< or the name of an engine
@@ -29,8 +25,9 @@ struct Spectrum {
     int degree;
     Vector eigenvalues; ///< ascending, with multiplicity; length^-2, of a mesh in its input's units
     Vector radii;       ///< of each: how far the exact one is at most
-    DenseMatrix modes;  ///< columns: cochains of that side and degree, of norm 1 in the star
-    Vector residuals;   ///< |A x - lambda M x| / |M x|
+    DenseMatrix
+        modes;        ///< columns: forms of the space, of norm 1 in the star; 0 where it fixes them
+    Vector residuals; ///< |A x - lambda M x| / |M x|
     Certificate certificate;
     std::string linear_solver;
     std::string eigen_solver;
@@ -40,29 +37,20 @@ struct Spectrum {
     std::vector<std::string> warnings = {}; ///< of rough values, and of spurious negative ones
 };
 
-/// The `count` smallest eigenpairs of the Laplacian of primal or dual forms of a degree, proved
-/// complete, under the conditions that hold where nothing is done about the boundary (see
-/// built_in_conditions): for 0-forms no flow through the boundary (Neumann) if they are primal,
-/// values 0 on it (Dirichlet) if they are dual. Dual j-forms are treated as primal (n-j)-forms,
-/// which have the same eigenvalues, with the star between their modes.
+/// The `count` smallest eigenpairs of the Laplacian on a space, proved complete. Dual j-forms are
+/// treated as primal (n-j)-forms, which have the same eigenvalues, with the star between their
+/// modes.
 ///
 /// Each eigenvalue comes with a radius: the i-th smallest eigenvalue of the mesh lies within
 /// radii[i] of eigenvalues[i]. That covers the iteration, all rounding on the way from the volumes
 /// to the values, and rounding in the volumes themselves as laplacian_pencil.h states it; it takes
 /// the inertia counted for right (see CertifiedEigensolver), and points or lengths to be known to
 /// their last digits.
-/// Throws InvalidInput if there is no such degree or count, or, naming the cells, if the star that
+/// Throws InvalidInput if there are not so many eigenvalues, or, naming the cells, if the star that
 /// is the mass of these forms is not positive or a star that must be inverted has a zero;
 /// SolverFailure if the eigenpairs cannot be had or proved, InvalidInput for vectors to start with
 /// of another size.
-Spectrum spectrum(const Cells& cells, const SpectrumOptions& options = {});
-
-/// The same under homogeneous conditions on the boundary, those of conditioned_complex and Robin's
-/// (with_robin), whose coefficients are 1 over lengths of the input; modes have a value for every
-/// cell, 0 where the conditions fix them. Dual forms need no boundary facet to have a dual. Throws
-/// also if there are conditions but not one for each facet.
-Spectrum spectrum(const Cells& cells, const BoundaryConditions& conditions,
-                  const SpectrumOptions& options = {});
+Spectrum spectrum(const FormSpace& space, const SpectrumOptions& options = {});
 
 /// What is measured in length^-2, of a mesh that is measured in a unit, in those of its input. What
 /// is rounding beside the largest number may vanish; radii then grow by what is lost there.

@@ -6,7 +6,6 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "dec/advice.h"
-#include "dec/conditioned_complex.h"
 #include "dec/forms/operator.h"
 #include "dec/forms/star.h"
 #include "meshes/unit_of_length.h"
@@ -30,28 +29,23 @@ struct Degrees {
     int low() const { return std::min(E, B); }
 };
 
-Degrees degrees(const CellComplex& complex, Side side, int degree) {
-    const int n = complex.dimension();
-    if (degree < 0 || degree >= n)
+Degrees degrees(const FormSpace& space) {
+    const int n = space.cells().dimension(), degree = space.degree();
+    if (degree >= n)
         throw InvalidInput(fmt::format("waves of {}-forms are asked for: in dimension {} the "
                                        "degrees are 0 to {}",
                                        degree, n, n - 1));
-    return side == Side::primal ? Degrees{degree, degree + 1} : Degrees{n - degree, n - degree - 1};
+    return space.side() == Side::primal ? Degrees{degree, degree + 1}
+                                        : Degrees{n - degree, n - degree - 1};
 }
 
-ConditionedComplex conditioned(const Cells& cells,
-                               const std::optional<BoundaryConditions>& conditions, Side side,
-                               int degree) {
-    degrees(cells.complex(), side, degree); // which there must be
-    return conditioned_complex(cells, side, degree, conditions.value_or(built_in_conditions(side)));
-}
-
-void check_stars(const CellComplex& complex, const HodgeStars& stars, Side side, int degree) {
-    const Degrees on = degrees(complex, side, degree);
-    check_fit(complex, stars);
-    check_positive_mass(stars[on.E], side, degree);
-    if (side == Side::dual)
-        return check_positive_mass(stars[on.B], side, degree + 1);
+void check_wave_stars(const FormSpace& space) {
+    const Degrees on = degrees(space);
+    const Cells inside = space.inside();
+    const HodgeStars& stars = inside.stars();
+    check_positive_mass(stars[on.E], space.side(), space.degree());
+    if (space.side() == Side::dual)
+        return check_positive_mass(stars[on.B], space.side(), space.degree() + 1);
     const auto negative = stars[on.B].negatives();
     if (!negative.empty())
         throw InvalidInput(fmt::format("the duals of {} {}-cells are negative, the first is cell "
@@ -64,16 +58,18 @@ void check_stars(const CellComplex& complex, const HodgeStars& stars, Side side,
 
 /// Of both sides by primal forms: star_k d star_(k-1)^-1 d^T has the eigenvalues of the product
 /// the other way around but for zeros.
-double longest_step(const ConditionedComplex& space, Side side, int degree) {
-    const CellComplex& complex = space.relative.complex;
-    check_stars(complex, space.stars, side, degree);
-    const int k = degrees(complex, side, degree).low();
+double longest_step(const FormSpace& space) {
+    const int k = degrees(space).low();
+    space.refuse_robin("a wave");
+    check_wave_stars(space);
+    const Cells inside = space.inside();
+    const CellComplex& complex = inside.complex();
     const Operator d = Operator::derivative(complex, k);
     if (complex.incidences(k).size() == 0)
         return std::numeric_limits<double>::infinity();
     // in the scale in which the mass is 1: R^-T d^T star_(k+1) d R^-1, star_k = R^T R
-    const auto mass = make_mass(weights(space.stars[k]));
-    const Operator stiffness = d.transposed() * Operator::star(space.stars[k + 1]) * d;
+    const auto mass = make_mass(weights(inside.stars()[k]));
+    const Operator stiffness = d.transposed() * Operator::star(inside.stars()[k + 1]) * d;
     const SymmetricOperator A{mass->size(), [&](const Vector& x, Vector& y) {
                                   const Vector flow = stiffness * Vector(mass->unroot(x));
                                   y = mass->transposed_unroot(flow.cast<long double>());
@@ -87,9 +83,8 @@ double longest_step(const ConditionedComplex& space, Side side, int degree) {
 
 /// Both in the unit of the mesh; what is said in that of the input. Any step is stable where
 /// nothing swings.
-double chosen_step(const ConditionedComplex& space, Side side, int degree, double time_step,
-                   double unit) {
-    const double limit = longest_step(space, side, degree);
+double chosen_step(const FormSpace& space, double time_step, double unit) {
+    const double limit = longest_step(space);
     if (time_step == 0)
         return std::isfinite(limit) ? part_of_stable_step * limit : 1;
     if (!(time_step > 0 && time_step < limit))
@@ -99,11 +94,10 @@ double chosen_step(const ConditionedComplex& space, Side side, int degree, doubl
     return time_step;
 }
 
-Operator derivative(const ConditionedComplex& space, Side side, int degree) {
-    const CellComplex& complex = space.relative.complex;
-    const Degrees on = degrees(complex, side, degree);
-    const Operator d = Operator::derivative(complex, on.low());
-    return side == Side::primal ? d : (on.E % 2 == 0 ? 1.0 : -1.0) * d.transposed();
+Operator derivative(const FormSpace& space) {
+    const Degrees on = degrees(space);
+    const Operator d = Operator::derivative(space.relative().complex, on.low());
+    return space.side() == Side::primal ? d : (on.E % 2 == 0 ? 1.0 : -1.0) * d.transposed();
 }
 
 Operator mass(const HodgeStar& star, Side side) {
@@ -131,9 +125,8 @@ Vector sum(const Vector& a, const Vector& b) {
 
 } // namespace
 
-double stable_step(const Cells& cells, const BoundaryConditions& conditions, Side side,
-                   int degree) {
-    return cells.unit() * longest_step(conditioned(cells, conditions, side, degree), side, degree);
+double stable_step(const FormSpace& space) {
+    return space.cells().unit() * longest_step(space);
 }
 
 /// Leapfrog steps, in the unit of the mesh but for E and B of a state.
@@ -154,17 +147,15 @@ struct Waves::Scheme {
         void advance(Vector& values, Vector rate, double time_step) const;
     };
 
-    Scheme(const Cells& cells, const Discretization* mesh, const Cochain& start,
-           const WaveOptions& options)
-        : Scheme(cells.complex(), conditioned(cells, options.conditions, start.side, start.degree),
-                 mesh, start, options) {}
-    Scheme(const CellComplex& whole, const ConditionedComplex& space, const Discretization* mesh,
-           const Cochain& start, const WaveOptions& options);
+    Scheme(const FormSpace& space, const WaveOptions& options);
 
+    HodgeStar star(int k) const { return space.inside().stars()[k]; }
+    Field field(int k) const;
     std::vector<Vector> begun(const Vector& start, const Vector& upper) const;
     void step(std::vector<Vector>& state, const WaveOptions& options, double time) const;
     double energy(const std::vector<Vector>& state) const;
 
+    FormSpace space;
     Degrees on;
     int energy_power; ///< of length
     double unit, time_step;
@@ -173,26 +164,21 @@ struct Waves::Scheme {
     LayerKind layer = LayerKind::automatic;
 };
 
-Waves::Scheme::Scheme(const CellComplex& whole, const ConditionedComplex& space,
-                      const Discretization* mesh, const Cochain& start, const WaveOptions& options)
-    : on(degrees(whole, start.side, start.degree)),
-      energy_power((start.side == Side::primal ? 1 : -1) * (whole.dimension() - 2 * on.E)),
-      unit(space.unit),
-      time_step(chosen_step(space, start.side, start.degree, options.time_step / unit, unit)),
-      d(derivative(space, start.side, start.degree)),
-      inverse_mass(start.side == Side::primal ? Operator::inverse_star(space.stars[on.E])
-                                              : Operator::star(space.stars[on.E])),
-      E{space.relative.cells[on.E], whole.size(on.E), mass(space.stars[on.E], start.side)},
-      B{space.relative.cells[on.B], whole.size(on.B), mass(space.stars[on.B], start.side)} {
-    check(whole, start);
+Waves::Scheme::Scheme(const FormSpace& on_space, const WaveOptions& options)
+    : space(on_space),
+      on(degrees(space)),
+      energy_power((space.side() == Side::primal ? 1 : -1) *
+                   (space.cells().dimension() - 2 * on.E)),
+      unit(space.cells().unit()),
+      time_step(chosen_step(space, options.time_step / unit, unit)),
+      d(derivative(space)),
+      inverse_mass(space.side() == Side::primal ? Operator::inverse_star(star(on.E))
+                                                : Operator::star(star(on.E))),
+      E(field(on.E)),
+      B(field(on.B)) {
     LayerParts parts;
-    if (options.layer.width != 0) {
-        if (!mesh)
-            throw InvalidInput("an absorbing layer needs to know where the cells are: expected a "
-                               "mesh (Discretization), not cells alone");
-        AbsorbingLayer in_unit = options.layer;
-        in_unit.width /= unit;
-        parts = layer_parts(*mesh, space, d.matrix(), on.E, on.B, in_unit, time_step);
+    if (options.layer) {
+        parts = layer_parts(*options.layer, space, d.matrix(), on.E, on.B, time_step);
         layer = parts.kind;
         E.layer = parts.of_E;
         B.layer = parts.of_B;
@@ -203,17 +189,23 @@ Waves::Scheme::Scheme(const CellComplex& whole, const ConditionedComplex& space,
             check_loss(what, given, field.whole);
         field.loss =
             sum(given.size() > 0 ? unit * field.restricted(given, what) : Vector(), in_layer);
-        const HodgeStar& star = space.stars[k];
-        if (field.loss.size() == 0 || star.is_diagonal())
+        const HodgeStar of = star(k);
+        if (field.loss.size() == 0 || of.is_diagonal())
             return;
-        field.lost = loss_matrix(star, field.loss);
+        field.lost = loss_matrix(of, field.loss);
+        const Cells inside = space.inside();
         field.mid = std::make_shared<HodgeStar>(
-            space.stars.volumes(), k, SparseMatrix(star.matrix() + time_step / 2 * field.lost));
-        if (start.side == Side::dual)
-            field.star_of = std::make_shared<HodgeStar>(star);
+            inside.stars().volumes(), k, SparseMatrix(of.matrix() + time_step / 2 * field.lost));
+        if (space.side() == Side::dual)
+            field.star_of = std::make_shared<HodgeStar>(of);
     };
     lose(E, options.loss, parts.E_loss, on.E, "E");
     lose(B, options.upper_loss, parts.B_loss, on.B, "B");
+}
+
+Waves::Scheme::Field Waves::Scheme::field(int k) const {
+    return {space.relative().cells[k], space.relative().whole_sizes[k],
+            mass(star(k), space.side())};
 }
 
 Vector Waves::Scheme::Field::restricted(const Vector& values, const char* what) const {
@@ -247,6 +239,7 @@ void Waves::Scheme::Field::advance(Vector& values, Vector rate, double time_step
 /// E as the conditions have it, and its B half a step before; no memories.
 std::vector<Vector> Waves::Scheme::begun(const Vector& start, const Vector& upper) const {
     std::vector<Vector> state{Vector(E.whole), Vector(B.whole), {}, {}};
+    space.check({space.side(), space.degree(), start});
     Vector values = E.restricted(start, "E");
     if (upper.size() > 0) {
         check_as_many("values of B", upper.size(), B.whole);
@@ -287,44 +280,38 @@ double Waves::Scheme::energy(const std::vector<Vector>& state) const {
     return (e.dot(E.mass * e) + b.dot(B.mass * next)) / 2;
 }
 
-Waves::Waves(const Discretization& mesh, const Cochain& start, const WaveOptions& options)
-    : Waves(std::make_shared<Scheme>(mesh, &mesh, start, options), start, options,
-            [mesh] { return Fingerprint().add(mesh); }) {}
+Waves::Waves(const FormSpace& space, const Vector& start, const WaveOptions& options)
+    : Waves(std::make_shared<Scheme>(space, options), start, options) {}
 
-Waves::Waves(const Cells& cells, const Cochain& start, const WaveOptions& options)
-    : Waves(std::make_shared<Scheme>(cells, nullptr, start, options), start, options,
-            [cells] { return Fingerprint().add(cells); }) {}
-
-Waves::Waves(std::shared_ptr<const Scheme> scheme, const Cochain& start, WaveOptions options,
-             std::function<Fingerprint()> cells)
-    : FixedSteps(scheme->unit * scheme->time_step, scheme->begun(start.values, options.B)),
+Waves::Waves(std::shared_ptr<const Scheme> scheme, const Vector& start, const WaveOptions& options)
+    : FixedSteps(scheme->unit * scheme->time_step, scheme->begun(start, options.B)),
       scheme_(std::move(scheme)),
-      side_(start.side),
-      degree_(start.degree),
-      options_(std::move(options)),
-      start_(now()),
-      cells_(std::move(cells)) {}
+      options_(options),
+      start_(now()) {}
 
 void Waves::step(std::vector<Vector>& state) const {
     scheme_->step(state, options_, time());
 }
 
 std::vector<Cochain> Waves::forms() const {
-    return {{side_, degree_, now()[0]}, {side_, degree_ + 1, now()[1]}};
+    const FormSpace& space = scheme_->space;
+    return {{space.side(), space.degree(), now()[0]}, {space.side(), space.degree() + 1, now()[1]}};
 }
 
 std::optional<Fingerprint> Waves::fingerprint() const {
     const bool has_functions = options_.source || options_.upper_source;
     if (has_functions && options_.label.empty())
         return std::nullopt;
-    Fingerprint result = cells_();
-    result.add("waves").add(options_.label).add(has_functions).add(side_).add(degree_);
+    Fingerprint result;
+    result.add("waves").add(options_.label).add(has_functions).add(scheme_->space);
     result.add(time_step()).add(options_.loss).add(options_.upper_loss);
-    result.add(options_.conditions.value_or(built_in_conditions(side_)));
-    const AbsorbingLayer& layer = options_.layer;
-    result.add(layer.width).add(layer.kind).add(layer.reflection).add(layer.power);
-    for (const auto& sides : layer.sides)
-        result.add(sides[0]).add(sides[1]);
+    if (options_.layer) {
+        const AbsorbingLayer& layer = *options_.layer;
+        result.add(layer.mesh).add(layer.width).add(layer.kind);
+        result.add(layer.reflection).add(layer.power);
+        for (const auto& sides : layer.sides)
+            result.add(sides[0]).add(sides[1]);
+    }
     for (const Vector& values : start_)
         result.add(values);
     if (options_.source)

@@ -15,15 +15,11 @@ namespace polydec {
 /// slow in (see weighted_stars). Times and lengths are in units of a mesh's input.
 struct WaveOptions {
     double time_step = 0; ///< below stable_step; 0: part_of_stable_step of it
-    /// Homogeneous ones, as of conditioned_complex: an essential condition on primal 1-forms in
-    /// space is a perfect conductor, a natural one a symmetry (or magnetic) wall. Without, the
-    /// built-in ones.
-    std::optional<BoundaryConditions> conditions = {};
     /// Rates of decay of E and of B by themselves, at least 0, one for each value, or none: for
     /// Maxwell's equations conductivity over permittivity (see cell_means). 1 / time.
     Vector loss = {}, upper_loss = {};
-    AbsorbingLayer layer = {}; ///< of no width: none
-    Vector B = {};             ///< half a step before the start; none: E is at rest
+    std::optional<AbsorbingLayer> layer = {};
+    Vector B = {}; ///< half a step before the start; none: E is at rest
     /// Added to the rates of E, at the middles of steps, and of B, at their beginnings: for
     /// Maxwell's equations minus the current over the permittivity.
     std::function<Vector(double time)> source = {}, upper_source = {};
@@ -37,20 +33,19 @@ constexpr double part_of_stable_step = 0.9;
 /// derivative -delta d E. For primal 1-forms in space this is Maxwell's equations with the electric
 /// field on edges and the magnetic flux through faces; on a merged Kuhn grid it is exactly the
 /// scheme of Yee 1966. For 0-forms it is the scalar wave equation in any dimension. Dual forms are
-/// stars of primal ones: the same matrices, transposed. Losses are taken by the midpoint rule, so
+/// stars of primal ones: the same matrices, transposed. What the conditions fix of E and B is 0: an
+/// essential condition on primal 1-forms in space is a perfect conductor, a natural one a symmetry
+/// (or magnetic) wall. Losses are taken by the midpoint rule, so
 /// that steps stay of second order and stable. A star that is a matrix is factorized once, and each
 /// step solves with it.
 class Waves final : public FixedSteps {
 public:
-    /// From E at the time 0; what the conditions fix of E and B is 0. Throws InvalidInput for a
-    /// form of other cells; if there are no degrees j and j+1; if star_j is not positive or
-    /// star_(j+1) has a negative entry; of dual forms unless the stars of both are positive; for a
-    /// time step that is not below stable_step; for losses that are negative or not as many as
-    /// values; like conditioned_complex and AbsorbingLayer.
-    Waves(const Discretization& mesh, const Cochain& start, const WaveOptions& options = {});
-
-    /// The same without a layer.
-    Waves(const Cells& cells, const Cochain& start, const WaveOptions& options = {});
+    /// From E at the time 0, a value for each cell. Throws InvalidInput like FormSpace::check; if
+    /// there is no degree j+1; for Robin's condition; if star_j is not positive or star_(j+1) has a
+    /// negative entry; of dual forms unless the stars of both are positive; for a time step that is
+    /// not below stable_step; for losses that are negative or not as many as values; like
+    /// layer_parts.
+    Waves(const FormSpace& space, const Vector& start, const WaveOptions& options = {});
 
     /// E now, and B half a step before.
     std::vector<Cochain> forms() const override;
@@ -72,24 +67,17 @@ public:
 
 private:
     struct Scheme;
-    Waves(std::shared_ptr<const Scheme> scheme, const Cochain& start, WaveOptions options,
-          std::function<Fingerprint()> cells);
+    Waves(std::shared_ptr<const Scheme> scheme, const Vector& start, const WaveOptions& options);
     void step(std::vector<Vector>& state) const override;
 
     std::shared_ptr<const Scheme> scheme_;
-    Side side_;
-    int degree_;
     WaveOptions options_;
     std::vector<Vector> start_;
-    std::function<Fingerprint()> cells_;
 };
 
-/// 2 / sqrt of the largest eigenvalue of delta d on forms: steps must be shorter. Units length, of
-/// a mesh's input. Throws InvalidInput like Waves, SolverFailure if the root of a star that is a
-/// matrix takes more memory than there is; infinity if d is zero.
-double stable_step(const Cells& cells, const BoundaryConditions& conditions, Side side, int degree);
-inline double stable_step(const Cells& cells, int degree) {
-    return stable_step(cells, built_in_conditions(Side::primal), Side::primal, degree);
-}
+/// 2 / sqrt of the largest eigenvalue of delta d on the forms of a space: steps must be shorter.
+/// Units length, of a mesh's input. Throws InvalidInput like Waves, SolverFailure if the root of a
+/// star that is a matrix takes more memory than there is; infinity if d is zero.
+double stable_step(const FormSpace& space);
 
 } // namespace polydec

@@ -61,6 +61,10 @@ std::optional<BoundaryConditions> ConditionValues::on(const Discretization& mesh
                            robin_);
 }
 
+FormSpace ConditionValues::space(const Discretization& mesh, Side side, int degree) const {
+    return {mesh, side, degree, on(mesh).value_or(built_in_conditions(side))};
+}
+
 std::optional<BoundaryConditions> ConditionValues::without_robin(const Discretization& mesh) const {
     BoundaryConditions result{BoundaryCondition::natural};
     if (!essential_on_.empty())

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/discretization.h"
-#include "dec/forms/boundary_conditions.h"
+#include "dec/form_space.h"
 #include "tools/expression.h"
 
 #include <CLI/CLI.hpp>
@@ -45,6 +45,9 @@ public:
     /// On the facets of this mesh; none if none were asked for. Throws like SiteValues::at,
     /// polydec::essential_on and require_essential.
     std::optional<BoundaryConditions> on(const Discretization& mesh) const;
+
+    /// The forms of this side and degree under them, or under the built-in ones.
+    FormSpace space(const Discretization& mesh, Side side, int degree) const;
 
     /// The file that says where, if one does; of facets, and of vertices.
     std::optional<std::filesystem::path> file() const;

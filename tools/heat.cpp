@@ -54,7 +54,7 @@ struct Heat {
     const HeatArguments& arguments;
     const Discretization& mesh;
     Cochain start;
-    std::optional<BoundaryConditions> conditions;
+    FormSpace space;
     std::optional<FormValues> source, boundary, flux;
 };
 
@@ -155,7 +155,7 @@ std::unique_ptr<Run> integrated(const Heat& heat) {
     const Side side = heat.start.side;
     const int degree = heat.start.degree;
     const Discretization& mesh = heat.mesh;
-    Unknown unknown{.start = heat.start, .diffusion = 1, .conditions = heat.conditions};
+    Unknown unknown{.space = heat.space, .start = heat.start.values, .diffusion = 1};
     if (heat.boundary || heat.flux)
         unknown.boundary = [values = in_time(heat.boundary,
                                              [&, side, degree](double t) {
@@ -183,7 +183,7 @@ std::unique_ptr<Run> integrated(const Heat& heat) {
     options.steps = {.relative_tolerance = tolerance,
                      .absolute_tolerance = 1e-3 * tolerance * largest_of(heat),
                      .fixed_step = heat.arguments.time.time_step};
-    return std::make_unique<Evolution>(mesh, std::vector{unknown}, reaction, options);
+    return std::make_unique<Evolution>(std::vector{unknown}, reaction, options);
 }
 
 /// By what was asked for; else equal steps by a scheme.
@@ -194,9 +194,7 @@ std::unique_ptr<Run> run_of(const Heat& heat, const TimeSteps& steps) {
     progress("factorize");
     auto options = heat.arguments.heat;
     options.time_step = steps.length;
-    return std::make_unique<HeatRun>(heat.mesh,
-                                     heat.conditions.value_or(built_in_conditions(heat.start.side)),
-                                     heat.start, options);
+    return std::make_unique<HeatRun>(heat.space, heat.start.values, options);
 }
 
 void check_boundary(const HeatArguments& arguments) {
@@ -237,18 +235,18 @@ void run_heat(const HeatArguments& arguments) {
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.time.out.empty())
         check_drawable(mesh);
-    const auto given = asked.on(mesh);
-    const auto conditions = given.value_or(built_in_conditions(side));
+    const auto space =
+        computed_on(arguments.mesh.mesh, [&] { return asked.space(mesh, side, degree); });
     const Heat heat{arguments,
                     mesh,
                     initial.on(mesh, side, degree),
-                    given,
+                    space,
                     std::move(source),
                     std::move(boundary),
                     std::move(flux)};
     log.timing.begin("solve");
     const std::string words =
-        in_words(conditions, mesh.complex(), degree,
+        in_words(space.conditions(), mesh.complex(), degree,
                  {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
     PageText text;
     text.title = fmt::format("{}: heat", arguments.mesh.mesh.filename().string());

@@ -2,7 +2,6 @@
 #include "solvers/hodge.h"
 
 #include "base/errors.h"
-#include "dec/conditioned_complex.h"
 #include "io/diagnosis_json.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
@@ -64,19 +63,6 @@ struct Divided : Answer {
     }
 };
 
-/// The parts under conditions on the boundary, as forms on the whole mesh.
-HodgeParts divided(const Discretization& mesh, const ConditionedComplex& space, const Cochain& form,
-                   const std::string& engine) {
-    const int k = cell_degree(mesh.complex(), form.side, form.degree);
-    const auto& relative = space.relative;
-    auto parts =
-        hodge_decomposition({relative.complex, space.stars},
-                            {form.side, form.degree, relative.restrict(k, form.values)}, engine);
-    for (Cochain* part : {&parts.exact, &parts.coexact, &parts.harmonic})
-        part->values = relative.extend(k, part->values);
-    return parts;
-}
-
 void draw(const HodgeArguments& arguments, const Discretization& mesh, const Cochain& form,
           const HodgeParts& parts, const Divided& answer, const Log& log) {
     PageText text;
@@ -100,22 +86,20 @@ void run_hodge(const HodgeArguments& arguments) {
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.picture.out.empty())
         check_drawable(mesh);
-    const auto conditions = asked.on(mesh).value_or(built_in_conditions(arguments.side));
+    const auto space = computed_on(
+        arguments.mesh.mesh, [&] { return asked.space(mesh, arguments.side, arguments.degree); });
     Cochain form = given.on(mesh, arguments.side, arguments.degree);
     log.timing.begin("solve");
-    const auto space = computed_on(arguments.mesh.mesh, [&] {
-        return conditioned_complex(mesh, form.side, form.degree, conditions);
-    });
-    const int k = cell_degree(mesh.complex(), form.side, form.degree);
-    form.values = space.relative.extend(k, space.relative.restrict(k, form.values));
+    form.values = space.extend(space.restrict(form.values));
     const HodgeParts parts = computed_on(arguments.mesh.mesh, [&] {
         const Progress progress;
         progress("solve");
-        return divided(mesh, space, form, arguments.engine);
+        return hodge_decomposition(space, form, arguments.engine);
     });
     const auto norm_of = [&](const Cochain& part) {
-        const Cochain kept{part.side, part.degree, space.relative.restrict(k, part.values)};
-        const double squared = inner_product({space.relative.complex, space.stars}, kept, kept);
+        const Cochain kept{part.side, part.degree, space.restrict(part.values)};
+        const Cells inside = space.inside();
+        const double squared = inner_product({inside.complex(), inside.stars()}, kept, kept);
         return in_input_units(std::sqrt(std::max(0.0, squared)), mesh.unit(),
                               mesh.dimension() / 2.0 - part.degree);
     };
@@ -126,7 +110,7 @@ void run_hodge(const HodgeArguments& arguments) {
     answer.exact = norm_of(parts.exact);
     answer.coexact = norm_of(parts.coexact);
     answer.harmonic = norm_of(parts.harmonic);
-    answer.conditions = in_words(conditions, mesh.complex(), form.degree);
+    answer.conditions = space.in_words();
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(arguments, mesh, form, parts, answer, log);

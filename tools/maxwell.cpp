@@ -28,7 +28,8 @@ struct MaxwellArguments {
     int degree = 1;
     std::string initial, current, pulse = "1";
     std::string permittivity, permeability, conductivity;
-    AbsorbingLayer layer;
+    double layer_width = 0;
+    LayerKind layer = LayerKind::automatic;
 };
 
 /// What is given of a material, as expressions or files.
@@ -154,11 +155,16 @@ void run_maxwell(const MaxwellArguments& arguments) {
     const auto on_cells = [&](const FormValues& values) {
         return values.on(empty, arguments.side, arguments.degree);
     };
-    WaveOptions options{.loss = filling.loss(), .layer = arguments.layer};
-    options.conditions = asked.on(empty).value_or(BoundaryConditions{BoundaryCondition::essential});
-    Cochain start = on_cells(first);
+    WaveOptions options{.loss = filling.loss()};
+    if (arguments.layer_width > 0)
+        options.layer = {filling.filled(), arguments.layer_width, arguments.layer};
+    const auto space = computed_on(arguments.mesh.mesh, [&] {
+        return FormSpace(filling.filled(), arguments.side, arguments.degree,
+                         asked.on(empty).value_or(BoundaryConditions{}));
+    });
+    Vector start = on_cells(first).values;
     if (!initial)
-        start.values.setZero();
+        start.setZero();
     if (current) {
         pulse.of_label(0); // which there must be
         const Vector source = filling.source(on_cells(*current).values);
@@ -166,7 +172,7 @@ void run_maxwell(const MaxwellArguments& arguments) {
         options.label =
             fmt::format("{} of {:x}", arguments.pulse, polydec::Fingerprint().add(source).value());
     }
-    answer_waves(words_of(arguments), filling.filled(), start, options, arguments.mesh,
+    answer_waves(words_of(arguments), filling.filled(), space, start, options, arguments.mesh,
                  arguments.time, log);
 }
 
@@ -206,12 +212,12 @@ void add_maxwell(CLI::App& app) {
         ->capture_default_str();
     add_materials(*command, *arguments);
     command
-        ->add_option("--absorb", arguments->layer.width,
+        ->add_option("--absorb", arguments->layer_width,
                      "waves die away in a layer of this width along the sides of the box\n"
                      "around the mesh; ten cells throw back less than 1e-4")
         ->check(CLI::PositiveNumber);
     command
-        ->add_option("--layer", arguments->layer.kind,
+        ->add_option("--layer", arguments->layer,
                      "stretched coordinates, for cells parallel to the axes, or conducting,\n"
                      "for any cells and waves that come straight")
         ->transform(CLI::CheckedTransformer(

@@ -32,6 +32,8 @@ namespace {
 
 struct SpectrumArguments {
     MeshArguments mesh;
+    Side side = Side::primal;
+    int degree = 0;
     SpectrumOptions spectrum;
     ConditionArguments conditions;
     bool certify = true;
@@ -45,15 +47,8 @@ struct SpectrumArguments {
 /// Vectors as they are found, in a file, and what it is of.
 class FoundModes {
 public:
-    FoundModes(const std::filesystem::path& path, const Discretization& mesh,
-               const BoundaryConditions& conditions, const SpectrumOptions& options)
-        : path_(path) {
-        polydec::Fingerprint problem;
-        problem.add("spectrum").add(mesh).add(name(options.side));
-        problem.add(static_cast<std::uint64_t>(options.degree));
-        problem.add(in_words(conditions, mesh.complex(), options.degree));
-        problem_ = problem.add(conditions).value();
-    }
+    FoundModes(const std::filesystem::path& path, const FormSpace& space)
+        : path_(path), problem_(polydec::Fingerprint().add("spectrum").add(space).value()) {}
 
     /// None if there is no file yet.
     DenseMatrix read() const {
@@ -83,17 +78,14 @@ private:
     std::uint64_t problem_;
 };
 
-/// Negative duals make A indefinite; the negative eigenvalues they bring come first and mean
-/// nothing.
 /// Eigensolvers keep a few vectors for each eigenpair. More than there are is another's to tell.
-void check_cost(const Discretization& mesh, const SpectrumOptions& options) {
-    const int k = options.side == Side::primal ? options.degree : mesh.dimension() - options.degree;
-    if (k < 0 || k > mesh.dimension() || options.count > mesh.complex().size(k))
+void check_cost(const FormSpace& space, Index count) {
+    if (count > space.size())
         return;
     constexpr double vectors_each = 3;
-    const double rows = mesh.complex().size(k);
-    check_memory(vectors_each * options.count * rows * sizeof(double),
-                 fmt::format("a spectrum of {} eigenpairs of {} values", options.count, rows));
+    const double rows = space.size();
+    check_memory(vectors_each * count * rows * sizeof(double),
+                 fmt::format("a spectrum of {} eigenpairs of {} values", count, rows));
 }
 
 void draw(const SpectrumArguments& arguments, const Discretization& mesh, const Eigenvalues& answer,
@@ -104,7 +96,7 @@ void draw(const SpectrumArguments& arguments, const Discretization& mesh, const 
     Page page =
         draw_page(mesh, answer.spectrum,
                   fmt::format("{}: modes, {} {}-forms", arguments.mesh.mesh.filename().string(),
-                              name(arguments.spectrum.side), arguments.spectrum.degree));
+                              name(arguments.side), arguments.degree));
     auto& facts = page.text.facts;
     facts.insert(facts.begin() + 1, {answer.conditions, in_words(answer.stars)});
     write_page(out, std::move(page), log);
@@ -123,11 +115,12 @@ void run_spectrum(SpectrumArguments arguments) {
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.picture.out.empty())
         check_drawable(mesh);
-    check_cost(mesh, arguments.spectrum);
-    const auto boundary = asked.on(mesh).value_or(built_in_conditions(arguments.spectrum.side));
+    const auto space = computed_on(
+        arguments.mesh.mesh, [&] { return asked.space(mesh, arguments.side, arguments.degree); });
+    check_cost(space, arguments.spectrum.count);
     std::optional<Index> resumed;
     if (!arguments.checkpoint.empty()) {
-        const FoundModes modes(arguments.checkpoint, mesh, boundary, arguments.spectrum);
+        const FoundModes modes(arguments.checkpoint, space);
         if (arguments.resume)
             arguments.spectrum.start = modes.read();
         resumed = static_cast<Index>(arguments.spectrum.start.cols());
@@ -140,13 +133,12 @@ void run_spectrum(SpectrumArguments arguments) {
         arguments.spectrum.progress = [&](std::string_view what) { progress(what); };
         if (!arguments.certify)
             arguments.spectrum.certification = Certification::waived;
-        return spectrum(mesh, boundary, arguments.spectrum);
+        return spectrum(space, arguments.spectrum);
     });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
 
     log.warn(result.warnings);
-    Eigenvalues answer(result, in_words(boundary, mesh.complex(), result.degree),
-                       mesh.chosen_stars(), seconds.count());
+    Eigenvalues answer(result, space.in_words(), mesh.chosen_stars(), seconds.count());
     answer.resumed = resumed;
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
@@ -166,7 +158,7 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
     log.timing.begin("solve");
     const auto since = std::chrono::steady_clock::now();
     ShapeSpectrumOptions& options = arguments.shape;
-    options.degree = arguments.spectrum.degree;
+    options.degree = arguments.degree;
     options.count = arguments.spectrum.count;
     options.linear_solver = arguments.spectrum.linear_solver;
     options.eigen_solver = arguments.spectrum.eigen_solver;
@@ -227,10 +219,9 @@ void add_spectrum(CLI::App& app) {
     const auto arguments = std::make_shared<SpectrumArguments>();
     add_mesh_arguments(*command, arguments->mesh);
     add_star(*command, arguments->mesh, StarKind::automatic);
-    auto* side = add_side(*command, arguments->spectrum.side)->required();
+    auto* side = add_side(*command, arguments->side)->required();
     auto* degree =
-        command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")
-            ->required();
+        command->add_option("--degree", arguments->degree, "degree of the forms")->required();
     command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")
         ->capture_default_str();
     add_conditions(*command, arguments->conditions,

@@ -3,6 +3,7 @@
 #include "tools/common.h"
 #include "tools/conditions.h"
 #include "tools/form_values.h"
+#include "tools/messages.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
 #include "tools/wave_answer.h"
@@ -37,9 +38,9 @@ void run_wave(const WaveArguments& arguments) {
         fmt::format("d2u/dt2 = -delta d u of a {} {}-form, u = {} at rest at the time 0",
                     name(arguments.side), arguments.degree, arguments.initial),
         "u", "the wave"};
-    WaveOptions options;
-    options.conditions = asked.on(mesh).value_or(built_in_conditions(arguments.side));
-    answer_waves(words, mesh, initial.on(mesh, arguments.side, arguments.degree), options,
+    const auto space = computed_on(
+        arguments.mesh.mesh, [&] { return asked.space(mesh, arguments.side, arguments.degree); });
+    answer_waves(words, mesh, space, initial.on(mesh, arguments.side, arguments.degree).values, {},
                  arguments.mesh, arguments.time, log);
 }
 

@@ -58,21 +58,20 @@ struct Swung : Answer {
 
 } // namespace
 
-void answer_waves(const WaveWords& words, const Discretization& mesh, const Cochain& start,
-                  WaveOptions options, const MeshArguments& arguments, const TimeArguments& time,
-                  Log& log) {
-    const auto& [side, degree, values] = start;
+void answer_waves(const WaveWords& words, const Discretization& mesh, const FormSpace& space,
+                  const Vector& start, WaveOptions options, const MeshArguments& arguments,
+                  const TimeArguments& time, Log& log) {
     log.timing.begin("solve");
     Swung answer(mesh.chosen_stars());
     const double stable = computed_on(arguments.mesh, [&] {
         const Progress progress;
         progress("find the stable step");
-        return stable_step(mesh, *options.conditions, side, degree);
+        return stable_step(space);
     });
     const TimeSteps steps = time_steps(time, part_of_stable_step * stable);
     options.time_step = steps.length;
-    Waves run(mesh, start, options);
-    const std::string conditions = in_words(*options.conditions, mesh.complex(), degree);
+    Waves run(space, start, options);
+    const std::string conditions = space.in_words();
     PageText text;
     text.title = words.title;
     text.facts = {words.equation, conditions, in_words(answer.stars)};
@@ -80,13 +79,13 @@ void answer_waves(const WaveWords& words, const Discretization& mesh, const Coch
                           return std::vector{NamedForm(words.form, now.form(0), words.form_words)};
                       }};
     const Ran ran = march_to_end(run, march, time, arguments.mesh, mesh);
-    answer.side = side;
-    answer.degree = degree;
+    answer.side = space.side();
+    answer.degree = space.degree();
     answer.steps = steps;
     answer.ran = ran;
     answer.conditions = conditions;
     answer.layer = run.layer();
-    answer.layer_width = options.layer.width;
+    answer.layer_width = options.layer ? options.layer->width : 0;
     if (std::isfinite(stable))
         answer.stable_step = stable;
     const Vector E = run.form(0).values;

@@ -17,9 +17,9 @@ struct WaveWords {
     std::string form, form_words; ///< of the form
 };
 
-/// Marches a wave, and answers. Of the options all but the step are given, the conditions too.
-void answer_waves(const WaveWords& words, const Discretization& mesh, const Cochain& start,
-                  WaveOptions options, const MeshArguments& arguments, const TimeArguments& time,
-                  Log& log);
+/// Marches a wave of a space on a mesh, and answers. Of the options all but the step are given.
+void answer_waves(const WaveWords& words, const Discretization& mesh, const FormSpace& space,
+                  const Vector& start, WaveOptions options, const MeshArguments& arguments,
+                  const TimeArguments& time, Log& log);
 
 } // namespace polydec::tools

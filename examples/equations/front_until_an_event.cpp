@@ -16,8 +16,9 @@ int main() {
         return std::vector<polydec::Vector>{u * (1 - u) * (u - 0.1)};
     };
     const auto in_the_middle = [](double, const auto& now) { return now[0].values[200] - 0.5; };
-    polydec::Evolution fire(line, {{.start = front, .diffusion = 1}}, reaction,
-                            {.event = in_the_middle});
+    polydec::Evolution fire(
+        {{.space = {line, polydec::Side::primal, 0}, .start = front.values, .diffusion = 1}},
+        reaction, {.event = in_the_middle});
     fire.march(100);
     std::cout << "in the middle at " << fire.time() << '\n';
 }

@@ -17,7 +17,9 @@ int main() {
         return std::vector<polydec::Vector>{amount * shape.values};
     };
     polydec::Evolution heat(
-        square, {{.start = shape, .diffusion = 1, .conditions = polydec::BoundaryConditions{}}},
+        {{.space = {square, polydec::Side::primal, 0, {polydec::BoundaryCondition::essential}},
+          .start = shape.values,
+          .diffusion = 1}},
         source);
     heat.march(2);
     const auto error = heat.form(0) - std::cos(2) * shape;

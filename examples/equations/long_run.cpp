@@ -9,7 +9,8 @@
 void run(const std::vector<double>& times) {
     const auto sphere = polydec::discretize(polydec::goldberg(8));
     const polydec::Cochain z{polydec::Side::primal, 0, sphere.points().col(2)};
-    polydec::Evolution heat(sphere, {{.start = z, .diffusion = 1}});
+    polydec::Evolution heat(
+        {{.space = {sphere, polydec::Side::primal, 0}, .start = z.values, .diffusion = 1}});
     const auto show = [&](const polydec::Run& now) {
         const double left = polydec::norm(sphere, now.form(0)) / polydec::norm(sphere, z);
         std::cout << "at " << now.time() << " there is " << left << '\n';

@@ -14,12 +14,13 @@ int main() {
                                            const double near = std::exp(-60 * r.squaredNorm());
                                            return polydec::Vector{{-r[1] * near, r[0] * near, 0}};
                                        }));
-    polydec::WaveOptions open{.time_step = 0.025, .layer = {.width = 0.25}};
-    open.conditions = polydec::BoundaryConditions{}; // behind the layer, conductors
+    polydec::WaveOptions open{.time_step = 0.025, .layer = polydec::AbsorbingLayer{box, 0.25}};
     open.source = [&](double t) -> polydec::Vector {
         return (t - 0.5) * std::exp(-50 * std::pow(t - 0.5, 2)) * ring.values;
     };
-    polydec::Waves light(box, 0 * ring, open);
+    const polydec::FormSpace behind_conductors(box, polydec::Side::primal, 1,
+                                               {polydec::BoundaryCondition::essential});
+    polydec::Waves light(behind_conductors, 0 * ring.values, open);
     double most = 0;
     light.march(3, [&](double) { most = std::max(most, light.energy()); });
     std::cout << "of the energy stays " << light.energy() / most << '\n';

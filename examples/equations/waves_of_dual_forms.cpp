@@ -11,7 +11,7 @@ int main() {
     const auto z = polydec::dual_de_rham(
         sphere, 0, polydec::function_form([](const auto& x) { return x[2]; }));
     const double half = std::numbers::pi / std::sqrt(2);
-    polydec::Waves waves(sphere, z, {.time_step = half / 50});
+    polydec::Waves waves({sphere, polydec::Side::dual, 0}, z.values, {.time_step = half / 50});
     const double before = waves.energy();
     waves.march(half);
     const double after = waves.energy() / before;

@@ -58,8 +58,8 @@ void add_degree(Report& report, const Request& request, int k, int levels) {
                 request.progress(fmt::format("Delta_{}, {}, level {}", k, family.name, level));
             const auto mesh = discretized(family.make(level));
             const auto all = clusters(k);
-            const auto modes =
-                spectrum(mesh, {.degree = k, .count = all.back().first + all.back().count});
+            const auto modes = spectrum({mesh, polydec::Side::primal, k},
+                                        {.count = all.back().first + all.back().count});
             lengths.push_back(mesh.volumes().primal(1).mean());
             for (const auto& [l, first, count] : all) {
                 const Vector values = modes.eigenvalues.segment(first, count);

@@ -32,7 +32,8 @@ void mixed_poisson() {
 void first_eigenvalues() {
     const auto mesh = polydec::discretize(polydec::grid(32, 32));
     const auto print = [&](const polydec::BoundaryConditions& conditions) {
-        const auto modes = polydec::spectrum(mesh, conditions, {.count = 1});
+        const auto modes =
+            polydec::spectrum({mesh, polydec::Side::primal, 0, conditions}, {.count = 1});
         constexpr double pi = std::numbers::pi;
         const double value = modes.eigenvalues[0] / (pi * pi);
         std::cout << (std::abs(value) < 1e-10 ? 0 : value) << ' ';

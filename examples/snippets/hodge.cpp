@@ -29,14 +29,13 @@ polydec::Mesh ring(int around, int across) {
 
 void decompose() {
     const auto mesh = polydec::discretize(ring(48, 8));
-    const auto& P = mesh.complex();
     const auto w = polydec::de_rham(mesh, 1, polydec::circulation_form([](const auto& p) {
                                         return polydec::Vector{{p[0] - p[1], p[0]}};
                                     }));
-    const auto parts = polydec::hodge_decomposition({P, mesh.volumes()}, w);
+    const auto parts = polydec::hodge_decomposition({mesh, polydec::Side::primal, 1}, w);
 
     const auto energy = [&](const polydec::Cochain& form) {
-        return polydec::inner_product({P, mesh.volumes()}, form, form);
+        return polydec::inner_product(mesh, form, form);
     };
     std::cout << energy(w) << " = " << energy(parts.exact) << " + " << energy(parts.coexact)
               << " + " << energy(parts.harmonic) << '\n';
@@ -44,10 +43,8 @@ void decompose() {
 
 void harmonic() {
     const auto mesh = polydec::discretize(ring(48, 8));
-    const auto& P = mesh.complex();
-    const polydec::DenseMatrix h =
-        polydec::harmonic_forms({P, mesh.volumes()}, polydec::Side::primal, 1);
-    const polydec::SparseMatrix loops = polydec::homology_generators(P, 1);
+    const polydec::DenseMatrix h = polydec::harmonic_forms({mesh, polydec::Side::primal, 1});
+    const polydec::SparseMatrix loops = polydec::homology_generators(mesh.complex(), 1);
     const polydec::Vector period = loops.transpose() * h.col(0);
     const double exact = std::sqrt(2 * std::numbers::pi / std::log(2.0));
     std::cout << h.cols() << " harmonic 1-form of period " << std::abs(period[0]) << ", exact "
@@ -56,19 +53,16 @@ void harmonic() {
 
 void relative() {
     const auto mesh = polydec::discretize(ring(48, 8));
-    const auto relative = polydec::relative_to_boundary(mesh.complex());
-    const auto volumes = polydec::relative_volumes(relative, mesh.volumes());
-    std::cout << "harmonic forms of degree 0, 1, 2: absolute";
-    for (int k = 0; k <= 2; ++k)
-        std::cout << ' '
-                  << polydec::harmonic_forms({mesh.complex(), mesh.volumes()},
-                                             polydec::Side::primal, k)
-                         .cols();
-    std::cout << ", relative";
-    for (int k = 0; k <= 2; ++k)
-        std::cout << ' '
-                  << polydec::harmonic_forms({relative.complex, volumes}, polydec::Side::primal, k)
-                         .cols();
+    std::cout << "harmonic forms of degree 0, 1, 2:";
+    for (const auto condition :
+         {polydec::BoundaryCondition::natural, polydec::BoundaryCondition::essential}) {
+        std::cout << (condition == polydec::BoundaryCondition::natural ? " absolute"
+                                                                       : ", relative");
+        for (int k = 0; k <= 2; ++k)
+            std::cout
+                << ' '
+                << polydec::harmonic_forms({mesh, polydec::Side::primal, k, {condition}}).cols();
+    }
     std::cout << '\n';
 }
 

@@ -14,8 +14,7 @@ namespace {
 /// Heat up to a time, from where a checkpoint says or from the start.
 polydec::Vector heat_until(double end, const polydec::Discretization& sphere,
                            const polydec::Cochain& start) {
-    polydec::HeatRun heat(sphere, polydec::built_in_conditions(start.side), start,
-                          {.time_step = 0.01});
+    polydec::HeatRun heat({sphere, polydec::Side::primal, 0}, start.values, {.time_step = 0.01});
     polydec::Frames frames(
         heat, {0.1, 0.2, 0.3, 0.4, 0.5},
         {.checkpoint = "heat.checkpoint", .stop = [&] { return heat.time() > end; }});
@@ -37,8 +36,9 @@ double error_with_source(int cells, double tolerance) {
         return std::vector<polydec::Vector>{(2 * pi * pi * std::cos(t) - std::sin(t)) *
                                             wave.values};
     };
-    polydec::Evolution heat(square, {{.start = wave, .diffusion = 1}}, source,
-                            {.steps = {.relative_tolerance = tolerance}});
+    polydec::Evolution heat(
+        {{.space = {square, polydec::Side::primal, 0}, .start = wave.values, .diffusion = 1}},
+        source, {.steps = {.relative_tolerance = tolerance}});
     heat.march(1);
     return polydec::norm(square, heat.form(0) - std::cos(1) * wave);
 }
@@ -53,7 +53,9 @@ double speed_of_front() {
         const auto u = now[0].values.array();
         return std::vector<polydec::Vector>{r * u * (1 - u)};
     };
-    polydec::Evolution front(strip, {{.start = u0, .diffusion = nu}}, growth);
+    polydec::Evolution front(
+        {{.space = {strip, polydec::Side::primal, 0}, .start = u0.values, .diffusion = nu}},
+        growth);
     const auto amount = [&] {
         return polydec::star(strip, 0).diagonal().dot(front.form(0).values);
     };
@@ -68,14 +70,16 @@ double swing_below() {
     auto depth = polydec::kuhn(1, 60);
     depth.points *= 6;
     const auto ground = polydec::discretize(depth);
-    const polydec::Cochain cold{polydec::Side::primal, 0, polydec::Vector::Zero(61)};
+    const polydec::Vector cold = polydec::Vector::Zero(61);
     const auto surface = polydec::essential_where(polydec::facet_sites(ground),
                                                   [](const auto& x) { return x[0] < 1e-9; });
     const auto weather = [](double t) {
         return polydec::BoundaryForms{.values = polydec::Vector::Constant(61, std::cos(t))};
     };
-    polydec::Evolution heat(
-        ground, {{.start = cold, .diffusion = 1, .conditions = surface, .boundary = weather}});
+    polydec::Evolution heat({{.space = {ground, polydec::Side::primal, 0, surface},
+                              .start = cold,
+                              .diffusion = 1,
+                              .boundary = weather}});
     double most = 0;
     for (double t = 40; t < 40 + 2 * std::numbers::pi; t += 0.05) {
         heat.march(t);

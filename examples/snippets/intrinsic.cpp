@@ -21,8 +21,7 @@ polydec::Mesh pebble(int frequency) {
 }
 
 void print_spectrum(const char* name, const polydec::Discretization& surface) {
-    const auto modes =
-        polydec::spectrum(surface, {.side = polydec::Side::dual, .degree = 0, .count = 3});
+    const auto modes = polydec::spectrum({surface, polydec::Side::dual, 0}, {.count = 3});
     std::cout << name << modes.eigenvalues.transpose() << '\n';
 }
 

@@ -12,7 +12,7 @@ using std::numbers::pi;
 
 void forms_with_sources() {
     const auto mesh = polydec::discretize(polydec::torus(24, 16));
-    const polydec::HodgeLaplaceSolver solver(mesh, {.degree = 1});
+    const polydec::HodgeLaplaceSolver solver({mesh, polydec::Side::primal, 1});
     const auto f = polydec::de_rham(mesh, 1, polydec::circulation_form([](const auto& x) {
                                         return polydec::Vector{{x[1], -x[0], x[2]}};
                                     }));
@@ -40,8 +40,9 @@ void magnet() {
                                            const double j = r > 0.2 && r < 0.35 ? 1 / r : 0;
                                            return polydec::Vector{{-j * b, j * a, 0}};
                                        }));
-    const polydec::HodgeLaplaceSolver solver(iron, {.degree = 1});
-    const auto [A, removed, report] = polydec::solve_curl_curl(solver, mesh.complex(), coil);
+    const polydec::HodgeLaplaceSolver solver(
+        {iron, polydec::Side::primal, 1, {polydec::BoundaryCondition::essential}});
+    const auto [A, removed, report] = polydec::solve_curl_curl(solver, coil);
 
     const auto B = polydec::d(iron.complex(), A);
     std::cout << "energy of the field " << 0.5 * std::pow(polydec::norm(iron, B), 2)
@@ -65,13 +66,15 @@ void periodic_box() {
     const auto box = polydec::periodic(polydec::grid(32, 32),
                                        {polydec::Vector{{1, 0}}, polydec::Vector{{0, 1}}});
     const auto mesh = polydec::discretize(box);
-    const auto modes = polydec::spectrum(mesh, {.count = 5});
+    const auto modes = polydec::spectrum({mesh, polydec::Side::primal, 0}, {.count = 5});
     std::cout << "first eigenvalue / (4 pi^2) " << modes.eigenvalues[1] / (4 * pi * pi)
               << ", vertices " << mesh.complex().size(0) << '\n';
     const auto wave = polydec::de_rham(mesh, 1, polydec::circulation_form([](const auto& x) {
                                            return polydec::Vector{{0, std::sin(2 * pi * x[0])}};
                                        }));
-    const auto u = polydec::HodgeLaplaceSolver(mesh, {.degree = 1}).solve(4 * pi * pi * wave).form;
+    const auto u = polydec::HodgeLaplaceSolver({mesh, polydec::Side::primal, 1})
+                       .solve(4 * pi * pi * wave)
+                       .form;
     std::cout << "error " << polydec::norm(mesh, u - wave) / polydec::norm(mesh, wave) << '\n';
 }
 

@@ -12,7 +12,8 @@ int main() {
         [](const auto& x) { return std::sin(pi * x[0]) * std::sin(pi * x[1]); });
     const auto start = polydec::dual_de_rham(drum, 0, sine);
     const double half_period = 1 / std::sqrt(2);
-    polydec::Waves waves(drum, start, {.time_step = half_period / 50});
+    polydec::Waves waves({drum, polydec::Side::dual, 0}, start.values,
+                         {.time_step = half_period / 50});
     waves.march(half_period);
     std::cout << "after half a period "
               << waves.form(0).values.dot(start.values) / start.values.squaredNorm() << '\n';

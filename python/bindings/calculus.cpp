@@ -157,17 +157,24 @@ BoundaryConditions conditions_of(const std::vector<bool>& essential, const Numbe
 /// The cells on which forms obey conditions, and their numbers in the whole.
 py::tuple conditioned_cells(const Cells& of, const std::string& side, int degree,
                             const GivenConditions& conditions) {
-    ConditionedComplex space = unlocked([&, side = side_of(side)] {
-        return conditioned_complex(of, side, degree,
-                                   conditions.value_or(built_in_conditions(side)));
-    });
+    const FormSpace space = space_of(of, side, degree, conditions);
+    space.refuse_robin("a selection of cells");
+    const Cells inside = unlocked([&] { return space.inside(); });
     py::list cells;
-    for (auto& numbers : space.relative.cells)
-        cells.append(array(std::move(numbers)));
-    return py::make_tuple(space.cells(), cells);
+    for (const auto& numbers : space.relative().cells)
+        cells.append(array(std::vector<Index>(numbers)));
+    return py::make_tuple(inside, cells);
 }
 
 } // namespace
+
+FormSpace space_of(const Cells& cells, const std::string& given_side, int degree,
+                   const GivenConditions& conditions) {
+    const Side side = side_of(given_side);
+    return unlocked([&] {
+        return FormSpace(cells, side, degree, conditions.value_or(built_in_conditions(side)));
+    });
+}
 
 void add_calculus(py::module_& module) {
     py::class_<BoundaryConditions>(module, "Conditions").def(py::init(&conditions_of));

@@ -26,12 +26,10 @@ void add_heat(py::module_& module) {
     using Heat = Guarded<HeatSolver>;
     py::class_<Heat>(module, "HeatSolver")
         .def(py::init([](const Cells& of, const GivenConditions& conditions,
-                         const std::string& given_side, int degree, double time_step,
+                         const std::string& side, int degree, double time_step,
                          const std::string& scheme, const std::string& engine) {
             const HeatOptions options = heat_options(time_step, scheme, engine);
-            const Side side = side_of(given_side);
-            return guarded<HeatSolver>(of, conditions.value_or(built_in_conditions(side)), side,
-                                       degree, options);
+            return guarded<HeatSolver>(space_of(of, side, degree, conditions), options);
         }))
         .def("step", [](Heat& self, const std::string& side, int degree, const Numbers& values,
                         Index steps) {
@@ -90,11 +88,12 @@ std::function<double(double, const std::vector<Cochain>&)> event_of(const py::ob
 /// the data on the boundary.
 using GivenUnknown = std::tuple<std::string, int, Numbers, double, GivenConditions, py::object>;
 
-std::vector<Unknown> unknowns_of(const std::vector<GivenUnknown>& given) {
+std::vector<Unknown> unknowns_of(const Cells& of, const std::vector<GivenUnknown>& given) {
     std::vector<Unknown> result;
     for (const auto& [side, degree, values, diffusion, conditions, boundary] : given) {
-        Unknown unknown{
-            .start = form(side, degree, values), .diffusion = diffusion, .conditions = conditions};
+        Unknown unknown{.space = space_of(of, side, degree, conditions),
+                        .start = vector(values),
+                        .diffusion = diffusion};
         unknown.boundary = in_time<GivenBoundary>(boundary, boundary_forms);
         result.push_back(std::move(unknown));
     }
@@ -206,37 +205,40 @@ std::unique_ptr<AnyRun> evolution_of(const Cells& of, const std::vector<GivenUnk
                                    .linear_solver = linear_solver,
                                    .event = event_of(event),
                                    .label = label};
-    const auto given = unknowns_of(unknowns);
+    const auto given = unknowns_of(of, unknowns);
     const auto rate = reaction_of(reaction);
-    return run_of<Evolution>(of, given, rate, options);
+    return run_of<Evolution>(given, rate, options);
 }
 
-/// A layer as Python names it: width, kind, sides, reflection, power.
-using GivenLayer =
-    std::tuple<double, std::string, std::vector<std::array<bool, 2>>, double, double>;
+/// A layer as Python names it: mesh, width, kind, sides, reflection, power; or none.
+using GivenLayer = std::optional<std::tuple<Discretization, double, std::string,
+                                            std::vector<std::array<bool, 2>>, double, double>>;
 
-AbsorbingLayer layer_of(const GivenLayer& given) {
-    const auto& [width, kind, sides, reflection, power] = given;
-    return {width,
-            chosen<LayerKind>("the kind of a layer", kind,
-                              {{"stretched", LayerKind::stretched},
-                               {"conducting", LayerKind::conducting},
-                               {"automatic", LayerKind::automatic}}),
-            sides, reflection, power};
+std::optional<AbsorbingLayer> layer_of(const GivenLayer& given) {
+    if (!given)
+        return std::nullopt;
+    const auto& [mesh, width, kind, sides, reflection, power] = *given;
+    return AbsorbingLayer{mesh,
+                          width,
+                          chosen<LayerKind>("the kind of a layer", kind,
+                                            {{"stretched", LayerKind::stretched},
+                                             {"conducting", LayerKind::conducting},
+                                             {"automatic", LayerKind::automatic}}),
+                          sides,
+                          reflection,
+                          power};
 }
 
 /// Losses of E and of B, and the B that E begins with; of them any may be empty.
 using GivenWave = std::tuple<Numbers, Numbers, Numbers>;
 
-/// A mesh knows where a layer is.
-template <class On>
-std::unique_ptr<AnyRun>
-waves_of(const On& of, const std::string& side, int degree, const Numbers& E, double time_step,
-         const GivenConditions& conditions, const GivenWave& wave, const GivenLayer& layer,
-         const py::object& source, const py::object& upper_source, const std::string& label) {
+std::unique_ptr<AnyRun> waves_of(const Cells& of, const std::string& side, int degree,
+                                 const Numbers& E, double time_step,
+                                 const GivenConditions& conditions, const GivenWave& wave,
+                                 const GivenLayer& layer, const py::object& source,
+                                 const py::object& upper_source, const std::string& label) {
     const auto& [loss, upper_loss, B] = wave;
     const WaveOptions options{.time_step = time_step,
-                              .conditions = conditions,
                               .loss = vector(loss),
                               .upper_loss = vector(upper_loss),
                               .layer = layer_of(layer),
@@ -244,8 +246,7 @@ waves_of(const On& of, const std::string& side, int degree, const Numbers& E, do
                               .source = values_in_time(source),
                               .upper_source = values_in_time(upper_source),
                               .label = label};
-    const Cochain start = form(side, degree, E);
-    return run_of<Waves>(of, start, options);
+    return run_of<Waves>(space_of(of, side, degree, conditions), vector(E), options);
 }
 
 std::unique_ptr<AnyRun> flow_of(const Guarded<IncompressibleFlow>& of, const Numbers& start,
@@ -259,12 +260,10 @@ std::unique_ptr<AnyRun> flow_of(const Guarded<IncompressibleFlow>& of, const Num
     return run_of<Flow>(of.solver, vector(start), steps);
 }
 
-double stable_step_of(const Cells& of, const std::string& given_side, int degree,
+double stable_step_of(const Cells& of, const std::string& side, int degree,
                       const GivenConditions& conditions) {
-    const Side side = side_of(given_side);
-    return unlocked([&] {
-        return stable_step(of, conditions.value_or(built_in_conditions(side)), side, degree);
-    });
+    const FormSpace space = space_of(of, side, degree, conditions);
+    return unlocked([&] { return stable_step(space); });
 }
 
 } // namespace
@@ -273,8 +272,7 @@ void add_in_time(py::module_& module) {
     add_heat(module);
     add_runs(module);
     module.def("evolution", &evolution_of);
-    module.def("waves", &waves_of<Discretization>);
-    module.def("waves", &waves_of<Cells>);
+    module.def("waves", &waves_of);
     module.def("flow", &flow_of);
     module.def("stable_step", &stable_step_of);
 }

@@ -83,10 +83,10 @@ void add_darcy(py::module_& module) {
 void add_hodge(py::module_& module) {
     using Solver = Guarded<HodgeSolver>;
     py::class_<Solver>(module, "HodgeSolver")
-        .def(py::init(
-            [](const Cells& of, const std::string& side, int degree, const std::string& engine) {
-                return guarded<HodgeSolver>(of, side_of(side), degree, engine);
-            }))
+        .def(py::init([](const Cells& of, const std::string& side, int degree,
+                         const GivenConditions& conditions, const std::string& engine) {
+            return guarded<HodgeSolver>(space_of(of, side, degree, conditions), engine);
+        }))
         .def("decompose",
              [](Solver& self, const std::string& side, int degree, const Numbers& values) {
                  const Cochain given = form(side, degree, values);

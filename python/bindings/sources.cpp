@@ -8,33 +8,20 @@ namespace polydec::python {
 
 namespace {
 
-/// A solver of Delta u = f, and the cells that it is for.
-struct FormSolver {
-    CellComplex complex;
-    HodgeLaplaceSolver solver;
-};
-
-std::unique_ptr<Guarded<FormSolver>> form_solver(const Cells& of, const std::string& side,
-                                                 int degree, const BoundaryConditions& conditions,
-                                                 const std::string& engine) {
-    const HodgeLaplaceOptions options{side_of(side), degree, conditions, engine};
-    return unlocked([&] {
-        return std::make_unique<Guarded<FormSolver>>(
-            FormSolver{of.complex(), HodgeLaplaceSolver(of, options)});
-    });
-}
-
 void add_forms_with_sources(py::module_& module) {
-    using Solver = Guarded<FormSolver>;
+    using Solver = Guarded<HodgeLaplaceSolver>;
     py::class_<Solver>(module, "HodgeLaplaceSolver")
-        .def(py::init(&form_solver))
+        .def(py::init([](const Cells& of, const std::string& side, int degree,
+                         const BoundaryConditions& conditions, const std::string& engine) {
+            return guarded<HodgeLaplaceSolver>(space_of(of, side, degree, conditions), engine);
+        }))
         .def("solve",
              [](Solver& self, const std::string& side, int degree, const Numbers& f,
                 const GivenBoundary& data, const Numbers& harmonic) {
                  FormSolution found =
                      self.use([&, given = form(side, degree, f), known = boundary_forms(data),
-                               part = vector(harmonic)](const FormSolver& of) {
-                         return of.solver.solve(given, known, part);
+                               part = vector(harmonic)](const HodgeLaplaceSolver& solver) {
+                         return solver.solve(given, known, part);
                      });
                  return py::make_tuple(parts(std::move(found.form)), parts(std::move(found.beside)),
                                        parts(std::move(found.removed)), report_of(found.report));
@@ -44,14 +31,15 @@ void add_forms_with_sources(py::module_& module) {
                 const GivenBoundary& data) {
                  CurlCurlSolution found =
                      self.use([&, given = form(side, degree, current),
-                               known = boundary_forms(data)](const FormSolver& of) {
-                         return solve_curl_curl(of.solver, of.complex, given, known);
+                               known = boundary_forms(data)](const HodgeLaplaceSolver& solver) {
+                         return solve_curl_curl(solver, given, known);
                      });
                  return py::make_tuple(parts(std::move(found.potential)),
                                        parts(std::move(found.removed)), report_of(found.report));
              })
         .def("harmonic_forms", [](Solver& self) {
-            return array(self.use([](const FormSolver& of) { return of.solver.harmonic_forms(); }));
+            return array(
+                self.use([](const HodgeLaplaceSolver& solver) { return solver.harmonic_forms(); }));
         });
 }
 

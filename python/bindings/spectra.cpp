@@ -40,19 +40,11 @@ py::dict spectrum_of(const Cells& of, const std::string& side, int degree, Index
                      const GivenConditions& conditions, bool coexact, bool certified,
                      const std::string& linear_solver, const std::string& eigen_solver,
                      const py::object& progress) {
-    const SpectrumOptions options{side_of(side),     degree,       count,
-                                  linear_solver,     eigen_solver, certification_of(certified),
+    const SpectrumOptions options{count, linear_solver, eigen_solver, certification_of(certified),
                                   listener(progress)};
-    Spectrum found = unlocked([&] {
-        const auto given = conditions.value_or(built_in_conditions(options.side));
-        if (!coexact)
-            return spectrum(of, given, options);
-        const auto space = conditioned_complex(of, options.side, degree, given);
-        Spectrum on_space = coexact_spectrum(space.cells(), options);
-        on_space.modes =
-            space.relative.extend(cell_degree(of.complex(), options.side, degree), on_space.modes);
-        return on_space;
-    });
+    const FormSpace space = space_of(of, side, degree, conditions);
+    Spectrum found = unlocked(
+        [&] { return coexact ? coexact_spectrum(space, options) : spectrum(space, options); });
     warn(found.warnings);
     auto values = std::move(found.eigenvalues);
     auto modes = std::move(found.modes);

@@ -13,7 +13,7 @@ from ._cell_data import CellNumbers, cell_data
 from ._cells import Form, as_form
 from ._cochain import Cochain
 from ._complex import CellsLike, Complex, as_cells
-from ._conditions import conditions_of
+from ._conditions import conditions_of, conditions_or_none
 from ._vertices import at_cells, at_vertices
 from ._engines import Solution
 
@@ -206,15 +206,19 @@ class HodgeSolver:
     complex : Cells, or a mesh as `discretize` takes it
     degree, side
         Of the forms.
+    essential
+        Where on the boundary the forms and their potentials are 0, as for `spectrum`; without it
+        the conditions hold that need nothing done about the boundary.
     engine : str
         A name of `backends`.
     """
 
     def __init__(self, complex: CellsLike, *, degree: int, side: str = "primal",
-                 engine: str = "auto") -> None:
-        self._complex = complex = as_cells(complex)
+                 essential: Any = None, engine: str = "auto") -> None:
+        self._complex = complex = as_cells(complex, in_units=True)
         self._kind = side, degree
-        self._solver = _core.HodgeSolver(complex._cells, side, degree, engine)
+        self._solver = _core.HodgeSolver(complex._cells, side, degree,
+                                         conditions_or_none(complex, essential), engine)
 
     def decompose(self, form: Form) -> HodgeParts:
         """The parts of a form."""
@@ -232,10 +236,9 @@ class HodgeSolver:
 
 
 def hodge_decomposition(complex: CellsLike, form: Form, *, degree: int | None = None,
-                        side: str = "primal", engine: str = "auto") -> HodgeParts:
+                        side: str = "primal", essential: Any = None,
+                        engine: str = "auto") -> HodgeParts:
     """The Hodge decomposition of a form, as a `HodgeSolver` makes it.
-
-    For conditions on the boundary see `Cells.conditioned`.
 
     Examples
     --------
@@ -248,16 +251,17 @@ def hodge_decomposition(complex: CellsLike, form: Form, *, degree: int | None = 
     """
     complex = as_cells(complex)
     given_side, k, values = as_form(complex, form, degree, side)
-    solver = HodgeSolver(complex, degree=k, side=given_side, engine=engine)
+    solver = HodgeSolver(complex, degree=k, side=given_side, essential=essential, engine=engine)
     return solver.decompose(Cochain(values, k, given_side, complex))
 
 
 def harmonic_forms(complex: CellsLike, degree: int, *, side: str = "primal",
-                   engine: str = "auto") -> Floats:
+                   essential: Any = None, engine: str = "auto") -> Floats:
     """A basis of the harmonic forms, a column each, as a `HodgeSolver` makes it.
 
     >>> import polydec
     >>> polydec.harmonic_forms(polydec.discretize(polydec.meshes.torus(12, 8)), 1).shape
     (192, 2)
     """
-    return HodgeSolver(complex, degree=degree, side=side, engine=engine).harmonic_forms()
+    return HodgeSolver(complex, degree=degree, side=side, essential=essential,
+                       engine=engine).harmonic_forms()

@@ -5,7 +5,6 @@
 #include "base/errors.h"
 #include "complex/components.h"
 #include "complex/homology.h"
-#include "dec/conditioned_complex.h"
 #include "dec/forms/derivative.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/saddle_solver.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/boundary_conditions.h"
 
-#include "dec/conditioned_complex.h"
 #include "dec/discretization.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
+#include "dec/form_space.h"
 #include "dec/forms/derivative.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/circumcentric.h"
@@ -221,7 +221,7 @@ TEST(BoundaryStars, beside_matrices_integrate_products_of_linear_functions) {
 TEST(BranchingCells, have_no_dual_functions) {
     const auto mesh = circumcentric(mesh_named("branching"));
     const auto ask = [&](Side side, int degree) {
-        return refusal([&] { conditioned_complex(mesh, side, degree, built_in_conditions(side)); });
+        return refusal([&] { FormSpace(mesh, side, degree); });
     };
     EXPECT_TRUE(says(ask(Side::dual, 0), {"3 cells", "facet", "primal 0-forms"}));
     EXPECT_EQ(ask(Side::primal, 0), "accepted");

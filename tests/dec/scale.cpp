@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/conditioned_complex.h"
 #include "dec/diagnosis.h"
 #include "dec/discretization.h"
+#include "dec/form_space.h"
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
@@ -84,7 +84,7 @@ TEST_P(AtAllSizes, weights_of_robins_condition_are_in_their_units) {
         const auto found = discretize(scaled(mesh, size), {.star = StarKind::circumcentric});
         const auto weights = [&](const Discretization& of, double coefficient) {
             const BoundaryConditions robin{BoundaryCondition::robin, {}, {coefficient}};
-            return robin_parts(of, Side::primal, 0, robin).weights;
+            return FormSpace(of, Side::primal, 0, robin).robin_weights();
         };
         const SparseMatrix expected = std::pow(size / found.unit(), n - 2) * weights(original, 3);
         EXPECT_LE(relative_difference(weights(found, 3 / size), expected), 1e-12) << exponent;

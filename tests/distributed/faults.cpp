@@ -144,7 +144,7 @@ TEST(Faults, of_solvers_are_the_same_error_everywhere) {
     };
     expect_faults_everywhere(ranks, "Poisson", solve, 20);
     expect_faults_everywhere(
-        ranks, "spectrum", [&] { spectrum(ranks, mesh, {.degree = 0, .count = 3}); }, 20);
+        ranks, "spectrum", [&] { spectrum(ranks, mesh, Side::primal, 0, {.count = 3}); }, 20);
 }
 
 /// A limit of one rank alone, until it goes.

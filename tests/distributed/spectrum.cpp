@@ -17,9 +17,10 @@ Index most_cells() {
     return is_full_sweep() ? 600 : 120;
 }
 
-std::optional<Spectrum> of_one_process(const Discretization& mesh, const SpectrumOptions& options) {
+std::optional<Spectrum> of_one_process(const Discretization& mesh, int degree,
+                                       const SpectrumOptions& options) {
     try {
-        return spectrum(mesh, options);
+        return spectrum({mesh, Side::primal, degree}, options);
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -57,11 +58,11 @@ TEST_P(DistributedSpectra, are_those_of_one_process_with_their_certificates) {
         if (size > most_cells() || size < 2)
             continue;
         const DistributedMesh mesh = discretized(ranks, given, some_ownerships(ranks, name).back());
-        const SpectrumOptions options{.degree = k, .count = std::min(size - 1, most_values)};
-        const auto expected = of_one_process(whole, options);
+        const SpectrumOptions options{.count = std::min(size - 1, most_values)};
+        const auto expected = of_one_process(whole, k, options);
         std::optional<Spectrum> found;
         try {
-            found = spectrum(ranks, mesh, options);
+            found = spectrum(ranks, mesh, Side::primal, k, options);
         } catch (const InvalidInput&) { // where stars are not positive
             continue;
         }
@@ -79,11 +80,11 @@ TEST(DistributedSpectrum, of_all_eigenvalues_needs_no_count) {
     const Mesh& given = mesh_named("grid4");
     const DistributedMesh mesh = discretized(ranks, given, Ownership::morton);
     const auto size = static_cast<Index>(mesh.cells.degree(2).count);
-    const auto all = spectrum(ranks, mesh, {.side = Side::dual, .degree = 0, .count = size});
+    const auto all = spectrum(ranks, mesh, Side::dual, 0, {.count = size});
     EXPECT_EQ(all.eigenvalues.size(), size);
     EXPECT_TRUE(all.certificate.complete);
-    EXPECT_THROW(spectrum(ranks, mesh, {.count = size + 100}), InvalidInput);
-    EXPECT_THROW(spectrum(ranks, mesh, {.degree = 3}), InvalidInput);
+    EXPECT_THROW(spectrum(ranks, mesh, Side::primal, 0, {.count = size + 100}), InvalidInput);
+    EXPECT_THROW(spectrum(ranks, mesh, Side::primal, 3), InvalidInput);
 }
 
 } // namespace polydec::test::in_spectrum

@@ -129,24 +129,26 @@ std::vector<Door> doors_of_forms(const Sample& s) {
         add("boundary", [&](const Cochain& w) { boundary(s.P(), {w.side, w.degree, w.values}); });
         add("to_input", [&](const Cochain& w) { to_input(s.mesh, w); });
         add("hodge_decomposition", [&](const Cochain& w) {
-            hodge_decomposition({s.P(), s.V()}, w, "eigen.ldlt");
+            hodge_decomposition({{s.P(), s.V()}, w.side, w.degree}, w, "eigen.ldlt");
         });
         doors.push_back({std::string("cell_degree, ") + name(side), 0, n,
                          [&s, side](int k) { cell_degree(s.P(), side, k); }});
         doors.push_back({std::string("HeatSolver, ") + name(side), 0, n, [&s, side](int k) {
-                             HeatSolver({s.P(), s.V()}, side, k, {.time_step = 0.01});
+                             HeatSolver({{s.P(), s.V()}, side, k}, {.time_step = 0.01});
                          }});
         doors.push_back({std::string("spectrum, ") + name(side), 0, n, [&s, side](int k) {
-                             spectrum({s.P(), s.V()}, {.side = side, .degree = k, .count = 1});
+                             spectrum({{s.P(), s.V()}, side, k}, {.count = 1});
                          }});
         doors.push_back({std::string("harmonic_forms, ") + name(side), 0, n, [&s, side](int k) {
-                             harmonic_forms({s.P(), s.V()}, side, k, "eigen.ldlt");
+                             harmonic_forms({{s.P(), s.V()}, side, k}, "eigen.ldlt");
                          }});
     }
-    doors.push_back({"stable_step", 0, n - 1, [&](int k) { stable_step({s.P(), s.V()}, k); }});
+    doors.push_back({"stable_step", 0, n - 1, [&](int k) {
+                         stable_step({{s.P(), s.V()}, Side::primal, k});
+                     }});
     doors.push_back(
         {"Waves", 0, n - 1, [&](int k) {
-             Waves({s.P(), s.V()}, {Side::primal, k, Vector::Zero(s.size(k))}, {.time_step = 1e-3});
+             Waves({{s.P(), s.V()}, Side::primal, k}, Vector::Zero(s.size(k)), {.time_step = 1e-3});
          }});
     if (n <= 3) {
         doors.push_back({"draw_cells", 0, n, [&](int k) { draw_cells(s.mesh, k); }});

@@ -211,13 +211,12 @@ Questions of_diagnoses(const Sample& s) {
              return fit(!in_words(conditions, s.P(), 0).empty() &&
                         std::ssize(essential_cells(s.P(), conditions)) == n + 1);
          }},
-        {"conditioned_complex",
+        {"FormSpace",
          [&s, n](Inputs& in) {
              BoundaryConditions conditions;
              conditions.facets = in.list(s.size(n - 1), BoundaryCondition::natural);
-             const auto there = conditioned_complex({s.P(), s.mesh.stars()}, Side::primal,
-                                                    in.degree(0), conditions);
-             return fit(there.stars[0].diagonal(), there.relative.complex.size(0));
+             const FormSpace there({s.P(), s.mesh.stars()}, Side::primal, in.degree(0), conditions);
+             return fit(there.inside().stars()[0].diagonal(), there.size());
          }},
         {"diagnose",
          [&s, n](Inputs&) {

@@ -137,7 +137,7 @@ TEST(doors, values_of_another_number_than_the_cells_are_refused) {
 TEST(doors, waves_and_systems_of_other_sizes_are_refused) {
     const Sample& s = sample("a sphere");
     const auto waves = [&](const Vector& E, const Vector& B) {
-        return outcome([&] { Waves({s.P(), s.V()}, {Side::primal, 0, E}, {.B = B}).advance(); });
+        return outcome([&] { Waves({{s.P(), s.V()}, Side::primal, 0}, E, {.B = B}).advance(); });
     };
     const Vector E = Vector::Zero(s.P().size(0)), B = Vector::Zero(s.P().size(1)), little(3);
     EXPECT_EQ(waves(E, B), "accepted");
@@ -192,15 +192,15 @@ TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
                 {"cells", [&] { MergedCells(s.mesh.merging(), s.mesh.geometry(), other.V()); }},
                 {"heat",
                  [&] {
-                     HeatSolver({s.P(), other.V()}, Side::primal, k, {.time_step = 1});
+                     HeatSolver({{s.P(), other.V()}, Side::primal, k}, {.time_step = 1});
                  }},
                 {"hodge",
                  [&] {
-                     harmonic_forms({s.P(), other.V()}, Side::primal, k);
+                     harmonic_forms({{s.P(), other.V()}, Side::primal, k});
                  }},
                 {"spectrum",
                  [&] {
-                     spectrum({s.P(), other.V()}, {.degree = k, .count = 1});
+                     spectrum({{s.P(), other.V()}, Side::primal, k}, {.count = 1});
                  }},
                 {"volumes", [&] { relative_volumes(relative_to_boundary(s.P()), other.V()); }},
             };

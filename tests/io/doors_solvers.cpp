@@ -58,47 +58,46 @@ Questions of_solvers_for_forms(const Sample& s, Side side, int j) {
     return {
         {"HeatSolver",
          [&s, side, j](Inputs& in) {
-             const HeatSolver solver(s.mesh, side, in.degree(j), {0.01, {}, engine});
+             const HeatSolver solver({s.mesh, side, in.degree(j)}, {0.01, {}, engine});
              return fit(solver.step(in.form(s, side, j)), s.P(), side, j);
          }},
         {"HeatSolver under conditions",
          [&s, side, j](Inputs& in) {
-             const HeatSolver solver(s.mesh, conditions_of(s, in), side, j, {0.01, {}, engine});
+             const HeatSolver solver({s.mesh, side, j, conditions_of(s, in)}, {0.01, {}, engine});
              return fit(solver.step(in.form(s, side, j)), s.P(), side, j);
          }},
         {"hodge_decomposition",
          [&s, side, j](Inputs& in) {
-             const auto parts = hodge_decomposition(s.mesh, in.form(s, side, j), engine);
+             const auto parts = hodge_decomposition({s.mesh, side, j}, in.form(s, side, j), engine);
              return fit(parts.exact, s.P(), side, j) + fit(parts.coexact, s.P(), side, j) +
                     fit(parts.harmonic, s.P(), side, j);
          }},
         {"harmonic_forms",
          [&s, side, j, k](Inputs& in) {
-             const auto forms = harmonic_forms(s.mesh, side, in.degree(j), engine);
+             const auto forms = harmonic_forms({s.mesh, side, in.degree(j)}, engine);
              return fit(forms, s.size(k), betti_numbers(s.P())[k]);
          }},
         {"spectrum",
          [&s, side, j, k](Inputs& in) {
-             const auto found =
-                 spectrum(s.mesh, {.side = side, .degree = in.degree(j), .count = 1});
+             const auto found = spectrum({s.mesh, side, in.degree(j)}, {.count = 1});
              return fit(found.modes, s.size(k), 1) + fit(found.eigenvalues, 1);
          }},
         {"spectrum under conditions",
          [&s, side, j, k](Inputs& in) {
-             const auto found = spectrum(s.mesh, conditions_of(s, in),
-                                         {.side = side, .degree = in.degree(j), .count = 1});
+             const auto found =
+                 spectrum({s.mesh, side, in.degree(j), conditions_of(s, in)}, {.count = 1});
              return fit(found.modes, s.size(k), 1) + fit(found.eigenvalues, 1);
          }},
         {"coexact_spectrum",
          [&s, j](Inputs& in) {
              const auto found =
-                 coexact_spectrum({s.P(), s.V()}, {.degree = in.degree(j), .count = 1});
+                 coexact_spectrum({{s.P(), s.V()}, Side::primal, in.degree(j)}, {.count = 1});
              return fit(found.modes, s.size(j), 1);
          }},
         {"Waves",
          [&s, j](Inputs& in) {
              const int degree = in.degree(j);
-             Waves waves(s.mesh, {Side::primal, degree, in.vector(s.size(j))},
+             Waves waves({s.mesh, Side::primal, degree}, in.vector(s.size(j)),
                          {.B = in.vector(s.size(j + 1))});
              waves.advance();
              return fit(waves.form(0).values, s.size(j)) +

@@ -36,8 +36,11 @@ struct Problem {
         weights.tail(3).setConstant(material);
         return with_material(empty, 1, CellData::on_cells(weights));
     }
-    static Cochain start(const Discretization& mesh) {
-        return {Side::primal, 0, Vector::LinSpaced(mesh.complex().size(0), 0.5, 1)};
+    static Vector start(const Discretization& mesh) {
+        return Vector::LinSpaced(mesh.complex().size(0), 0.5, 1);
+    }
+    FormSpace space(const Discretization& mesh) const {
+        return {mesh, Side::primal, 0, {condition}};
     }
 };
 
@@ -45,19 +48,18 @@ using Made = std::unique_ptr<Run>;
 
 Made heat(const Problem& problem) {
     const auto mesh = problem.mesh();
-    return std::make_unique<HeatRun>(mesh, BoundaryConditions{problem.condition},
-                                     Problem::start(mesh), HeatOptions{problem.step});
+    return std::make_unique<HeatRun>(problem.space(mesh), Problem::start(mesh),
+                                     HeatOptions{problem.step});
 }
 
 Made waves(const Problem& problem) {
     const auto mesh = problem.mesh();
-    const Cochain u = Problem::start(mesh);
+    const Vector u = Problem::start(mesh);
     return std::make_unique<Waves>(
-        mesh, u,
+        problem.space(mesh), u,
         WaveOptions{.time_step = problem.step,
-                    .conditions = BoundaryConditions{problem.condition},
-                    .layer = {.width = 0.3},
-                    .source = [=](double t) { return Vector(std::sin(9 * t) * u.values); },
+                    .layer = AbsorbingLayer{mesh, 0.3},
+                    .source = [=](double t) { return Vector(std::sin(9 * t) * u); },
                     .label = problem.label});
 }
 
@@ -75,10 +77,7 @@ Made flow(const Problem& problem) {
 Made evolution(const Problem& problem) {
     const auto mesh = problem.mesh();
     return std::make_unique<Evolution>(
-        mesh,
-        std::vector<Unknown>{{.start = Problem::start(mesh),
-                              .diffusion = 0.1,
-                              .conditions = BoundaryConditions{problem.condition}}},
+        std::vector<Unknown>{{problem.space(mesh), Problem::start(mesh), 0.1}},
         [](double t, const std::vector<Cochain>& now) {
             return std::vector{Vector(std::cos(9 * t) * now[0].values)};
         },
@@ -206,7 +205,7 @@ TEST(March, of_functions_is_kept_by_a_label_alone) {
         march(*run, times);
     }
     const auto mesh = discretize(kuhn(2, 2));
-    EXPECT_TRUE(Evolution(mesh, {{.start = Problem::start(mesh), .diffusion = 1}}).fingerprint());
+    EXPECT_TRUE(Evolution({{{mesh, Side::primal, 0}, Problem::start(mesh), 1}}).fingerprint());
 }
 
 TEST(March, stays_where_an_event_had_ended_it) {

@@ -148,7 +148,7 @@ TEST(VtuVectors, OfADifferentialAreTheGradient) {
 
 TEST(VtuSpectra, TellWhatProvesThem) {
     const auto mesh = discretize(grid(3, 3));
-    const auto found = spectrum(mesh, {.side = Side::primal, .degree = 1, .count = 3});
+    const auto found = spectrum({mesh, Side::primal, 1}, {.count = 3});
     const auto picture = draw_modes(mesh, found);
     const auto& field = picture.field_data;
     std::vector<std::string> names;

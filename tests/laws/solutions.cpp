@@ -79,10 +79,9 @@ bool has_facets_without_dual(const Discretization& mesh) {
 TEST(HostileMeshes, have_eigenvalues_within_their_radii) {
     EXPECT_TRUE(holds_on_hostile_discretizations("radii", [](const Discretization& mesh) {
         for (int k = 0; k <= mesh.dimension(); ++k) {
-            const SpectrumOptions options{.degree = k,
-                                          .count = std::min<Index>(4, mesh.complex().size(k))};
+            const SpectrumOptions options{.count = std::min<Index>(4, mesh.complex().size(k))};
             const auto found = unless_refused([&] {
-                return spectrum({mesh.complex(), mesh.volumes()}, options);
+                return spectrum({{mesh.complex(), mesh.volumes()}, Side::primal, k}, options);
             });
             if (!found || (k == mesh.dimension() && has_facets_without_dual(mesh)))
                 continue;
@@ -97,7 +96,7 @@ TEST(HostileMeshes, have_eigenvalues_within_their_radii) {
 
 TEST(HostileMeshes, would_show_eigenvalues_of_another_mesh) {
     const auto mesh = discretize(mesh_named("torus8x6"));
-    auto found = spectrum(mesh, {.degree = 1, .count = 6});
+    auto found = spectrum({mesh, Side::primal, 1}, {.count = 6});
     const auto exact = dense_spectrum(mesh, 1);
     EXPECT_TRUE(encloses(found, exact));
     found.eigenvalues[4] *= 1 + 1e-6;

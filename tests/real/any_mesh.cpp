@@ -67,12 +67,16 @@ TEST(AnyMesh, has_certified_spectra_with_as_many_zeros_as_harmonic_forms) {
         const Index harmonic = betti_numbers(mesh.complex())[1];
         if (harmonic > most_harmonic)
             return;
-        const auto found = spectrum(mesh, {.degree = 1, .count = harmonic + 2});
+        const auto found = spectrum({mesh, Side::primal, 1}, {.count = harmonic + 2});
         EXPECT_TRUE(found.certificate.complete);
         for (Index i = 0; i < found.eigenvalues.size(); ++i)
             EXPECT_EQ(std::abs(found.eigenvalues[i]) <= found.radii[i], i < harmonic) << i;
         const auto circumcentric = mesh.with_stars(mesh.volumes());
-        refused += refusal([&] { spectrum(circumcentric, {.degree = 1}); }) != "accepted" ? 1 : 0;
+        refused += refusal([&] {
+                       spectrum({circumcentric, Side::primal, 1});
+                   }) != "accepted"
+                       ? 1
+                       : 0;
     });
     EXPECT_GT(2 * refused, meshes); // by circumcentric stars
 }
@@ -90,8 +94,9 @@ TEST(AnyMesh, has_the_spectra_that_verdicts_promise) {
                     for (const auto& verdict : spectrum_verdicts(mesh, side)) {
                         const int k = verdict.cell_degree;
                         const int degree = side == Side::primal ? k : n - k;
-                        const auto said = refusal(
-                            [&] { spectrum(mesh, {.side = side, .degree = degree, .count = 1}); });
+                        const auto said = refusal([&] {
+                            spectrum({mesh, side, degree}, {.count = 1});
+                        });
                         EXPECT_EQ(said == "accepted", verdict.exists)
                             << sample << ", " << name(kind) << ' ' << degree << ": " << said;
                         refused += kind == StarKind::circumcentric && !verdict.exists;
@@ -108,7 +113,7 @@ TEST(AnyMesh, has_orthogonal_decompositions_and_heat_that_does_not_grow) {
         const HodgeStar star = mesh.stars()[1];
         const Vector w = random_vector(star.size(), 1);
         const double all = w.dot(star * w);
-        const auto parts = hodge_decomposition(mesh, {Side::primal, 1, w});
+        const auto parts = hodge_decomposition({mesh, Side::primal, 1}, {Side::primal, 1, w});
         const auto product = [&](const Cochain& a, const Cochain& b) {
             return std::abs(a.values.dot(star * b.values)) / all;
         };
@@ -116,7 +121,7 @@ TEST(AnyMesh, has_orthogonal_decompositions_and_heat_that_does_not_grow) {
         EXPECT_LE(product(parts.exact, parts.harmonic), 1e-10);
         EXPECT_LE(product(parts.coexact, parts.harmonic), 1e-10);
         const double step = std::pow(mesh.volumes().primal(1).mean(), 2);
-        const HeatSolver heat(mesh, Side::primal, 1, {.time_step = step});
+        const HeatSolver heat({mesh, Side::primal, 1}, {.time_step = step});
         const Vector later = heat.step({Side::primal, 1, w}).values;
         EXPECT_LE(later.dot(star * later), all * (1 + 1e-12));
     });

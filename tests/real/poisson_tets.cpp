@@ -44,7 +44,7 @@ TEST_P(RealTets, part_forms_by_galerkin) {
     for (const int k : {1, 2}) {
         const HodgeStar star = tets.stars()[k];
         const Vector w = random_vector(star.size(), 1);
-        const auto parts = HodgeSolver(tets, Side::primal, k).decompose({Side::primal, k, w});
+        const auto parts = HodgeSolver({tets, Side::primal, k}).decompose({Side::primal, k, w});
         const auto product = [&](const Cochain& a, const Cochain& b) {
             return std::abs(a.values.dot(star * b.values)) / w.dot(star * w);
         };

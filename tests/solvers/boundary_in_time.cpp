@@ -34,13 +34,13 @@ struct Stationary {
 
 Stationary stationary(const Discretization& mesh, Side side, int degree, Where where) {
     const auto conditions = conditions_of(mesh, where);
-    const HodgeLaplaceSolver solver(mesh, {side, degree, conditions});
+    const HodgeLaplaceSolver solver({mesh, side, degree, conditions});
     const int k = cell_degree(mesh.complex(), side, degree);
     const Cochain f{side, degree, random_vector(mesh.complex().size(k), 5)};
     const auto data = random_data(mesh.complex(), side, degree);
     const auto solution = solver.solve(f, data);
 
-    const Diffusion diffusion(mesh, side, degree, {.conditions = conditions});
+    const Diffusion diffusion({mesh, side, degree, conditions});
     const Vector values = diffusion.values_of(solution.form.values, data);
     const Vector source = diffusion.values_of((f - solution.removed).values);
     const Vector spreads = diffusion.rate(values), given = diffusion.boundary_rate(data);
@@ -83,15 +83,16 @@ double error_in_time(const Discretization& mesh, Side side, int degree, Where wh
     const Cochain exact = exact_form(mesh, side, wave);
     const auto data = data_of(mesh, side, wave, where);
     const auto at = [](double t, const Vector& values) { return Vector(std::cos(4 * t) * values); };
-    Unknown unknown{
-        .start = exact, .diffusion = 1, .conditions = conditions_of(mesh, where), .boundary = {}};
+    Unknown unknown{.space = {mesh, side, degree, conditions_of(mesh, where)},
+                    .start = exact.values,
+                    .diffusion = 1};
     unknown.boundary = [=](double t) {
         const double now = moves ? t : 0;
         return BoundaryForms{at(now, data.values), at(now, data.codifferential), at(now, data.flow),
                              at(now, data.derivative_flow)};
     };
     const double eigenvalue = wave.eigenvalue();
-    Evolution run(mesh, {unknown},
+    Evolution run({unknown},
                   [=](double t, const std::vector<Cochain>&) {
                       const double factor = eigenvalue * std::cos(4 * t) - 4 * std::sin(4 * t);
                       return std::vector{Vector(factor * exact.values)};
@@ -130,7 +131,7 @@ TEST(OutwardFlow, of_0_forms_is_the_normal_derivative_of_poisson_problems) {
             const Vector f = random_vector(poisson.sites().rows(), 1);
             const Vector u =
                 poisson.solve(f, Vector::Zero(poisson.boundary_sites().rows()), slopes).values;
-            const HodgeLaplaceSolver solver(mesh, {side, 0, mixed});
+            const HodgeLaplaceSolver solver({mesh, side, 0, mixed});
             const auto with_flow = [&](double sign) {
                 return solver
                     .solve({side, 0, f},

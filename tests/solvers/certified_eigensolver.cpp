@@ -84,7 +84,7 @@ TEST(FaultyEigensolver, is_found_out_and_the_answer_complete_all_the_same) {
                 for (const Index count : {6, 20}) {
                     SCOPED_TRACE(testing::Message() << engine << ' ' << k << ' ' << count);
                     const auto found =
-                        spectrum(mesh, {.degree = k, .count = count, .eigen_solver = engine});
+                        spectrum({mesh, Side::primal, k}, {.count = count, .eigen_solver = engine});
                     EXPECT_EQ(found.eigen_solver, engine);
                     EXPECT_TRUE(found.certificate.complete);
                     EXPECT_LE((found.eigenvalues - exact.head(count)).cwiseAbs().maxCoeff(),
@@ -99,8 +99,9 @@ TEST(FaultyEigensolver, goes_unnoticed_where_the_proof_is_waived) {
     register_faulty_engines();
     const auto mesh = circumcentric(icosphere(4));
     const Vector exact = dense_spectrum(mesh, 0);
-    const auto found = spectrum(
-        mesh, {.count = 6, .eigen_solver = "second", .certification = Certification::waived});
+    const auto found =
+        spectrum({mesh, Side::primal, 0},
+                 {.count = 6, .eigen_solver = "second", .certification = Certification::waived});
     EXPECT_FALSE(found.certificate.complete);
     EXPECT_NEAR(found.eigenvalues[2], exact[2], 1e-8);
     EXPECT_GT(found.eigenvalues[3], exact[3] + 1);
@@ -120,13 +121,14 @@ TEST(ShareOfASpectrum, grows_without_being_computed_anew) {
 
 TEST(ShareOfASpectrum, is_taken_by_blocks_where_it_is_large) {
     const auto mesh = circumcentric(icosphere(8));
-    EXPECT_EQ(spectrum(mesh, {.count = 6}).eigen_solver, "spectra");
-    EXPECT_EQ(spectrum(mesh, {.count = 40}).eigen_solver, "block-lanczos");
+    EXPECT_EQ(spectrum({mesh, Side::primal, 0}, {.count = 6}).eigen_solver, "spectra");
+    EXPECT_EQ(spectrum({mesh, Side::primal, 0}, {.count = 40}).eigen_solver, "block-lanczos");
     const Vector exact = dense_spectrum(mesh, 0);
     for (const std::string engine : {"spectra", "block-lanczos"})
         for (const Index count : {1, 6, 40}) {
             SCOPED_TRACE(testing::Message() << engine << ' ' << count);
-            const auto found = spectrum(mesh, {.count = count, .eigen_solver = engine});
+            const auto found =
+                spectrum({mesh, Side::primal, 0}, {.count = count, .eigen_solver = engine});
             EXPECT_EQ(found.eigen_solver, engine);
             EXPECT_TRUE(found.certificate.complete);
             EXPECT_LE((found.eigenvalues - exact.head(count)).cwiseAbs().maxCoeff(),
@@ -138,15 +140,16 @@ TEST(WholeSpectrum, is_complete_without_a_count) {
     const auto mesh = circumcentric(icosphere(2));
     const Index size = mesh.complex().size(0);
     Index counts = 0;
-    const auto found = spectrum(mesh, {.count = size, .progress = [&](std::string_view what) {
-                                           counts += what == "counting" ? 1 : 0;
-                                       }});
+    const auto found =
+        spectrum({mesh, Side::primal, 0}, {.count = size, .progress = [&](std::string_view what) {
+                                               counts += what == "counting" ? 1 : 0;
+                                           }});
     EXPECT_EQ(counts, 0);
     EXPECT_EQ(found.certificate.below_shift, size);
     EXPECT_GT(found.certificate.shift, dense_spectrum(mesh, 0)[size - 1]);
-    spectrum(mesh, {.count = size - 20, .progress = [&](std::string_view what) {
-                        counts += what == "counting" ? 1 : 0;
-                    }});
+    spectrum({mesh, Side::primal, 0}, {.count = size - 20, .progress = [&](std::string_view what) {
+                                           counts += what == "counting" ? 1 : 0;
+                                       }});
     EXPECT_EQ(counts, 1);
 }
 
@@ -194,7 +197,7 @@ TEST(SpuriousEigenvalues, of_dual_0_forms_over_negative_duals_are_all_found) {
         for (const Index count : {spurious - spurious / 2, spurious, spurious + 5, spurious + 25}) {
             SCOPED_TRACE(testing::Message() << "n = " << n << ", " << spurious << " negative, "
                                             << count << " asked for");
-            const auto found = spectrum(mesh, {.side = Side::dual, .count = count});
+            const auto found = spectrum({mesh, Side::dual, 0}, {.count = count});
             for (Index i = 0; i < count; ++i)
                 EXPECT_NEAR(found.eigenvalues[i], exact[i],
                             1e-8 * std::abs(exact[i]) + 1e-12 * exact.cwiseAbs().maxCoeff())
@@ -207,9 +210,10 @@ TEST(SpuriousEigenvalues, of_dual_0_forms_over_negative_duals_are_all_found) {
 
 using test::refusal;
 
-std::string refusal(const std::string& golden, const SpectrumOptions& options) {
+std::string refusal(const std::string& golden, const SpectrumOptions& options,
+                    Side side = Side::primal, int degree = 0) {
     const auto mesh = circumcentric(read_golden(golden + ".nsc"));
-    return refusal([&] { spectrum(mesh, options); });
+    return refusal([&] { spectrum({mesh, side, degree}, options); });
 }
 
 TEST(SpectrumRefuses, counts_that_cannot_be_had) {
@@ -217,14 +221,14 @@ TEST(SpectrumRefuses, counts_that_cannot_be_had) {
                      {"0 eigenvalues", "primal 0-forms", "25 0-cells", "1", "25"}));
     EXPECT_TRUE(says(refusal("grid4", {.count = -3}),
                      {"-3 eigenvalues", "primal 0-forms", "25 0-cells", "1", "25"}));
-    EXPECT_TRUE(says(refusal("grid4", {.side = Side::dual, .degree = 2, .count = 26}),
+    EXPECT_TRUE(says(refusal("grid4", {.count = 26}, Side::dual, 2),
                      {"26 eigenvalues", "dual 2-forms", "25 0-cells", "1", "25"}));
 }
 
 TEST(SpectrumRefuses, degrees_that_there_are_not) {
-    EXPECT_TRUE(says(refusal("grid4", {.degree = 3}),
+    EXPECT_TRUE(says(refusal("grid4", {}, Side::primal, 3),
                      {"primal forms", "degree 3", "dimension 2", "0", "2"}));
-    EXPECT_TRUE(says(refusal("kuhn3", {.side = Side::dual, .degree = -1}),
+    EXPECT_TRUE(says(refusal("kuhn3", {}, Side::dual, -1),
                      {"dual forms", "degree -1", "dimension 3", "0", "3"}));
 }
 
@@ -232,7 +236,7 @@ TEST(SpectrumRefuses, masses_that_are_not_positive) {
     EXPECT_TRUE(says(refusal("star_negative", {.count = 2}),
                      {"mass", "primal 0-forms", "1 of 7 0-cells", "negative", "cells 0",
                       "StarKind::automatic", "Delaunay::flips_and_splits"}));
-    EXPECT_TRUE(says(refusal("fcc1", {.degree = 2, .count = 2}),
+    EXPECT_TRUE(says(refusal("fcc1", {.count = 2}, Side::primal, 2),
                      {"mass", "primal 2-forms", "24 of 56 2-cells", "zero", "cells 0, 1, 2, 5, 7",
                       "StarKind::automatic"}));
 }
@@ -240,7 +244,9 @@ TEST(SpectrumRefuses, masses_that_are_not_positive) {
 TEST(SpectrumRefuses, inverse_stars_that_divide_by_zero) {
     const auto split = discretize(
         mesh_named("grid4"), {.criterion = MergeCriterion::none, .star = StarKind::circumcentric});
-    EXPECT_TRUE(says(refusal([&] { spectrum(split, {.side = Side::dual, .count = 2}); }),
+    EXPECT_TRUE(says(refusal([&] {
+                         spectrum({split, Side::dual, 0}, {.count = 2});
+                     }),
                      {"inverse star", "degree 1", "zero", "16 1-cells"}));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/conditioned_complex.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/form_space.h"
 #include "dec/forms/star.h"
 #include "dec/well_defined.h"
 #include "meshes/generate.h"
@@ -56,8 +56,7 @@ Mesh in_single_precision(Mesh mesh) {
 }
 
 double first_eigenvalue(const Mesh& input, Side side, const BoundaryConditions& conditions) {
-    return spectrum(circumcentric(input), conditions, {.side = side, .degree = 0, .count = 1})
-        .eigenvalues[0];
+    return spectrum({circumcentric(input), side, 0, conditions}, {.count = 1}).eigenvalues[0];
 }
 
 /// On the left of the boundary values are 0; no facet is near the place where that ends.
@@ -77,7 +76,7 @@ TEST(CrossedSquares, have_one_dual_spectrum_exact_jittered_and_in_single_precisi
         EXPECT_NEAR(first_eigenvalue(other, Side::dual, dirichlet), 19.5774, 5e-5);
     // dual 0-forms have Dirichlet's condition by themselves
     const auto mesh = circumcentric(exact);
-    EXPECT_NEAR(spectrum(mesh, {.side = Side::dual, .count = 1}).eigenvalues[0], 19.5774, 5e-5);
+    EXPECT_NEAR(spectrum({mesh, Side::dual, 0}, {.count = 1}).eigenvalues[0], 19.5774, 5e-5);
 }
 
 /// Right angles opposite to boundary facets, in several dimensions; well-shaped otherwise.
@@ -91,8 +90,7 @@ TEST(DualSpectra, have_the_modes_of_the_Poisson_problem_under_the_same_condition
         const auto mesh = circumcentric(input);
         ASSERT_GT(mesh.degenerate().boundary, 0);
         for (const auto& conditions : {dirichlet, left_part(mesh)}) {
-            const auto found =
-                spectrum(mesh, conditions, {.side = Side::dual, .degree = 0, .count = 4});
+            const auto found = spectrum({mesh, Side::dual, 0, conditions}, {.count = 4});
             PoissonSolver poisson(mesh, {.side = Side::dual, .boundary = conditions});
             const Vector zero = Vector::Zero(poisson.boundary_sites().rows());
             for (Index i = 0; i < 4; ++i) {
@@ -115,9 +113,7 @@ TEST(DualSpectra, with_values_on_a_part_of_the_boundary_do_not_mind_jitter) {
     for (const auto& input : with_centers_on_the_boundary()) {
         const auto values = [](const Mesh& mesh) {
             const auto bundle = circumcentric(mesh);
-            return spectrum(bundle, left_part(bundle),
-                            {.side = Side::dual, .degree = 0, .count = 3})
-                .eigenvalues;
+            return spectrum({bundle, Side::dual, 0, left_part(bundle)}, {.count = 3}).eigenvalues;
         };
         const Vector exact = values(input);
         EXPECT_GT(exact[0], 0);
@@ -129,7 +125,7 @@ TEST(DualSpectra, with_values_on_a_part_of_the_boundary_do_not_mind_jitter) {
 TEST(DualSpectra, without_flow_have_the_constants_at_0) {
     for (const auto& input : with_centers_on_the_boundary()) {
         const auto mesh = circumcentric(input);
-        const auto found = spectrum(mesh, neumann, {.side = Side::dual, .degree = 0, .count = 2});
+        const auto found = spectrum({mesh, Side::dual, 0, neumann}, {.count = 2});
         EXPECT_NEAR(found.eigenvalues[0], 0, 1e-9 * found.eigenvalues[1]);
         EXPECT_GT(found.eigenvalues[1], 0.1);
         const Vector mode = found.modes.col(0);
@@ -150,7 +146,7 @@ TEST(Conditions, of_both_sides_lead_to_the_same_eigenvalues) {
         EXPECT_NEAR(first_eigenvalue(square, side, dirichlet), 2 * squared, 0.01 * squared);
         EXPECT_NEAR(first_eigenvalue(square, side, neumann), 0, 1e-8);
         EXPECT_NEAR(first_eigenvalue(square, side, one_side), squared / 4, 0.002 * squared);
-        EXPECT_EQ(spectrum(mesh, {.side = side, .count = 1}).eigenvalues[0],
+        EXPECT_EQ(spectrum({mesh, side, 0}, {.count = 1}).eigenvalues[0],
                   first_eigenvalue(square, side, built_in_conditions(side)));
     }
 }
@@ -161,13 +157,12 @@ TEST(Conditions, exchange_with_the_star) {
         const int n = mesh.dimension();
         for (int k = 0; k <= n; ++k)
             for (const auto& conditions : {dirichlet, neumann, left_part(mesh)}) {
-                const auto space = conditioned_complex(mesh, Side::primal, 0, conditions);
-                const Index count = std::min<Index>(2, space.relative.complex.size(k));
+                const FormSpace space(mesh, Side::primal, 0, conditions);
+                const Index count = std::min<Index>(2, space.inside().complex().size(k));
                 if (count == 0)
                     continue;
                 const auto values = [&](Side side, int degree, const BoundaryConditions& those) {
-                    return spectrum(mesh, those, {.side = side, .degree = degree, .count = count})
-                        .eigenvalues;
+                    return spectrum({mesh, side, degree, those}, {.count = count}).eigenvalues;
                 };
                 const Vector primal = values(Side::primal, k, conditions);
                 const Vector dual = values(Side::dual, n - k, exchanged(conditions));
@@ -183,12 +178,12 @@ TEST(HeatUnderConditions, makes_modes_decay_with_their_eigenvalues) {
         const auto mesh = circumcentric(input);
         for (const Side side : sides)
             for (const auto& conditions : {dirichlet, neumann, left_part(mesh)}) {
-                const int k = side == Side::primal ? 0 : mesh.dimension();
-                if (conditioned_complex(mesh, side, 0, conditions).relative.complex.size(k) < 2)
+                const FormSpace space(mesh, side, 0, conditions);
+                if (space.size() < 2)
                     continue; // fcc1 has one vertex inside, at most
-                const auto modes = spectrum(mesh, conditions, {.side = side, .count = 2});
+                const auto modes = spectrum(space, {.count = 2});
                 const double dt = 1e-3;
-                HeatSolver solver(mesh, conditions, side, 0, {.time_step = dt});
+                HeatSolver solver(space, {.time_step = dt});
                 const Cochain mode{side, 0, modes.modes.col(1)};
                 const Vector expected = mode.values / (1 + dt * modes.eigenvalues[1]);
                 EXPECT_LE(relative_difference(solver.step(mode).values, expected), 1e-8);
@@ -208,8 +203,7 @@ TEST(DualSpectra, of_1_forms_have_those_of_functions_among_them) {
     for (const auto& input : with_centers_on_the_boundary()) {
         const auto mesh = circumcentric(input);
         const auto of_degree = [&](int degree, Index count) {
-            return spectrum(mesh, {.side = Side::dual, .degree = degree, .count = count})
-                .eigenvalues;
+            return spectrum({mesh, Side::dual, degree}, {.count = count}).eigenvalues;
         };
         const double first = of_degree(0, 1)[0];
         const Vector values = of_degree(1, 12);
@@ -221,11 +215,12 @@ TEST(DualSpectra, of_1_forms_have_those_of_functions_among_them) {
 /// Where the mechanism does not find them, what is inverted means nothing.
 TEST(DualSpectraBroken, with_the_duals_of_centers_on_the_boundary_make_no_sense) {
     const auto exact = circumcentric(crossed_squares(10));
-    const SpectrumOptions first{.side = Side::dual, .count = 1};
-    EXPECT_EQ(spectrum({exact.complex(), exact.volumes()}, first).eigenvalues,
-              spectrum(exact, first).eigenvalues);
+    const auto first = [](const Cells& cells) {
+        return spectrum({cells, Side::dual, 0}, {.count = 1}).eigenvalues;
+    };
+    EXPECT_EQ(first({exact.complex(), exact.volumes()}), first(exact));
     const auto moved = circumcentric(perturbed(crossed_squares(10), 1e-7, 1), {.tolerance = 0});
-    EXPECT_LT(spectrum({moved.complex(), moved.volumes()}, first).eigenvalues[0], -1e6);
+    EXPECT_LT(first({moved.complex(), moved.volumes()})[0], -1e6);
 }
 
 TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
@@ -236,18 +231,22 @@ TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
     for (const Side side : sides) {
         // by which the boundary is left out
         const auto& conditions = side == Side::primal ? dirichlet : neumann;
-        const auto space = conditioned_complex(mesh, side, 0, conditions);
-        ASSERT_LT(space.relative.complex.size(1), mesh.complex().size(1));
-        ASSERT_NE(star(space.stars, 1).zeros(), zero);
+        const Cells inside = FormSpace(mesh, side, 0, conditions).inside();
+        ASSERT_LT(inside.complex().size(1), mesh.complex().size(1));
+        ASSERT_NE(star(inside, 1).zeros(), zero);
         for (const auto& message :
-             {refusal([&] { spectrum(mesh, conditions, {.side = side, .degree = 1}); }),
-              refusal([&] { HeatSolver(mesh, conditions, side, 1, {.time_step = 1}); }),
+             {refusal([&] {
+                  spectrum({mesh, side, 1, conditions});
+              }),
               refusal([&] {
-                  HeatSolver(mesh, conditions, side, side == Side::primal ? 2 : 0,
+                  HeatSolver({mesh, side, 1, conditions}, {.time_step = 1});
+              }),
+              refusal([&] {
+                  HeatSolver({mesh, side, side == Side::primal ? 2 : 0, conditions},
                              {.time_step = 1});
               }),
               refusal([&] {
-                  HodgeSolver({space.relative.complex, space.stars}, side, 1, "auto");
+                  HodgeSolver({mesh, side, 1, conditions});
               })})
             EXPECT_NE(message.find(cells), std::string::npos) << message;
     }
@@ -255,14 +254,21 @@ TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
 
 TEST(ConditionedErrors, name_the_facet_where_dual_functions_have_no_differences) {
     const auto branching = circumcentric(mesh_named("branching"));
-    const auto primal = spectrum(branching, {.count = 2});
+    const auto primal = spectrum({branching, Side::primal, 0}, {.count = 2});
     EXPECT_LE(std::abs(primal.eigenvalues[0]), primal.radii[0]);
     const Vector ones = Vector::Ones(branching.complex().size(2));
-    for (const auto& refused :
-         {refusal([&] { spectrum(branching, {.side = Side::dual}); }),
-          refusal([&] { spectrum(branching, {.side = Side::dual}); }),
-          refusal([&] { spectrum(branching, neumann, {.side = Side::dual}); }),
-          refusal([&] { HeatSolver(branching, neumann, Side::dual, 0, {}); })})
+    for (const auto& refused : {refusal([&] {
+                                    spectrum({branching, Side::dual, 0});
+                                }),
+                                refusal([&] {
+                                    spectrum({branching, Side::dual, 0});
+                                }),
+                                refusal([&] {
+                                    spectrum({branching, Side::dual, 0, neumann});
+                                }),
+                                refusal([&] {
+                                    HeatSolver({branching, Side::dual, 0, neumann}, {});
+                                })})
         EXPECT_TRUE(says(refused, {"3 cells", "facet", "primal 0-forms"})) << refused;
 }
 
@@ -301,7 +307,7 @@ TEST(ConditionedErrors, of_waves_name_the_edge_of_the_mesh) {
     EXPECT_NE(edge, negative[0]);
     EXPECT_TRUE(
         says(refusal([&] {
-                 stable_step({inside.complex, volumes}, 0);
+                 stable_step({{inside.complex, volumes}, Side::primal, 0});
              }),
              {"1 1-cells", "negative", "cell " + std::to_string(edge), "StarKind::automatic"}));
 }
@@ -309,10 +315,7 @@ TEST(ConditionedErrors, of_waves_name_the_edge_of_the_mesh) {
 /// Whether the mesh has a spectrum on these forms: it is refused or comes out.
 bool has_spectrum(const Discretization& mesh, Side side, int degree) {
     return refusal([&] {
-               spectrum(mesh, {.side = side,
-                               .degree = degree,
-                               .count = 1,
-                               .certification = Certification::waived});
+               spectrum({mesh, side, degree}, {.count = 1, .certification = Certification::waived});
            }) == "accepted";
 }
 
@@ -355,11 +358,10 @@ TEST(VerdictsOnSpectra, do_without_the_duals_of_boundary_facets_as_dual_function
 TEST(HodgeUnderConditions, sees_the_homology_of_the_dual_complex) {
     // values 0 on the boundary of a square: no harmonic dual function, one harmonic dual 2-form
     const auto mesh = circumcentric(crossed_squares(4));
-    const auto space = conditioned_complex(mesh, Side::dual, 0, dirichlet);
-    EXPECT_EQ(harmonic_forms({space.relative.complex, space.stars}, Side::dual, 0).cols(), 0);
-    EXPECT_EQ(harmonic_forms({space.relative.complex, space.stars}, Side::dual, 1).cols(), 0);
-    const auto free = conditioned_complex(mesh, Side::dual, 0, neumann);
-    EXPECT_EQ(harmonic_forms({free.relative.complex, free.stars}, Side::dual, 0).cols(), 1);
+    EXPECT_EQ(harmonic_forms({mesh, Side::dual, 0, dirichlet}).cols(), 0);
+    EXPECT_EQ(harmonic_forms({mesh, Side::dual, 1, dirichlet}).cols(), 0);
+    EXPECT_EQ(harmonic_forms({mesh, Side::dual, 2, dirichlet}).cols(), 1);
+    EXPECT_EQ(harmonic_forms({mesh, Side::dual, 0, neumann}).cols(), 1);
 }
 
 } // namespace

@@ -58,11 +58,12 @@ double error_of_heat(const Discretization& mesh, Side side, int degree, double t
                      double conductivity = 0.3) {
     const Cochain u = on(mesh, side, degree, eigenform(mesh.dimension(), side, degree));
     const double decay = conductivity * terms * pi * pi;
-    Evolution heat(mesh, {{.start = u, .diffusion = conductivity}},
-                   [&](double t, const std::vector<Cochain>&) {
-                       return std::vector{Vector((decay * std::cos(t) - std::sin(t)) * u.values)};
-                   },
-                   {.steps = {.relative_tolerance = 1e-7}});
+    Evolution heat(
+        {{.space = {mesh, u.side, u.degree}, .start = u.values, .diffusion = conductivity}},
+        [&](double t, const std::vector<Cochain>&) {
+            return std::vector{Vector((decay * std::cos(t) - std::sin(t)) * u.values)};
+        },
+        {.steps = {.relative_tolerance = 1e-7}});
     heat.march(0.5);
     return norm(mesh, heat.form(0) - std::cos(0.5) * u) / norm(mesh, u);
 }
@@ -94,12 +95,13 @@ TEST(evolution, heat_with_a_source_converges_on_polygons_and_polytopes) {
 
 /// Diffusion against the reaction u (1 + sin t - u), up to the time 1.
 Cochain competing(const Discretization& mesh, const Cochain& start, Index steps) {
-    Evolution run(mesh, {{.start = start, .diffusion = 0.1}},
-                  [](double t, const std::vector<Cochain>& now) {
-                      const auto u = now[0].values.array();
-                      return std::vector{Vector(u * (1 + std::sin(t) - u))};
-                  },
-                  {.steps = {.fixed_step = 1. / steps}});
+    Evolution run(
+        {{.space = {mesh, start.side, start.degree}, .start = start.values, .diffusion = 0.1}},
+        [](double t, const std::vector<Cochain>& now) {
+            const auto u = now[0].values.array();
+            return std::vector{Vector(u * (1 + std::sin(t) - u))};
+        },
+        {.steps = {.fixed_step = 1. / steps}});
     run.march(1);
     return run.form(0);
 }
@@ -143,12 +145,12 @@ TEST(evolution, constant_forms_grow_with_their_values_on_the_boundary) {
             const Vector data = closing(mesh, u);
             const auto growth = [](double t) { return 1 + t * t; };
             const auto defect = [&](bool has_data) {
-                Unknown unknown{.start = u, .diffusion = 1, .conditions = essential};
+                Unknown unknown{{mesh, side, degree, essential}, u.values, 1};
                 if (has_data)
                     unknown.boundary = [&](double t) {
                         return BoundaryForms{.values = growth(t) * data};
                     };
-                Evolution run(mesh, {unknown}, [&](double t, const std::vector<Cochain>&) {
+                Evolution run({unknown}, [&](double t, const std::vector<Cochain>&) {
                     return std::vector{Vector(2 * t * u.values)};
                 });
                 run.march(1);
@@ -168,13 +170,15 @@ TEST(evolution, heat_without_source_is_that_of_the_heat_solver_for_all_stars) {
             for (int degree = 0; degree <= mesh.dimension(); ++degree) {
                 Cochain form{Side::primal, degree,
                              Vector::LinSpaced(mesh.complex().size(degree), -1, 1)};
-                Evolution heat(mesh, {{.start = form, .diffusion = 1}}, {},
-                               {.steps = {.relative_tolerance = 1e-8}});
+                Evolution heat({{.space = {mesh, form.side, form.degree},
+                                 .start = form.values,
+                                 .diffusion = 1}},
+                               {}, {.steps = {.relative_tolerance = 1e-8}});
                 heat.march(0.1);
                 const Cochain start = form;
                 const auto solved = [&](int steps) {
                     const HeatSolver solver(
-                        mesh, Side::primal, degree,
+                        {mesh, Side::primal, degree},
                         {.time_step = 0.1 / steps, .scheme = HeatScheme::backward_euler});
                     Cochain u = start;
                     for (int i = 0; i < steps; ++i)
@@ -196,8 +200,9 @@ TEST(evolution, diffusion_keeps_the_mean_where_nothing_flows_out) {
             continue;
         const Index count = mesh.complex().size(0);
         const Cochain slope{Side::primal, 0, Vector::LinSpaced(count, 0, 1)};
-        Evolution heat(mesh,
-                       {{.start = slope, .diffusion = mesh.volumes().primal(1).squaredNorm()}});
+        Evolution heat({{.space = {mesh, slope.side, slope.degree},
+                         .start = slope.values,
+                         .diffusion = mesh.volumes().primal(1).squaredNorm()}});
         const auto heat_in = [&](const Cochain& u) { return Vector(star * u.values).sum(); };
         const double before = heat_in(heat.form(0));
         heat.march(0.01);
@@ -211,8 +216,8 @@ Evolution gray_scott(const Discretization& mesh, const std::string& integrator, 
     const Cochain u{side, 0, Vector::Ones(count)};
     Cochain v{side, 0, Vector::Zero(count)};
     v.values.head(count / 4).setConstant(0.5);
-    return {mesh,
-            {{.start = u, .diffusion = 2e-3}, {.start = v, .diffusion = 1e-3}},
+    const FormSpace space(mesh, side, 0);
+    return {{{space, u.values, 2e-3}, {space, v.values, 1e-3}},
             [](double, const std::vector<Cochain>& now) {
                 const auto U = now[0].values.array(), V = now[1].values.array();
                 return std::vector<Vector>{Vector(-U * V * V + 0.04 * (1 - U)),
@@ -257,7 +262,7 @@ TEST(evolution, a_run_that_is_resumed_ends_in_the_same_bits) {
 TEST(evolution, a_march_stops_where_a_form_has_cooled_to_a_half) {
     const auto mesh = circumcentric(kuhn(2, 16));
     const Cochain u = dual_de_rham(mesh, 0, eigenform(2, Side::dual, 0));
-    Evolution heat(mesh, {{.start = u, .diffusion = 1}}, {},
+    Evolution heat({{.space = {mesh, u.side, u.degree}, .start = u.values, .diffusion = 1}}, {},
                    {.steps = {.relative_tolerance = 1e-8},
                     .event = [&](double, const std::vector<Cochain>& now) {
                         return inner_product(mesh, now[0], u) / inner_product(mesh, u, u) - 0.5;
@@ -274,8 +279,9 @@ TEST(evolution, a_stiffness_of_ones_own_does_what_diffusion_does) {
     const auto own = std::make_shared<Diffusion>(star(mesh, 0), 0.3 * symmetric_laplacian(mesh, 0),
                                                  Side::primal);
     const Cochain start = de_rham(mesh, 0, eigenform(2, Side::primal, 0));
-    Evolution a(mesh, {{.start = start, .stiff = own}});
-    Evolution b(mesh, {{.start = start, .diffusion = 0.3}});
+    Evolution a({{.space = {mesh, start.side, start.degree}, .start = start.values, .stiff = own}});
+    Evolution b(
+        {{.space = {mesh, start.side, start.degree}, .start = start.values, .diffusion = 0.3}});
     a.march(0.2);
     b.march(0.2);
     EXPECT_LE(norm(mesh, a.form(0) - b.form(0)), 1e-12);
@@ -283,22 +289,23 @@ TEST(evolution, a_stiffness_of_ones_own_does_what_diffusion_does) {
 
 TEST(evolution, what_does_not_fit_is_refused_by_its_number) {
     const auto mesh = circumcentric(kuhn(2, 2));
-    const Cochain u{Side::primal, 0, Vector::Ones(9)};
-    EXPECT_THROW(Evolution(mesh, {{.start = {Side::primal, 0, Vector::Ones(8)}}}), InvalidInput);
-    EXPECT_THROW(Evolution(mesh, {{.start = u, .diffusion = -1}}), InvalidInput);
-    std::vector<Unknown> unknowns(2, {.start = u});
+    const FormSpace space(mesh, Side::primal, 0);
+    const Vector u = Vector::Ones(9);
+    EXPECT_THROW(Evolution({{space, Vector::Ones(8)}}), InvalidInput);
+    EXPECT_THROW(Evolution({{space, u, -1}}), InvalidInput);
+    std::vector<Unknown> unknowns(2, {space, u});
     unknowns[1].boundary = [](double) { return BoundaryForms{}; };
     EXPECT_TRUE(
-        says(refusal([&] { Evolution(mesh, unknowns); }), {"unknown 1", "boundary", "diffusion"}));
-    const auto other = std::make_shared<Diffusion>(mesh, Side::dual, 0, DiffusionOptions{});
-    EXPECT_TRUE(says(refusal([&] { Evolution(mesh, {{.start = u, .stiff = other}}); }),
+        says(refusal([&] { Evolution{unknowns}; }), {"unknown 1", "boundary", "diffusion"}));
+    const auto other = std::make_shared<Diffusion>(FormSpace(mesh, Side::dual, 0));
+    EXPECT_TRUE(says(refusal([&] { Evolution({{.space = space, .start = u, .stiff = other}}); }),
                      {"unknown 0", "stiff", "dual 0-forms", "primal 0-form"}));
-    Evolution short_rates(mesh, {{.start = u}}, [](double, const std::vector<Cochain>&) {
+    Evolution short_rates({{space, u}}, [](double, const std::vector<Cochain>&) {
         return std::vector{Vector(Vector::Ones(3))};
     });
     EXPECT_TRUE(
         says(refusal([&] { short_rates.march(1); }), {"reaction", "3 rates", "unknown 0", "9"}));
-    Evolution few_rates(mesh, {{.start = u}},
+    Evolution few_rates({{space, u}},
                         [](double, const std::vector<Cochain>&) { return std::vector<Vector>{}; });
     EXPECT_THROW(few_rates.march(1), InvalidInput);
 }

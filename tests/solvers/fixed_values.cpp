@@ -36,11 +36,15 @@ TEST(Conditions, fix_values_of_primal_functions_at_vertices) {
             EXPECT_EQ(u[v], given[v]);
         else
             EXPECT_NEAR(flow[v], 0, 1e-12);
-    EXPECT_GT(spectrum(mesh, conditions, {.count = 1}).eigenvalues[0], 0.1);
+    EXPECT_GT(spectrum({mesh, Side::primal, 0, conditions}, {.count = 1}).eigenvalues[0], 0.1);
     for (const auto& refused :
          {refusal([&] { PoissonSolver(mesh, {.side = Side::dual, .boundary = conditions}); }),
-          refusal([&] { spectrum(mesh, conditions, {.degree = 1}); }),
-          refusal([&] { spectrum(mesh, conditions, {.side = Side::dual, .degree = 2}); })})
+          refusal([&] {
+              spectrum({mesh, Side::primal, 1, conditions});
+          }),
+          refusal([&] {
+              spectrum({mesh, Side::dual, 2, conditions});
+          })})
         EXPECT_TRUE(says(refused, {"vertices", "primal 0-forms"})) << refused;
     conditions.fixed_vertices.pop_back();
     EXPECT_TRUE(says(refusal([&] { PoissonSolver(mesh, {.boundary = conditions}); }),

@@ -27,7 +27,7 @@ protected:
             return;
         SCOPED_TRACE(key);
         const auto& expected = numbers().at(key);
-        HodgeSolver solver({complex, volumes}, Side::primal, k);
+        HodgeSolver solver({{complex, volumes}, Side::primal, k});
         const auto parts = solver.decompose({Side::primal, k, w});
         const auto square = [&](const Cochain& part) {
             return inner_product({complex, volumes}, part, part);
@@ -58,8 +58,8 @@ TEST_P(GoldenHodge, spectra_relative_to_the_boundary) {
         if (!numbers().contains(key))
             continue;
         const std::vector<double> expected = numbers().at(key);
-        const auto modes = spectrum({relative.complex, volumes},
-                                    {.degree = k, .count = static_cast<Index>(expected.size())});
+        const auto modes = spectrum({{relative.complex, volumes}, Side::primal, k},
+                                    {.count = static_cast<Index>(expected.size())});
         for (std::size_t i = 0; i < expected.size(); ++i)
             EXPECT_NEAR(modes.eigenvalues[i], expected[i], 1e-7 * (1 + expected[i]))
                 << key << ", " << i;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/conditioned_complex.h"
 #include "dec/fields/flat.h"
+#include "dec/form_space.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"
@@ -121,9 +121,9 @@ TEST_P(HarmonicForms, are_returned_and_stand_still) {
                 const double sign = k % 2 == 0 ? 1 : -1; // see HodgeLaplaceEquations
                 data.derivative_flow =
                     sign * dual_boundary_derivative(mesh.complex(), n - 1 - k).transpose() *
-                    Vector(robin_parts(mesh, side, degree, conditions).weights * u.values);
+                    Vector(FormSpace(mesh, side, degree, conditions).robin_weights() * u.values);
             }
-            const HodgeLaplaceSolver solver(mesh, {side, degree, conditions});
+            const HodgeLaplaceSolver solver({mesh, side, degree, conditions});
             const DenseMatrix H = solver.harmonic_forms();
             Vector harmonic(H.cols());
             for (Index i = 0; i < harmonic.size(); ++i)
@@ -132,7 +132,7 @@ TEST_P(HarmonicForms, are_returned_and_stand_still) {
             const double size = norm(mesh, u);
             EXPECT_LE(norm(mesh, found.form - u), rounding * size);
 
-            const Diffusion diffusion(mesh, side, degree, {.conditions = conditions});
+            const Diffusion diffusion({mesh, side, degree, conditions});
             const Vector values = diffusion.values_of(u.values, data);
             const Vector rate = diffusion.rate(values) + diffusion.boundary_rate(data);
             EXPECT_LE(rate.norm(), rounding * (diffusion.rate(values).norm() + size));
@@ -198,12 +198,13 @@ TEST_P(HarmonicForms, that_are_linear_functions_come_back_and_stand_still) {
                 BoundaryForms data{.values = given,
                                    .derivative_flow = outward_flow(mesh, side, derivatives)};
                 if (where == Where::robin && side == Side::primal)
-                    data.derivative_flow += robin_parts(mesh, side, 0, conditions).weights * u;
-                const HodgeLaplaceSolver solver(mesh, {side, 0, conditions});
+                    data.derivative_flow +=
+                        FormSpace(mesh, side, 0, conditions).robin_weights() * u;
+                const HodgeLaplaceSolver solver({mesh, side, 0, conditions});
                 EXPECT_LE(distance(solver.solve({side, 0, zero}, data).form.values, u, free),
                           rounding);
 
-                const Diffusion diffusion(mesh, side, 0, {.conditions = conditions});
+                const Diffusion diffusion({mesh, side, 0, conditions});
                 const Vector values = diffusion.values_of(u, data);
                 const Vector alone = diffusion.rate(values);
                 EXPECT_LE((alone + diffusion.boundary_rate(data)).norm(),

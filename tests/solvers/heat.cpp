@@ -3,7 +3,7 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
-#include "dec/conditioned_complex.h"
+#include "dec/form_space.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
@@ -37,9 +37,9 @@ void expect_eigenforms_to_shrink(const CellComplex& complex, const HodgeStars& s
     for (Index i = 0; i < A.cols(); ++i)
         A.col(i) = applied * Vector::Unit(A.cols(), i);
     const auto [values, forms] = dense_modes(A, DenseMatrix(stars[k].matrix()));
-    const HeatSolver primal({complex, stars}, Side::primal, k, quick);
+    const HeatSolver primal({{complex, stars}, Side::primal, k}, quick);
     const int j = complex.dimension() - k;
-    const HeatSolver dual({complex, stars}, Side::dual, j, quick);
+    const HeatSolver dual({{complex, stars}, Side::dual, j}, quick);
     for (const Index i : {Index{0}, static_cast<Index>(A.rows() / 2)}) {
         const Vector form = forms.col(i);
         const double factor = 1 / (1 + quick.time_step * values[i]);
@@ -52,7 +52,7 @@ void expect_eigenforms_to_shrink(const CellComplex& complex, const HodgeStars& s
         EXPECT_GT(relative_difference(primal.step({Side::primal, k, form}).values,
                                       factor * factor * form + form),
                   1e-3);
-        const HeatSolver second({complex, stars}, Side::primal, k,
+        const HeatSolver second({{complex, stars}, Side::primal, k},
                                 {.time_step = 0.1, .scheme = HeatScheme::crank_nicolson});
         const double half = quick.time_step * values[i] / 2;
         EXPECT_LE(relative_difference(second.step({Side::primal, k, form}).values,
@@ -63,7 +63,10 @@ void expect_eigenforms_to_shrink(const CellComplex& complex, const HodgeStars& s
 
 TEST(HeatByStars, shrinks_eigenforms_on_obtuse_surfaces) {
     const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, 3));
-    ASSERT_TRUE(says(refusal([&] { HeatSolver(mesh, Side::primal, 1, quick); }), {"not positive"}));
+    ASSERT_TRUE(says(refusal([&] {
+                         HeatSolver({mesh, Side::primal, 1}, quick);
+                     }),
+                     {"not positive"}));
     const auto stars = mesh.with_stars(StarKind::automatic).stars();
     ASSERT_FALSE(stars[1].is_diagonal());
     for (const int k : {0, 1})
@@ -83,18 +86,19 @@ TEST(HeatByStars, keeps_conditions_on_the_boundary) {
     const auto stars = mesh.with_stars(StarKind::automatic).stars();
     BoundaryConditions fixed;
     fixed.everywhere = BoundaryCondition::essential;
-    const auto space = conditioned_complex({mesh.complex(), stars}, Side::primal, 1, fixed);
-    ASSERT_LT(space.relative.complex.size(1), mesh.complex().size(1));
-    ASSERT_FALSE(space.stars[1].is_diagonal());
+    const FormSpace space({mesh.complex(), stars}, Side::primal, 1, fixed);
+    const Cells on = space.inside();
+    ASSERT_LT(space.size(), mesh.complex().size(1));
+    ASSERT_FALSE(on.stars()[1].is_diagonal());
     const Vector form = random_vector(mesh.complex().size(1), 2);
-    const HeatSolver inside({space.relative.complex, space.stars}, Side::primal, 1, quick);
-    const HeatSolver solver({mesh.complex(), stars}, fixed, Side::primal, 1, quick);
+    const HeatSolver inside({on, Side::primal, 1}, quick);
+    const HeatSolver solver(space, quick);
     const Vector next = solver.step({Side::primal, 1, form}).values;
-    const Vector there = inside.step({Side::primal, 1, space.relative.restrict(1, form)}).values;
-    EXPECT_LE(relative_difference(next, space.relative.extend(1, there)), 1e-12);
+    const Vector there = inside.step({Side::primal, 1, space.restrict(form)}).values;
+    EXPECT_LE(relative_difference(next, space.extend(there)), 1e-12);
     // the rows and columns of the edges inside, as they are
-    const DenseMatrix whole(stars[1].matrix()), part(space.stars[1].matrix());
-    const auto& kept = space.relative.cells[1];
+    const DenseMatrix whole(stars[1].matrix()), part(on.stars()[1].matrix());
+    const auto& kept = space.free();
     EXPECT_EQ(part, DenseMatrix(whole(kept, kept)));
 }
 
@@ -106,10 +110,11 @@ TEST(HeatByStars, has_nothing_to_do_where_conditions_fix_all) {
     const auto stars = mesh.stars().with(1, twice);
     BoundaryConditions fixed;
     fixed.everywhere = BoundaryCondition::essential;
-    const auto space = conditioned_complex({mesh.complex(), stars}, Side::primal, 1, fixed);
-    EXPECT_EQ(space.stars[1].size(), 0);
-    EXPECT_FALSE(space.stars[1].is_diagonal());
-    const HeatSolver solver({mesh.complex(), stars}, fixed, Side::primal, 1, quick);
+    const FormSpace space({mesh.complex(), stars}, Side::primal, 1, fixed);
+    const Cells inside = space.inside();
+    EXPECT_EQ(inside.stars()[1].size(), 0);
+    EXPECT_FALSE(inside.stars()[1].is_diagonal());
+    const HeatSolver solver(space, quick);
     EXPECT_TRUE(solver.step({Side::primal, 1, Vector::Ones(3)}).values.isZero(0));
 }
 
@@ -129,10 +134,12 @@ TEST(HeatByStars, leaves_harmonic_forms_after_the_longest_time) {
     const auto stars = mesh.with_stars(StarKind::hybrid).stars();
     ASSERT_TRUE(stars[0].is_diagonal() && !stars[1].is_diagonal());
     const Cochain form{Side::primal, 1, random_vector(mesh.complex().size(1), 2)};
-    const Vector harmonic = hodge_decomposition({mesh.complex(), stars}, form).harmonic.values;
-    const HeatSolver solver({mesh.complex(), stars}, Side::primal, 1, {.time_step = 1e8});
+    const Vector harmonic =
+        hodge_decomposition({{mesh.complex(), stars}, form.side, form.degree}, form)
+            .harmonic.values;
+    const HeatSolver solver({{mesh.complex(), stars}, Side::primal, 1}, {.time_step = 1e8});
     EXPECT_LE(relative_difference(solver.step(form).values, harmonic), 1e-6);
-    const HeatSolver brief({mesh.complex(), stars}, Side::primal, 1, {.time_step = 1});
+    const HeatSolver brief({{mesh.complex(), stars}, Side::primal, 1}, {.time_step = 1});
     EXPECT_GT(relative_difference(brief.step(form).values, harmonic), 1e-3);
 }
 
@@ -149,12 +156,11 @@ TEST_P(Heat, eigenforms_decay_with_their_eigenvalues_on_both_sides) {
             const int degree = side == Side::primal ? k : n - k;
             if (side == Side::dual && degree == 0 && branches(mesh().P()))
                 continue;
-            const auto modes = spectrum({mesh().P(), mesh().volumes},
-                                        {.side = side, .degree = degree, .count = 1});
+            const auto modes = spectrum({{mesh().P(), mesh().volumes}, side, degree}, {.count = 1});
             const double lambda = modes.eigenvalues[0], dt = 1e-3;
             if (lambda < -1e-9)
                 continue; // spurious, of a negative dual: grows instead
-            HeatSolver solver({mesh().P(), mesh().volumes}, side, degree, {.time_step = dt});
+            HeatSolver solver({{mesh().P(), mesh().volumes}, side, degree}, {.time_step = dt});
             const Cochain mode{side, degree, modes.modes.col(0)};
             const Vector expected = mode.values / (1 + dt * lambda);
             EXPECT_LE(relative_difference(solver.step(mode).values, expected), 1e-8)
@@ -166,10 +172,10 @@ POLYDEC_OVER_MESHES(Heat);
 
 TEST(HeatOrders, are_1_and_2_in_time) {
     const auto mesh = circumcentric(grid(6, 6));
-    const auto modes = spectrum(mesh, {.degree = 0, .count = 2});
+    const auto modes = spectrum({mesh, Side::primal, 0}, {.count = 2});
     const double lambda = modes.eigenvalues[1], end = 0.1;
     const auto error = [&](HeatScheme scheme, int steps) {
-        HeatSolver solver({mesh.complex(), mesh.volumes()}, Side::primal, 0,
+        HeatSolver solver({{mesh.complex(), mesh.volumes()}, Side::primal, 0},
                           {.time_step = end / steps, .scheme = scheme});
         Cochain u{Side::primal, 0, modes.modes.col(1)};
         const Vector exact = std::exp(-lambda * end) * u.values;
@@ -188,7 +194,7 @@ TEST(Heat, of_stars_that_are_matrices_does_not_mind_the_size_of_cells) {
         mesh.points *= size;
         const auto given =
             discretize(mesh, {.criterion = MergeCriterion::none, .star = StarKind::galerkin});
-        const HeatSolver solver(given, Side::dual, 0, {.time_step = 0.05 * size * size});
+        const HeatSolver solver({given, Side::dual, 0}, {.time_step = 0.05 * size * size});
         return solver.step({Side::dual, 0, Vector::Ones(given.complex().size(2))})
             .values.maxCoeff();
     };
@@ -200,7 +206,8 @@ TEST(Heat, does_not_grow_where_duals_of_facets_are_negative) {
     const auto mesh = circumcentric(perturbed(grid(4, 4), 0.08, 3), {MergeCriterion::none});
     ASSERT_FALSE(star(mesh.volumes(), 1).negatives().empty());
     for (const char* engine : {"eigen.ldlt", "auto"}) {
-        const HeatSolver solver(mesh, Side::dual, 0, {.time_step = 0.01, .linear_solver = engine});
+        const HeatSolver solver({mesh, Side::dual, 0},
+                                {.time_step = 0.01, .linear_solver = engine});
         Cochain u{Side::dual, 0, random_vector(mesh.complex().size(2), 1)};
         EXPECT_TRUE(says(message_of<SolverFailure>([&] {
                              for (int step = 0; step < 100; ++step)
@@ -209,7 +216,7 @@ TEST(Heat, does_not_grow_where_duals_of_facets_are_negative) {
                          {"norm larger", "negative duals", "StarKind::automatic"}))
             << engine;
         const auto positive = mesh.with_stars(StarKind::automatic);
-        const HeatSolver other(positive, Side::dual, 0, {.time_step = 0.01});
+        const HeatSolver other({positive, Side::dual, 0}, {.time_step = 0.01});
         EXPECT_LT(norm(positive, other.step(u)), norm(positive, u));
     }
 }

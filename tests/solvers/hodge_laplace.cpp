@@ -25,7 +25,7 @@ namespace {
 double error(const Discretization& mesh, Side side, int degree, Where where, double factor = 1) {
     const WaveForm wave(mesh.dimension(), degree, 1.5);
     const Cochain exact = exact_form(mesh, side, wave);
-    HodgeLaplaceSolver solver(mesh, {side, degree, conditions_of(mesh, where)});
+    HodgeLaplaceSolver solver({mesh, side, degree, conditions_of(mesh, where)});
     // orthonormal harmonic forms have the products with a form as coefficients
     DenseMatrix harmonic = solver.harmonic_forms();
     Vector coefficients(harmonic.cols());
@@ -103,7 +103,7 @@ TEST(HarmonicPart, is_removed_from_the_source_and_given_to_the_solution) {
         for_all_forms(mesh.dimension(), [&](Side side, int k) {
             for (const auto condition :
                  {BoundaryCondition::essential, BoundaryCondition::natural}) {
-                HodgeLaplaceSolver solver(mesh, {side, k, {condition}});
+                HodgeLaplaceSolver solver({mesh, side, k, {condition}});
                 const DenseMatrix H = solver.harmonic_forms();
                 if (H.cols() == 0)
                     continue;
@@ -128,7 +128,7 @@ TEST(CurlCurl, removes_what_is_no_curl_and_keeps_the_gauge) {
         if (material)
             mesh = mesh.with_stars(mesh.stars().with(
                 2, material_star(mesh, 2, CellData::on_cells(permeability.cwiseInverse()))));
-        HodgeLaplaceSolver solver(mesh, {.degree = 1});
+        HodgeLaplaceSolver solver({mesh, Side::primal, 1, {}});
         const auto relative = relative_to_boundary(mesh.complex());
         const auto inside = [&](int k, unsigned seed) {
             return relative.extend(k, random_vector(relative.complex.size(k), seed));
@@ -136,7 +136,7 @@ TEST(CurlCurl, removes_what_is_no_curl_and_keeps_the_gauge) {
         const Cochain curl =
             codifferential(mesh, {Side::primal, 2, random_vector(mesh.complex().size(2), 1)});
         const Cochain gradient = d(mesh.complex(), Cochain{Side::primal, 0, inside(0, 2)});
-        const auto solution = solve_curl_curl(solver, mesh.complex(), curl + gradient);
+        const auto solution = solve_curl_curl(solver, curl + gradient);
         EXPECT_LE(norm(mesh, solution.removed - gradient), 1e-8 * norm(mesh, gradient));
         const Vector left = relative.restrict(
             1, codifferential(mesh, d(mesh.complex(), solution.potential)).values - curl.values);
@@ -152,17 +152,19 @@ TEST(CurlCurl, removes_what_is_no_curl_and_keeps_the_gauge) {
 
 TEST(FormSourceErrors, name_what_does_not_fit) {
     const auto mesh = circumcentric(grid(2, 2));
-    const HodgeLaplaceSolver solver(mesh, {.degree = 1});
+    const HodgeLaplaceSolver solver({mesh, Side::primal, 1, {}});
     EXPECT_TRUE(says(refusal([&] {
                          solver.solve({Side::primal, 0, Vector::Zero(9)});
                      }),
-                     {"primal 0-form", "primal 1-forms"}));
+                     {"primal 0-form", "primal 1-form"}));
     EXPECT_TRUE(
         says(refusal([&] {
                  solver.solve({Side::primal, 1, Vector::Zero(12)}, {.flow = Vector::Zero(3)});
              }),
              {"3 boundary values", "star", "9"}));
-    EXPECT_TRUE(says(refusal([&] { HodgeLaplaceSolver(mesh, {.degree = 3}); }),
+    EXPECT_TRUE(says(refusal([&] {
+                         HodgeLaplaceSolver({mesh, Side::primal, 3, {}});
+                     }),
                      {"primal forms", "degree 3", "dimension 2", "0", "2"}));
 }
 

@@ -81,8 +81,8 @@ TEST(Flows, are_advanced_with_their_harmonic_part) {
         // forms that vanish on the boundary: nothing goes through it
         const auto inside = relative_to_boundary(on.complex());
         const Vector harmonic = inside.extend(
-            1, Vector(harmonic_forms({inside.complex, relative_stars(inside, on.stars())},
-                                     Side::primal, 1)
+            1, Vector(harmonic_forms(
+                          {{inside.complex, relative_stars(inside, on.stars())}, Side::primal, 1})
                           .rowwise()
                           .sum()));
         ASSERT_GT(flow.energy(harmonic), 1e-6) << name;

@@ -35,8 +35,8 @@ TEST(InputUnits, are_those_of_heat) {
         [](const Discretization& mesh, double size, Side side, int degree) {
             const HeatOptions options{.time_step = 0.05 * size * size};
             const Cochain start = any_form(mesh, side, degree);
-            const HeatSolver built_in(mesh, side, degree, options);
-            const HeatSolver held(mesh, robin(1.5 / size), side, degree, options);
+            const HeatSolver built_in({mesh, side, degree}, options);
+            const HeatSolver held({mesh, side, degree, robin(1.5 / size)}, options);
             return joined({built_in.step(start).values, held.step(start).values});
         },
         all_degrees);
@@ -48,15 +48,15 @@ TEST(InputUnits, are_those_of_evolutions) {
         expect_the_same_of_all_sizes(
             [=](const Discretization& mesh, double size, Side side, int degree) {
                 const double time = is_fast ? 1 : size * size;
-                Unknown unknown{.start = any_form(mesh, side, degree),
-                                .diffusion = size * size / time,
-                                .conditions = robin(1.5 / size)};
+                Unknown unknown{.space = {mesh, side, degree, robin(1.5 / size)},
+                                .start = any_form(mesh, side, degree).values,
+                                .diffusion = size * size / time};
                 if (degree == 0)
                     unknown.boundary = [&](double t) {
                         const Vector given = std::cos(t / time) * slopes(mesh, size);
                         return BoundaryForms{.derivative_flow = outward_flow(mesh, side, given)};
                     };
-                Evolution run(mesh, {unknown},
+                Evolution run({unknown},
                               [=](double t, const std::vector<Cochain>& forms) {
                                   const double rate = (2 + std::cos(t / time)) / time;
                                   return std::vector{Vector(rate * forms[0].values)};
@@ -75,7 +75,10 @@ TEST(InputUnits, are_those_of_tolerances) {
         [](const Discretization& mesh, double size, Side side, int degree) {
             const Cochain start = any_form(mesh, side, degree);
             Evolution run(
-                mesh, {{.start = start, .diffusion = size * size}}, {},
+                {{.space = {mesh, start.side, start.degree},
+                  .start = start.values,
+                  .diffusion = size * size}},
+                {},
                 {.steps = {.relative_tolerance = 1e-12,
                            .absolute_tolerance = 1e-3 * largest_coefficient(mesh, start)}});
             run.march(0.01);
@@ -88,8 +91,7 @@ TEST(InputUnits, are_those_of_tolerances) {
 TEST(InputUnits, are_those_of_forms_with_sources) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side side, int degree) {
-            const HodgeLaplaceSolver solver(
-                mesh, {.side = side, .degree = degree, .boundary = robin(1.5 / size)});
+            const HodgeLaplaceSolver solver({mesh, side, degree, robin(1.5 / size)});
             const Cochain f = 1 / (size * size) * any_form(mesh, side, degree);
             BoundaryForms data;
             if (degree == 0)
@@ -105,9 +107,9 @@ TEST(InputUnits, are_those_of_forms_with_sources) {
 TEST(InputUnits, are_those_of_currents) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side, int) {
-            const HodgeLaplaceSolver solver(mesh, {.degree = 1});
+            const HodgeLaplaceSolver solver({mesh, Side::primal, 1, {}});
             const Cochain j = 1 / (size * size) * any_form(mesh, Side::primal, 1);
-            const auto found = solve_curl_curl(solver, mesh.complex(), j);
+            const auto found = solve_curl_curl(solver, j);
             return joined({found.potential.values, size * size * found.removed.values});
         },
         1);
@@ -127,8 +129,7 @@ TEST(InputUnits, are_those_of_poisson_problems) {
 TEST(InputUnits, are_those_of_spectra) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side side, int degree) {
-            const auto found =
-                spectrum(mesh, robin(1.5 / size), {.side = side, .degree = degree, .count = 5});
+            const auto found = spectrum({mesh, side, degree, robin(1.5 / size)}, {.count = 5});
             return Vector(size * size * found.eigenvalues);
         },
         all_degrees);
@@ -139,7 +140,7 @@ TEST(InputUnits, are_those_of_coexact_spectra) {
         [](const Discretization& mesh, double size, Side side, int degree) {
             if (side == Side::dual || degree == mesh.dimension())
                 return Vector();
-            const auto found = coexact_spectrum(mesh, {.degree = degree, .count = 3});
+            const auto found = coexact_spectrum({mesh, Side::primal, degree}, {.count = 3});
             return Vector(size * size * joined({found.eigenvalues, found.radii}));
         },
         all_degrees);
@@ -150,9 +151,10 @@ TEST(InputUnits, are_those_of_hodge_decompositions) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side side, int degree) {
             const int power = mesh.dimension() - 2 * degree;
-            const DenseMatrix harmonic = harmonic_forms(mesh, side, degree);
+            const DenseMatrix harmonic = harmonic_forms({mesh, side, degree});
             const Vector copotential =
-                hodge_decomposition(mesh, any_form(mesh, side, degree)).copotential.values;
+                hodge_decomposition({mesh, side, degree}, any_form(mesh, side, degree))
+                    .copotential.values;
             if (power == 0 || copotential.size() + harmonic.size() == 0)
                 return Vector();
             return joined({std::pow(size, -power) * copotential,
@@ -164,18 +166,18 @@ TEST(InputUnits, are_those_of_hodge_decompositions) {
 TEST(InputUnits, are_those_of_waves) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side side, int) {
-            const auto conditions = built_in_conditions(side);
-            const double stable = stable_step(mesh, conditions, side, 0) / size;
+            const FormSpace space(mesh, side, 0);
+            const double stable = stable_step(space) / size;
             WaveOptions options{.time_step = 0.3 * stable * size};
             const Cochain E = any_form(mesh, side, 0), B = any_form(mesh, side, 1);
             options.loss = Vector::Constant(E.values.size(), 0.5 / size);
             options.upper_loss = Vector::Constant(B.values.size(), 0.25 / size);
             if (mesh.points().cols() == mesh.dimension())
-                options.layer = {.width = 0.2 * size, .kind = LayerKind::conducting};
+                options.layer = {mesh, 0.2 * size, LayerKind::conducting};
             options.B = size * B.values;
             options.source = [&](double) { return Vector(E.values / size); };
             options.upper_source = [&](double) { return B.values; };
-            Waves waves(mesh, E, options);
+            Waves waves(space, E.values, options);
             waves.advance(3);
             return joined({waves.form(0).values, waves.form(1).values / size,
                            Vector{{waves.time_step() / size,

@@ -33,7 +33,7 @@ TEST_P(OnFlippedSurfaces, harmonic_forms_are_as_many_as_betti_numbers_say) {
     const auto mesh = flipped(this->mesh());
     const auto betti = betti_numbers(mesh.complex());
     for (int k = 0; k <= 2; ++k)
-        EXPECT_EQ(harmonic_forms({mesh.complex(), mesh.volumes()}, Side::primal, k).cols(),
+        EXPECT_EQ(harmonic_forms({{mesh.complex(), mesh.volumes()}, Side::primal, k}).cols(),
                   betti[k])
             << "degree " << k;
 }
@@ -41,7 +41,8 @@ TEST_P(OnFlippedSurfaces, harmonic_forms_are_as_many_as_betti_numbers_say) {
 TEST_P(OnFlippedSurfaces, forms_are_sums_of_orthogonal_parts) {
     const auto mesh = flipped(this->mesh());
     const Cochain form{Side::primal, 1, random_vector(mesh.complex().size(1), 5)};
-    const auto parts = hodge_decomposition({mesh.complex(), mesh.volumes()}, form);
+    const auto parts =
+        hodge_decomposition({{mesh.complex(), mesh.volumes()}, form.side, form.degree}, form);
     const Vector mass = star(mesh.volumes(), 1).diagonal();
     const Vector sum = parts.exact.values + parts.coexact.values + parts.harmonic.values;
     EXPECT_LT(relative_difference(sum, form.values), 1e-9);
@@ -56,7 +57,7 @@ TEST_P(OnFlippedSurfaces, spectra_of_all_degrees_and_sides_are_certified_and_not
     const auto mesh = flipped(this->mesh());
     for (const Side side : {Side::primal, Side::dual})
         for (int degree = 0; degree <= 2; ++degree) {
-            const auto found = spectrum(mesh, {.side = side, .degree = degree, .count = 6});
+            const auto found = spectrum({mesh, side, degree}, {.count = 6});
             EXPECT_TRUE(found.certificate.complete);
             EXPECT_GT(found.eigenvalues[0], -1e-9 * found.eigenvalues[5]) << "degree " << degree;
         }
@@ -69,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Family, OnFlippedSurfaces,
 
 TEST(OnSurfacesAsTheyAre, forms_have_no_mass_where_duals_are_negative) {
     const auto mesh = circumcentric(shaken(icosphere(5), 0.25, 7));
-    EXPECT_NE(refusal([&] { spectrum(mesh, {.degree = 1, .count = 4}); }), "accepted");
+    EXPECT_NE(refusal([&] { spectrum({mesh, Side::primal, 1}, {.count = 4}); }), "accepted");
 }
 
 /// Greatest error of a function of the plane that is given on the boundary, and whose Laplacian is

@@ -17,10 +17,10 @@ namespace polydec::test::in_kept_spectra {
 namespace {
 
 /// What a run tells of on its way.
-std::vector<DenseMatrix> told_of(const Discretization& mesh, SpectrumOptions options) {
+std::vector<DenseMatrix> told_of(const FormSpace& space, SpectrumOptions options) {
     std::vector<DenseMatrix> all;
     options.found = [&](const DenseMatrix& vectors) { all.push_back(vectors); };
-    spectrum(mesh, options);
+    spectrum(space, options);
     return all;
 }
 
@@ -37,13 +37,14 @@ TEST(KeptSpectra, go_on_to_the_same_eigenvalues_on_both_sides_in_every_degree) {
         const auto mesh = circumcentric(input);
         for (int degree = 0; degree <= mesh.dimension(); ++degree)
             for (const Side side : {Side::primal, Side::dual}) {
-                SpectrumOptions options{.side = side, .degree = degree, .count = 12};
+                const FormSpace space(mesh, side, degree);
+                SpectrumOptions options{.count = 12};
                 if (side == Side::dual && mesh.dimension() == 3 && degree > 0)
                     continue; // facets on the boundary have no duals
-                const auto whole = spectrum(mesh, options);
-                for (const DenseMatrix& vectors : told_of(mesh, options)) {
+                const auto whole = spectrum(space, options);
+                for (const DenseMatrix& vectors : told_of(space, options)) {
                     options.start = vectors;
-                    expect_same(spectrum(mesh, options), whole);
+                    expect_same(spectrum(space, options), whole);
                 }
             }
     }
@@ -52,8 +53,8 @@ TEST(KeptSpectra, go_on_to_the_same_eigenvalues_on_both_sides_in_every_degree) {
 TEST(KeptSpectra, of_coexact_forms_go_on_as_well) {
     for (const Mesh& input : {icosphere(6), torus(12, 8), kuhn(3, 3)}) {
         const auto mesh = circumcentric(input);
-        SpectrumOptions options{.degree = 1, .count = 8};
-        const auto of = [&] { return coexact_spectrum(mesh, options); };
+        SpectrumOptions options{.count = 8};
+        const auto of = [&] { return coexact_spectrum({mesh, Side::primal, 1}, options); };
         const auto whole = of();
         std::vector<DenseMatrix> all;
         options.found = [&](const DenseMatrix& vectors) { all.push_back(vectors); };
@@ -70,29 +71,29 @@ TEST(KeptSpectra, of_coexact_forms_go_on_as_well) {
 }
 
 TEST(KeptSpectra, grow_in_parts_that_are_not_looked_for_again) {
-    const auto mesh = circumcentric(icosphere(10));
+    const FormSpace space(circumcentric(icosphere(10)), Side::primal, 0);
     SpectrumOptions options{.count = 100};
-    const auto whole = spectrum(mesh, options);
-    const auto parts = told_of(mesh, options);
+    const auto whole = spectrum(space, options);
+    const auto parts = told_of(space, options);
     ASSERT_GE(parts.size(), 3u);
     EXPECT_LT(parts.front().cols(), 60);
     options.start = parts[parts.size() / 2];
     int steps = 0, anew = 0;
     options.progress = [&](std::string_view) { ++steps; };
-    expect_same(spectrum(mesh, options), whole);
+    expect_same(spectrum(space, options), whole);
     options.start = {};
     options.found = [](const DenseMatrix&) {};
     options.progress = [&](std::string_view) { ++anew; };
-    spectrum(mesh, options);
+    spectrum(space, options);
     EXPECT_LT(steps, anew);
 }
 
 TEST(KeptSpectra, are_right_whatever_they_are_begun_with) {
-    const auto mesh = circumcentric(icosphere(6));
+    const FormSpace space(circumcentric(icosphere(6)), Side::primal, 0);
     SpectrumOptions options{.count = 9};
-    const auto whole = spectrum(mesh, options);
-    const DenseMatrix found = told_of(mesh, options).back();
-    const Index size = mesh.complex().size(0);
+    const auto whole = spectrum(space, options);
+    const DenseMatrix found = told_of(space, options).back();
+    const Index size = space.size();
 
     DenseMatrix twice(size, 8); // copies, noise, and what is far up
     twice << found.leftCols(2), found.leftCols(2), DenseMatrix::Random(size, 3), Vector::Zero(size);
@@ -102,10 +103,11 @@ TEST(KeptSpectra, are_right_whatever_they_are_begun_with) {
     spoiled.col(3) += 1e-4 * Vector::Unit(size, 0);
     for (const DenseMatrix& start : {twice, without, spoiled}) {
         options.start = start;
-        expect_same(spectrum(mesh, options), whole);
+        expect_same(spectrum(space, options), whole);
     }
     options.start = DenseMatrix::Zero(3, 2);
-    EXPECT_TRUE(says(refusal([&] { spectrum(mesh, options); }), {"2 vectors", "3 numbers", "362"}));
+    EXPECT_TRUE(
+        says(refusal([&] { spectrum(space, options); }), {"2 vectors", "3 numbers", "362"}));
 }
 
 } // namespace

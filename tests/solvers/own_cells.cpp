@@ -82,21 +82,26 @@ TEST_P(OwnCells, have_heat_waves_and_decompositions) {
             for (const auto condition : {BoundaryCondition::essential, BoundaryCondition::natural})
                 expect_equal(
                     [&] {
-                        return HeatSolver(whole(), {condition}, side, degree, options)
+                        return HeatSolver({whole(), side, degree, {condition}}, options)
                             .step(form)
                             .values;
                     },
                     [&] {
-                        return HeatSolver({complex(), volumes()}, {condition}, side, degree,
+                        return HeatSolver({{complex(), volumes()}, side, degree, {condition}},
                                           options)
                             .step(form)
                             .values;
                     },
                     1.1);
             expect_equal(
-                [&] { return hodge_decomposition(whole(), form).copotential.values; },
                 [&] {
-                    return hodge_decomposition({complex(), volumes()}, form).copotential.values;
+                    return hodge_decomposition({whole(), form.side, form.degree}, form)
+                        .copotential.values;
+                },
+                [&] {
+                    return hodge_decomposition({{complex(), volumes()}, form.side, form.degree},
+                                               form)
+                        .copotential.values;
                 },
                 1.1);
         }
@@ -105,11 +110,14 @@ TEST_P(OwnCells, have_heat_waves_and_decompositions) {
 TEST_P(OwnCells, have_the_stable_steps_that_meshes_have) {
     const auto frequency = [](double step) { return Vector(Vector::Constant(1, 2 / step)); };
     for (int k = 0; k < complex().dimension(); ++k)
-        expect_equal([&] { return frequency(stable_step(whole(), k)); },
-                     [&] {
-                         return frequency(stable_step({complex(), volumes()}, k));
-                     },
-                     1.1);
+        expect_equal(
+            [&] {
+                return frequency(stable_step({whole(), Side::primal, k}));
+            },
+            [&] {
+                return frequency(stable_step({{complex(), volumes()}, Side::primal, k}));
+            },
+            1.1);
 }
 
 POLYDEC_OVER_MESHES(OwnCells);

@@ -195,7 +195,7 @@ const std::vector<Refusal>& refusals() {
          [] {
              const auto mesh = circumcentric(
                  made_of({{0, 0}, {4, 0}, {2, 1.6}, {2, -1.6}}, {{0, 1, 2}, {0, 3, 1}}));
-             stable_step({mesh.complex(), mesh.volumes()}, 0);
+             stable_step({{mesh.complex(), mesh.volumes()}, Side::primal, 0});
          }},
         {"flux", [] { PoissonSolver(unmerged_grid(), {.side = Side::dual}); }},
         {"conductivity",

@@ -80,9 +80,9 @@ const std::vector<Found>& hostile_spectra() {
                         continue;
                     const Index count = std::min<Index>(12, cells.complex.size(k));
                     const int degree = side == Side::primal ? k : n - k;
-                    result.push_back({spectrum({cells.complex, cells.volumes},
-                                               {.side = side, .degree = degree, .count = count}),
-                                      exact, 1e-17L * exact.cwiseAbs().maxCoeff()});
+                    result.push_back(
+                        {spectrum({{cells.complex, cells.volumes}, side, degree}, {.count = count}),
+                         exact, 1e-17L * exact.cwiseAbs().maxCoeff()});
                 }
             }
         }
@@ -119,9 +119,8 @@ TEST(ThreeTriangles, have_small_eigenvalues_beside_a_huge_one) {
         const Complex cells(made_of({{0, 0}, {1, 0}, {0.5, -h}, {0.5, h}, {0.5, -depth}},
                                     {{0, 1, 3}, {0, 1, 2}, {0, 2, 4}}));
         for (const Side side : {Side::primal, Side::dual}) {
-            const auto found =
-                spectrum({cells.complex, cells.volumes},
-                         {.side = side, .degree = side == Side::primal ? 2 : 0, .count = 3});
+            const auto found = spectrum(
+                {{cells.complex, cells.volumes}, side, side == Side::primal ? 2 : 0}, {.count = 3});
             for (Index i = 0; i < 3; ++i) {
                 EXPECT_NEAR(found.eigenvalues[i], exact[i], found.radii[i]) << i;
                 EXPECT_NEAR(found.eigenvalues[i], exact[i], 1e-9 * std::abs(exact[i])) << i;
@@ -148,7 +147,8 @@ TEST(StarOfEdges, with_one_too_short_is_refused_or_right) {
     Index refused = 0;
     for (const int k : {0, 1})
         try {
-            const auto found = spectrum({cells.complex, cells.volumes}, {.degree = k, .count = 4});
+            const auto found =
+                spectrum({{cells.complex, cells.volumes}, Side::primal, k}, {.count = 4});
             const LongVector exact =
                 dense_eigenvalues<long double>(cells.complex, cells.volumes, k);
             for (Index i = 0; i < 4; ++i) {
@@ -198,7 +198,7 @@ TEST(ManyComponents, have_all_their_zeros_at_once) {
         spheres = united(spheres, icosphere(1));
     const Complex cells(spheres);
     Index rounds = 0;
-    const auto found = spectrum({cells.complex, cells.volumes},
+    const auto found = spectrum({{cells.complex, cells.volumes}, Side::primal, 0},
                                 {.count = 10, .progress = [&](std::string_view what) {
                                      rounds += what == "iterating" ? 1 : 0;
                                  }});
@@ -214,7 +214,7 @@ TEST(ManyComponents, have_all_copies_of_an_eigenvalue_by_a_count_of_them) {
         spheres = united(spheres, icosphere(1));
     const Complex cells(spheres);
     Index rounds = 0;
-    const auto found = spectrum({cells.complex, cells.volumes},
+    const auto found = spectrum({{cells.complex, cells.volumes}, Side::primal, 0},
                                 {.count = copies + 1, .progress = [&](std::string_view what) {
                                      rounds += what == "iterating" ? 1 : 0;
                                  }});
@@ -229,8 +229,8 @@ TEST(SpectrumOfTwoSpheres, is_that_of_the_large_one_and_zeros_of_both) {
     const Complex both(united(sphere, transformed(sphere, DenseMatrix::Identity(3, 3), 1e-5, 5)));
     for (const int k : {0, 2}) {
         const Vector single =
-            spectrum({one.complex, one.volumes}, {.degree = k, .count = 9}).eigenvalues;
-        const auto found = spectrum({both.complex, both.volumes}, {.degree = k, .count = 10});
+            spectrum({{one.complex, one.volumes}, Side::primal, k}, {.count = 9}).eigenvalues;
+        const auto found = spectrum({{both.complex, both.volumes}, Side::primal, k}, {.count = 10});
         EXPECT_LE(found.eigenvalues.head(2).cwiseAbs().maxCoeff(), 1e-9);
         EXPECT_LE((found.eigenvalues.tail(8) - single.tail(8)).cwiseAbs().maxCoeff(), 1e-7);
         EXPECT_LE(found.radii.maxCoeff(), 1e-6);
@@ -245,10 +245,10 @@ TEST(CoexactSpectrum, spans_two_spheres_of_very_different_size) {
     const Mesh small = transformed(sphere, DenseMatrix::Identity(3, 3), 1e-4, 5);
     const Complex both(united(sphere, small));
     const Index coexact = one.complex.size(2) - 1;
-    const SpectrumOptions all{.degree = 1, .count = coexact};
-    const auto single = coexact_spectrum({one.complex, one.volumes}, all);
+    const SpectrumOptions all{.count = coexact};
+    const auto single = coexact_spectrum({{one.complex, one.volumes}, Side::primal, 1}, all);
     const auto twice =
-        coexact_spectrum({both.complex, both.volumes}, {.degree = 1, .count = 2 * coexact});
+        coexact_spectrum({{both.complex, both.volumes}, Side::primal, 1}, {.count = 2 * coexact});
     ASSERT_EQ(twice.eigenvalues.size(), 2 * coexact);
     for (Index i = 0; i < coexact; ++i) {
         EXPECT_NEAR(twice.eigenvalues[i], single.eigenvalues[i], 1e-8 * single.eigenvalues[i]);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "dec/conditioned_complex.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/form_space.h"
 #include "meshes/generate.h"
 #include "solvers/darcy.h"
 #include "solvers/heat.h"
+#include "solvers/hodge.h"
 #include "solvers/poisson.h"
 #include "solvers/spectrum.h"
 #include "tests/solvers/cases.h"
@@ -176,7 +177,7 @@ double fading_error(const Discretization& mesh, Side side, double alpha, double 
     Cochain u{side, 0, start};
     constexpr int steps = 80;
     constexpr double time = 0.2;
-    const HeatSolver solver(mesh, robin(solved_with), side, 0,
+    const HeatSolver solver({mesh, side, 0, robin(solved_with)},
                             {.time_step = time / steps, .scheme = HeatScheme::crank_nicolson});
     for (int i = 0; i < steps; ++i)
         u = solver.step(u);
@@ -203,7 +204,7 @@ TEST(Robin, has_the_spectrum_of_the_square) {
         for (const double alpha : {0.5, 4.0}) {
             const double exact = 2 * std::pow(frequency(alpha), 2);
             const auto error_of = [&](const Discretization& mesh, double solved_with) {
-                const auto found = spectrum(mesh, robin(solved_with), {.side = side, .count = 3});
+                const auto found = spectrum({mesh, side, 0, robin(solved_with)}, {.count = 3});
                 EXPECT_TRUE(found.certificate.complete);
                 return std::abs(found.eigenvalues[0] - exact);
             };
@@ -221,10 +222,9 @@ TEST(Robin, has_spectra_by_which_heat_fades) {
         SCOPED_TRACE(name_of);
         const auto mesh = circumcentric(mesh_named(name_of));
         for_all_forms(mesh.dimension(), [&](Side side, int k) {
-            const auto found = spectrum(mesh, robin(1.5), {.side = side, .degree = k, .count = 4});
-            const Diffusion diffusion(mesh, side, k, {.conditions = robin(1.5)});
-            const auto other = robin(3);
-            const Diffusion twin(mesh, side, k, {.conditions = other});
+            const auto found = spectrum({mesh, side, k, robin(1.5)}, {.count = 4});
+            const Diffusion diffusion({mesh, side, k, robin(1.5)});
+            const Diffusion twin({mesh, side, k, robin(3)});
             double off = 0;
             for (Index i = 0; i < 4; ++i) {
                 const Vector mode = found.modes.col(i)(diffusion.kept());
@@ -249,7 +249,7 @@ TEST(Robin, takes_energy_from_heat_of_every_degree) {
             const Vector weights = side == Side::primal ? star : star.cwiseInverse();
             const Cochain u{side, k, random_vector(mesh.complex().size(cells), 5)};
             const auto energy_after = [&](const BoundaryConditions& conditions) {
-                const HeatSolver solver(mesh, conditions, side, k, {.time_step = 0.1});
+                const HeatSolver solver({mesh, side, k, conditions}, {.time_step = 0.1});
                 return weights.dot(solver.step(u).values.cwiseAbs2());
             };
             const double left = energy_after(robin(1));
@@ -295,7 +295,9 @@ TEST(Robin, is_refused_where_it_and_a_negative_half_dual_leave_no_resistance) {
 
 TEST(Robin, is_refused_by_name_where_it_is_not_known) {
     const auto mesh = circumcentric(grid(2, 2));
-    EXPECT_TRUE(says(refusal([&] { conditioned_complex(mesh, Side::primal, 0, robin(1)); }),
+    EXPECT_TRUE(says(refusal([&] {
+                         HodgeSolver({mesh, Side::primal, 0, robin(1)});
+                     }),
                      {"facet 0", "Robin", "PoissonSolver"}));
     EXPECT_TRUE(says(refusal([&] { DarcySolver(mesh, {.boundary = robin(1)}); }),
                      {"facet 0", "Robin", "Darcy"}));

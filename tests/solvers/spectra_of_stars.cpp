@@ -4,7 +4,7 @@
 #include "backends/spectra/inertia.h"
 #include "backends/spectra/scaled_pencil.h"
 #include "complex/homology.h"
-#include "dec/conditioned_complex.h"
+#include "dec/form_space.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "solvers/coexact_spectrum.h"
@@ -56,7 +56,8 @@ TEST_P(SpectraOfStars, hold_the_eigenvalues_within_their_radii) {
                 continue;
             const auto exact = dense_eigenvalues<long double>(mesh.complex(), stars, k);
             const Index count = std::min<Index>(mesh.complex().size(k), betti[k] + 6);
-            const auto found = spectrum({mesh.complex(), stars}, {.degree = k, .count = count});
+            const auto found =
+                spectrum({{mesh.complex(), stars}, Side::primal, k}, {.count = count});
             EXPECT_TRUE(found.certificate.complete);
             EXPECT_EQ(number_enclosed(found, exact), count) << name(kind) << ", k = " << k << "\n"
                                                             << exact.head(count).transpose() << "\n"
@@ -70,9 +71,8 @@ TEST_P(SpectraOfStars, hold_the_eigenvalues_within_their_radii) {
 
             if (k == mesh.dimension() && branches(mesh.complex()))
                 continue;
-            const auto dual =
-                spectrum({mesh.complex(), stars},
-                         {.side = Side::dual, .degree = mesh.dimension() - k, .count = count});
+            const auto dual = spectrum({{mesh.complex(), stars}, Side::dual, mesh.dimension() - k},
+                                       {.count = count});
             EXPECT_EQ(number_enclosed(dual, exact), count) << name(kind) << ", k = " << k;
             for (Index i = 0; i < count; ++i) {
                 const Vector x = found.modes.col(i), y = stars[k].solve(dual.modes.col(i));
@@ -90,8 +90,9 @@ TEST(SpectraByStars, of_other_stars_lie_outside_of_the_radii) {
     const auto mesh = circumcentric(mesh_named("torus8x6"), {.criterion = MergeCriterion::none});
     const auto exact = dense_eigenvalues<long double>(
         mesh.complex(), mesh.with_stars(StarKind::galerkin).stars(), 1);
-    const auto other = spectrum({mesh.complex(), mesh.with_stars(StarKind::barycentric).stars()},
-                                {.degree = 1, .count = 6});
+    const auto other = spectrum(
+        {{mesh.complex(), mesh.with_stars(StarKind::barycentric).stars()}, Side::primal, 1},
+        {.count = 6});
     EXPECT_LE(number_enclosed(other, exact), 2); // harmonic ones are 0 with all stars
 }
 
@@ -137,10 +138,8 @@ TEST(SpectraByStars, of_a_cavity_converge) {
         EXPECT_EQ(chosen.kind, StarKind::galerkin);
         BoundaryConditions walls;
         walls.everywhere = BoundaryCondition::essential;
-        const auto space =
-            conditioned_complex({mesh.complex(), chosen.stars}, Side::primal, 1, walls);
-        const auto found =
-            coexact_spectrum({space.relative.complex, space.stars}, {.degree = 1, .count = 6});
+        const auto found = coexact_spectrum(
+            {{mesh.complex(), chosen.stars}, Side::primal, 1, walls}, {.count = 6});
         const Vector values = found.eigenvalues / (std::numbers::pi * std::numbers::pi);
         return Vector((values - exact).cwiseQuotient(exact));
     };
@@ -156,7 +155,7 @@ TEST(SpectraByStars, refuse_masses_that_are_not_positive_definite) {
     const auto stars = mesh.stars().with(1, M);
     for (const int k : {0, 1, 2})
         EXPECT_TRUE(says(refusal([&] {
-                             spectrum({mesh.complex(), stars}, {.degree = k, .count = 2});
+                             spectrum({{mesh.complex(), stars}, Side::primal, k}, {.count = 2});
                          }),
                          {"not positive definite"}))
             << k;
@@ -165,8 +164,8 @@ TEST(SpectraByStars, refuse_masses_that_are_not_positive_definite) {
 TEST(ModesOfDualForms, have_norm_1_where_no_flow_leaves_and_stars_are_matrices) {
     const auto mesh = discretize(mesh_named("obtuse_planar"), {.star = StarKind::galerkin});
     for (const int degree : {1, 2}) {
-        const auto found = spectrum(mesh, {BoundaryCondition::natural},
-                                    {.side = Side::dual, .degree = degree, .count = 4});
+        const auto found =
+            spectrum({mesh, Side::dual, degree, {BoundaryCondition::natural}}, {.count = 4});
         for (Index i = 0; i < found.modes.cols(); ++i)
             EXPECT_NEAR(norm(mesh, {Side::dual, degree, found.modes.col(i)}), 1, 1e-9) << degree;
     }

@@ -89,7 +89,7 @@ TEST_P(Spectra, agree_with_dense_solutions_and_are_proved_complete) {
             for (const Index count : counts_up_to(static_cast<Index>(exact.size()))) {
                 const int degree = side == Side::primal ? k : n - k;
                 SCOPED_TRACE(testing::Message() << name(side) << ' ' << degree << ", " << count);
-                const auto found = spectrum(mesh, {.side = side, .degree = degree, .count = count});
+                const auto found = spectrum({mesh, side, degree}, {.count = count});
                 ASSERT_EQ(found.eigenvalues.size(), count);
                 ASSERT_EQ(found.residuals.size(), count);
                 expect_agreement(found, exact);
@@ -106,7 +106,7 @@ TEST_P(Spectra, have_as_many_zeros_as_the_Betti_number) {
     const auto betti = betti_numbers(mesh.complex());
     for (int k = 0; k <= mesh.dimension(); ++k) {
         const Index count = std::min<Index>(betti[k] + 3, mesh.complex().size(k));
-        const Vector values = spectrum(mesh, {.degree = k, .count = count}).eigenvalues;
+        const Vector values = spectrum({mesh, Side::primal, k}, {.count = count}).eigenvalues;
         const double typical = laplacian({mesh.complex(), mesh.volumes()}, k).diagonal().mean();
         EXPECT_EQ(number_below(values, 1e-10 * typical), betti[k]) << k;
     }
@@ -134,8 +134,7 @@ TEST(SpectraOfManyPieces, have_a_zero_for_each_and_for_each_hole) {
             const auto listen = [&](const DenseMatrix& vectors) {
                 first = first == 0 ? static_cast<Index>(vectors.cols()) : first;
             };
-            const auto found =
-                spectrum(mesh, {.side = side, .degree = degree, .count = count, .found = listen});
+            const auto found = spectrum({mesh, side, degree}, {.count = count, .found = listen});
             EXPECT_LE(found.eigenvalues.cwiseAbs().maxCoeff(), 1e-9);
             EXPECT_TRUE(found.certificate.complete);
             EXPECT_EQ(found.certificate.below_shift, pieces);
@@ -153,8 +152,8 @@ TEST_P(Spectra, scale_with_the_inverse_square_of_length) {
         const auto other = circumcentric(transformed(mesh, identity, scale));
         for (int k = 0; k <= one.dimension(); ++k) {
             const Index count = std::min<Index>(12, one.complex().size(k));
-            const Vector a = spectrum(one, {.degree = k, .count = count}).eigenvalues;
-            const auto found = spectrum(other, {.degree = k, .count = count});
+            const Vector a = spectrum({one, Side::primal, k}, {.count = count}).eigenvalues;
+            const auto found = spectrum({other, Side::primal, k}, {.count = count});
             const Vector b = found.eigenvalues * (scale * scale);
             EXPECT_LE((a - b).cwiseAbs().maxCoeff(), 1e-8 * a.cwiseAbs().maxCoeff()) << k;
             EXPECT_TRUE(found.certificate.complete);
@@ -190,11 +189,11 @@ void expect_multiplets(const Vector& values, std::vector<std::pair<double, Index
 /// Values from an independent program: frequency 16.
 TEST(GoldbergSpectrum, is_that_of_the_sphere_to_three_digits) {
     const auto mesh = circumcentric(goldberg(16));
-    expect_multiplets(spectrum(mesh, {.degree = 0, .count = 9}).eigenvalues,
+    expect_multiplets(spectrum({mesh, Side::primal, 0}, {.count = 9}).eigenvalues,
                       {{0, 1}, {2.000, 3}, {5.997, 5}});
-    expect_multiplets(spectrum(mesh, {.degree = 2, .count = 9}).eigenvalues,
+    expect_multiplets(spectrum({mesh, Side::primal, 2}, {.count = 9}).eigenvalues,
                       {{0, 1}, {2.001, 3}, {5.994, 5}});
-    expect_multiplets(spectrum(mesh, {.degree = 1, .count = 16}).eigenvalues,
+    expect_multiplets(spectrum({mesh, Side::primal, 1}, {.count = 16}).eigenvalues,
                       {{2.000, 3}, {2.001, 3}, {5.994, 5}, {5.997, 5}});
 }
 
@@ -203,8 +202,8 @@ TEST(TwoSpheres, of_radii_1_and_1e_6_have_their_spectra_in_every_degree) {
     small.points *= 1e-6;
     const auto one = circumcentric(icosphere(2)), both = circumcentric(united(icosphere(2), small));
     for (int k = 0; k <= 2; ++k) {
-        const Vector alone = spectrum(one, {.degree = k, .count = 6}).eigenvalues;
-        const Vector found = spectrum(both, {.degree = k, .count = 7}).eigenvalues;
+        const Vector alone = spectrum({one, Side::primal, k}, {.count = 6}).eigenvalues;
+        const Vector found = spectrum({both, Side::primal, k}, {.count = 7}).eigenvalues;
         const Index zeros = k == 1 ? 0 : 1; // harmonic ones of the small sphere
         for (Index i = zeros; i < 6; ++i)
             EXPECT_NEAR(found[i + zeros], alone[i], 1e-4) << "k = " << k; // 1e-18 of the largest
@@ -214,7 +213,7 @@ TEST(TwoSpheres, of_radii_1_and_1e_6_have_their_spectra_in_every_degree) {
 TEST(GradedBoxes, have_spectra_in_every_degree) {
     const auto mesh = circumcentric(graded(3, 4, 3e4));
     for (int k = 0; k <= 3; ++k)
-        EXPECT_EQ(spectrum(mesh, {.degree = k, .count = 3}).eigenvalues.size(), 3) << k;
+        EXPECT_EQ(spectrum({mesh, Side::primal, k}, {.count = 3}).eigenvalues.size(), 3) << k;
 }
 
 } // namespace

@@ -28,30 +28,29 @@ struct WaveSample {
     BoundaryConditions conditions;
     int e = side == Side::primal ? degree : mesh.dimension() - degree;
     int b = side == Side::primal ? e + 1 : e - 1;
-    ConditionedComplex space = conditioned_complex(mesh, side, degree, conditions);
+    FormSpace space{mesh, side, degree, conditions};
 
     SparseMatrix d() const {
         const SparseMatrix of_lower =
-            space.relative.complex.coboundary(std::min(e, b)).cast<double>();
+            space.relative().complex.coboundary(std::min(e, b)).cast<double>();
         return side == Side::primal ? of_lower
                                     : SparseMatrix((e % 2 == 0 ? 1 : -1) * of_lower.transpose());
     }
     Vector mass(int k) const {
-        const Vector star = space.stars[k].diagonal();
+        const Vector star = space.inside().stars()[k].diagonal();
         return side == Side::primal ? star : star.cwiseInverse();
     }
     Vector random(int k, unsigned seed) const {
-        const Index kept = space.relative.complex.size(k);
-        return space.relative.extend(k, random_vector(kept, seed));
+        const Index kept = space.relative().complex.size(k);
+        return space.relative().extend(k, random_vector(kept, seed));
     }
-    Vector kept(int k, const Vector& values) const { return space.relative.restrict(k, values); }
+    Vector kept(int k, const Vector& values) const { return space.relative().restrict(k, values); }
 
     /// From random values, or a B that is given.
     Waves wave(WaveOptions options) const {
-        options.conditions = conditions;
         if (options.B.size() == 0)
             options.B = random(b, 2);
-        return {mesh, {side, degree, random(e, 1)}, options};
+        return {space, random(e, 1), options};
     }
 };
 
@@ -67,9 +66,9 @@ std::vector<WaveSample> samples() {
                 for (const auto kind : kinds) {
                     WaveSample waves{cells, side, degree, {kind}};
                     const auto bad = [&](int k) {
-                        return !waves.space.stars[k].zeros().empty() ||
-                               !waves.space.stars[k].negatives().empty() ||
-                               waves.space.relative.complex.size(k) == 0;
+                        return !waves.space.inside().stars()[k].zeros().empty() ||
+                               !waves.space.inside().stars()[k].negatives().empty() ||
+                               waves.space.relative().complex.size(k) == 0;
                     };
                     if (!bad(waves.e) && !bad(waves.b))
                         result.push_back(std::move(waves));
@@ -85,7 +84,7 @@ std::string in_words(const WaveSample& waves) {
 }
 
 double half_stable(const WaveSample& waves) {
-    return stable_step(waves.mesh, waves.conditions, waves.side, waves.degree) / 2;
+    return stable_step({waves.mesh, waves.side, waves.degree, waves.conditions}) / 2;
 }
 
 TEST(WavesOfBothSides, are_on_every_mesh_and_degree) {
@@ -268,7 +267,8 @@ TEST(Materials, slow_waves_down) {
     const Vector four = Vector::Constant(mesh.complex().size(2), 4);
     for (const int k : {0, 1}) {
         const auto slow = mesh.with_stars(weighted_stars(mesh, k, CellData::on_cells(four)));
-        EXPECT_NEAR(stable_step(slow, k), 2 * stable_step(mesh, k), 1e-6);
+        EXPECT_NEAR(stable_step({slow, Side::primal, k}), 2 * stable_step({mesh, Side::primal, k}),
+                    1e-6);
     }
 }
 
@@ -278,26 +278,27 @@ TEST(WaveErrors, name_losses_layers_and_sides) {
     const double dt = 1e-3;
     const auto made = [&](WaveOptions options, const Discretization& on) {
         options.time_step = dt;
-        options.conditions = conditions;
-        const Cochain u{Side::primal, 0, Vector::Zero(on.complex().size(0))};
-        return refusal([&] { Waves(on, u, options); });
+        const Vector u = Vector::Zero(on.complex().size(0));
+        return refusal([&] { Waves({on, Side::primal, 0, conditions}, u, options); });
     };
     EXPECT_TRUE(
         says(made({.loss = Vector::Constant(25, -1)}, mesh), {"loss", "value 0", "E", "-1"}));
     EXPECT_NE(made({.loss = Vector::Ones(3)}, mesh).find("losses of E"), std::string::npos);
-    EXPECT_TRUE(says(made({.layer = {.width = 2}}, mesh), {"layer", "width 2", "0", "1"}));
-    EXPECT_TRUE(says(made({.layer = {.width = 0.2, .reflection = 2}}, mesh),
-                     {"layer", "reflection 2", "power 3"}));
     EXPECT_TRUE(
-        says(refusal([&] {
-                 Waves(Cells(mesh), {Side::primal, 0, Vector::Zero(25)}, {.layer = {.width = 0.2}});
-             }),
-             {"layer", "cells", "mesh"}));
-    EXPECT_TRUE(says(refusal([&] { stable_step(mesh, conditions, Side::dual, 2); }),
+        says(made({.layer = AbsorbingLayer{mesh, 2}}, mesh), {"layer", "width 2", "0", "1"}));
+    EXPECT_TRUE(
+        says(made({.layer = AbsorbingLayer{.mesh = mesh, .width = 0.2, .reflection = 2}}, mesh),
+             {"layer", "reflection 2", "power 3"}));
+    EXPECT_TRUE(says(made({.layer = AbsorbingLayer{circumcentric(grid(5, 4)), 0.2}}, mesh),
+                     {"30", "0-cells", "layer's mesh", "25"}));
+    EXPECT_TRUE(says(refusal([&] {
+                         stable_step({mesh, Side::dual, 2, conditions});
+                     }),
                      {"waves", "2-forms", "dimension 2", "0", "1"}));
     const auto triangles = circumcentric(well_centered(8));
-    EXPECT_TRUE(says(made({.layer = {.width = 0.2, .kind = LayerKind::stretched}}, triangles),
-                     {"parallel", "axes"}));
+    EXPECT_TRUE(
+        says(made({.layer = AbsorbingLayer{triangles, 0.2, LayerKind::stretched}}, triangles),
+             {"parallel", "axes"}));
 }
 
 } // namespace

@@ -43,7 +43,7 @@ protected:
 
 TEST_P(WavesByStars, keep_their_energy) {
     for_all([](const Discretization& mesh, int k) {
-        Waves waves(mesh, {Side::primal, k, random_vector(mesh.complex().size(k), 1)},
+        Waves waves({mesh, Side::primal, k}, random_vector(mesh.complex().size(k), 1),
                     {.B = random_vector(mesh.complex().size(k + 1), 2)});
         EXPECT_GT(waves.energy(), 0);
         waves.advance(200);
@@ -60,13 +60,13 @@ TEST_P(WavesByStars, swing_eigenforms_in_their_frequency_up_to_the_largest_step)
             dense_modes(SparseMatrix(d.transpose() * (mesh.stars()[k + 1].matrix() * d)).toDense(),
                         mesh.stars()[k].matrix().toDense());
         const Index last = static_cast<Index>(values.size()) - 1;
-        const double largest = values[last], limit = stable_step(mesh, k);
+        const double largest = values[last], limit = stable_step({mesh, Side::primal, k});
         EXPECT_NEAR(limit, 2 / std::sqrt(largest), 1e-6 * limit);
         EXPECT_LE(limit, 2 / std::sqrt(largest) * (1 + 1e-9));
         const double dt = 0.7 * limit;
         for (const Index i : {last, last / 2}) {
             const Vector form = forms.col(i);
-            Waves waves(mesh, {Side::primal, k, form}, {.time_step = dt});
+            Waves waves({mesh, Side::primal, k}, form, {.time_step = dt});
             const double angle = std::acos(1 - values[i] * dt * dt / 2);
             waves.advance(10);
             const Vector E = waves.form(0).values;
@@ -83,17 +83,24 @@ POLYDEC_OVER_MESHES(WavesByStars);
 TEST(WavesByOtherStars, keep_another_energy) {
     const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
     const Cochain E{Side::primal, 1, random_vector(mesh.complex().size(1), 1)};
-    EXPECT_NE(refusal([&] { Waves(mesh, E, {.time_step = 1e-3}); }), "accepted");
+    EXPECT_NE(refusal([&] {
+                  Waves({mesh, E.side, E.degree}, E.values, {.time_step = 1e-3});
+              }),
+              "accepted");
     const auto by = [&](StarKind kind) { return mesh.with_stars(mesh.with_stars(kind).stars()); };
     const auto galerkin = by(StarKind::galerkin), other = by(StarKind::barycentric);
-    const double dt = 0.5 * std::min(stable_step(galerkin, 1), stable_step(other, 1));
+    const double dt = 0.5 * std::min(stable_step({galerkin, Side::primal, 1}),
+                                     stable_step({other, Side::primal, 1}));
     const WaveOptions options{.time_step = dt, .B = random_vector(mesh.complex().size(2), 2)};
-    Waves waves(galerkin, E, options), twin(other, E, options);
+    Waves waves({galerkin, E.side, E.degree}, E.values, options),
+        twin({other, E.side, E.degree}, E.values, options);
     waves.advance(50);
     twin.resume(waves.time(), waves.state());
     EXPECT_GT(std::abs(twin.relative_energy().value() - 1), 1e-3);
-    const double long_step = 1.01 * stable_step(galerkin, 1);
-    EXPECT_TRUE(says(refusal([&] { Waves(galerkin, E, {.time_step = long_step}); }),
+    const double long_step = 1.01 * stable_step({galerkin, Side::primal, 1});
+    EXPECT_TRUE(says(refusal([&] {
+                         Waves({galerkin, E.side, E.degree}, E.values, {.time_step = long_step});
+                     }),
                      {"time step", "waves", "grow"}));
 }
 
@@ -102,14 +109,14 @@ TEST(WavesByOtherStars, of_a_cavity_have_its_frequency) {
     const auto mesh = circumcentric(shaken(kuhn(3, 4), 0.1, 3));
     const auto relative = relative_to_boundary(mesh.complex());
     const auto stars = relative_stars(relative, mesh.with_stars(StarKind::galerkin).stars());
-    const double dt = 0.5 * stable_step({relative.complex, stars}, 1);
+    const double dt = 0.5 * stable_step({{relative.complex, stars}, Side::primal, 1});
     // sin(pi x) sin(pi y) dz
     const auto form = de_rham(
         mesh, 1, circulation_form([](const Vector& x) {
             return Vector(Eigen::Vector3d(0, 0, std::sin(M_PI * x[0]) * std::sin(M_PI * x[1])));
         }));
     const Vector start = relative.restrict(1, form.values);
-    Waves waves({relative.complex, stars}, {Side::primal, 1, start}, {.time_step = dt});
+    Waves waves({{relative.complex, stars}, Side::primal, 1}, start, {.time_step = dt});
     double before = 1;
     const double square = start.dot(stars[1] * start);
     while (waves.time() < 1) {

@@ -36,8 +36,8 @@ struct Cavity {
 
 Vector cavity_eigenvalues(int cells, Index count) {
     const Cavity cavity(circumcentric(kuhn(3, cells)));
-    const auto modes =
-        coexact_spectrum({cavity.relative.complex, cavity.volumes}, {.degree = 1, .count = count});
+    const auto modes = coexact_spectrum(
+        {{cavity.relative.complex, cavity.volumes}, Side::primal, 1}, {.count = count});
     EXPECT_TRUE(modes.certificate.complete);
     EXPECT_LE(modes.residuals.maxCoeff(), 1e-6);
     return modes.eigenvalues / (M_PI * M_PI);
@@ -64,16 +64,16 @@ TEST(CavityModes, converge_with_order_2) {
 
 TEST(CavityModes, are_divergence_free_and_no_gradients) {
     const Cavity cavity(circumcentric(kuhn(3, 4)));
-    const auto modes =
-        coexact_spectrum({cavity.relative.complex, cavity.volumes}, {.degree = 1, .count = 8});
-    HodgeSolver hodge({cavity.relative.complex, cavity.volumes}, Side::primal, 1);
+    const auto modes = coexact_spectrum(
+        {{cavity.relative.complex, cavity.volumes}, Side::primal, 1}, {.count = 8});
+    HodgeSolver hodge({{cavity.relative.complex, cavity.volumes}, Side::primal, 1});
     for (Index i = 0; i < 8; ++i) {
         const auto parts = hodge.decompose({Side::primal, 1, modes.modes.col(i)});
         EXPECT_LE(parts.exact.values.norm(), 1e-7 * modes.modes.col(i).norm());
     }
     // the plain spectrum has gradients among them: 3 pi^2 of the Dirichlet Laplacian
     const auto plain =
-        spectrum({cavity.relative.complex, cavity.volumes}, {.degree = 1, .count = 8});
+        spectrum({{cavity.relative.complex, cavity.volumes}, Side::primal, 1}, {.count = 8});
     EXPECT_GT((plain.eigenvalues - modes.eigenvalues).cwiseAbs().maxCoeff(), 1);
 }
 
@@ -153,7 +153,7 @@ double difference_from_yee(int n, int steps, double factor) {
     const auto& edges = cavity.relative.cells[1];
     const double dt = 0.5 / n;
     Vector E = random_vector(cavity.relative.complex.size(1), 1);
-    Waves waves({cavity.relative.complex, cavity.volumes}, {Side::primal, 1, E},
+    Waves waves({{cavity.relative.complex, cavity.volumes}, Side::primal, 1}, E,
                 {.time_step = dt, .B = Vector::Zero(cavity.relative.complex.size(2))});
 
     Yee yee(n);
@@ -181,8 +181,8 @@ TEST(Maxwell, leapfrog_on_a_merged_kuhn_grid_is_the_scheme_of_yee) {
 TEST(Maxwell, energy_is_conserved_over_ten_thousand_steps) {
     const Cavity cavity(circumcentric(kuhn(3, 4)));
     const auto& complex = cavity.relative.complex;
-    Waves waves({complex, cavity.volumes}, {Side::primal, 1, random_vector(complex.size(1), 3)},
-                {.time_step = 0.99 * stable_step({complex, cavity.volumes}, 1),
+    Waves waves({{complex, cavity.volumes}, Side::primal, 1}, random_vector(complex.size(1), 3),
+                {.time_step = 0.99 * stable_step({{complex, cavity.volumes}, Side::primal, 1}),
                  .B = random_vector(complex.size(2), 4)});
     waves.advance(10000);
     EXPECT_NEAR(waves.relative_energy().value(), 1, 1e-10);
@@ -201,12 +201,12 @@ TEST(Waves, of_functions_swing_with_their_frequency_in_any_dimension) {
     for (const int n : {1, 2, 3, 4}) {
         const Cavity cavity(circumcentric(kuhn(n, 4)));
         const auto& complex = cavity.relative.complex;
-        const auto mode = spectrum({complex, cavity.volumes}, {.degree = 0, .count = 1});
+        const auto mode = spectrum({{complex, cavity.volumes}, Side::primal, 0}, {.count = 1});
         const double frequency = std::sqrt(mode.eigenvalues[0]);
         const int steps = 2000;
         const double dt = 2 * M_PI / frequency / steps;
         const Vector begin = mode.modes.col(0);
-        Waves waves({complex, cavity.volumes}, {Side::primal, 0, begin}, {.time_step = dt});
+        Waves waves({{complex, cavity.volumes}, Side::primal, 0}, begin, {.time_step = dt});
         waves.advance(steps);
         EXPECT_LE((waves.form(0).values - begin).norm(), 1e-4 * begin.norm()) << "n = " << n;
     }
@@ -216,16 +216,19 @@ TEST(WaveErrors, name_what_is_wrong) {
     const auto mesh = circumcentric(grid(4, 4));
     const auto refused = [&](int degree, double step) {
         const Cochain form{Side::primal, degree, Vector::Zero(mesh.complex().size(degree))};
-        return refusal([&] { Waves({mesh.complex(), mesh.volumes()}, form, {.time_step = step}); });
+        return refusal([&] {
+            Waves({{mesh.complex(), mesh.volumes()}, form.side, form.degree}, form.values,
+                  {.time_step = step});
+        });
     };
     EXPECT_TRUE(says(refused(2, 0.1), {"waves", "2-forms", "dimension 2", "0", "1"}));
     EXPECT_TRUE(says(refused(0, 1), {"time step of 1"}));
     EXPECT_TRUE(says(refusal([&] {
-                         HeatSolver({mesh.complex(), mesh.volumes()}, Side::dual, 0, {});
+                         HeatSolver({{mesh.complex(), mesh.volumes()}, Side::dual, 0}, {});
                      }),
                      {"time step of 0"}));
     EXPECT_TRUE(says(refusal([&] {
-                         coexact_spectrum({mesh.complex(), mesh.volumes()}, {.side = Side::dual});
+                         coexact_spectrum({{mesh.complex(), mesh.volumes()}, Side::dual, 0});
                      }),
                      {"coexact", "primal forms", "dual form"}));
 }

@@ -18,6 +18,8 @@ namespace {
 
 struct SharedSpectrumArguments {
     SharedArguments mesh;
+    Side side = Side::primal;
+    int degree = 0;
     SpectrumOptions spectrum;
     bool certify = true;
     std::filesystem::path out;
@@ -36,8 +38,8 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
     check_picture(ranks, arguments.out, arguments.mesh);
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     const int n = mesh.dimension();
-    const SpectrumOptions& options = arguments.spectrum;
-    const int k = options.side == Side::primal ? options.degree : n - options.degree;
+    const auto [side, degree] = std::pair(arguments.side, arguments.degree);
+    const int k = side == Side::primal ? degree : n - degree;
     if (!arguments.out.empty() && k != 0 && k != n)
         throw InvalidInput(fmt::format("cannot write {}: several ranks draw functions on vertices "
                                        "and cells alone; leave out the file",
@@ -48,7 +50,7 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
     const auto since = std::chrono::steady_clock::now();
     auto result = computed_on(arguments.mesh.mesh.mesh, [&] {
         const SharedProgress progress(ranks);
-        return spectrum(ranks, mesh, arguments.spectrum);
+        return spectrum(ranks, mesh, arguments.side, arguments.degree, arguments.spectrum);
     });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
     if (!arguments.out.empty()) {
@@ -62,10 +64,9 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
     for (const Index piece : facets.first)
         on_boundary += mesh.local.complex.coface_counts(n - 1)[piece] == 1 ? 1 : 0;
     on_boundary = ranks.sum(on_boundary);
-    const bool essential =
-        built_in_conditions(options.side).everywhere == BoundaryCondition::essential;
+    const bool essential = built_in_conditions(side).everywhere == BoundaryCondition::essential;
     const Eigenvalues answer(
-        result, polydec::in_words(on_boundary, essential ? on_boundary : 0, options.degree, n),
+        result, polydec::in_words(on_boundary, essential ? on_boundary : 0, degree, n),
         ChosenStars(HodgeStars(mesh.cells.volumes), StarKind::circumcentric), seconds.count());
     tell(ranks, mesh, answer, log, arguments.mesh.mesh.tell);
 }
@@ -78,8 +79,8 @@ void add_shared_spectrum(CLI::App& app, const Ranks& ranks) {
     const auto arguments = std::make_shared<SharedSpectrumArguments>();
     add_shared_arguments(*command, arguments->mesh);
     add_star(*command, arguments->mesh.mesh, StarKind::automatic);
-    add_side(*command, arguments->spectrum.side)->required();
-    command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")->required();
+    add_side(*command, arguments->side)->required();
+    command->add_option("--degree", arguments->degree, "degree of the forms")->required();
     command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")
         ->capture_default_str();
     add_picture(*command, arguments->out, "modes on vertices or cells", false);
