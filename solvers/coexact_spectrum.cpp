@@ -128,10 +128,10 @@ void measure(const Pencil& given, const DenseMatrix& modes, Index count, Spectru
 } // namespace
 
 Spectrum coexact_spectrum(const FormSpace& space, const SpectrumOptions& options) {
+    space.refuse_robin("a coexact spectrum");
     if (space.side() != Side::primal)
         throw InvalidInput("coexact spectra are of primal forms: a coexact dual form is the star "
                            "of an exact primal one");
-    space.refuse_robin("a coexact spectrum");
     const Cells inside = space.inside();
     const CellComplex& complex = inside.complex();
     const int k = space.degree();

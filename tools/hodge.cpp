@@ -86,9 +86,9 @@ void run_hodge(const HodgeArguments& arguments) {
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.picture.out.empty())
         check_drawable(mesh);
+    Cochain form = given.on(mesh, arguments.side, arguments.degree);
     const auto space = computed_on(
         arguments.mesh.mesh, [&] { return asked.space(mesh, arguments.side, arguments.degree); });
-    Cochain form = given.on(mesh, arguments.side, arguments.degree);
     log.timing.begin("solve");
     form.values = space.extend(space.restrict(form.values));
     const HodgeParts parts = computed_on(arguments.mesh.mesh, [&] {

@@ -6,9 +6,9 @@
 
 int main() {
     const auto sphere = polydec::discretize(polydec::goldberg(8));
-    const polydec::Vector z = sphere.points().col(2);
+    const polydec::Cochain z{polydec::Side::primal, 0, sphere.points().col(2)};
     polydec::Evolution heat(
-        {{.space = {sphere, polydec::Side::primal, 0}, .start = z, .diffusion = 1}});
+        {{.space = {sphere, polydec::Side::primal, 0}, .start = z.values, .diffusion = 1}});
     polydec::Series film("heat.pvd", sphere);
     polydec::march(heat, {0.1, 0.2, 0.3, 0.4, 0.5}, {.show = [&](const polydec::Run& now) {
                        film.add(now.time(), {{"heat", now.form(0)}});

@@ -8,6 +8,7 @@
 
 int main() {
     using std::numbers::pi;
+    constexpr auto essential = polydec::BoundaryCondition::essential;
     const auto square = polydec::discretize(polydec::grid(32, 32));
     const auto shape = polydec::de_rham(square, 0, polydec::function_form([](const auto& x) {
                                             return std::sin(pi * x[0]) * std::sin(pi * x[1]);
@@ -16,11 +17,8 @@ int main() {
         const double amount = 2 * pi * pi * std::cos(t) - std::sin(t);
         return std::vector<polydec::Vector>{amount * shape.values};
     };
-    polydec::Evolution heat(
-        {{.space = {square, polydec::Side::primal, 0, {polydec::BoundaryCondition::essential}},
-          .start = shape.values,
-          .diffusion = 1}},
-        source);
+    polydec::Evolution heat({{{square, polydec::Side::primal, 0, {essential}}, shape.values, 1}},
+                            source);
     heat.march(2);
     const auto error = heat.form(0) - std::cos(2) * shape;
     std::cout << "off by " << polydec::norm(square, error) / polydec::norm(square, shape) << '\n';

@@ -8,10 +8,9 @@
 int main() {
     const auto box = polydec::discretize(polydec::kuhn(3, 10));
     const polydec::Points at = polydec::cell_centroids(box, 3).array() - 0.5;
-    const auto is_core = at.leftCols(2).rowwise().norm().array() < 0.2;
-    const polydec::Vector over_mu = is_core.select(polydec::Vector::Constant(at.rows(), 0.01), 1);
-    const auto iron =
-        box.with_stars(polydec::weighted_stars(box, 2, polydec::CellData::on_cells(over_mu)));
+    const auto r = at.leftCols(2).rowwise().norm().array();
+    const auto over_mu = polydec::CellData::on_cells((r < 0.2).select(0.01, 0 * r + 1));
+    const auto iron = box.with_stars(polydec::weighted_stars(box, 2, over_mu));
     const auto coil = polydec::de_rham(box, 1, polydec::circulation_form([](const auto& x) {
                                            const double a = x[0] - 0.5, b = x[1] - 0.5;
                                            const double j = std::exp(-30 * (a * a + b * b));

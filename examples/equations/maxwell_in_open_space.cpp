@@ -18,9 +18,8 @@ int main() {
     open.source = [&](double t) -> polydec::Vector {
         return (t - 0.5) * std::exp(-50 * std::pow(t - 0.5, 2)) * ring.values;
     };
-    const polydec::FormSpace behind_conductors(box, polydec::Side::primal, 1,
-                                               {polydec::BoundaryCondition::essential});
-    polydec::Waves light(behind_conductors, 0 * ring.values, open);
+    polydec::Waves light({box, polydec::Side::primal, 1, {polydec::BoundaryCondition::essential}},
+                         0 * ring.values, open);
     double most = 0;
     light.march(3, [&](double) { most = std::max(most, light.energy()); });
     std::cout << "of the energy stays " << light.energy() / most << '\n';

@@ -11,8 +11,9 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, floats
 from ._cells import Form, as_form
-from ._complex import CellsLike, as_cells, as_complex, mesh_of
+from ._complex import CellsLike, Complex, as_cells, mesh_of
 from ._conditions import conditions_or_none
+from ._errors import InvalidInput
 from ._run import Run
 from ._vertices import form_at_cells
 
@@ -106,9 +107,14 @@ class Waves(Run):
         side, degree, values = as_form(complex, E, degree, side)
         self._kinds = (side, degree), (side, degree + 1)
         given = layer if isinstance(layer, AbsorbingLayer) else AbsorbingLayer(layer or 0.0)
-        absorbing = None if given.width == 0 else (
-            mesh_of(as_complex(complex)), given.width, given.kind,
-            [(bool(a), bool(b)) for a, b in given.sides], given.reflection, given.power)
+        absorbing = None
+        if given.width != 0:
+            if not isinstance(complex, Complex):
+                raise InvalidInput("an absorbing layer needs to know where the cells are: expected "
+                                   "the Complex that discretize makes of a mesh, not cells alone")
+            absorbing = (mesh_of(complex), given.width, given.kind,
+                         [(bool(a), bool(b)) for a, b in given.sides],
+                         given.reflection, given.power)
         self._run = _core.waves(
             complex._cells, side, degree, values, time_step or 0.0,
             conditions_or_none(complex, essential),
