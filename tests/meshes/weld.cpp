@@ -239,7 +239,7 @@ TEST(Weld, refuses_what_makes_no_sense) {
 }
 
 TEST(JoinNear, is_the_closure_of_all_pairs_that_are_near) {
-    constexpr Index clusters = 300, of_cluster = 3;
+    constexpr Index clusters = 150, of_cluster = 3;
     for (const Index N : {1, 2, 3, 5, 70})
         for (const double length : {1e-9, 1e-4, 0.03}) {
             Random random(static_cast<std::uint64_t>(N));
