@@ -163,7 +163,13 @@ MUTANTS = {
     "equal_windows_multiply": ("shape/windows.cpp", "        cut_off_known(known, edge);", "        {}"),
     "known_parts_everywhere": ("shape/windows.cpp", "!earlier.is_no_longer(fan, x, y)", "false"),
     "windows_without_end": ("shape/windows.cpp", "if (windows >= most)", "if (false)"),
+    "paths_of_another_side": ("shape/shortest_paths.cpp", "== side.sign ? on.fraction : 1 - on.fraction",
+                              "== side.sign ? 1 - on.fraction : on.fraction"),
+    "paths_forget_windows": ("shape/shortest_paths.cpp", "before = window.before;", "before = -1 - window.side;"),
+    "points_see_vertices_alone": ("shape/shortest_paths.cpp", "w < parts.begins[h + 1]; ++w", "w < parts.begins[h]; ++w"),
     # solvers/
+    "isolines_of_vertices": ("solvers/surfaces/surface_paths.cpp", "parts.paths.at(t, at) * parts",
+                             "parts.paths.at(t, {1, 0, 0}) * parts"),
     "sources_pour_heat": ("solvers/surfaces/heat_distance.cpp", "if (!is_single(pins))", "if (false)"),
     "forces_of_another_power": ("solvers/flow/stokes.cpp", 'of.in_unit(force.values, n, "forces")',
                                 'of.in_unit(force.values, n - 1, "forces")'),

@@ -19,7 +19,8 @@ from ._core import __version__
 from ._cells import Cells, ConditionedCells
 from ._cochain import Cochain
 from ._complex import Complex, Merging, discretize
-from ._distance import GeodesicDistance, ParallelTransport, geodesic_distance
+from ._distance import (GeodesicDistance, ParallelTransport, ShortestPath, SurfacePaths,
+                        geodesic_distance)
 from ._engines import (Backend, Solution, backends, load_engine, register_eigen_solver,
                        register_linear_solver, set_memory_limit, solve)
 from ._errors import (BackendUnavailable, Error, InvalidInput, IoError, PolydecWarning,
@@ -53,7 +54,7 @@ __all__ = [
     "HodgeLaplaceSolver", "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
     "IoError", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page",
     "ParallelTransport", "PeriodicMesh", "PoissonSolver", "PolydecWarning", "Polygons", "Run", "Series", "ShallowWater",
-    "ShapeSpectrum",
+    "ShapeSpectrum", "ShortestPath", "SurfacePaths",
     "Solution", "SolverFailure", "Spectrum", "StokesFlow", "StokesSolver", "Waves", "as_mesh",
     "backends", "boundary_de_rham", "count_below", "darcy", "de_rham", "discretize", "flat",
     "flow_of_velocity", "flow_of_vorticity", "flux_form", "flux_sharp", "flux_through_boundary",
