@@ -111,6 +111,7 @@
 #include "shape/count_below.h"
 #include "shape/exact_distance.h"
 #include "shape/flipped.h"
+#include "shape/poisson_error.h"
 #include "shape/shape.h"
 #include "shape/shape_spectrum.h"
 #include "shape/shortest_paths.h"

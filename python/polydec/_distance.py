@@ -14,6 +14,11 @@ from ._conditions import vertex_numbers
 from ._vertices import at_vertices, numbers_of
 
 
+def _surface(given: CellsLike) -> Complex:
+    """Distances do not depend on stars: those of which nothing is to be said."""
+    return as_complex(given, in_units=True, star="circumcentric")
+
+
 class GeodesicDistance:
     """Distances along a surface from any source vertices.
 
@@ -33,7 +38,7 @@ class GeodesicDistance:
 
     def __init__(self, complex: CellsLike, *, method: str = "exact", time_scale: float = 4.0,
                  engine: str = "auto") -> None:
-        self._complex = as_complex(complex, in_units=True)
+        self._complex = _surface(complex)
         self._solver = _core.GeodesicDistance(self._complex._mesh, method, time_scale, engine)
 
     def to(self, sources: Any) -> Floats:
@@ -100,7 +105,7 @@ class SurfacePaths:
     """
 
     def __init__(self, complex: CellsLike, sources: Any) -> None:
-        self._complex = as_complex(complex, in_units=True)
+        self._complex = _surface(complex)
         self._paths = _core.SurfacePaths(self._complex._mesh,
                                          vertex_numbers(self._complex, sources, "sources"))
 
