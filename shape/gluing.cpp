@@ -104,7 +104,7 @@ GluedPoints glued_points(const Shape& shape, const std::vector<FacetSide>& sides
     return result;
 }
 
-Index zero_eigenvalues(const Shape& shape) {
+std::vector<Index> free_components(const Shape& shape) {
     const int n = shape.pieces.dimension();
     const Index size = shape.pieces.size(n);
     const auto sides = facet_sides(shape);
@@ -127,10 +127,21 @@ Index zero_eigenvalues(const Shape& shape) {
     std::vector<bool> is_bound(size, false);
     for (const Index s : bound)
         is_bound[sets.find(s).element] = true;
-    Index zeros = 0;
+    std::vector<Index> numbers(size, -1);
+    Index count = 0;
     for (Index s = 0; s < size; ++s)
-        zeros += sets.find(s).element == s && !is_bound[s];
-    return zeros;
+        if (sets.find(s).element == s && !is_bound[s])
+            numbers[s] = count++;
+    for (Index s = 0; s < size; ++s)
+        numbers[s] = numbers[sets.find(s).element];
+    return numbers;
+}
+
+Index zero_eigenvalues(const Shape& shape) {
+    Index most = -1;
+    for (const Index component : free_components(shape))
+        most = std::max(most, component);
+    return most + 1;
 }
 
 } // namespace polydec

@@ -34,4 +34,8 @@ struct GluedPoints {
 GluedPoints glued_points(const Shape& shape, const std::vector<FacetSide>& sides,
                          const std::vector<Pair>& pairs);
 
+/// Of each n-simplex the number of its component, by facets, if constants are free there: no facet
+/// is essential or Robin's, and twisted functions can have one sign; -1 otherwise.
+std::vector<Index> free_components(const Shape& shape);
+
 } // namespace polydec

@@ -32,7 +32,34 @@ double error_of_flips(const IntrinsicDelaunay& flips) {
 
 /// Of each n-simplex; none if there are none.
 Vector weights_of(const Discretization& mesh, const CellData& weights, const char* what) {
-    return weights.is_empty() ? Vector() : weights.on(mesh, what, Range::positive);
+    if (weights.is_empty())
+        return {};
+    const Vector of_cells = weights.on(mesh, what, Range::positive);
+    const auto& carriers = mesh.merging().carriers(mesh.dimension());
+    Vector result(carriers.size());
+    for (Eigen::Index s = 0; s < result.size(); ++s)
+        result[s] = of_cells[carriers[s].cell];
+    return result;
+}
+
+/// By the facets of the pieces; those inside of merged cells do not matter.
+BoundaryConditions conditions_of(const Discretization& mesh, BoundaryConditions conditions) {
+    if (conditions.facets.empty() || mesh.merging().is_identity())
+        return conditions;
+    robin_coefficients(mesh.complex(), conditions); // throws unless there is one for each
+    const int k = mesh.dimension() - 1;
+    const auto by_cell = conditions;
+    const auto& carriers = mesh.merging().carriers(k);
+    conditions.facets.assign(carriers.size(), BoundaryCondition::natural);
+    if (by_cell.coefficients.size() > 1)
+        conditions.coefficients.assign(carriers.size(), 1);
+    for (std::size_t f = 0; f < carriers.size(); ++f)
+        if (const auto& [dimension, cell] = carriers[f]; dimension == k) {
+            conditions.facets[f] = by_cell.facets[cell];
+            if (by_cell.coefficients.size() > 1)
+                conditions.coefficients[f] = by_cell.coefficients[cell];
+        }
+    return conditions;
 }
 
 } // namespace
@@ -40,15 +67,9 @@ Vector weights_of(const Discretization& mesh, const CellData& weights, const cha
 Shape shape_of(const Discretization& mesh, const BoundaryConditions& conditions,
                const CellData& conductivity, const CellData& density) {
     const Pieces& pieces = mesh.pieces();
-    const int n = pieces.dimension();
-    const bool are_by_cell =
-        !conditions.facets.empty() || !conductivity.is_empty() || !density.is_empty();
-    if (are_by_cell && mesh.complex().size(n) != pieces.size(n))
-        throw InvalidInput("conditions by facet or weights on a mesh with merged cells: a shape "
-                           "consists of the simplices, so discretize it with the criterion none");
     Shape shape{.pieces = pieces,
                 .lengths = {},
-                .conditions = conditions,
+                .conditions = conditions_of(mesh, conditions),
                 .conductivity = weights_of(mesh, conductivity, "conductivity"),
                 .density = weights_of(mesh, density, "density")};
     const SimplexMetric metric = mesh.geometry().metric();

@@ -35,8 +35,8 @@ struct Shape {
 };
 
 /// The shape of a mesh: its simplices, or those that flips have made of them, which are the same
-/// surface, never merged cells; lengths are those of the input. Conditions by facet and weights
-/// need a mesh without merged cells. Throws InvalidInput for others, and like CellData and check.
+/// surface, never merged cells; lengths are those of the input. Throws InvalidInput like CellData
+/// and check.
 Shape shape_of(const Discretization& mesh,
                const BoundaryConditions& conditions = {BoundaryCondition::natural},
                const CellData& conductivity = {}, const CellData& density = {});

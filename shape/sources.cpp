@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace polydec {
 
 void check_sources(const Triangles& surface, std::span<const Index> sources) {
@@ -27,6 +29,18 @@ void check_sources(const Triangles& surface, std::span<const Index> sources) {
                                            "component of the surface a source",
                                            v),
                                {.vertices = {v}});
+}
+
+Vector in_units_of_lengths(const Triangles& surface, const Vector& unfolded, int exponent) {
+    const Vector distances =
+        unfolded.unaryExpr([&](double distance) { return std::ldexp(distance, exponent); });
+    for (Index v = 0; v < surface.vertices(); ++v)
+        if (!std::isfinite(distances[v]))
+            throw InvalidInput(fmt::format("the distance of vertex {} is out of the range of "
+                                           "numbers: give lengths in a larger unit",
+                                           v),
+                               {.vertices = {v}});
+    return distances;
 }
 
 } // namespace polydec

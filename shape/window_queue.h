@@ -20,8 +20,9 @@ struct Window {
     double offset;       ///< distance of the place
     Index side;          ///< half-edge of the triangle behind; or -1 - v, for vertex v itself
     Index turns;         ///< how often in a row it turned around the tail, or minus: the head
-    bool has_branched;   ///< whether it crossed an edge of three or more triangles
-    std::uint32_t key;   ///< of the queue
+    Index before;        ///< where its lines come from, see PassedWindow
+    std::uint32_t has_branched : 1; ///< whether it crossed an edge of three or more triangles
+    std::uint32_t key : 31;         ///< of the queue
 };
 
 /// Windows, taken by ascending distance, as far as 12 binary digits tell: the order matters for
@@ -37,7 +38,7 @@ public:
     /// The distance is not negative.
     void push(Window window, double distance) {
         const auto digits = std::bit_cast<std::uint64_t>(distance) >> dropped_digits;
-        window.key = std::max(static_cast<std::uint32_t>(digits), last_);
+        window.key = std::max(static_cast<std::uint32_t>(digits), last_) & 0x7fffffff;
         shelf(window.key).push_back(window);
         ++size_;
     }

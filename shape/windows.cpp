@@ -54,11 +54,12 @@ struct Exit {
     double length;
     Index turns;
     bool has_branched;
+    Index before; ///< as of PassedWindow
 };
 
 class Wavefront {
 public:
-    Wavefront(const UnfoldedTriangles& surface, std::span<const Index> sources);
+    Wavefront(const UnfoldedTriangles& surface, std::span<const Index> sources, WindowTrace* trace);
 
     bool is_over() const { return queue_.is_empty(); }
 
@@ -82,15 +83,27 @@ private:
 
     void start(Index v, double distance) {
         distances_[v] = distance;
-        queue_.push({0, 0, 0, 0, distance, -1 - v, 0, false, 0}, distance);
+        queue_.push({0, 0, 0, 0, distance, -1 - v, 0, -1, false, 0}, distance);
     }
 
-    void lower(Index v, double distance) {
+    /// At a corner, by a straight line that came from `before`.
+    void lower(Index corner, double distance, Index before) {
+        const Index v = surface_.side(corner).tail;
         if (!(distance < shorter * distances_[v]))
             return;
         if (surface_.may_bend(v))
             start(v, distance);
         distances_[v] = distance;
+        if (trace_ != nullptr)
+            trace_->arrivals[v] = {corner, before};
+    }
+
+    Index kept(const Window& window) const {
+        if (trace_ == nullptr)
+            return -1;
+        trace_->windows.push_back({window.begin, window.end, window.along, window.below,
+                                   window.offset, window.side, window.before});
+        return static_cast<Index>(trace_->windows.size()) - 1;
     }
 
     void spread(Index v, double distance);
@@ -102,19 +115,24 @@ private:
     void cut_off_known(Fan& fan, Index edge);
 
     const UnfoldedTriangles& surface_;
+    WindowTrace* trace_;
     Vector distances_;
     WindowQueue queue_;
     std::vector<Nearest> nearest_;         // of half-edges
     std::vector<std::vector<Fan>> passed_; // of edges; none if no more than two triangles meet
 };
 
-Wavefront::Wavefront(const UnfoldedTriangles& surface, std::span<const Index> sources)
+Wavefront::Wavefront(const UnfoldedTriangles& surface, std::span<const Index> sources,
+                     WindowTrace* trace)
     : surface_(surface),
+      trace_(trace),
       distances_(Vector::Constant(surface.vertices(), far)),
       nearest_(3 * std::size_t(surface.triangles())) {
     for (Index e = 0; e < surface.edges() && passed_.empty(); ++e)
         if (surface.sides_of(e).size() > 2)
             passed_.resize(surface.edges());
+    if (trace != nullptr)
+        *trace = {{}, std::vector<WindowArrival>(std::size_t(surface.vertices()))};
     for (const Index v : sources)
         if (distances_[v] > 0) // some may be given twice
             start(v, 0);
@@ -124,13 +142,13 @@ void Wavefront::spread(Index v, double distance) {
     if (distance > distances_[v])
         return; // a shorter way was found since
     for (const Index h : surface_.corners_of(v)) {
-        const Index opposite = Triangles::next(h);
+        const Index opposite = Triangles::next(h), last = Triangles::previous(h);
         const auto &out = surface_.side(h), &side = surface_.side(opposite),
-                   &back = surface_.side(Triangles::previous(h));
-        lower(side.tail, distance + out.length);
-        lower(back.tail, distance + back.length);
+                   &back = surface_.side(last);
+        lower(opposite, distance + out.length, -1 - h);
+        lower(last, distance + back.length, -1 - h);
         pass({0, side.length, out.length * side.cosine, out.length * side.sine, distance},
-             {opposite, side.sign, side.tail, back.tail, side.length, 0, false});
+             {opposite, side.sign, side.tail, back.tail, side.length, 0, false, -1 - h});
     }
 }
 
@@ -146,18 +164,19 @@ void Wavefront::cross(const Window& window) {
     const double cut = fan.along + (x - fan.along) * fan.below / (y + fan.below);
     const double through = std::clamp(cut, fan.begin, fan.end);
     const double distance = fan.distance(through) + norm(x - through, y);
-    lower(left.tail, distance);
+    const Index before = kept(window);
+    lower(to_left, distance, before);
 
     const bool is_seen = fan.begin < cut && cut < fan.end;
     const int useless = is_seen ? useless_part(window, cut, distance, y) : 0;
     if (fan.begin < cut && useless >= 0)
         turn(fan, base, right.tail, base.length, cut,
              {to_left, -left.sign, base.tail, left.tail, left.length, 1 + std::max(window.turns, 0),
-              window.has_branched});
+              window.has_branched != 0, before});
     if (cut < fan.end && useless <= 0)
         turn(fan.reversed(base.length), right, base.tail, base.length, base.length - cut,
              {to_right, right.sign, right.tail, left.tail, right.length,
-              1 + std::max(-window.turns, 0), window.has_branched});
+              1 + std::max(-window.turns, 0), window.has_branched != 0, before});
 }
 
 /// Which part of a window that sees the apex is of no use, -1 left of it, 1 right, or 0: a shorter
@@ -173,7 +192,7 @@ int Wavefront::useless_part(const Window& window, double cut, double distance, d
     // may be one line
     const double length = surface_.side(window.side).length;
     const double rounding = 1e-10 * length * (1 + length / height);
-    if (window.has_branched || !(nearest.distance < shorter * distance) ||
+    if (window.has_branched != 0 || !(nearest.distance < shorter * distance) ||
         !(std::abs(cut - nearest.cut) > rounding))
         return 0;
     return nearest.cut < cut ? -1 : 1;
@@ -225,8 +244,8 @@ void Wavefront::pass(const Fan& fan, const Exit& exit) {
         const int sign = surface_.side(h).sign;
         const Fan there = sign > 0 ? known : known.reversed(exit.length);
         queue_.push({there.begin, there.end, there.along, there.below, there.offset, h,
-                     sign == exit.sense ? exit.turns : -exit.turns, exit.has_branched || branches,
-                     0},
+                     sign == exit.sense ? exit.turns : -exit.turns, exit.before,
+                     exit.has_branched || branches, 0},
                     nearest);
     }
 }
@@ -255,8 +274,9 @@ std::size_t most_windows(Index triangles) {
 }
 
 WindowDistances distances_by_windows(const UnfoldedTriangles& surface,
-                                     std::span<const Index> sources, std::size_t most) {
-    Wavefront front(surface, sources);
+                                     std::span<const Index> sources, std::size_t most,
+                                     WindowTrace* trace) {
+    Wavefront front(surface, sources, trace);
     std::size_t windows = 0;
     for (; !front.is_over(); ++windows) {
         if (windows >= most)

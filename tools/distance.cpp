@@ -3,9 +3,12 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/chosen_vertices.h"
 #include "dec/input_vertices.h"
-#include "solvers/surfaces/geodesic_distance.h"
+#include "io/meshes/write_mesh.h"
+#include "io/pictures/draw_levels.h"
+#include "io/source_file.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/distance_answer.h"
 #include "tools/expression.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
@@ -27,6 +30,7 @@ struct DistanceArguments {
     MeshArguments mesh;
     GeodesicOptions geodesic;
     std::vector<std::string> from, from_on;
+    std::vector<Index> to;
     std::string from_where;
     PictureArguments picture;
 };
@@ -63,44 +67,77 @@ std::vector<Index> numbers_of(const Discretization& mesh, std::vector<Index> cel
     return cells;
 }
 
-const char* accuracy(DistanceMethod method) {
-    return method == DistanceMethod::exact ? "exact up to rounding" : "smoothed by the heat method";
+/// Whether paths or isolines are asked for, which windows tell.
+bool wants_windows(const DistanceArguments& arguments) {
+    return arguments.geodesic.method == DistanceMethod::exact &&
+           (!arguments.to.empty() || arguments.picture.isolines > 0);
 }
 
-void draw(const Discretization& mesh, const DistanceArguments& arguments,
-          const std::vector<Index>& from, const Vector& distance, const Log& log) {
+std::vector<ToldPath> paths_to(const Discretization& mesh, const DistanceArguments& arguments,
+                               const SurfacePaths& paths) {
+    std::vector<ToldPath> told;
+    for (const Index v : arguments.to) {
+        told.push_back({v, paths.from(cells_of_vertices(mesh, "--to", {v}).front())});
+        Index& source = told.back().path.source;
+        source = numbers_of(mesh, {source}).front();
+    }
+    return told;
+}
+
+/// All paths, as segments, each with the number of the path and its length.
+LevelSets lines_of(const std::vector<ToldPath>& paths) {
+    LevelSets all;
+    Eigen::Index rows = 0, width = 0;
+    for (const auto& told : paths) {
+        rows += told.path.lines.simplices.rows();
+        width = told.path.lines.points.cols();
+    }
+    all.mesh.points.resize(2 * rows, width);
+    all.mesh.simplices.resize(rows, 2);
+    Index at = 0;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const Mesh& lines = paths[i].path.lines;
+        all.mesh.points.middleRows(2 * Eigen::Index(at), lines.points.rows()) = lines.points;
+        for (Eigen::Index s = 0; s < lines.simplices.rows(); ++s, ++at) {
+            all.mesh.simplices.row(at) << 2 * at, 2 * at + 1;
+            all.levels.push_back(static_cast<Index>(i));
+            all.owners.push_back(static_cast<Index>(i));
+        }
+    }
+    return all;
+}
+
+void write_lines(const DistanceArguments& arguments, const LevelSets& lines, const Vector& levels,
+                 const char* array) {
+    if (lower_extension(arguments.picture.out) == ".obj")
+        return write_mesh(arguments.picture.out, lines.mesh);
+    write_vtu(arguments.picture.out, draw_levels(lines, levels, array), arguments.picture.vtu);
+}
+
+void draw(const Discretization& mesh, const DistanceArguments& arguments, const Distances& answer,
+          const Vector& distance, const SurfacePaths* windows, const Log& log) {
+    if (windows != nullptr && arguments.picture.isolines > 0) {
+        const Vector levels = equal_levels(distance, arguments.picture.isolines);
+        return write_lines(arguments, windows->isolines(levels), levels, "distance");
+    }
+    const LevelSets lines = lines_of(answer.paths);
+    if (!answer.paths.empty() && !is_page(arguments.picture.out)) {
+        Vector lengths(answer.paths.size());
+        for (Eigen::Index i = 0; i < lengths.size(); ++i)
+            lengths[i] = answer.paths[std::size_t(i)].path.length;
+        return write_lines(arguments, lines, lengths, "length");
+    }
+    const auto& from = answer.from;
     PageText text;
     text.title = fmt::format("{}: geodesic distance", arguments.mesh.mesh.filename().string());
     text.facts = {fmt::format("Distance along the surface from {}, {}.",
                               from.size() > 9 ? fmt::format("{} vertices", from.size())
                                               : fmt::format("vertex {}", fmt::join(from, ", ")),
-                              accuracy(arguments.geodesic.method))};
+                              accuracy(answer.method))};
     const NamedForm form("distance", {Side::primal, 0, distance}, "in units of length of the file");
-    write_picture(arguments.picture, mesh, {form}, std::move(text), {{"from", from}}, log);
+    write_picture(arguments.picture, mesh, {form}, std::move(text), {{"from", from}}, log,
+                  lines.mesh);
 }
-
-struct Distances : Answer {
-    DistanceMethod method = DistanceMethod::exact;
-    std::vector<Index> from;
-    Index farthest = 0;
-    Index raised = 0; ///< values below 0 that were raised to it
-    double max = 0, mean = 0;
-
-    void write(JsonWriter& json) const override {
-        json.member("from", from);
-        json.member("farthest", farthest);
-        json.member("max", max);
-        json.member("mean", mean);
-        json.member("raised", raised);
-        json.member("method", name(method));
-    }
-
-    void write(Text& text) const override {
-        text("distance along the surface, {} source{}\n  farthest: vertex {} at {:.10g}\n  mean "
-             "over the vertices: {:.10g}\n  {}\n",
-             from.size(), from.size() == 1 ? "" : "s", farthest, max, mean, accuracy(method));
-    }
-};
 
 void run_distance(const DistanceArguments& arguments) {
     Log log;
@@ -116,6 +153,9 @@ void run_distance(const DistanceArguments& arguments) {
                                        arguments.mesh.mesh.string(), mesh.dimension()));
     if (!arguments.picture.out.empty())
         check_drawable(mesh);
+    if (!arguments.to.empty() && arguments.geodesic.method == DistanceMethod::heat)
+        throw InvalidInput("--to: shortest paths are those of exact distances; leave --method heat "
+                           "out");
     log.timing.begin("solve");
     const auto chosen = sources(mesh, arguments, where);
     const auto from = numbers_of(mesh, chosen);
@@ -127,11 +167,6 @@ void run_distance(const DistanceArguments& arguments) {
     const Vector& distance = found.values;
     const Index raised = found.raised;
     log.warn(found.warnings);
-    if (!arguments.picture.out.empty()) {
-        log.timing.begin("write");
-        draw(mesh, arguments, from, distance, log);
-    }
-
     Eigen::Index farthest = 0;
     distance.maxCoeff(&farthest);
     Distances answer;
@@ -141,6 +176,15 @@ void run_distance(const DistanceArguments& arguments) {
     answer.max = distance[farthest];
     answer.mean = distance.mean();
     answer.raised = raised;
+    std::optional<SurfacePaths> windows;
+    if (wants_windows(arguments))
+        windows.emplace(mesh, chosen);
+    if (!arguments.to.empty())
+        answer.paths = paths_to(mesh, arguments, *windows);
+    if (!arguments.picture.out.empty()) {
+        log.timing.begin("write");
+        draw(mesh, arguments, answer, distance, windows ? &*windows : nullptr, log);
+    }
     tell(answer, log, arguments.mesh.tell);
 }
 
@@ -150,8 +194,6 @@ void add_distance(CLI::App& app) {
     auto* command = app.add_subcommand("distance", "geodesic distance from vertices, exact");
     const auto arguments = std::make_shared<DistanceArguments>();
     add_mesh_arguments(*command, arguments->mesh);
-    arguments->mesh.star =
-        name(StarKind::automatic); // on which distances do not depend, as in Python
     command
         ->add_option("--from", arguments->from,
                      "the vertices it is 0 at, by number, or boundary for all on it")
@@ -164,6 +206,9 @@ void add_distance(CLI::App& app) {
                         "the vertices where this expression, or file, is not 0");
     command->add_option("--from-on", arguments->from_on,
                         "the vertices of these physical groups, by name or number");
+    command->add_option("--to", arguments->to,
+                        "also the shortest paths to these vertices, by number: a page\n"
+                        "draws them, a .vtu file has them alone");
     command
         ->add_option("--method", arguments->geodesic.method,
                      "exact: length of a shortest path, up to rounding;\n"
@@ -180,6 +225,7 @@ void add_distance(CLI::App& app) {
         ->capture_default_str();
     add_picture(*command, arguments->picture, "the distances");
     add_isolines(*command, arguments->picture);
+    command->get_option("--isolines")->excludes("--to");
     command
         ->add_option("--engine", arguments->geodesic.linear_solver, "--method heat: linear solver")
         ->capture_default_str();
@@ -187,6 +233,7 @@ void add_distance(CLI::App& app) {
                     "the flat triangles,\nhowever these divide the surface. Triangles far from "
                     "Delaunay spoil those of the heat\nmethod: --delaunay helps.\n\nExamples:\n"
                     "  polydec distance bunny.ply --from 0 -o distance.vtu\n"
+                    "  polydec distance bunny.ply --from 0 --to 1200 870 -o paths.html\n"
                     "  polydec distance plate.msh --from boundary -o distance.html\n"
                     "  polydec distance plate.msh --from-where 'x < .01' --json\n"
                     "  polydec distance part.stl --delaunay --method heat --from 12 871 --json");

@@ -123,13 +123,16 @@ void write_page(const std::filesystem::path& out, Page page, const Log& log) {
 
 void write_picture(const PictureArguments& to, const Discretization& mesh,
                    const std::vector<NamedForm>& forms, PageText text,
-                   std::vector<VtuArray> numbers, const Log& log) {
+                   std::vector<VtuArray> numbers, const Log& log, const Mesh& lines) {
     if (to.isolines > 0)
         return write_levels(to, mesh, forms.front(), std::move(numbers));
     if (is_page(to.out)) {
         Page page = draw_page(mesh, forms);
         std::swap(page.text, text);
         append(page.text.facts, text.facts);
+        const Points none(0, lines.points.cols());
+        if (lines.simplices.rows() > 0)
+            page.arrows.push_back({forms.front().name, none, none, lines});
         return write_page(to.out, std::move(page), log);
     }
     const auto& first = forms.front().form;

@@ -45,10 +45,11 @@ const std::string& command_text();
 bool is_page(const std::filesystem::path& out);
 
 /// Writes these forms: in a page with the text beside them, the log's warnings and the command
-/// line; in a .vtu file with these numbers of the whole. Or the level sets of the first one.
+/// line, and with segments along the surface, if any are given; in a .vtu file with these numbers
+/// of the whole. Or the level sets of the first one.
 void write_picture(const PictureArguments& to, const Discretization& mesh,
                    const std::vector<NamedForm>& forms, PageText text,
-                   std::vector<VtuArray> numbers, const Log& log);
+                   std::vector<VtuArray> numbers, const Log& log, const Mesh& lines = {});
 
 /// The text with the log's warnings and the command line.
 PageText in_page(PageText text, const Log& log);

@@ -2,6 +2,7 @@
 #include "solvers/poisson.h"
 
 #include "base/errors.h"
+#include "base/memory.h"
 #include "dec/fields/cell_centers.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
@@ -16,6 +17,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -113,6 +115,30 @@ std::string known(const Discretization& mesh, const PoissonArguments& arguments)
                     {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
 }
 
+/// What is proved of the error, on triangles, or why nothing is.
+void add_bound(Solved& answer, const Discretization& mesh, const PoissonOptions& options,
+               const Vector& f, const Vector& flux, const Vector& u) {
+    constexpr Index most_for_l2 = 50'000; // triangles: the count takes longer than all else
+    const auto& fixed = options.boundary.fixed_vertices;
+    if (mesh.dimension() != 2 || options.side != Side::primal ||
+        std::find(fixed.begin(), fixed.end(), true) != fixed.end())
+        return;
+    const bool l2 = mesh.pieces().size(2) <= most_for_l2;
+    if (!l2)
+        answer.without_bound = fmt::format("above {} triangles it takes too long", most_for_l2);
+    try {
+        const auto problem = poisson_problem(mesh, options.boundary, options.conductivity, f, flux);
+        answer.bound =
+            poisson_error(problem, u, {.l2 = l2, .linear_solver = options.linear_solver});
+        for (const std::string& warning : answer.bound->warnings)
+            answer.without_bound = warning;
+    } catch (const OutOfMemory&) {
+        throw;
+    } catch (const Error& error) {
+        answer.without_bound = error.what();
+    }
+}
+
 void run_poisson(PoissonArguments arguments) {
     Log log;
     const Data data(arguments);
@@ -141,6 +167,8 @@ void run_poisson(PoissonArguments arguments) {
     log.warn(solution.warnings);
     Solved answer = describe(mesh, arguments, solution);
     answer.conditions = known(mesh, arguments);
+    log.timing.begin("bound");
+    add_bound(answer, mesh, arguments.poisson, f, h, solution.values);
     if (data.exact)
         answer.errors =
             errors(mesh, arguments.poisson.side, solution.values - at(*data.exact, solver.sites()));

@@ -26,8 +26,33 @@ void Solved::write(JsonWriter& json) const {
             json.member("l2", errors->l2);
             json.member("max", errors->max);
         });
+    if (bound)
+        json.object("error_bound", [&] {
+            json.member("energy", bound->energy);
+            json.member("averaged_gradient", bound->averaged_gradient);
+            json.member("size", bound->size);
+            json.member("oscillation", bound->oscillation);
+            json.member("l2", bound->l2);
+        });
+    if (!without_bound.empty())
+        json.member("without_error_bound", without_bound);
     write_stars(json, stars);
 }
+
+namespace {
+
+std::string bound_in_words(const PoissonError& bound) {
+    const std::string share =
+        bound.size > 0 ? fmt::format(", {:.2g} % of its size", 100 * bound.energy / bound.size)
+                       : "";
+    const std::string l2 = bound.l2 ? fmt::format(", of u in L2 at most {:.3g}", *bound.l2) : "";
+    return fmt::format(
+        "error of the gradient at most {:.3g}{}{}\n  (proved, of u linear on triangles "
+        "with f linear on triangles and boundary data as edges have them)",
+        bound.energy, share, l2);
+}
+
+} // namespace
 
 void Solved::write(Text& text) const {
     text("Poisson problem for {} 0-forms, {} boundary, {} unknowns\n", name(side), boundary,
@@ -39,6 +64,10 @@ void Solved::write(Text& text) const {
     if (errors)
         text("  error: L2 {}, largest {:.6e}\n",
              errors->l2 ? fmt::format("{:.6e}", *errors->l2) : "out of range", errors->max);
+    if (bound)
+        text("  {}\n", bound_in_words(*bound));
+    if (!without_bound.empty())
+        text("  no bound of the {}error: {}\n", bound ? "L2 " : "", without_bound);
 }
 
 } // namespace polydec::tools

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dec/choose_stars.h"
+#include "shape/poisson_error.h"
 #include "solvers/poisson.h"
 #include "tools/answer.h"
 
@@ -26,6 +27,8 @@ struct Solved : Answer {
     SolveReport report;
     Index free_components = 0;
     std::optional<Errors> errors;
+    std::optional<PoissonError> bound;
+    std::string without_bound; ///< why there is none, or none of L2
     ChosenStars stars;
 
     explicit Solved(const ChosenStars& chosen) : stars(chosen) {}

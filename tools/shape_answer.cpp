@@ -3,20 +3,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace polydec::tools {
 
 namespace {
 
+std::string number_in_words(const CountBelow& count) {
+    const auto& [at_least, at_most, too_large, warnings] = count;
+    return !at_most               ? fmt::format("at least {}", at_least)
+           : at_least == *at_most ? fmt::format("exactly {}", at_least)
+                                  : fmt::format("{} to {}", at_least, *at_most);
+}
+
 std::string count_in_words(const ShapeSpectrum& found, int level) {
-    const auto& [at_least, at_most, too_large, warnings] = found.count;
     const char* const by = level == 1 ? "linear and Crouzeix-Raviart functions"
                                       : "quadratic functions and the hybrid method of degree 1";
-    const std::string many = !at_most               ? fmt::format("at least {}", at_least)
-                             : at_least == *at_most ? fmt::format("exactly {}", at_least)
-                                                    : fmt::format("{} to {}", at_least, *at_most);
     return fmt::format("proved: {} eigenvalues of the shape lie below {:.8g} ({}, {} counts of "
                        "inertia)",
-                       many, found.count_at, by, found.factorizations);
+                       number_in_words(found.count), found.count_at, by, found.factorizations);
 }
 
 } // namespace
@@ -55,6 +60,65 @@ void ShapeEigenvalues::write(Text& text) const {
             text("{:>5}  {:>16.10g}  {:>16.10g}  {:>9.1e}\n", i, spectrum.lower[i],
                  spectrum.upper[i], wide[i]);
     text("\n{}\n{:.2f} s\n", count_in_words(spectrum, level), seconds);
+}
+
+void ShapeCounts::write(JsonWriter& json) const {
+    json.member("degree", options.degree);
+    json.object("shape", [&] {
+        json.array("counts", [&] {
+            for (std::size_t i = 0; i < below.size(); ++i)
+                json.object([&] {
+                    json.member("s", below[i]);
+                    json.member("at_least", counts[i].at_least);
+                    json.member("at_most", counts[i].at_most);
+                });
+        });
+        json.member(dimension == 2 ? "triangles" : "simplices", simplices);
+        json.member("flips", flips);
+        json.member("level", options.level);
+    });
+    json.member("conditions", conditions);
+    json.member("seconds", seconds);
+}
+
+void ShapeCounts::write(Text& text) const {
+    text("Laplacian of {} on the shape itself\n{} {} after {} flips\n{}\n\n",
+         options.degree == 0 ? "functions" : fmt::format("{}-forms", options.degree), simplices,
+         dimension == 2 ? "triangles" : "simplices", flips, conditions);
+    for (std::size_t i = 0; i < below.size(); ++i)
+        text("proved: {} eigenvalues of the shape lie below {:.8g}\n", number_in_words(counts[i]),
+             below[i]);
+    text("{:.2f} s\n", seconds);
+}
+
+double coarseness(const Discretization& mesh, double eigenvalue) {
+    if (mesh.dimension() != 2 || !(eigenvalue > 0))
+        return 0;
+    const Pieces& pieces = mesh.pieces();
+    const CellVolumes& volumes = mesh.geometry().volumes();
+    double squares = 0;
+    for (Index t = 0; t < pieces.size(2); ++t)
+        for (int i = 0; i < 3; ++i) {
+            const double length = volumes.primal(1)[pieces.face(2, t, i)] * mesh.unit();
+            squares += volumes.primal(2)[t] * length * length;
+        }
+    return eigenvalue * squares / volumes.primal(2).sum() / 24;
+}
+
+std::string advice_of_shape(const Discretization& mesh, const BoundaryConditions& conditions,
+                            int degree, double coarse) {
+    const auto& fixed = conditions.fixed_vertices;
+    const bool is_possible =
+        (degree == 0 || degree == mesh.dimension() || (degree == 1 && mesh.dimension() == 2)) &&
+        std::find(fixed.begin(), fixed.end(), true) == fixed.end();
+    if (!is_possible)
+        return {};
+    const std::string how_coarse =
+        coarse > 0.05
+            ? fmt::format("; this mesh is coarse for the last ones, which may be {:.0f} % off",
+                          100 * std::min(coarse, 1.0))
+            : "";
+    return "--of-shape encloses those of the shape itself" + how_coarse;
 }
 
 } // namespace polydec::tools

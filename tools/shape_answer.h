@@ -5,6 +5,7 @@
 #include "tools/answer.h"
 
 #include <string>
+#include <vector>
 
 namespace polydec::tools {
 
@@ -29,5 +30,28 @@ struct ShapeEigenvalues : Answer {
     void write(JsonWriter& json) const override;
     void write(Text& text) const override;
 };
+
+/// What is told of counts of a shape's eigenvalues.
+struct ShapeCounts : Answer {
+    std::vector<double> below;
+    std::vector<CountBelow> counts; ///< one for each
+    CountOptions options = {};
+    Index simplices = 0, flips = 0;
+    int dimension = 0;
+    std::string conditions; ///< on the boundary, in words
+    double seconds = 0;
+
+    void write(JsonWriter& json) const override;
+    void write(Text& text) const override;
+};
+
+/// About how far apart the bounds of level 1 are for this eigenvalue, over it: by the mean of what
+/// enlarges the mass of triangles, and six times as much, which squares have. Not a bound.
+double coarseness(const Discretization& mesh, double eigenvalue);
+
+/// That --of-shape can tell more than eigenvalues of a mesh, and whether that is coarse for them;
+/// or nothing, where it cannot. Side, degree and conditions are those of the forms.
+std::string advice_of_shape(const Discretization& mesh, const BoundaryConditions& conditions,
+                            int degree, double coarse);
 
 } // namespace polydec::tools

@@ -42,6 +42,7 @@ struct SpectrumArguments {
     bool resume = false;
     bool of_shape = false;
     ShapeSpectrumOptions shape = {};
+    std::vector<double> below; ///< counts of the shape instead of its spectrum
 };
 
 /// Vectors as they are found, in a file, and what it is of.
@@ -140,6 +141,9 @@ void run_spectrum(SpectrumArguments arguments) {
     log.warn(result.warnings);
     Eigenvalues answer(result, space.in_words(), mesh.chosen_stars(), seconds.count());
     answer.resumed = resumed;
+    answer.coarse =
+        coarseness(mesh, result.eigenvalues.size() > 0 ? result.eigenvalues.maxCoeff() : 0);
+    answer.advice = advice_of_shape(mesh, boundary, result.degree, answer.coarse);
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(arguments, mesh, answer, log);
@@ -163,16 +167,35 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
     options.linear_solver = arguments.spectrum.linear_solver;
     options.eigen_solver = arguments.spectrum.eigen_solver;
     const FlippedShape shape = flipped(shape_of(mesh, boundary));
+    const Index before = mesh.passage().is_identity() ? 0 : mesh.passage().flips().statistics.flips;
+    const auto seconds_since = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+    };
+    if (!arguments.below.empty()) {
+        ShapeCounts answer;
+        answer.below = arguments.below;
+        answer.options = {options.degree, options.level, options.linear_solver};
+        answer.simplices = shape.shape.pieces.size(mesh.dimension());
+        answer.flips = before + shape.flips;
+        answer.dimension = mesh.dimension();
+        answer.conditions = in_words(boundary, mesh.complex(), options.degree);
+        for (const double s : arguments.below) {
+            answer.counts.push_back(computed_on(
+                arguments.mesh.mesh, [&] { return count_below(shape.shape, s, answer.options); }));
+            log.warn(answer.counts.back().warnings);
+        }
+        answer.seconds = seconds_since();
+        return tell(answer, log, arguments.mesh.tell);
+    }
     const auto found = computed_on(arguments.mesh.mesh, [&] {
         const Progress progress;
         options.progress = [&](std::string_view what) { progress(what); };
         return shape_spectrum(shape.shape, options);
     });
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
+    const double seconds = seconds_since();
     log.warn(found.warnings);
-    const Index before = mesh.passage().is_identity() ? 0 : mesh.passage().flips().statistics.flips;
     tell(ShapeEigenvalues(found, options, shape.shape, before + shape.flips,
-                          in_words(boundary, mesh.complex(), options.degree), seconds.count()),
+                          in_words(boundary, mesh.complex(), options.degree), seconds),
          log, arguments.mesh.tell);
 }
 
@@ -203,6 +226,13 @@ void add_shape(CLI::App& command, SpectrumArguments& arguments, CLI::Option* sid
         .add_option("--width", arguments.shape.width,
                     "of the shape: warn where (at most - at least) / at most is above this")
         ->needs(of_shape);
+    command
+        .add_option("--below", arguments.below,
+                    "of the shape: how many eigenvalues lie below each of these numbers,\n"
+                    "in place of the spectrum")
+        ->needs(of_shape)
+        ->excludes("--count")
+        ->excludes("--width");
     command
         .add_option("--max-triangles", arguments.shape.max_triangles,
                     "of the shape: bisect triangles of a surface where widths are above\n"

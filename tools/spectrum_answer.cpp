@@ -33,6 +33,8 @@ void Eigenvalues::write(JsonWriter& json) const {
     if (resumed)
         json.member("resumed_with", *resumed);
     json.member("conditions", conditions);
+    if (!advice.empty())
+        json.member("coarseness", coarse);
     write_stars(json, stars);
 }
 
@@ -45,6 +47,8 @@ void Eigenvalues::write(Text& text) const {
         text("{:>5}  {:>20.12g}  {:>10.2e}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
              spectrum.radii[i], spectrum.residuals[i]);
     text("\n{}\n", in_words(spectrum.certificate));
+    if (!advice.empty())
+        text("{}\n", advice);
     text("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
     if (resumed && *resumed > 0)
         text("gone on with {} vectors of a checkpoint\n", *resumed);

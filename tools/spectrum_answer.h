@@ -16,6 +16,8 @@ struct Eigenvalues : Answer {
     std::string conditions; ///< on the boundary, in words
     ChosenStars stars;
     double seconds;
+    double coarse = 0;                 ///< see coarseness
+    std::string advice = {};           ///< on eigenvalues of the shape; or nothing
     std::optional<Index> resumed = {}; ///< how many vectors it went on with, of a checkpoint
 
     Eigenvalues(const Spectrum& found, std::string words, const ChosenStars& chosen, double took)

@@ -49,7 +49,13 @@ class Controls {
         hide("edges", !scene.isCurve);
         hide("dual", scene.arrays.dual_lines !== undefined);
         hide("levels", !scene.isCurve && fields.some(field => field.place === "vertex"));
-        hide("arrows", header.arrows.length > 0 || fields.some(field => field.components > 1));
+        if (scene.hasPaths) {
+            element("flow").checked = true;
+            const [, , line, words] = element("flow").closest("label").childNodes;
+            line.className = "line dual";
+            words.textContent = " paths ";
+        }
+        hide("arrows", header.arrows.some(each => !each.lines_alone) || fields.some(field => field.components > 1));
         hide("flow", header.arrows.some((_, i) => scene.arrays[`flow${i}`] !== undefined));
         hide("shade", !scene.isFlat && !scene.isCurve);
         element("cutting").hidden = !scene.isSolid;

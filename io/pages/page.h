@@ -29,7 +29,8 @@ struct PageText {
     PageTable table = {};
 };
 
-/// Vectors at places, which are shown with an array of the grid: those of a 1-form, say.
+/// Vectors at places, which are shown with an array of the grid: those of a 1-form, say. Without
+/// any, lines stand for themselves, and are seen first: paths.
 struct PageArrows {
     std::string field;   ///< name of the array
     Points sites = {};   ///< a row for each

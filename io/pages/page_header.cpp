@@ -234,8 +234,9 @@ private:
             const auto i = arrows_.size();
             data_.add_floats(fmt::format("sites{}", i), centered(sites));
             data_.add_floats(fmt::format("vectors{}", i), vectors);
-            arrows_.push_back(
-                fmt::format("{{\"field\":{},\"stride\":{}}}", json_text(arrows.field), stride));
+            arrows_.push_back(fmt::format("{{\"field\":{},\"stride\":{}{}}}",
+                                          json_text(arrows.field), stride,
+                                          rows == 0 ? ",\"lines_alone\":true" : ""));
             if (arrows.lines.simplices.rows() > 0)
                 add_lines(fmt::format("flow{}", i), arrows.lines);
         }

@@ -238,9 +238,10 @@ class Renderer {
         if (look.dual && this.textures.dual)
             lines("dual", {owned: true, width: 1.6, nearer: 0.0015, valued: false,
                 ink: look.dual_color});
+        const flow = this.scene.hasPaths ? {width: 4, ink: "dual_color"} : {width: 1.4, ink: "arrow_color"};
         if (look.flow && this.hasFlow)
-            lines("flow", {owned: false, width: 1.4, nearer: 0.003, valued: false,
-                ink: look.arrow_color});
+            lines("flow", {owned: false, width: flow.width, nearer: 0.003, valued: false,
+                ink: look[flow.ink]});
         if (look.arrows && this.hasArrows) {
             this.use("arrows", {...all, ends: "arrows", width: 1.5, nearer: 0.004, scale: 1,
                 ink: look.arrow_color});

@@ -13,6 +13,7 @@ class Scene {
         this.radius = this.farthest(this.places(arrays.points)) || 1;
         this.points = this.places(arrays.points);
         this.isFlat = header.flat;
+        this.hasPaths = header.arrows.some(each => each.lines_alone);
         if (this.isFlat) // but for rounding
             this.points = this.points.map((x, i) => i % 3 < 2 ? x : 0);
         this.centers = this.isCurve ? new Float32Array(3) : this.cellCenters();

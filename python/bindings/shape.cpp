@@ -4,6 +4,7 @@
 #include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
 #include "shape/flipped.h"
+#include "shape/poisson_error.h"
 #include "shape/shape_spectrum.h"
 
 namespace polydec::python {
@@ -60,11 +61,39 @@ py::tuple count_of(const Discretization& mesh, const GivenConditions& conditions
     return py::make_tuple(count.at_least, count.at_most);
 }
 
+py::dict error_of(const Discretization& mesh, const BoundaryConditions& conditions,
+                  const CellData& conductivity, const Numbers& f, const Numbers& flux,
+                  const Numbers& u, bool l2, const std::string& linear_solver) {
+    PoissonError error = unlocked([&, source = vector(f), flow = vector(flux), values = vector(u)] {
+        return poisson_error(poisson_problem(mesh, conditions, conductivity, source, flow), values,
+                             {.l2 = l2, .linear_solver = linear_solver});
+    });
+    warn(error.warnings);
+    return py::dict(py::arg("energy") = error.energy,
+                    py::arg("averaged_gradient") = error.averaged_gradient,
+                    py::arg("size") = error.size, py::arg("oscillation") = error.oscillation,
+                    py::arg("l2") = error.l2, py::arg("shares") = array(std::move(error.shares)));
+}
+
+py::tuple goal_of(const Discretization& mesh, const BoundaryConditions& conditions,
+                  const CellData& conductivity, const Numbers& f, const Numbers& flux,
+                  const Numbers& u, const Numbers& goal, const std::string& linear_solver) {
+    const Enclosed found = unlocked([&, source = vector(f), flow = vector(flux), values = vector(u),
+                                     wanted = vector(goal)] {
+        const auto problem = poisson_problem(mesh, conditions, conductivity, source, flow);
+        const auto as_source = poisson_problem(mesh, conditions, conductivity, wanted, {}).source;
+        return goal_interval(problem, values, as_source, {.linear_solver = linear_solver});
+    });
+    return py::make_tuple(found.lower, found.value, found.upper);
+}
+
 } // namespace
 
 void add_shape(py::module_& module) {
     module.def("shape_spectrum", &shape_spectrum_of);
     module.def("count_below", &count_of);
+    module.def("poisson_error", &error_of);
+    module.def("goal_interval", &goal_of);
 }
 
 } // namespace polydec::python

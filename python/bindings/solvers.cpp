@@ -7,6 +7,7 @@
 #include "solvers/poisson.h"
 #include "solvers/surfaces/geodesic_distance.h"
 #include "solvers/surfaces/parallel_transport.h"
+#include "solvers/surfaces/surface_paths.h"
 
 namespace polydec::python {
 
@@ -124,6 +125,37 @@ void add_distance(py::module_& module) {
         });
 }
 
+/// Segments as pairs of points: rows of their beginnings, and of their ends.
+py::tuple ends_of(const Mesh& lines) {
+    std::array<Points, 2> ends;
+    for (int end = 0; end < 2; ++end) {
+        ends[end].resize(lines.simplices.rows(), lines.points.cols());
+        for (Index i = 0; i < lines.simplices.rows(); ++i)
+            ends[end].row(i) = lines.points.row(lines.simplices(i, end));
+    }
+    return py::make_tuple(array(std::move(ends[0])), array(std::move(ends[1])));
+}
+
+void add_paths(py::module_& module) {
+    using Paths = Guarded<SurfacePaths>;
+    py::class_<Paths>(module, "SurfacePaths")
+        .def(py::init([](const Discretization& mesh, const Integers& sources) {
+            return guarded<SurfacePaths>(mesh, indices(sources));
+        }))
+        .def("path",
+             [](Paths& self, Index vertex) {
+                 const auto path =
+                     self.use([&](const SurfacePaths& paths) { return paths.from(vertex); });
+                 return py::make_tuple(path.source, path.length, ends_of(path.lines));
+             })
+        .def("isolines", [](Paths& self, const Numbers& levels, Index divisions) {
+            const auto lines = self.use([&, given = vector(levels)](const SurfacePaths& paths) {
+                return paths.isolines(given, divisions);
+            });
+            return py::make_tuple(ends_of(lines.mesh), array(lines.levels));
+        });
+}
+
 /// The edge of each vertex from which angles are measured: the vertices that it leads from and to.
 Simplices reference_edges(const GluedSurface& surface, const TangentFrames& frames) {
     Simplices ends(surface.vertices(), 2);
@@ -164,6 +196,7 @@ void add_solvers(py::module_& module) {
     add_darcy(module);
     add_hodge(module);
     add_distance(module);
+    add_paths(module);
     add_transport(module);
 }
 

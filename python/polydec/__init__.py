@@ -19,7 +19,8 @@ from ._core import __version__
 from ._cells import Cells, ConditionedCells
 from ._cochain import Cochain
 from ._complex import Complex, Merging, discretize
-from ._distance import GeodesicDistance, ParallelTransport, geodesic_distance
+from ._distance import (GeodesicDistance, ParallelTransport, ShortestPath, SurfacePaths,
+                        geodesic_distance)
 from ._engines import (Backend, Solution, backends, load_engine, register_eigen_solver,
                        register_linear_solver, set_memory_limit, solve)
 from ._errors import (BackendUnavailable, Error, InvalidInput, IoError, PolydecWarning,
@@ -36,7 +37,8 @@ from ._mesh import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, wri
 from ._periodic import PeriodicMesh, glue, periodic
 from ._plot import plot, to_meshio, to_pyvista
 from ._run import Run
-from ._shape import CountBelow, ShapeSpectrum, count_below, shape_spectrum
+from ._shape import (CountBelow, PoissonError, ShapeSpectrum, count_below, goal_interval, poisson_error,
+                     shape_spectrum)
 from ._solvers import (DarcyFlow, DarcySolver, HodgeParts, HodgeSolver, PoissonSolver, darcy,
                        harmonic_forms, hodge_decomposition, poisson)
 from ._sources import (CurlCurlSolution, FormSolution, HodgeLaplaceSolver, StokesFlow, StokesSolver,
@@ -52,14 +54,14 @@ __all__ = [
     "Flow", "FluxTransport", "FormSolution", "GeodesicDistance", "HeatSolver",
     "HodgeLaplaceSolver", "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
     "IoError", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page",
-    "ParallelTransport", "PeriodicMesh", "PoissonSolver", "PolydecWarning", "Polygons", "Run", "Series", "ShallowWater",
-    "ShapeSpectrum",
+    "ParallelTransport", "PeriodicMesh", "PoissonError", "PoissonSolver", "PolydecWarning", "Polygons", "Run", "Series", "ShallowWater",
+    "ShapeSpectrum", "ShortestPath", "SurfacePaths",
     "Solution", "SolverFailure", "Spectrum", "StokesFlow", "StokesSolver", "Waves", "as_mesh",
     "backends", "boundary_de_rham", "count_below", "darcy", "de_rham", "discretize", "flat",
     "flow_of_velocity", "flow_of_vorticity", "flux_form", "flux_sharp", "flux_through_boundary",
-    "geodesic_distance", "glue", "gradient", "harmonic_forms", "heat", "hodge_decomposition",
+    "geodesic_distance", "glue", "goal_interval", "gradient", "harmonic_forms", "heat", "hodge_decomposition",
     "hodge_laplace", "inflow", "interior_product", "lie_derivative", "load_engine", "outward_flow",
-    "periodic", "plot", "poisson", "primal_dual_wedge", "read_lengths", "read_mesh",
+    "periodic", "plot", "poisson", "poisson_error", "primal_dual_wedge", "read_lengths", "read_mesh",
     "register_eigen_solver", "register_linear_solver", "set_memory_limit", "shape_spectrum", "sharp_pd", "sharp_pp",
     "smallest_eigenpairs", "solve", "spectrum", "split_polygons", "stable_step", "to_meshio",
     "to_pyvista", "view", "wave", "wedge", "whitney_at_centroids", "whitney_form",

@@ -365,14 +365,14 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
     return Complex(made, given, options)
 
 
-def _without_options(mesh: MeshLike, in_units: bool) -> Complex:
+def _without_options(mesh: MeshLike, in_units: bool, star: str = "automatic") -> Complex:
     """A mesh as `discretize` makes it ready; where answers are in the units of the input, whichever
     it is measured in, nothing is to be said of these."""
     if not in_units:
-        return discretize(mesh)
+        return discretize(mesh, star=star)
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "the lengths of the mesh are far from 1", PolydecWarning)
-        return discretize(mesh)
+        return discretize(mesh, star=star)
 
 
 def mesh_of(complex: Complex) -> _core.Discretization:
@@ -388,9 +388,9 @@ def as_cells(given: CellsLike, in_units: bool = False) -> Cells:
     return given if isinstance(given, Cells) else _without_options(given, in_units)
 
 
-def as_complex(given: CellsLike, in_units: bool = False) -> Complex:
-    """Likewise, for what needs the places of cells."""
+def as_complex(given: CellsLike, in_units: bool = False, star: str = "automatic") -> Complex:
+    """Likewise, for what needs the places of cells; a mesh gets these stars."""
     if isinstance(given, Cells) and not isinstance(given, Complex):
         raise InvalidInput(f"{given!r} alone are given: expected the Complex that discretize makes "
                            "of a mesh, since places of cells are needed")
-    return given if isinstance(given, Complex) else _without_options(given, in_units)
+    return given if isinstance(given, Complex) else _without_options(given, in_units, star)

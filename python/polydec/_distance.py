@@ -2,7 +2,7 @@
 """Distances and directions along surfaces."""
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +12,11 @@ from ._arrays import Floats, Integers, floats, integers
 from ._complex import CellsLike, Complex, as_complex
 from ._conditions import vertex_numbers
 from ._vertices import at_vertices, numbers_of
+
+
+def _surface(given: CellsLike) -> Complex:
+    """Distances do not depend on stars: those of which nothing is to be said."""
+    return as_complex(given, in_units=True, star="circumcentric")
 
 
 class GeodesicDistance:
@@ -33,7 +38,7 @@ class GeodesicDistance:
 
     def __init__(self, complex: CellsLike, *, method: str = "exact", time_scale: float = 4.0,
                  engine: str = "auto") -> None:
-        self._complex = as_complex(complex, in_units=True)
+        self._complex = _surface(complex)
         self._solver = _core.GeodesicDistance(self._complex._mesh, method, time_scale, engine)
 
     def to(self, sources: Any) -> Floats:
@@ -67,6 +72,55 @@ def geodesic_distance(complex: CellsLike, sources: Any, *, method: str = "exact"
     True
     """
     return GeodesicDistance(complex, method=method, time_scale=time_scale, engine=engine).to(sources)
+
+
+class ShortestPath(NamedTuple):
+    """A shortest path from a vertex to the nearest source, straight in every triangle."""
+
+    source: int
+    length: float
+    segments: Floats
+    """(segments, 2, N): the ends of its straight pieces, in order. On glued meshes the next one
+    begins at another place where the path crosses a seam."""
+
+    @property
+    def points(self) -> Floats:
+        """(segments + 1, N): the points that it passes on a mesh without seams."""
+        return np.asarray(np.concatenate([self.segments[:, 0], self.segments[-1:, 1]]))
+
+
+class SurfacePaths:
+    """Shortest paths and isolines of the exact distance, of every point and not of vertices alone.
+
+    Parameters are those of `geodesic_distance`. Paths lie on the triangles that were given, also
+    where edges were flipped.
+
+    Examples
+    --------
+    >>> import polydec
+    >>> paths = polydec.SurfacePaths(polydec.meshes.grid(4, 4), 0)
+    >>> path = paths.path(24)
+    >>> path.source, round(path.length, 12), path.points[-1].tolist()
+    (0, 1.414213562373, [0.0, 0.0])
+    """
+
+    def __init__(self, complex: CellsLike, sources: Any) -> None:
+        self._complex = _surface(complex)
+        self._paths = _core.SurfacePaths(self._complex._mesh,
+                                         vertex_numbers(self._complex, sources, "sources"))
+
+    def path(self, vertex: int) -> ShortestPath:
+        """The shortest path from a vertex to the nearest source; no segments from a source."""
+        given = integers(np.atleast_1d(np.asarray(vertex)), "vertex")
+        number = numbers_of(self._complex, given, "vertex")[0]
+        source, length, ends = self._paths.path(int(number))
+        return ShortestPath(int(self._complex.vertices[source]), length, np.stack(ends, axis=1))
+
+    def isolines(self, levels: npt.ArrayLike, *, divisions: int = 8) -> tuple[Floats, Integers]:
+        """Segments along the points at these distances, (m, 2, N), and the number of the level of
+        each; every triangle is divided into `divisions` squared ones."""
+        ends, numbers = self._paths.isolines(floats(np.atleast_1d(levels), "levels"), divisions)
+        return np.stack(ends, axis=1), np.asarray(numbers)
 
 
 class ParallelTransport:

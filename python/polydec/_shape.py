@@ -8,11 +8,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, Values
+from ._arrays import Floats, Values, at_places
 from ._cell_data import CellNumbers, cell_data
 from ._complex import CellsLike, Complex, Progress, as_complex, discretize
 from ._cells import Cells
-from ._conditions import conditions_or_none
+from ._conditions import conditions_of, conditions_or_none
+from ._vertices import at_cells
 
 
 class CountBelow(NamedTuple):
@@ -111,7 +112,7 @@ def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: 
     Raises
     ------
     InvalidInput
-        For conditions or weights on merged cells, and weights that are not positive.
+        For weights that are not positive.
     SolverFailure
         If eigenvalues cannot be had or counted.
 
@@ -148,3 +149,101 @@ def count_below(mesh: CellsLike, s: float, *, degree: int = 0, level: int = 2, e
     """
     given = _parts(mesh, essential, robin, conductivity, density, flips)
     return CountBelow(*_core.count_below(*given, s, degree, level, linear_solver))
+
+
+@dataclass(frozen=True)
+class PoissonError:
+    """How far the values of a primal Poisson problem are from its solution, at most.
+
+    Attributes
+    ----------
+    energy : float
+        Of the gradient: the norm of ``kappa^(1/2) grad(u - u_h)``, u_h being linear on the simplices, with
+        Robin's ``alpha^(1/2) (u - u_h)``.
+    averaged_gradient : float
+        Of the average of grad u_h and a flux in equilibrium: half of it where f is constant on simplices.
+    size : float
+        The norm of ``kappa^(1/2) grad u_h``.
+    oscillation : float
+        What linear parts of f add.
+    l2 : float or None
+        Of u - u_h itself, up to constants where u is so; None where it was not asked for, or cannot be proved.
+    shares : numpy.ndarray
+        Of simplices in the square of `energy`; where they are large, refine.
+    """
+
+    energy: float
+    averaged_gradient: float
+    size: float
+    oscillation: float
+    l2: float | None
+    shares: Floats
+
+
+def _problem(complex: CellsLike, f: Values, flux: Values, essential: Any, robin: Any,
+             conductivity: Any) -> tuple[Complex, tuple[_core.Discretization, _core.Conditions,
+                                                    _core.CellData, Floats, Floats]]:
+    mesh = as_complex(complex, in_units=True)
+    return mesh, (mesh._mesh, conditions_of(mesh, essential, robin),
+                  cell_data(mesh, conductivity, "conductivities"),
+                  at_cells(mesh, at_places(f, mesh.points, "values of f")),
+                  at_places(flux, mesh.facet_sites(), "normal derivatives"))
+
+
+def poisson_error(complex: CellsLike, u: Values, f: Values = 0.0, flux: Values = 0.0, *, essential: Any = True,
+                  robin: Values | None = None, conductivity: CellNumbers | None = None, l2: bool = True,
+                  engine: str = "auto") -> PoissonError:
+    """A proved bound of the error of u, a solution of ``-div kappa grad u = f``, however it was found.
+
+    Speaks of data as the simplices have them: f linear on each, boundary values linear and `flux` constant
+    on each facet. Where u is known up to constants, f counts less its mean.
+
+    Parameters
+    ----------
+    u : float or array or callable
+        At the vertices, with its values on the boundary.
+    f, flux, essential, robin, conductivity, engine
+        As `PoissonSolver` and its `solve` take them.
+    l2 : bool
+        Whether `l2` is wanted, which costs more than all else.
+
+    Examples
+    --------
+    >>> import polydec
+    >>> square = polydec.discretize(polydec.meshes.grid(16, 16))
+    >>> u = polydec.poisson(square, 1.0).values
+    >>> error = polydec.poisson_error(square, u, 1.0)
+    >>> torsion = 0.0351442537                          # of the unit square: the square of |grad u|
+    >>> (torsion - error.size ** 2) ** 0.5 < error.energy < 0.04
+    True
+    """
+    mesh, problem = _problem(complex, f, flux, essential, robin, conductivity)
+    return PoissonError(**_core.poisson_error(
+        *problem, at_cells(mesh, at_places(u, mesh.points, "values of u")), l2, engine))
+
+
+def goal_interval(complex: CellsLike, u: Values, f: Values = 0.0, flux: Values = 0.0, goal: Values = 1.0, *,
+                  essential: Any = True, robin: Values | None = None, conductivity: CellNumbers | None = None,
+                  engine: str = "auto") -> tuple[float, float, float]:
+    """Two bounds of the integral of goal times the solution over the shape, and a guess between them.
+
+    Parameters are those of `poisson_error`; `goal` is given at vertices, and linear on simplices.
+
+    Returns
+    -------
+    tuple
+        lower, guess, upper
+
+    Examples
+    --------
+    >>> import polydec
+    >>> square = polydec.discretize(polydec.meshes.grid(16, 16))
+    >>> low, _, high = polydec.goal_interval(square, polydec.poisson(square, 1.0).values, 1.0)
+    >>> low < 0.0351442537 < high < low + 1e-3
+    True
+    """
+    mesh, problem = _problem(complex, f, flux, essential, robin, conductivity)
+    found: tuple[float, float, float] = _core.goal_interval(
+        *problem, at_cells(mesh, at_places(u, mesh.points, "values of u")),
+        at_cells(mesh, at_places(goal, mesh.points, "values of the goal")), engine)
+    return found

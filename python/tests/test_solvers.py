@@ -130,6 +130,16 @@ def test_distances(sphere):
             polydec.geodesic_distance(sphere, north, **heat_alone)
     with pytest.raises(polydec.InvalidInput, match="exact"):
         polydec.geodesic_distance(sphere, north, method="fast")
+    paths = polydec.SurfacePaths(sphere, north)
+    far = int(distance.argmax())
+    path = paths.path(far)
+    pieces = np.linalg.norm(path.segments[:, 1] - path.segments[:, 0], axis=1)
+    assert path.source == north and np.isclose(path.length, distance[far], rtol=1e-13)
+    assert np.isclose(pieces.sum(), path.length, rtol=1e-12)
+    assert np.allclose(path.points[[0, -1]], sphere.points[[far, north]])
+    lines, levels = paths.isolines([0.5, 1])
+    angles = np.arccos(np.clip(lines.mean(axis=1) @ sphere.points[north], -1, 1))
+    assert abs(angles - np.array([0.5, 1])[levels]).max() < 0.1
     south = int(sphere.points[:, 2].argmin())
     exact = np.arccos(np.clip(sphere.points @ sphere.points[[north, south]].T, -1, 1)).min(axis=1)
     assert abs(solver.to([north, south]) - exact).max() < 0.25

@@ -141,5 +141,5 @@ def test_shapes_are_enclosed():
     with pytest.raises(polydec.InvalidInput, match=said("level 3")):
         polydec.count_below(grid, 1, level=3)
     merged = polydec.discretize(grid)
-    with pytest.raises(polydec.InvalidInput, match=said("merged cells")):
-        polydec.shape_spectrum(merged, conductivity=2.0)
+    twice = polydec.shape_spectrum(merged, conductivity=2.0, count=3)
+    assert np.allclose(twice.upper, 2 * polydec.shape_spectrum(grid, count=3).upper, rtol=1e-9)

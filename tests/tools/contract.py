@@ -190,7 +190,8 @@ class Json(TestCase):
     def test_timing(self):
         arguments = {"info": (), "spectrum": ("--side", "primal", "--degree", 0, "--count", 2),
                      "poisson": ("--side", "primal", "--rhs", "1")}
-        stages = {"read", "complex", "volumes", "merge", "stars", "operators", "solve", "write"}
+        stages = {"read", "complex", "volumes", "merge", "stars", "operators", "solve", "bound",
+                  "write"}
         for name, more in arguments.items():
             plain = self.ask(name, golden("uv8.off"), *more)
             timed = self.ask(name, golden("uv8.off"), *more, "--timing")

@@ -13,6 +13,42 @@ class Distance(TestCase):
         run("generate", "icosphere", "--frequency", 16, "-o", path)
         return path
 
+    def test_paths_have_the_length_of_the_distance_and_are_drawn(self):
+        cube = os.path.join(self.folder, "cube.off")
+        with open(cube, "w") as file: # the unit cube, sides cut along diagonals
+            file.write("OFF\n8 12 0\n" + "".join(f"{i & 1} {i >> 1 & 1} {i >> 2}\n" for i in range(8)))
+            for a, b, c, d in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2),
+                               (1, 3, 7, 5)):
+                file.write(f"3 {a} {b} {c}\n3 {a} {c} {d}\n")
+        picture, page = os.path.join(self.folder, "paths.vtu"), os.path.join(self.folder, "paths.html")
+        answer = self.ask("distance", cube, "--from", 0, "--to", 7, 0, "-o", picture)
+        far, own = answer["paths"]
+        self.assertEqual([far["to"], far["from"], own["to"], own["from"]], [7, 0, 0, 0])
+        self.assertAlmostEqual(far["length"], 5 ** 0.5, 14)
+        points = far["points"]
+        self.assertEqual([points[0], points[-1]], [[1, 1, 1], [0, 0, 0]])
+        self.assertAlmostEqual(sum(math.dist(p, q) for p, q in zip(points, points[1:])), 5 ** 0.5, 14)
+        self.assertEqual([own["length"], own["points"]], [0, []])
+        self.assertNotIn("paths", self.ask("distance", cube, "--from", 0))
+        told = self.succeed("distance", cube, "--from", 0, "--to", 7, "-o", page).out
+        self.assertIn("path from vertex 0 to 7", told)
+        with open(page) as file:
+            self.assertIn("flow0", file.read())
+        self.assertSays(self.fail_with(2, "distance", cube, "--from", 0, "--to", 7, "--method", "heat"),
+                        "--to", "heat")
+        self.assertSays(self.fail_with(2, "distance", cube, "--from", 0, "--to", 8), "--to", "8")
+
+    def test_isolines_are_as_far_as_they_say_and_not_linear(self):
+        grid = os.path.join(self.folder, "grid.nsc")
+        run("generate", "grid", "--nx", 2, "--ny", 2, "-o", grid)
+        lines = os.path.join(self.folder, "lines.obj")
+        self.succeed("distance", grid, "--from", 0, "--isolines", 4, "-o", lines)
+        with open(lines) as file:
+            points = [[float(word) for word in line.split()[1:]] for line in file if line[0] == "v"]
+        off = max(abs(5 * math.hypot(*p) / 2 ** 0.5 - round(5 * math.hypot(*p) / 2 ** 0.5))
+                  for p in points)
+        self.assertLess(off, 0.02) # linear between vertices: 0.5
+
     def test_across_a_sphere_is_half_its_circumference(self):
         for method in ("exact", "heat"):
             for option in ([], ["--delaunay"]):
@@ -24,7 +60,7 @@ class Distance(TestCase):
                 self.assertEqual(answer["method"], method)
 
     def test_is_exact_unless_heat_is_asked_for(self):
-        torus = self.path("torus.off")
+        torus = os.path.join(self.folder, "torus.off")
         self.succeed("generate", "torus", "--major", 20, "--minor", 12, "-o", torus)
         exact = self.ask("distance", torus, "--from", 0)
         smoothed = self.ask("distance", torus, "--from", 0, "--method", "heat")
@@ -84,13 +120,14 @@ class Distance(TestCase):
 
         exact = math.hypot(11, 0.5)
         for flips in ([], ["--delaunay"]):
-            self.assertAlmostEqual(ask(3, *flips)["max"], exact, delta=1e-13)
+            told = ask(3, *flips) # no stars, so nothing is said of them
+            self.assertAlmostEqual(told["max"], exact, delta=1e-13)
+            self.assertEqual(told["warnings"], [])
         self.assertAlmostEqual(ask(3, "--delaunay")["mean"], ask(3)["mean"], delta=1e-13)
         self.assertEqual(ask(0, "--method", "heat")["warnings"], [])
         short = ask(3, "--method", "heat")
         self.assertLess(short["max"], 0.7 * exact)
-        hybrid, warning = short["warnings"]
-        self.assertSays(hybrid, 8, "hybrid", "--delaunay")
+        (warning,) = short["warnings"]
         self.assertSays(warning, 8, "1-cells", "negative dual", "distances", "--delaunay")
         mended = ask(3, "--delaunay=split-boundary", "--method", "heat")
         self.assertAlmostEqual(mended["max"], exact, delta=0.1 * exact)
@@ -110,7 +147,7 @@ class Distance(TestCase):
         self.assertGreater(parse(answer.out)["max"], 0)
 
     def test_from_the_boundary_and_from_places_and_groups_is_from_their_vertices(self):
-        grid = self.path("grid.off")
+        grid = os.path.join(self.folder, "grid.off")
         self.succeed("generate", "grid", "--nx", 8, "--ny", 8, "-o", grid)
         with open(grid) as file:
             points = [[float(x) for x in line.split()] for line in file.readlines()[2:83]]

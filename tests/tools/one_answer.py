@@ -239,7 +239,9 @@ class OneAnswer(TestCase):
                 expected = of_the_command(question, path)
                 found = given if refused else of_python(lambda: question.python(mesh))
                 if not refused:
-                    found = found._replace(warnings=given.warnings + found.warnings)
+                    of_mesh = [each for each in given.warnings
+                               if question.words[0] != "distance" or "hybrid" not in each]
+                    found = found._replace(warnings=of_mesh + found.warnings)
                 self.compare(found, expected, path)
                 self.answers.append(expected)
                 if not refused and question.words[0] in IN_UNITS_OF_THE_FILE:

@@ -8,6 +8,40 @@ from command import TestCase, golden, run
 
 
 class Shapes(TestCase):
+    def test_counts_below_are_proved_on_both_sides(self):
+        answer = self.ask("spectrum", self.grid(), "--of-shape", "--essential-where", "1", "--below", 19.7, 19.8, 49)
+        self.assertEqual([(c["s"], c["at_least"], c["at_most"]) for c in answer["shape"]["counts"]],
+                         [(19.7, 0, 0), (19.8, 1, 1), (49, 1, 1)])
+        told = self.succeed("spectrum", self.grid(), "--of-shape", "--below", 1).out
+        self.assertIn("exactly 1 eigenvalues of the shape lie below 1", told)
+        self.assertSays(self.fail_with(1, "spectrum", self.grid(), "--of-shape", "--below", 1, "--count", 3),
+                        "excludes", "--below")
+
+    def test_poisson_answers_come_with_a_proved_error(self):
+        torsion = 0.0351442537 # of the unit square, the square of |grad u|
+        answer = self.ask("poisson", self.grid(16), "--side", "primal", "--rhs", 1)
+        bound = answer["error_bound"]
+        true = (torsion - bound["size"]**2)**0.5
+        self.assertTrue(true < bound["energy"] < 1.4 * true)
+        self.assertTrue(0 < bound["l2"] < 0.1 * bound["energy"])
+        self.assertAlmostEqual(bound["averaged_gradient"], bound["energy"] / 2, delta=1e-12)
+        self.assertNotIn("without_error_bound", answer)
+        told = self.succeed("poisson", self.grid(16), "--side", "primal", "--rhs", 1).out
+        self.assertIn("error of the gradient at most", told)
+        self.assertIn("f linear on triangles", told)
+        self.assertNotIn("error_bound", self.ask("poisson", self.grid(), "--side", "dual", "--rhs", 1))
+
+    def test_the_spectrum_of_a_mesh_speaks_of_the_shape_and_of_a_coarse_mesh(self):
+        told = self.succeed("spectrum", self.grid(), "--side", "primal", "--degree", 0, "--count", 2).out
+        self.assertIn("of this mesh", told)
+        self.assertIn("--of-shape encloses", told)
+        self.assertNotIn("coarse", told)
+        self.assertIn("coarse", self.succeed("spectrum", golden("grid4.nsc"), "--side", "primal", "--degree", 0,
+                                             "--count", 8).out)
+        fine, rough = (self.ask("spectrum", mesh, "--side", "primal", "--degree", 0, "--count", 5)["coarseness"]
+                       for mesh in (self.grid(16), self.grid(8)))
+        self.assertAlmostEqual(rough / fine, 4, delta=0.5)
+
     def grid(self, cells=8):
         path = os.path.join(self.folder, f"grid{cells}.off")
         run("generate", "grid", "--nx", cells, "--ny", cells, "-o", path)

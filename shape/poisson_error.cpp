@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+#include "shape/poisson_error.h"
+
+#include "base/errors.h"
+#include "shape/facet_unknowns.h"
+#include "shape/poisson_pair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+void check_finite(const char* what, const DenseMatrix& values) {
+    for (Eigen::Index j = 0; j < values.cols(); ++j)
+        for (Eigen::Index i = 0; i < values.rows(); ++i)
+            if (!std::isfinite(values(i, j)))
+                throw InvalidInput(
+                    fmt::format("{} of row {}: {} is no finite number", what, i, values(i, j)));
+}
+
+void check_source(const char* what, const Shape& shape, const DenseMatrix& source) {
+    const int n = shape.pieces.dimension();
+    if (source.rows() != shape.pieces.size(n) || (source.cols() != 1 && source.cols() != n + 1))
+        throw InvalidInput(fmt::format("{}: {} x {} numbers, expected one for each of the {} "
+                                       "simplices, or {}, for its corners",
+                                       what, source.rows(), source.cols(), shape.pieces.size(n),
+                                       n + 1));
+    check_finite(what, source);
+}
+
+void check(const PoissonProblem& problem, const Vector& values) {
+    const Shape& shape = problem.shape;
+    polydec::check(shape);
+    if (shape.functions != ShapeFunctions::ordinary)
+        throw InvalidInput("the error of twisted functions: expected ordinary ones");
+    check_source("source", shape, problem.source);
+    const Index facets = shape.pieces.size(shape.pieces.dimension() - 1);
+    if (problem.flow.size() != 0 && problem.flow.size() != facets)
+        throw InvalidInput(
+            fmt::format("flow: {} numbers for {} facets", problem.flow.size(), facets));
+    if (values.size() != shape.pieces.size(0))
+        throw InvalidInput(
+            fmt::format("values: {} numbers for {} vertices", values.size(), shape.pieces.size(0)));
+    check_finite("flow", problem.flow);
+    check_finite("values", values);
+}
+
+/// A problem in units in which its numbers are near 1: powers of 2, those of lengths and kappa
+/// even.
+struct InUnits {
+    PoissonProblem problem;
+    int length = 0, value = 0, kappa = 0;
+
+    InUnits(const PoissonProblem& given, double largest_value) : problem(given) {
+        const auto exponent = [](double x) { return x > 0 ? std::ilogb(x) : -100'000; };
+        const auto largest = [](const auto& x) {
+            return x.size() > 0 ? double(x.cwiseAbs().maxCoeff()) : 0.0;
+        };
+        const auto even = [](int x) { return 2 * (x / 2); };
+        Shape& shape = problem.shape;
+        length = shape.lengths.size() > 0 ? even(exponent(shape.lengths.maxCoeff())) : 0;
+        kappa = shape.conductivity.size() > 0 ? even(exponent(shape.conductivity.maxCoeff())) : 0;
+        value = std::max({exponent(largest_value),
+                          exponent(largest(problem.source)) + 2 * length - kappa,
+                          exponent(largest(problem.flow)) + length - kappa});
+        if (value < -90'000)
+            value = 0;
+        scale(shape.lengths, -length);
+        scale(shape.conductivity, -kappa);
+        for (double& coefficient : shape.conditions.coefficients)
+            coefficient = std::ldexp(coefficient, length - kappa);
+        scale(problem.source, 2 * length - kappa - value);
+        scale(problem.flow, length - kappa - value);
+    }
+
+    template <class Numbers>
+    static void scale(Numbers& numbers, int exponent) {
+        numbers = numbers.unaryExpr([&](double x) { return std::ldexp(x, exponent); }).eval();
+    }
+
+    Vector in_unit(Vector values) const {
+        scale(values, -value);
+        return values;
+    }
+
+    /// Of norms of a value times lengths to the power n / 2 - derivatives.
+    double norm(double number, int derivatives, bool has_kappa) const {
+        const int n = problem.shape.pieces.dimension();
+        return std::ldexp(number, value + (n - 2 * derivatives) * (length / 2) +
+                                      (has_kappa ? kappa / 2 : 0));
+    }
+
+    /// Back to those of the problem given. Throws InvalidInput for errors out of range.
+    void restore(PoissonError& error) const {
+        for (double* number :
+             {&error.energy, &error.averaged_gradient, &error.size, &error.oscillation})
+            *number = norm(*number, 1, true);
+        scale(error.gradients, value);
+        const auto last = error.gradients.cols() - 1;
+        Vector slopes = error.gradients.col(last);
+        scale(slopes, -2 * length);
+        error.gradients.col(last) = slopes;
+        if (!std::isfinite(error.energy) || !std::isfinite(error.size) ||
+            !error.gradients.allFinite())
+            throw InvalidInput("the error is out of the range of numbers: give the problem in "
+                               "other units");
+        if (error.l2)
+            error.l2 = norm(*error.l2, 0, false);
+        if (error.l2 && !std::isfinite(*error.l2)) {
+            error.l2 = std::nullopt;
+            error.warnings.push_back(
+                "the L2 error is out of the range of numbers: give the problem "
+                "in other units");
+        }
+    }
+};
+
+/// What each simplex adds to the square of the distance of flux and gradient, and of the rest of
+/// f; the first without that rest.
+struct Squares {
+    Vector distance, all;
+
+    Squares(const PoissonForms& forms, const PoissonPair& pair, const LocalData& data)
+        : distance(forms.products(pair, pair).cwiseMax(0)), all(distance) {
+        const double share =
+            pair.rounding * pair.rounding / double(std::max<Index>(distance.size(), 1));
+        for (Eigen::Index s = 0; s < all.size(); ++s)
+            all[s] = std::pow(std::sqrt(distance[s]) + data.oscillation[s], 2) + share;
+    }
+};
+
+/// Sums of many positive numbers, with what they are off by.
+double root_of_sum(const Vector& squares, double rounding) {
+    return std::sqrt(squares.sum()) * (1 + 1e-12) + rounding;
+}
+
+/// The gradient of u_h and the flux over kappa, averaged.
+DenseMatrix averaged_gradients(const PoissonForms& forms, const PoissonPair& pair) {
+    const int n = forms.dimension();
+    DenseMatrix result(forms.simplices(), n + 2);
+    result.leftCols(n + 1) = (pair.corners - n * pair.means) / 2;
+    for (Index s = 0; s < forms.simplices(); ++s)
+        result(s, n + 1) = -pair.source[s] / (2 * n * conductivity_of(forms.shape(), s));
+    return result;
+}
+
+/// The mean of a function over each component where constants are free, taken away.
+void take_means(const PoissonForms& forms, DenseMatrix& corners) {
+    const auto& components = forms.components();
+    Vector sums = Vector::Zero(forms.vertices().kernel.cols()), sizes = sums;
+    for (Index s = 0; s < forms.simplices(); ++s)
+        if (components[s] >= 0) {
+            sums[components[s]] += forms.volumes()[s] * corners.row(s).mean();
+            sizes[components[s]] += forms.volumes()[s];
+        }
+    for (Index s = 0; s < forms.simplices(); ++s)
+        if (components[s] >= 0)
+            corners.row(s).array() -= sums[components[s]] / sizes[components[s]];
+}
+
+std::optional<double> l2_error(const PoissonForms& forms, const DenseMatrix& corners,
+                               const LocalData& data, const std::string& engine) {
+    const auto constant = l2_constant_squared(forms, engine);
+    if (!constant)
+        return std::nullopt;
+    DenseMatrix change = forms.to_galerkin(corners, data);
+    const PoissonPair galerkin = forms.pair(corners + change, data);
+    const double energy = root_of_sum(Squares(forms, galerkin, data).all, galerkin.rounding);
+    take_means(forms, change);
+    double square = 0;
+    for (Index s = 0; s < forms.simplices(); ++s)
+        square += forms.mass(s, change, change);
+    return std::sqrt(*constant) * energy + std::sqrt(square) * (1 + 1e-12);
+}
+
+} // namespace
+
+PoissonError poisson_error(const PoissonProblem& given, const Vector& values,
+                           const PoissonErrorOptions& options) {
+    check(given, values);
+    const InUnits units(given, values.cwiseAbs().maxCoeff());
+    const PoissonProblem& problem = units.problem;
+    const PoissonForms forms(problem.shape, options.linear_solver);
+    const LocalData data = forms.local(problem.source, problem.flow);
+    const DenseMatrix corners = forms.at_corners(units.in_unit(values));
+    const PoissonPair pair = forms.pair(corners, data);
+    const Squares squares(forms, pair, data);
+    PoissonError error;
+    const double sum = squares.all.sum();
+    error.shares = sum > 0 ? Vector(squares.all / sum) : squares.all;
+    error.energy = root_of_sum(squares.all, pair.rounding);
+    error.oscillation = data.oscillation.norm();
+    error.averaged_gradient =
+        root_of_sum(squares.distance, pair.rounding) / 2 + error.oscillation + pair.rounding;
+    error.size = std::sqrt(std::max(forms.energy(corners, corners), 0.0));
+    error.gradients = averaged_gradients(forms, pair);
+    if (options.l2) {
+        error.l2 = l2_error(forms, corners, data, options.linear_solver);
+        if (!error.l2)
+            error.warnings.push_back("the eigenvalues that the L2 error depends on cannot be "
+                                     "counted; flip edges, or improve cells that are "
+                                     "very much smaller or flatter than others");
+    }
+    units.restore(error);
+    return error;
+}
+
+Enclosed goal_interval(const PoissonProblem& given, const Vector& values, const DenseMatrix& goal,
+                       const PoissonErrorOptions& options) {
+    check(given, values);
+    check_source("goal", given.shape, goal);
+    const InUnits units(given, values.cwiseAbs().maxCoeff());
+    const PoissonForms forms(units.problem.shape, options.linear_solver);
+    if (forms.vertices().kernel.cols() > 0)
+        throw InvalidInput("a goal of a solution that is known up to constants: give values, or "
+                           "Robin's condition, on a part of every component's boundary");
+    const double largest = goal.cwiseAbs().maxCoeff();
+    const int unit = largest > 0 ? std::ilogb(largest) : 0;
+    DenseMatrix scaled = goal;
+    InUnits::scale(scaled, -unit);
+
+    const LocalData data = forms.local(units.problem.source, units.problem.flow),
+                    wanted = forms.local(scaled, {});
+    const DenseMatrix u = forms.at_corners(units.in_unit(values));
+    const DenseMatrix z = forms.to_galerkin(DenseMatrix::Zero(u.rows(), u.cols()), wanted);
+    const PoissonPair first = forms.pair(u, data), second = forms.pair(z, wanted);
+    const auto distance = [&](const PoissonPair& pair) {
+        return root_of_sum(forms.products(pair, pair).cwiseMax(0), pair.rounding);
+    };
+    const double value = forms.load(wanted, u) + forms.load(data, z) - forms.energy(u, z) +
+                         forms.products(first, second).sum() / 2;
+    const double a = distance(first), b = distance(second), rest = data.oscillation.norm(),
+                 rest_of_goal = wanted.oscillation.norm();
+    const double rounding =
+        1e-13 * (std::abs(forms.load(wanted, u)) + std::abs(forms.load(data, z)));
+    const double half = a * b / 2 + rest * b + a * rest_of_goal + rest * rest_of_goal +
+                        first.rounding * b + a * second.rounding + rounding;
+    const auto restored = [&](double number) {
+        const int n = forms.dimension();
+        return std::ldexp(number, unit + units.value + n * units.length);
+    };
+    const Enclosed found{restored(value - half), restored(value), restored(value + half)};
+    if (!std::isfinite(found.lower) || !std::isfinite(found.upper))
+        throw InvalidInput("the goal is out of the range of numbers: give the problem in other "
+                           "units");
+    return found;
+}
+
+PoissonProblem poisson_problem(const Discretization& mesh, const BoundaryConditions& conditions,
+                               const CellData& conductivity, const Vector& f, const Vector& flow) {
+    PoissonProblem problem{.shape = shape_of(mesh, conditions, conductivity), .source = {}};
+    const Pieces& pieces = mesh.pieces();
+    const int n = pieces.dimension();
+    if (mesh.complex().size(0) != pieces.size(0))
+        throw InvalidInput("vertices inside of merged cells have no values: discretize the mesh "
+                           "with the criterion none");
+    const Simplices& corners = pieces.simplices(n);
+    problem.source.resize(corners.rows(), n + 1);
+    for (Index s = 0; s < corners.rows(); ++s)
+        for (int i = 0; i <= n; ++i)
+            problem.source(s, i) = f[corners(s, i)];
+    const auto& facets = mesh.merging().carriers(n - 1);
+    problem.flow = Vector::Zero(flow.size() > 0 ? pieces.size(n - 1) : 0);
+    for (Index e = 0; e < problem.flow.size(); ++e)
+        if (facets[e].dimension == n - 1)
+            problem.flow[e] = flow[facets[e].cell];
+    return problem;
+}
+
+} // namespace polydec

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "backends/spectra/inertia.h"
+#include "shape/poisson_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+/// The integrals of means over simplices against functions of facets, or of vertices: simplices x
+/// unknowns.
+SparseMatrix loads(const PoissonForms& forms, const PoissonForms::System& system) {
+    const int width = forms.dimension() + 1;
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    for (Index s = 0; s < forms.simplices(); ++s)
+        for (int i = 0; i < width; ++i)
+            if (const Index u = system.unknowns[std::size_t(width) * s + i]; u >= 0)
+                entries.emplace_back(s, u, forms.volumes()[s] / width);
+    SparseMatrix B(forms.simplices(), system.K.rows());
+    B.setFromTriplets(entries.begin(), entries.end());
+    return B;
+}
+
+/// An estimate of the greatest eigenvalue k^2 of
+/// c D + B_CR K_CR^-1 B_CR^T - B_P1 K_P1^-1 B_P1^T against D, the areas.
+double estimate(const PoissonForms& forms, const SparseMatrix& on_facets,
+                const SparseMatrix& on_vertices) {
+    Vector f(forms.simplices());
+    for (Eigen::Index s = 0; s < f.size(); ++s) // nothing regular
+        f[s] = std::sin(1 + 1.7 * double(s));
+    Vector sums(forms.facets().kernel.cols()), sizes(sums.size());
+    double value = 0;
+    for (int step = 0; step < 12; ++step) {
+        sums.setZero(), sizes.setZero(); // means count where constants are not free alone
+        for (Index s = 0; s < forms.simplices(); ++s)
+            if (const Index component = forms.components()[s]; component >= 0) {
+                sums[component] += f[s] * forms.volumes()[s];
+                sizes[component] += forms.volumes()[s];
+            }
+        for (Index s = 0; s < forms.simplices(); ++s)
+            if (const Index component = forms.components()[s]; component >= 0)
+                f[s] -= sums[component] / sizes[component];
+        const Vector Df = f.cwiseProduct(forms.volumes());
+        Vector image = Df.cwiseProduct(forms.bubbles());
+        if (on_facets.cols() > 0)
+            image += on_facets * forms.facets().solve(on_facets.transpose() * f);
+        if (on_vertices.cols() > 0)
+            image -= on_vertices * forms.vertices().solve(on_vertices.transpose() * f);
+        const Vector next = image.cwiseQuotient(forms.volumes());
+        value = f.dot(image) / f.dot(Df);
+        f = next / next.cwiseAbs().maxCoeff();
+    }
+    return value;
+}
+
+/// The block matrix whose inertia tells, as triplets, with what its entries may be off by.
+class Blocks {
+public:
+    explicit Blocks(Index size)
+        : size_(size), sizes_(Vector::Zero(size)), counts_(Vector::Zero(size)) {}
+
+    void diagonal(Index i, double value, double size) {
+        entries_.emplace_back(i, i, value);
+        sizes_[i] = std::max(sizes_[i], size);
+        counts_[i] += 1;
+    }
+
+    void both(Index i, Index j, double value) {
+        entries_.emplace_back(i, j, value);
+        entries_.emplace_back(j, i, value);
+        counts_[i] += 1, counts_[j] += 1;
+    }
+
+    void block(const SparseMatrix& A, Index row, double sign, const std::vector<Index>& places) {
+        for (Index i = 0; i < A.rows(); ++i)
+            for (SparseMatrix::InnerIterator at(A, i); at; ++at)
+                if (places[i] >= 0 && places[at.col()] >= 0) {
+                    const Index r = row + places[i], c = row + places[at.col()];
+                    entries_.emplace_back(r, c, sign * at.value());
+                    counts_[r] += 1;
+                    if (r == c)
+                        sizes_[r] = std::abs(at.value());
+                }
+    }
+
+    double size(Index i) const { return sizes_[i]; }
+    void raise(Index i, double size) { sizes_[i] = std::max(sizes_[i], size); }
+
+    /// Negative eigenvalues, if they can be told; `doubt` is of blocks given.
+    std::optional<Index> negative(const std::string& engine, int dimension, double doubt) const {
+        auto matrix = std::make_shared<SparseMatrix>(size_, size_);
+        matrix->setFromTriplets(entries_.begin(), entries_.end());
+        constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+        InertiaCounter counter(ShiftedMatrices(matrix), engine, dimension,
+                               {sizes_, doubt + rounding * counts_.maxCoeff(), 0});
+        return counter.below(0, 1);
+    }
+
+private:
+    Index size_;
+    std::vector<Eigen::Triplet<double, Index>> entries_;
+    Vector sizes_, counts_;
+};
+
+/// Numbers of the unknowns of a system but one of each free component.
+std::vector<Index> without_constants(const PoissonForms::System& system) {
+    std::vector<Index> places(system.K.rows(), 0);
+    for (Eigen::Index j = 0; j < system.kernel.cols(); ++j) {
+        Eigen::Index pinned = 0;
+        system.kernel.col(j).maxCoeff(&pinned);
+        places[pinned] = -1;
+    }
+    Index count = 0;
+    for (Index& place : places)
+        place = place < 0 ? -1 : count++;
+    return places;
+}
+
+Index count_of(const std::vector<Index>& places) {
+    Index count = 0;
+    for (const Index place : places)
+        count = std::max(count, place + 1);
+    return count;
+}
+
+/// Whether k^2 is proved: as many negative eigenvalues as functions at vertices, and as many as
+/// components where constants are free, whose means are held down.
+bool is_proved(const PoissonForms& forms, const SparseMatrix& on_facets,
+               const SparseMatrix& on_vertices, double square, const std::string& engine) {
+    const auto facets = without_constants(forms.facets()),
+               vertices = without_constants(forms.vertices());
+    const Index m = forms.simplices(), first = count_of(facets), second = count_of(vertices);
+    const auto free = static_cast<Index>(forms.facets().kernel.cols());
+    Blocks blocks(m + first + second + free);
+    blocks.block(forms.facets().K, m, 1, facets);
+    blocks.block(forms.vertices().K, m + first, -1, vertices);
+    for (Index s = 0; s < m; ++s) {
+        const double value = (square - forms.bubbles()[s]) * forms.volumes()[s];
+        blocks.diagonal(s, value, (square + forms.bubbles()[s]) * forms.volumes()[s]);
+    }
+    const auto couple = [&](const SparseMatrix& B, Index begin, const std::vector<Index>& places) {
+        for (Index s = 0; s < m; ++s)
+            for (SparseMatrix::InnerIterator at(B, s); at; ++at)
+                if (const Index place = places[at.col()]; place >= 0) {
+                    blocks.both(s, begin + place, at.value());
+                    blocks.raise(s, at.value() * at.value() / blocks.size(begin + place));
+                }
+    };
+    couple(on_facets, m, facets);
+    couple(on_vertices, m + first, vertices);
+    for (Index component = 0; component < free; ++component) {
+        const Index row = m + first + second + component;
+        double sum = 0, most = 0;
+        for (Index s = 0; s < m; ++s)
+            if (forms.components()[s] == component) {
+                blocks.both(s, row, forms.volumes()[s]);
+                sum += forms.volumes()[s];
+                most = std::max(most, forms.volumes()[s] * forms.volumes()[s] / blocks.size(s));
+            }
+        const double weight = 1e-8 * sum / square; // any positive one is right
+        blocks.diagonal(row, -weight, std::max(weight, most));
+    }
+    const auto negative =
+        blocks.negative(engine, forms.dimension(), forms.facets().doubt + forms.vertices().doubt);
+    return negative && *negative == second + free;
+}
+
+} // namespace
+
+std::optional<double> l2_constant_squared(const PoissonForms& forms, const std::string& engine) {
+    double largest = 0;
+    for (Index s = 0; s < forms.simplices(); ++s)
+        largest = std::max(largest, forms.poincare(s));
+    const SparseMatrix on_facets = loads(forms, forms.facets()),
+                       on_vertices = loads(forms, forms.vertices());
+    double square = std::max(1.1 * estimate(forms, on_facets, on_vertices), 1e-3 * largest);
+    for (int attempt = 0; attempt < 6; ++attempt, square *= 1.5)
+        if (is_proved(forms, on_facets, on_vertices, square, engine))
+            return square + largest;
+    return std::nullopt;
+}
+
+} // namespace polydec

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/surfaces/glued_surface.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace polydec {
+
+/// A point on a side of a triangle, at a fraction of the half-edge from its tail.
+struct SidePoint {
+    Index halfedge;
+    double fraction;
+};
+
+/// A straight piece of a path inside one triangle.
+struct PathPiece {
+    SidePoint begin, end;
+};
+
+/// A shortest path from a vertex to the nearest source.
+struct ShortestPath {
+    Index source;
+    double length; ///< sum of the lengths of the pieces
+    std::vector<PathPiece> pieces;
+};
+
+/// Exact distances from some vertices along a surface of flat triangles (see exact_distance), at
+/// every point, and the paths that have these lengths. All windows are kept: 48 bytes each, some
+/// 20 to 200 for each triangle.
+class ShortestPaths {
+public:
+    /// Throws like exact_distance.
+    ShortestPaths(const Triangles& surface, const Vector& lengths, std::span<const Index> sources);
+    ShortestPaths(ShortestPaths&&) noexcept;
+    ~ShortestPaths();
+
+    /// Of the vertices.
+    const Vector& distances() const;
+
+    /// The distance of a point of a triangle with these barycentric coordinates, those of the tails
+    /// of its half-edges: not negative, of sum 1.
+    double at(Index triangle, const Eigen::Vector3d& coordinates) const;
+
+    /// The path from a vertex, straight in every triangle and across edges, along edges where it
+    /// bends. Without pieces from a source. Throws InvalidInput for a vertex that is none.
+    ShortestPath from(Index vertex) const;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace polydec

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/surfaces/surface_paths.h"
+
+#include "base/checks.h"
+#include "base/parallel.h"
+#include "dec/input_vertices.h"
+#include "meshes/unit_of_length.h"
+#include "shape/shortest_paths.h"
+
+namespace polydec {
+
+namespace {
+
+Triangles triangles_of(const Discretization& mesh) {
+    if (mesh.input_points().cols() == 0)
+        throw InvalidInput("paths on a surface of which only lengths are known: they lie nowhere "
+                           "in space; take ShortestPaths");
+    return Triangles(mesh.input());
+}
+
+/// The corner of a simplex, in the order of its vertices, that a half-edge begins at.
+int corner(const Pieces& pieces, Index halfedge) {
+    const int i = halfedge % 3;
+    return pieces.orientation(Triangles::triangle(halfedge)) > 0 ? i : (3 - i) % 3;
+}
+
+} // namespace
+
+struct SurfacePaths::Parts {
+    Discretization mesh;
+    Triangles surface;
+    ShortestPaths paths;
+
+    Parts(const Discretization& given, std::span<const Index> sources)
+        : mesh(given),
+          surface(triangles_of(given)),
+          paths(surface, given.input_geometry().volumes().primal(1), sources) {}
+
+    /// Where the tail of a half-edge lies, as a row.
+    Eigen::RowVectorXd place(Index halfedge) const {
+        const PlacedSimplices places = mesh.places();
+        const Index row =
+            places.corners(Triangles::triangle(halfedge), corner(mesh.input(), halfedge));
+        return places.points.row(row) * mesh.unit();
+    }
+
+    Eigen::RowVectorXd place(const SidePoint& point) const {
+        return (1 - point.fraction) * place(point.halfedge) +
+               point.fraction * place(Triangles::next(point.halfedge));
+    }
+};
+
+SurfacePaths::SurfacePaths(const Discretization& mesh, std::span<const Index> sources)
+    : parts_(std::make_unique<Parts>(mesh, sources)) {}
+
+SurfacePaths::SurfacePaths(SurfacePaths&&) noexcept = default;
+SurfacePaths::~SurfacePaths() = default;
+
+SurfacePath SurfacePaths::from(Index vertex) const {
+    const Parts& parts = *parts_;
+    const ShortestPath path = parts.paths.from(vertex);
+    const auto count = static_cast<Index>(path.pieces.size());
+    const Index width = parts.mesh.ambient_dimension();
+    SurfacePath drawn{path.source, path.length * parts.mesh.unit(), {}};
+    drawn.lines.points.resize(2 * Eigen::Index(count), width);
+    drawn.lines.simplices.resize(count, 2);
+    for (Index i = 0; i < count; ++i) {
+        drawn.lines.points.row(2 * i) = parts.place(path.pieces[i].begin);
+        drawn.lines.points.row(2 * i + 1) = parts.place(path.pieces[i].end);
+        drawn.lines.simplices.row(i) << 2 * i, 2 * i + 1;
+    }
+    return drawn;
+}
+
+LevelSets SurfacePaths::isolines(const Vector& levels, Index divisions) const {
+    check_number("the divisions of a triangle", divisions, 1, 1000);
+    const Parts& parts = *parts_;
+    const Index triangles = parts.surface.triangles();
+    const Index points = (divisions + 1) * (divisions + 2) / 2;
+    Mesh fine;
+    fine.points.resize(Eigen::Index(points) * triangles, parts.mesh.ambient_dimension());
+    fine.simplices.resize(Eigen::Index(divisions) * divisions * triangles, 3);
+    Vector values(fine.points.rows());
+    for_each_part(triangles, 64, [&](Index begin, Index end) {
+        for (Index t = begin; t < end; ++t) {
+            Index row = points * t, simplex = divisions * divisions * t;
+            for (Index i = 0; i <= divisions; ++i)
+                for (Index j = 0; j <= divisions - i; ++j, ++row) {
+                    const Eigen::Vector3d at =
+                        Eigen::Vector3d(divisions - i - j, i, j) / double(divisions);
+                    values[row] = parts.paths.at(t, at) * parts.mesh.unit();
+                    fine.points.row(row) = at[0] * parts.place(3 * t) +
+                                           at[1] * parts.place(3 * t + 1) +
+                                           at[2] * parts.place(3 * t + 2);
+                    const Index behind = row + divisions - i + 1; // the same j at the next i
+                    if (j < divisions - i)
+                        fine.simplices.row(simplex++) << row, behind, row + 1;
+                    if (j > 0 && j < divisions - i)
+                        fine.simplices.row(simplex++) << row, behind - 1, behind;
+                }
+        }
+    });
+    LevelSets sets = level_sets(fine, values, levels);
+    for (Index& owner : sets.owners)
+        owner /= divisions * divisions;
+    return sets;
+}
+
+} // namespace polydec

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "solvers/surfaces/geodesic_distance.h"
+#include "solvers/surfaces/surface_paths.h"
+#include "tools/answer.h"
+
+#include <vector>
+
+namespace polydec::tools {
+
+/// A shortest path, from a vertex of the file.
+struct ToldPath {
+    Index to;
+    SurfacePath path;
+};
+
+struct Distances : Answer {
+    DistanceMethod method = DistanceMethod::exact;
+    std::vector<Index> from;
+    Index farthest = 0;
+    Index raised = 0; ///< values below 0 that were raised to it
+    double max = 0, mean = 0;
+    std::vector<ToldPath> paths; ///< with the numbers that sources have in the file
+
+    void write(JsonWriter& json) const override;
+    void write(Text& text) const override;
+};
+
+/// "exact up to rounding", or else.
+const char* accuracy(DistanceMethod method);
+
+} // namespace polydec::tools
