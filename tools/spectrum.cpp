@@ -143,7 +143,7 @@ void run_spectrum(SpectrumArguments arguments) {
     answer.resumed = resumed;
     answer.coarse =
         coarseness(mesh, result.eigenvalues.size() > 0 ? result.eigenvalues.maxCoeff() : 0);
-    answer.advice = advice_of_shape(mesh, boundary, result.degree, answer.coarse);
+    answer.advice = advice_of_shape(mesh, space.conditions(), result.degree, answer.coarse);
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(arguments, mesh, answer, log);
