@@ -272,6 +272,18 @@ TEST(Materials, slow_waves_down) {
     }
 }
 
+TEST(Waves, from_rest_are_told_apart_by_their_spaces) {
+    const auto mesh = circumcentric(well_centered(4));
+    const auto known = [](const FormSpace& space) {
+        const Vector rest = Vector::Zero(space.cells().complex().size(0));
+        return Waves(space, rest, {.time_step = 1e-3}).fingerprint().value().value();
+    };
+    const FormSpace space(mesh, Side::primal, 0);
+    EXPECT_EQ(known(space), known({mesh, Side::primal, 0}));
+    EXPECT_NE(known(space), known({mesh, Side::primal, 0, {BoundaryCondition::essential}}));
+    EXPECT_NE(known(space), known({mesh.with_stars(StarKind::barycentric), Side::primal, 0}));
+}
+
 TEST(WaveErrors, name_losses_layers_and_sides) {
     const auto mesh = circumcentric(grid(4, 4));
     const BoundaryConditions conditions{BoundaryCondition::natural};
