@@ -165,7 +165,6 @@ MUTANTS = {
     "windows_without_end": ("shape/windows.cpp", "if (windows >= most)", "if (false)"),
     "paths_of_another_side": ("shape/shortest_paths.cpp", "== side.sign ? on.fraction : 1 - on.fraction",
                               "== side.sign ? 1 - on.fraction : on.fraction"),
-    "paths_forget_windows": ("shape/shortest_paths.cpp", "before = window.before;", "before = -1 - window.side;"),
     "points_see_vertices_alone": ("shape/shortest_paths.cpp", "w < parts.begins[h + 1]; ++w", "w < parts.begins[h]; ++w"),
     "flux_out_of_balance": ("shape/poisson_pair.cpp", "const double load = data.means[s] * volumes_[s] / (n_ + 1);",
                             "const double load = data.means[s] * volumes_[s] / (n_ + 1.1);"),

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "shape/facet_unknowns.h"
+#include "shape/measured_simplex.h"
 #include "shape/poisson_pair.h"
 
 #include <fmt/format.h>
@@ -138,6 +139,17 @@ double root_of_sum(const Vector& squares, double rounding) {
     return std::sqrt(squares.sum()) * (1 + 1e-12) + rounding;
 }
 
+/// The share by which a(v, v) may be off, as lengths may be by rounding. Throws InvalidInput,
+/// naming the simplex, where that says nothing.
+double energy_share(const Shape& shape) {
+    const double d = metric_share(shape);
+    const double share = std::pow((1 + d) / (1 - d), shape.pieces.dimension() / 2.0 + 1) - 1;
+    if (!(share < 0.5))
+        throw InvalidInput("rounding of lengths hides the error: flip edges, or improve or remove "
+                           "flat simplices");
+    return share;
+}
+
 /// The gradient of u_h and the flux over kappa, averaged.
 DenseMatrix averaged_gradients(const PoissonForms& forms, const PoissonPair& pair) {
     const int n = forms.dimension();
@@ -198,7 +210,14 @@ PoissonError poisson_error(const PoissonProblem& given, const Vector& values,
         root_of_sum(squares.distance, pair.rounding) / 2 + error.oscillation + pair.rounding;
     error.size = std::sqrt(std::max(forms.energy(corners, corners), 0.0));
     error.gradients = averaged_gradients(forms, pair);
-    if (options.l2) {
+    const double rounding = energy_share(problem.shape);
+    for (double* number : {&error.energy, &error.averaged_gradient})
+        *number =
+            (1 + rounding) * (*number + rounding / (1 - rounding) * (error.size + error.energy));
+    if (options.l2 && rounding > 1e-9) {
+        error.warnings.push_back("rounding of lengths hides the L2 error: flip edges, or improve "
+                                 "or remove flat simplices");
+    } else if (options.l2) {
         error.l2 = l2_error(forms, corners, data, options.linear_solver);
         if (!error.l2)
             error.warnings.push_back("the eigenvalues that the L2 error depends on cannot be "
