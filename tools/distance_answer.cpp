@@ -33,12 +33,12 @@ void Distances::write(JsonWriter& json) const {
     if (paths.empty())
         return;
     json.array("paths", [&] {
-        for (const auto& [to, path] : paths)
+        for (const auto& one : paths) // clang 14 keeps bindings out of lambdas
             json.object([&] {
-                json.member("to", to);
-                json.member("from", path.source);
-                json.member("length", path.length);
-                json.member("points", points_of(path.lines));
+                json.member("to", one.to);
+                json.member("from", one.path.source);
+                json.member("length", one.path.length);
+                json.member("points", points_of(one.path.lines));
             });
     });
 }

@@ -5,6 +5,7 @@
 #include "base/printable.h"
 #include "io/march.h"
 #include "io/pages/series.h"
+#include "io/source_file.h"
 #include "tools/common.h"
 #include "tools/messages.h"
 #include "tools/options.h"

@@ -6,6 +6,7 @@
 #include "tools/conditions.h"
 #include "tools/expression.h"
 #include "tools/form_values.h"
+#include "tools/messages.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
 #include "tools/wave_answer.h"

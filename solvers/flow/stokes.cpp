@@ -5,6 +5,8 @@
 #include "base/errors.h"
 #include "complex/components.h"
 #include "complex/homology.h"
+#include "complex/relative.h"
+#include "dec/forms/boundary_conditions.h"
 #include "dec/forms/derivative.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/saddle_solver.h"
