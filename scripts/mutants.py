@@ -243,7 +243,7 @@ MUTANTS = {
     "shallow_water_runge_kutta": ("solvers/flow/shallow_water.cpp", "(a.flux + 2 * b.flux + 2 * c.flux + d.flux) / 6",
                                   "(a.flux + 2 * b.flux + 2 * c.flux + d.flux) / 6.01"),
     "vorticity_in_the_unit": ("solvers/flow/flow_data.cpp", "PoissonSolver(mesh).solve(",
-                              "PoissonSolver(mesh.complex(), mesh.stars()).solve("),
+                              "PoissonSolver(Cells(mesh.complex(), mesh.stars())).solve("),
     "advection_sign": ("solvers/flow/advection.cpp", "p % 2 == 0 ? 1 : -1", "1"),
     "geodesic_gradient_half": ("solvers/surfaces/heat_distance.cpp",
                                "gradient.dot(hats[i]) / (2 * gradient.norm())",
