@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/surfaces/surface_paths.h"
+
+#include "dec/discretization.h"
+#include "meshes/generate.h"
+#include "tests/support/circumcentric.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec::test::in_surface_paths {
+namespace {
+
+/// How far ends of segments are from circles around a corner of a square, on eight triangles.
+double defect(Index divisions) {
+    const auto square = circumcentric(grid(2, 2));
+    const Vector levels{{0.3, 0.6, 0.9}};
+    const auto lines = SurfacePaths(square, std::vector<Index>{0}).isolines(levels, divisions);
+    const Vector corner = square.points().row(0);
+    double worst = 0;
+    for (Index s = 0; s < lines.mesh.simplices.rows(); ++s)
+        for (const Index end : {0, 1}) {
+            const Vector place = lines.mesh.points.row(lines.mesh.simplices(s, end));
+            const double radius = (place - corner).norm();
+            worst = std::max(worst, std::abs(radius - levels[lines.levels[s]]));
+        }
+    return worst;
+}
+
+// Between values at vertices they would be straight across a triangle, and off by a tenth.
+TEST(Isolines, of_a_plane_are_circles_with_order_2) {
+    const double coarse = defect(8), fine = defect(16);
+    EXPECT_LT(coarse, 2e-3);
+    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.4);
+}
+
+} // namespace
+} // namespace polydec::test::in_surface_paths
