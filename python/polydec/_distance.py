@@ -15,7 +15,8 @@ from ._vertices import at_vertices, numbers_of
 
 
 def _surface(given: CellsLike) -> Complex:
-    """Distances do not depend on stars: those of which nothing is to be said."""
+    """The mesh with circumcentric stars. Distances do not depend on the stars, so a warning that
+    another kind was chosen would say nothing about them."""
     return as_complex(given, in_units=True, star="circumcentric")
 
 
