@@ -7,8 +7,8 @@
 #include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
-#include "solvers/poisson.h"
-#include "solvers/spectrum.h"
+#include "solvers/sources/poisson.h"
+#include "solvers/spectra/spectrum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,10 +50,8 @@ Vector solve_by_engine(const std::string& name, const Dirichlet& problem, int di
 }
 
 Vector solve_by_library(const std::string& name, const Discretization& cells) {
-    PoissonSolver solver(cells, {.linear_solver = name});
-    return solver
-        .solve(Vector::Ones(solver.sites().rows()), Vector::Zero(solver.boundary_sites().rows()))
-        .values;
+    const PoissonSolver solver({cells, Side::primal, 0, {}}, name);
+    return solver.solve({Side::primal, 0, Vector::Ones(cells.complex().size(0))}).form.values;
 }
 
 using BareSolve = Vector (*)(const SparseMatrix&, const Vector&);

@@ -7,7 +7,7 @@
 #include "io/meshes/write_mesh.h"
 #include "io/pictures/draw_cells.h"
 #include "meshes/generate.h"
-#include "solvers/poisson.h"
+#include "solvers/sources/poisson.h"
 
 #include <array>
 #include <bit>
@@ -80,9 +80,8 @@ SparseMatrix whole_way(const std::filesystem::path& from, const std::filesystem:
     stages.next("5_operators");
     SparseMatrix laplacian = symmetric_laplacian(cells, 0);
     stages.next("6_poisson");
-    PoissonSolver solver(cells);
-    const Vector u =
-        solver.solve(solver.sites().col(0), Vector::Zero(solver.boundary_sites().rows())).values;
+    const PoissonSolver solver({cells, Side::primal, 0, {}});
+    const Vector u = solver.solve({Side::primal, 0, cells.points().col(0)}).form.values;
     stages.next("7_write");
     auto grid = draw_cells(cells, 0);
     add_cochain(grid, cells.complex(), 0, "u", u);

@@ -148,14 +148,15 @@ std::string flip_advice(const Discretization& mesh) {
                                                            : "";
 }
 
-std::vector<std::string> warning_of_negative_duals(const Discretization& mesh, int k,
+std::vector<std::string> warning_of_negative_duals(const Cells& cells, int k,
                                                    std::string_view consequence) {
-    const auto cells = mesh.stars()[k].negatives().size();
-    if (cells == 0)
+    const auto count = cells.stars()[k].negatives().size();
+    if (count == 0)
         return {};
     return {fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay there): "
-                        "{}{}",
-                        cells, k, cells == 1 ? "has" : "have", consequence, flip_advice(mesh))};
+                        "{}; take {}",
+                        count, k, count == 1 ? "has" : "have", consequence,
+                        positive_stars(cells.dimension()))};
 }
 
 void warn_of_hybrid_stars(const SimplicialComplex& input, const Vector& lengths,

@@ -62,7 +62,7 @@ void warn_of_hybrid_stars(const SimplicialComplex& input, const Vector& lengths,
                           std::vector<std::string>& warnings);
 
 /// A warning if the star of k-cells has negative entries, and what follows from them in words.
-std::vector<std::string> warning_of_negative_duals(const Discretization& mesh, int k,
+std::vector<std::string> warning_of_negative_duals(const Cells& cells, int k,
                                                    std::string_view consequence);
 
 /// "stars that are positive on every mesh (StarKind::automatic)", and what else there is: for

@@ -4,10 +4,12 @@
 #include "base/errors.h"
 #include "base/lazy.h"
 #include "dec/forms/laplacian.h"
+#include "dec/two_sided.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace polydec {
@@ -47,21 +49,6 @@ CellMarks on_the_boundary(const CellComplex& complex, std::vector<bool> without_
     return marks;
 }
 
-/// Dual 0-forms have no difference along the dual of a facet where three n-cells or more meet.
-void refuse_branching(const Cells& cells, Side side, int degree) {
-    if (side == Side::primal || degree > 0)
-        return;
-    const int facets = cells.dimension() - 1;
-    const auto& counts = cells.complex().coface_counts(facets);
-    for (Index f = 0; f < cells.complex().size(facets); ++f)
-        if (counts[f] > 2)
-            throw InvalidInput(fmt::format("{} cells meet at {}, so what flows through it is no "
-                                           "difference of two values of a dual 0-form: take "
-                                           "primal 0-forms",
-                                           counts[f], cells.name(facets, f)),
-                               cells.place(facets, f));
-}
-
 /// In the unit of the cells.
 Vector coefficients_on(const Cells& cells, BoundaryConditions conditions) {
     for (double& coefficient : conditions.coefficients)
@@ -79,7 +66,14 @@ struct FormSpace::Parts {
     CellMarks fixed;
     Vector robin = {};                   // coefficients at facets
     std::vector<bool> without_dual = {}; // at which values are given, if they matter
+    Lazy<CellMarks> on_boundary = {}, left_out = {};
     Lazy<RelativeComplex> relative = {};
+
+    /// See on_the_boundary.
+    const CellMarks& open() const {
+        return on_boundary.get(
+            [&] { return on_the_boundary(cells.complex(), without_dual, fixed); });
+    }
     Lazy<SparseMatrix> weights = {}, layer = {};
     Lazy<Cells> inside = {};
 };
@@ -93,7 +87,8 @@ FormSpace::FormSpace(const Cells& cells, Side side, int degree,
                      const BoundaryConditions& conditions) {
     const CellComplex& complex = cells.complex();
     const int k = polydec::cell_degree(complex, side, degree); // which there must be
-    refuse_branching(cells, side, degree);
+    if (side == Side::dual && degree == 0)
+        check_not_branching(cells);
     auto parts = std::shared_ptr<Parts>(new Parts{
         cells, side, degree, k, conditions, essential_cells(complex, conditions, side, degree)});
     parts->robin = coefficients_on(cells, conditions);
@@ -156,13 +151,24 @@ const CellMarks& FormSpace::fixed() const& {
     return parts_->fixed;
 }
 
+const CellMarks& FormSpace::left_out() const& {
+    if (parts_->without_dual.empty())
+        return fixed();
+    return parts_->left_out.get([&] {
+        CellMarks marks = fixed();
+        for (std::size_t k = 0; k < marks.size(); ++k)
+            std::transform(marks[k].begin(), marks[k].end(), parts_->open()[k].begin(),
+                           marks[k].begin(), std::logical_or<>());
+        return marks;
+    });
+}
+
 const RelativeComplex& FormSpace::relative() const& {
     return parts_->relative.get([&] {
         const CellComplex& complex = parts_->cells.complex();
         if (parts_->without_dual.empty())
             return relative_complex(complex, fixed());
-        return relative_complex(complex, fixed(),
-                                on_the_boundary(complex, parts_->without_dual, fixed()));
+        return relative_complex(complex, fixed(), parts_->open());
     });
 }
 

@@ -64,6 +64,10 @@ public:
     const CellMarks& fixed() const&;
     CellMarks fixed() && { return fixed(); }
 
+    /// Marks the cells without free values: these, and those of facets without dual.
+    const CellMarks& left_out() const&;
+    CellMarks left_out() && { return left_out(); }
+
     /// The cells of all degrees with free values, and their numbers: the whole complex where
     /// nothing is fixed.
     const RelativeComplex& relative() const&;

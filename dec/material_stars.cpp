@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace polydec {
@@ -151,6 +152,19 @@ HodgeStars weighted_stars(const Discretization& mesh, int k, const CellData& giv
 Discretization with_material(const Discretization& mesh, int k, const CellData& weights) {
     const ChosenStars& now = mesh.chosen_stars();
     return mesh.with_stars(ChosenStars(weighted_stars(mesh, k, weights), now.kind, now.galerkin));
+}
+
+Discretization with_conductivity(const Discretization& mesh, Side side, const CellData& kappa) {
+    const int k = side == Side::primal ? std::min(1, mesh.dimension()) : mesh.dimension() - 1;
+    if (mesh.chosen_stars().kind == StarKind::own && !mesh.stars()[k].is_diagonal())
+        throw InvalidInput(fmt::format("conductivities are given beside a star of {}-cells of your "
+                                       "own that is a matrix, of which the cells' parts are not "
+                                       "known: make the star of them (material_star)",
+                                       k),
+                           {.degree = k});
+    const Vector values = kappa.on(mesh, "conductivity", Range::positive);
+    return with_material(
+        mesh, k, CellData::on_cells(side == Side::primal ? values : Vector(values.cwiseInverse())));
 }
 
 } // namespace polydec

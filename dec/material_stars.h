@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dec/cell_data.h"
+#include "dec/forms/side.h"
 
 #include <vector>
 
@@ -41,5 +42,11 @@ HodgeStars weighted_stars(const Discretization& mesh, int k, const CellData& wei
 
 /// The mesh with these stars, which are of the same kind.
 Discretization with_material(const Discretization& mesh, int k, const CellData& weights);
+
+/// With these stars Delta of functions is -div kappa grad, for kappa > 0: the star of 1-forms
+/// weighted by kappa for primal functions, that of (n-1)-forms by 1 / kappa for dual ones. Throws
+/// likewise, and beside stars of one's own that are matrices, of which the cells' parts are not
+/// known.
+Discretization with_conductivity(const Discretization& mesh, Side side, const CellData& kappa);
 
 } // namespace polydec

@@ -3,7 +3,7 @@
 
 #include "distributed/local_complex.h"
 #include "distributed/petsc.h"
-#include "solvers/constrained_system.h"
+#include "solvers/sources/constrained_system.h"
 
 namespace polydec {
 

@@ -283,8 +283,8 @@ SharedPoissonSolver::SharedPoissonSolver(const Ranks& ranks, Problem problem,
       fixed_(std::move(problem.fixed)),
       solver_(ranks, std::move(problem.system), engine) {}
 
-Solution<Vector> SharedPoissonSolver::solve(const Vector& f, const Vector& boundary_values,
-                                            const Vector& normal_derivatives) const {
+Solution SharedPoissonSolver::solve(const Vector& f, const Vector& boundary_values,
+                                    const Vector& normal_derivatives) const {
     ranks_.together("data", [&] {
         check_values(f, sites_, "right-hand side");
         check_values(boundary_values, boundary_sites(), "boundary data");

@@ -14,7 +14,7 @@ Points cell_centers(const Ranks& ranks, const DistributedMesh& mesh, int k);
 
 struct SharedPoissonOptions {
     Side side = Side::primal;
-    /// As of PoissonOptions; where facets have conditions of their own, one for every own
+    /// As of a FormSpace; where facets have conditions of their own, one for every own
     /// (n-1)-cell.
     BoundaryConditions boundary = {};
     SharedEngine engine = {};
@@ -35,8 +35,8 @@ public:
     const Points& flux_sites() const& { return flux_sites_; }
 
     /// See PoissonSolver::solve.
-    Solution<Vector> solve(const Vector& f, const Vector& boundary_values,
-                           const Vector& normal_derivatives) const;
+    Solution solve(const Vector& f, const Vector& boundary_values,
+                   const Vector& normal_derivatives) const;
 
 private:
     struct Problem;

@@ -144,7 +144,7 @@ SharedSolver::SharedSolver(const Ranks& ranks, SharedSystem system, const Shared
 SharedSolver::SharedSolver(SharedSolver&&) noexcept = default;
 SharedSolver::~SharedSolver() = default;
 
-Solution<Vector> SharedSolver::solve(const Vector& b, const Vector& fixed_values) const {
+Solution SharedSolver::solve(const Vector& b, const Vector& fixed_values) const {
     State& s = *state_;
     if (s.ranks.any(!b.allFinite() || !fixed_values.allFinite()))
         throw InvalidInput("right-hand side or fixed values of a constrained system are not "
@@ -154,7 +154,7 @@ Solution<Vector> SharedSolver::solve(const Vector& b, const Vector& fixed_values
         if (s.system.held.fixed[i])
             u[i] = fixed_values[i];
     Vector right_side = b - product(s.ranks, s.system.A.get(), u);
-    Solution<Vector> result;
+    Solution result;
     result.compatibility = s.components.balance(right_side);
     if (s.count > 0) {
         const Vector reduced = right_side(s.unknowns);

@@ -36,7 +36,7 @@ public:
     ~SharedSolver();
 
     /// See ConstrainedSolver::solve. Throws SolverFailure if no engine solves it.
-    Solution<Vector> solve(const Vector& b, const Vector& fixed_values) const;
+    Solution solve(const Vector& b, const Vector& fixed_values) const;
 
 private:
     struct State;

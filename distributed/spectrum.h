@@ -2,7 +2,7 @@
 #pragma once
 
 #include "distributed/discretize.h"
-#include "solvers/spectrum.h"
+#include "solvers/spectra/spectrum.h"
 
 namespace polydec {
 

@@ -13,13 +13,12 @@ namespace {
 
 double error(int columns) {
     const auto hexagons = polydec::discretize(polydec::hexagons(columns));
-    polydec::PoissonSolver solver(hexagons, {.side = polydec::Side::dual});
+    const polydec::PoissonSolver solver({hexagons, polydec::Side::dual, 0, {}}); // u is given
 
     constexpr double pi = std::numbers::pi;
-    const polydec::Vector x = solver.sites().col(0), y = solver.sites().col(1);
-    const polydec::Vector exact = (pi * x.array()).sin() * (pi * y.array()).sin();
-    const polydec::Vector zero = polydec::Vector::Zero(solver.boundary_sites().rows());
-    const polydec::Vector u = solver.solve(2 * pi * pi * exact, zero).values;
+    const polydec::Points sites = polydec::dual_sites(hexagons);
+    const polydec::Vector exact = (pi * sites.array()).sin().rowwise().prod();
+    const auto u = solver.solve({polydec::Side::dual, 0, 2 * pi * pi * exact}).form.values;
 
     // L2 norm: each value counts with the area of its cell
     const polydec::Vector& areas = hexagons.volumes().primal(2);

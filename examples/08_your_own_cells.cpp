@@ -43,7 +43,7 @@ int main() {
     std::cout << "\nharmonic 1-forms: "
               << polydec::harmonic_forms({cells, polydec::Side::primal, 1}).cols() << '\n';
 
-    polydec::Vector heat = polydec::Vector::Unit(torus.size(0), 0); // mean 0 is made of it
-    const polydec::PoissonSolver solver(cells);
-    std::cout << "above the mean at the source: " << solver.solve(heat, 0 * heat).values[0] << '\n';
+    const polydec::Cochain heat{polydec::Side::primal, 0, polydec::Vector::Unit(torus.size(0), 0)};
+    const polydec::PoissonSolver solver({cells, polydec::Side::primal, 0}); // makes its mean 0
+    std::cout << "above the mean at the source: " << solver.solve(heat).form.values[0] << '\n';
 }

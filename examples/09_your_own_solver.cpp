@@ -54,12 +54,12 @@ int main() {
 
     const auto mesh = polydec::discretize(polydec::grid(24, 24));
     const auto solve = [&](const char* engine) {
-        polydec::PoissonSolver solver(mesh, {.linear_solver = engine});
-        const polydec::Vector one = polydec::Vector::Ones(solver.sites().rows());
-        const auto [u, report, compatibility, warnings] = solver.solve(one, 0 * one);
-        std::cout << report.engine << ": " << report.iterations << " iterations, largest value "
-                  << u.maxCoeff() << '\n';
-        return u;
+        const polydec::PoissonSolver solver({mesh, polydec::Side::primal, 0, {}}, engine);
+        const polydec::Vector one = polydec::Vector::Ones(mesh.complex().size(0));
+        const auto found = solver.solve({polydec::Side::primal, 0, one});
+        std::cout << found.report.engine << ": " << found.report.iterations
+                  << " iterations, largest value " << found.form.values.maxCoeff() << '\n';
+        return found.form.values;
     };
     const polydec::Vector mine = solve("gauss-seidel"), theirs = solve("eigen.ldlt");
     std::cout << "they agree to 1e-9: " << ((mine - theirs).norm() < 1e-9 ? "yes" : "no") << '\n';

@@ -12,22 +12,21 @@
 int main() {
     const auto box = polydec::discretize(polydec::fcc({16, 8, 8}, 0.125), // 2 x 1 x 1
                                          {.star = polydec::StarKind::circumcentric});
-    const polydec::Points places =
-        polydec::PoissonSolver(box, {.side = polydec::Side::dual}).sites();
+    const polydec::Points places = polydec::dual_sites(box);
     polydec::Vector kappa = polydec::Vector::Ones(places.rows());
     for (polydec::Index cell = 0; cell < kappa.size(); ++cell) // a block from the floor upwards
         if (std::abs(places(cell, 0) - 1) < 0.3 && places(cell, 2) < 0.6)
             kappa[cell] = 1e-4;
 
     // pressures are given left and right, and nothing flows through the other walls
-    const polydec::Points facets = polydec::PoissonSolver(box).flux_sites();
+    const polydec::Points facets = polydec::facet_sites(box);
     const auto ends = polydec::essential_where(
         facets, [](const auto& x) { return x[0] < 1e-9 || x[0] > 2 - 1e-9; });
-    polydec::DarcySolver solver(
-        box, {.boundary = ends, .conductivity = polydec::CellData::on_cells(kappa)});
-    const polydec::Vector nothing = polydec::Vector::Zero(facets.rows());
-    const auto flow =
-        solver.solve(polydec::Vector::Zero(places.rows()), 1 - facets.col(0).array() / 2, nothing);
+    const auto rock =
+        polydec::with_conductivity(box, polydec::Side::dual, polydec::CellData::on_cells(kappa));
+    const polydec::PoissonSolver solver({rock, polydec::Side::dual, 0, ends});
+    const auto flow = solver.solve({polydec::Side::dual, 0, polydec::Vector::Zero(places.rows())},
+                                   {.values = 1 - facets.col(0).array() / 2});
 
     // a flux counts outward where the facet is oriented as the boundary of its cell
     const polydec::SparseMatrix divergence = polydec::derivative(box.complex(), 2);
@@ -46,7 +45,7 @@ int main() {
     const polydec::SolidView view{.eye = Eigen::Vector3d(0.25, -1, 0.4),
                                   .title = "Pressure around a block of clay"};
     auto solid = polydec::kept_faces(
-        box, [](const auto& x) { return x[1] > 0.5; }, flow.pressure.values);
+        box, [](const auto& x) { return x[1] > 0.5; }, flow.form.values);
     for (const polydec::Index cell : solid.cells)
         solid.fills.push_back(kappa[cell] < 1 ? "#9a948a" : "");
     auto drawing = polydec::draw_solid(solid, view);
@@ -60,7 +59,7 @@ int main() {
         }
     std::ofstream("darcy_flow.svg") << polydec::to_svg(drawing);
 
-    auto page = polydec::draw_page(box, {{"pressure", flow.pressure, "arrows: velocity"}},
+    auto page = polydec::draw_page(box, {{"pressure", flow.form, "arrows: velocity"}},
                                    "Water around a block of clay");
     page.arrows.push_back({"pressure", places, velocity});
     polydec::write_page("darcy_flow.html", page);

@@ -37,9 +37,9 @@ int main() {
     }
 
     // u of -div grad u = 1, 0 on the boundary
-    const polydec::PoissonSolver solver(mesh);
-    const polydec::Vector f = polydec::Vector::Ones(solver.sites().rows());
-    const polydec::Vector u = solver.solve(f, 0 * f).values;
+    const polydec::PoissonSolver solver({mesh, polydec::Side::primal, 0, {}});
+    const polydec::Vector f = polydec::Vector::Ones(mesh.complex().size(0));
+    const polydec::Vector u = solver.solve({polydec::Side::primal, 0, f}).form.values;
     const auto error =
         polydec::poisson_error({shape, polydec::DenseMatrix::Ones(shape.pieces.size(2), 1)}, u);
     std::cout << std::setprecision(3) << "the gradient is off by at most "

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solvers/run.h"
+#include "solvers/time/run.h"
 
 #include <chrono>
 #include <cstdint>

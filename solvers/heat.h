@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solvers/diffusion.h"
-#include "solvers/fixed_steps.h"
+#include "solvers/time/diffusion.h"
+#include "solvers/time/fixed_steps.h"
 
 #include <string>
 

@@ -5,7 +5,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/input_vertices.h"
-#include "solvers/boundary_forms.h"
+#include "solvers/sources/boundary_forms.h"
 #include "tools/common.h"
 #include "tools/component_values.h"
 #include "tools/outputs.h"

@@ -4,7 +4,7 @@
 #include "base/errors.h"
 #include "dec/forms/cochain.h"
 #include "io/diagnosis_json.h"
-#include "solvers/evolution.h"
+#include "solvers/time/evolution.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/conditions.h"

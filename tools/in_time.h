@@ -3,7 +3,7 @@
 
 #include "dec/discretization.h"
 #include "io/pages/draw_page.h"
-#include "solvers/run.h"
+#include "solvers/time/run.h"
 #include "tools/answer.h"
 
 #include <CLI/CLI.hpp>

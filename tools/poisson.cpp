@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/poisson.h"
+#include "solvers/sources/poisson.h"
 
 #include "base/errors.h"
 #include "base/memory.h"
@@ -28,17 +28,18 @@ namespace {
 
 struct PoissonArguments {
     MeshArguments mesh;
-    PoissonOptions poisson;
+    Side side = Side::primal;
+    std::string engine = "auto";
     ConditionArguments conditions;
     std::string rhs, boundary, exact, flux, conductivity;
     PictureArguments picture;
 };
 
 Solved describe(const Discretization& mesh, const PoissonArguments& arguments,
-                const Solution<Vector>& solution) {
-    const auto& [u, report, compatibility, warnings] = solution;
+                const PoissonSolution& solution) {
+    const Vector& u = solution.form.values;
     Solved answer(mesh.chosen_stars());
-    answer.side = arguments.poisson.side;
+    answer.side = arguments.side;
     const auto& [natural, essential_where, essential_on, fixed_where, robin] = arguments.conditions;
     const bool everywhere = essential_where.empty() && essential_on.empty() && fixed_where.empty();
     answer.boundary = !everywhere  ? "mixed"
@@ -48,8 +49,8 @@ Solved describe(const Discretization& mesh, const PoissonArguments& arguments,
     answer.unknowns = u.size();
     answer.min = u.minCoeff();
     answer.max = u.maxCoeff();
-    answer.report = report;
-    answer.free_components = compatibility.free_components;
+    answer.report = solution.report;
+    answer.free_components = solution.compatibility.free_components;
     return answer;
 }
 
@@ -66,7 +67,7 @@ Errors errors(const Discretization& mesh, Side side, const Vector& difference) {
 
 void draw(const Discretization& mesh, const PoissonArguments& arguments, const Vector& values,
           const Solved& answer, const Log& log) {
-    const auto side = arguments.poisson.side;
+    const auto side = arguments.side;
     PageText text;
     text.title = fmt::format("{}: Poisson problem", arguments.mesh.mesh.filename().string());
     text.facts = {fmt::format("Delta u = f with f = {}", arguments.rhs), answer.conditions,
@@ -110,26 +111,26 @@ struct Data {
 };
 
 /// What is known on the boundary, in words.
-std::string known(const Discretization& mesh, const PoissonArguments& arguments) {
-    return in_words(arguments.poisson.boundary, mesh.complex(), 0,
+std::string known(const FormSpace& space, const PoissonArguments& arguments) {
+    return in_words(space.conditions(), space.cells().complex(), 0,
                     {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
 }
 
 /// What is proved of the error, on triangles, or why nothing is.
-void add_bound(Solved& answer, const Discretization& mesh, const PoissonOptions& options,
-               const Vector& f, const Vector& flux, const Vector& u) {
+void add_bound(Solved& answer, const Discretization& mesh, const FormSpace& space,
+               const CellData& conductivity, const std::string& engine, const Vector& f,
+               const Vector& flux, const Vector& u) {
     constexpr Index most_for_l2 = 50'000; // triangles: the count takes longer than all else
-    const auto& fixed = options.boundary.fixed_vertices;
-    if (mesh.dimension() != 2 || options.side != Side::primal ||
+    const auto& fixed = space.conditions().fixed_vertices;
+    if (mesh.dimension() != 2 || space.side() != Side::primal ||
         std::find(fixed.begin(), fixed.end(), true) != fixed.end())
         return;
     const bool l2 = mesh.pieces().size(2) <= most_for_l2;
     if (!l2)
         answer.without_bound = fmt::format("above {} triangles it takes too long", most_for_l2);
     try {
-        const auto problem = poisson_problem(mesh, options.boundary, options.conductivity, f, flux);
-        answer.bound =
-            poisson_error(problem, u, {.l2 = l2, .linear_solver = options.linear_solver});
+        const auto problem = poisson_problem(mesh, space.conditions(), conductivity, f, flux);
+        answer.bound = poisson_error(problem, u, {.l2 = l2, .linear_solver = engine});
         for (const std::string& warning : answer.bound->warnings)
             answer.without_bound = warning;
     } catch (const OutOfMemory&) {
@@ -143,38 +144,50 @@ void run_poisson(PoissonArguments arguments) {
     Log log;
     const Data data(arguments);
     check_picture(arguments.picture, arguments.mesh.mesh, data.files());
-    if (arguments.picture.isolines > 0 && arguments.poisson.side == Side::dual)
+    if (arguments.picture.isolines > 0 && arguments.side == Side::dual)
         throw InvalidInput("--isolines: they are of values at vertices; take --side primal");
     const Discretization mesh = load(arguments.mesh, log);
-    arguments.poisson.boundary = data.conditions.on(mesh).value_or(BoundaryConditions{});
     if (!arguments.picture.out.empty())
         check_drawable(mesh);
-    if (data.conductivity)
-        arguments.poisson.conductivity = cell_values(mesh, *data.conductivity);
+    const CellData conductivity =
+        data.conductivity ? cell_values(mesh, *data.conductivity) : CellData();
+    const auto cells = computed_on(arguments.mesh.mesh, [&] {
+        return data.conductivity ? with_conductivity(mesh, arguments.side, conductivity) : mesh;
+    });
+    const auto space = computed_on(arguments.mesh.mesh, [&] {
+        return FormSpace(cells, arguments.side, 0,
+                         data.conditions.on(mesh).value_or(BoundaryConditions{}));
+    });
     log.timing.begin("solve");
-    PoissonSolver solver = computed_on(arguments.mesh.mesh, [&] {
+    const PoissonSolver solver = computed_on(arguments.mesh.mesh, [&] {
         const Progress progress;
         progress("solve");
-        return PoissonSolver(mesh, arguments.poisson);
+        return PoissonSolver(space, arguments.engine);
     });
-    const bool at_vertices = arguments.poisson.side == Side::primal;
-    const auto at = [&](const SiteValues& values, const Points& sites) {
-        return at_vertices ? vertex_values(mesh, values, sites) : values.at(sites);
+    const auto at = [&](const SiteValues& values, const Points& places) {
+        return arguments.side == Side::primal ? vertex_values(mesh, values, places)
+                                              : values.at(places);
     };
-    const Vector f = at(data.rhs, solver.sites()), g = at(data.boundary, solver.boundary_sites()),
-                 h = data.flux.at(solver.flux_sites());
-    const auto solution = computed_on(arguments.mesh.mesh, [&] { return solver.solve(f, g, h); });
+    const Points places = sites(cells, arguments.side);
+    const Vector f = at(data.rhs, places),
+                 g = at(data.boundary, boundary_sites(cells, arguments.side)),
+                 h = data.flux.at(facet_sites(cells));
+    const auto solution = computed_on(arguments.mesh.mesh, [&] {
+        return solver.solve(
+            {arguments.side, 0, f},
+            {.values = g, .derivative_flow = outward_flow(cells, arguments.side, h)});
+    });
+    const Vector& u = solution.form.values;
     log.warn(solution.warnings);
     Solved answer = describe(mesh, arguments, solution);
-    answer.conditions = known(mesh, arguments);
+    answer.conditions = known(space, arguments);
     log.timing.begin("bound");
-    add_bound(answer, mesh, arguments.poisson, f, h, solution.values);
+    add_bound(answer, mesh, space, conductivity, arguments.engine, f, h, u);
     if (data.exact)
-        answer.errors =
-            errors(mesh, arguments.poisson.side, solution.values - at(*data.exact, solver.sites()));
+        answer.errors = errors(mesh, arguments.side, u - at(*data.exact, places));
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
-        draw(mesh, arguments, solution.values, answer, log);
+        draw(mesh, arguments, u, answer, log);
     }
     tell(answer, log, arguments.mesh.tell);
 }
@@ -186,7 +199,7 @@ void add_poisson(CLI::App& app) {
     const auto arguments = std::make_shared<PoissonArguments>();
     add_mesh_arguments(*command, arguments->mesh);
     add_star(*command, arguments->mesh, StarKind::automatic);
-    add_side(*command, arguments->poisson.side)->required();
+    add_side(*command, arguments->side)->required();
     command->add_option("--rhs", arguments->rhs, "f: an expression in x, y, z, or a file")
         ->required();
     auto* boundary = command->add_option("--boundary", arguments->boundary,
@@ -209,8 +222,7 @@ void add_poisson(CLI::App& app) {
     command->add_option("--exact", arguments->exact, "exact solution to compare with");
     add_picture(*command, arguments->picture, "u");
     add_isolines(*command, arguments->picture);
-    command->add_option("--engine", arguments->poisson.linear_solver, "linear solver")
-        ->capture_default_str();
+    command->add_option("--engine", arguments->engine, "linear solver")->capture_default_str();
     command->footer(
         "A file holds one value for each vertex (primal) or merged cell (dual); for --boundary "
         "one\n"

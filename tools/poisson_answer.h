@@ -3,7 +3,7 @@
 
 #include "dec/choose_stars.h"
 #include "shape/poisson_error.h"
-#include "solvers/poisson.h"
+#include "solvers/sources/poisson.h"
 #include "tools/answer.h"
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectrum.h"
+#include "solvers/spectra/spectrum.h"
 
 #include "base/errors.h"
 #include "base/memory.h"

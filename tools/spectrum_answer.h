@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/choose_stars.h"
-#include "solvers/spectrum.h"
+#include "solvers/spectra/spectrum.h"
 #include "tools/answer.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solvers/waves.h"
+#include "solvers/time/waves.h"
 #include "tools/common.h"
 #include "tools/in_time.h"
 

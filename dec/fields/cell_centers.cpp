@@ -210,4 +210,12 @@ Points facet_sites(const Discretization& discretization) {
                : cell_centroids(discretization, n - 1);
 }
 
+Points sites(const Discretization& discretization, Side side) {
+    return side == Side::primal ? cell_centers(discretization, 0) : dual_sites(discretization);
+}
+
+Points boundary_sites(const Discretization& discretization, Side side) {
+    return side == Side::primal ? cell_centers(discretization, 0) : facet_sites(discretization);
+}
+
 } // namespace polydec

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dec/discretization.h"
+#include "dec/forms/side.h"
 
 namespace polydec {
 
@@ -34,5 +35,10 @@ Points sites_of_pieces(const Discretization& discretization);
 /// Where values on the boundary and through it are: the centroids of the (n-1)-cells where
 /// star_(n-1) is a matrix, else their centers.
 Points facet_sites(const Discretization& discretization);
+
+/// Where functions of a side have their values, a row each: primal 0-forms at vertices, dual ones
+/// at dual_sites; and where they have values on the boundary: at vertices, or at facet_sites.
+Points sites(const Discretization& discretization, Side side);
+Points boundary_sites(const Discretization& discretization, Side side);
 
 } // namespace polydec

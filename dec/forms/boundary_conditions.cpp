@@ -89,11 +89,10 @@ void refuse_robin(const CellComplex& complex, const BoundaryConditions& conditio
     const int n = complex.dimension();
     for (Index f = 0; f < complex.size(n - 1); ++f)
         if (complex.coface_counts(n - 1)[f] == 1 && conditions.at(f) == BoundaryCondition::robin)
-            throw InvalidInput(
-                fmt::format("facet {} has Robin's condition, which {} cannot have: "
-                            "PoissonSolver, HodgeLaplaceSolver, Diffusion and spectrum can",
-                            f, what),
-                {.degree = n - 1, .cells = {f}});
+            throw InvalidInput(fmt::format("facet {} has Robin's condition, which {} cannot have: "
+                                           "PoissonSolver, Diffusion and spectrum can",
+                                           f, what),
+                               {.degree = n - 1, .cells = {f}});
 }
 
 std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,

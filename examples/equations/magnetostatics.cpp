@@ -16,7 +16,7 @@ int main() {
                                            const double j = std::exp(-30 * (a * a + b * b));
                                            return polydec::Vector{{-b * j, a * j, 0}};
                                        }));
-    const polydec::HodgeLaplaceSolver solver(
+    const polydec::PoissonSolver solver(
         {iron, polydec::Side::primal, 1, {polydec::BoundaryCondition::essential}});
     const auto [A, removed, report] = polydec::solve_curl_curl(solver, coil);
     std::cout << "energy " << std::pow(polydec::norm(iron, polydec::d(iron.complex(), A)), 2) / 2

@@ -10,7 +10,7 @@ int main() {
     const auto f = polydec::de_rham(torus, 1, polydec::circulation_form([](const auto& x) {
                                         return polydec::Vector{{x[1], -x[0], x[2]}};
                                     }));
-    const polydec::HodgeLaplaceSolver solver({torus, polydec::Side::primal, 1});
+    const polydec::PoissonSolver solver({torus, polydec::Side::primal, 1});
     const auto found = solver.solve(f);
     const auto left = polydec::laplacian(torus, found.form) + found.removed - f;
     std::cout << solver.harmonic_forms().cols() << " harmonic forms, a share of "

@@ -19,14 +19,18 @@ struct Errors {
     double length, error;
 };
 
+PoissonSolution franke_solution(const PoissonSolver& solver, const Points& places,
+                                const Points& boundary) {
+    return solver.solve({solver.space().side(), 0, values(franke_laplacian, places)},
+                        {.values = values(franke, boundary)});
+}
+
 Errors solve_on(const Discretization& mesh, Side side) {
-    PoissonSolver solver(mesh, {.side = side});
-    const Vector u = solver
-                         .solve(values(franke_laplacian, solver.sites()),
-                                values(franke, solver.boundary_sites()))
-                         .values;
-    const Vector exact = values(franke, solver.sites());
-    return {median(inner_edge_lengths(mesh)), weighted_norm(masses(mesh, side), u - exact)};
+    const PoissonSolver solver({mesh, side, 0, {BoundaryCondition::essential}});
+    const Points places = sites(mesh, side);
+    const Vector u = franke_solution(solver, places, boundary_sites(mesh, side)).form.values;
+    return {median(inner_edge_lengths(mesh)),
+            weighted_norm(masses(mesh, side), u - values(franke, places))};
 }
 
 /// Errors of one side on the four families, with their orders.
@@ -87,10 +91,9 @@ public:
 
     Outcome solve() const {
         Outcome outcome;
-        PoissonSolver solver(moved_, {.side = Side::dual, .linear_solver = "auto"});
-        outcome.moved = error(solver, solver.sites(), solver.boundary_sites());
-        const Points sites = centers(2), boundary = centers(1);
-        outcome.kept = error(solver, sites, boundary);
+        const PoissonSolver solver(space());
+        outcome.moved = error(solver, dual_sites(moved_), facet_sites(moved_));
+        outcome.kept = error(solver, cell_centers(original_, 2), cell_centers(original_, 1));
         outcome.diagonal = iterations(plain_bicgstab());
         outcome.incomplete = iterations("eigen.bicgstab");
         return outcome;
@@ -102,13 +105,12 @@ private:
                     perturbation == 0 ? MergeCriterion::dual_length : MergeCriterion::none};
     }
 
-    Points centers(int k) const { return cell_centers(original_, k); }
+    FormSpace space() const { return {moved_, Side::dual, 0, {BoundaryCondition::essential}}; }
 
-    double error(PoissonSolver& solver, const Points& sites, const Points& boundary) const {
+    double error(const PoissonSolver& solver, const Points& places, const Points& boundary) const {
         try {
-            const Vector u =
-                solver.solve(values(franke_laplacian, sites), values(franke, boundary)).values;
-            return weighted_norm(masses(moved_, Side::dual), u - values(franke, sites));
+            const Vector u = franke_solution(solver, places, boundary).form.values;
+            return weighted_norm(masses(moved_, Side::dual), u - values(franke, places));
         } catch (const SolverFailure&) {
             return none;
         }
@@ -116,10 +118,9 @@ private:
 
     std::string iterations(const std::string& engine) const {
         try {
-            PoissonSolver solver(moved_, {.side = Side::dual, .linear_solver = engine});
-            const auto [u, report, compatibility, warnings] = solver.solve(
-                values(franke_laplacian, solver.sites()), values(franke, solver.boundary_sites()));
-            return std::to_string(report.iterations);
+            const PoissonSolver solver(space(), engine);
+            const auto found = franke_solution(solver, dual_sites(moved_), facet_sites(moved_));
+            return std::to_string(found.report.iterations);
         } catch (const SolverFailure&) {
             return "failed";
         }

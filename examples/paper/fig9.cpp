@@ -38,12 +38,11 @@ Discretization with_least_dual_length(const Mesh& mesh, double epsilon, const Si
 }
 
 double franke_error(const Discretization& mesh) {
-    PoissonSolver solver(mesh, {.side = Side::dual});
-    const Vector u = solver
-                         .solve(values(franke_laplacian, solver.sites()),
-                                values(franke, solver.boundary_sites()))
-                         .values;
-    return weighted_norm(masses(mesh, Side::dual), u - values(franke, solver.sites()));
+    const PoissonSolver solver({mesh, Side::dual, 0, {BoundaryCondition::essential}});
+    const Points places = dual_sites(mesh);
+    const auto found = solver.solve({Side::dual, 0, values(franke_laplacian, places)},
+                                    {.values = values(franke, facet_sites(mesh))});
+    return weighted_norm(masses(mesh, Side::dual), found.form.values - values(franke, places));
 }
 
 double dual_sphere_error(const Discretization& mesh) {

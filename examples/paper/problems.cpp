@@ -125,9 +125,8 @@ SphereError sphere_error(const SparseMatrix& mass, const Vector& u, const Vector
 }
 
 SphereError sphere_error(const Discretization& sphere, Side side) {
-    PoissonSolver solver(sphere, {.side = side});
-    const Vector Y = values(harmonic, solver.sites());
-    const Vector u = solver.solve(20 * Y, Vector::Zero(solver.boundary_sites().rows())).values;
+    const Vector Y = values(harmonic, sites(sphere, side));
+    const Vector u = PoissonSolver({sphere, side, 0}).solve({side, 0, 20 * Y}).form.values;
     return sphere_error(SparseMatrix(masses(sphere, side).asDiagonal()), u, Y);
 }
 

@@ -12,9 +12,9 @@ clay = (abs(places[:, 0] - 1) < 0.3) & (places[:, 2] < 0.6) # a block from the f
 kappa = box.cochain(np.where(clay, 1e-4, 1.0), 0, "dual")
 
 # pressures are given left and right, and nothing flows through the other walls
-solver = polydec.DarcySolver(box, conductivity=kappa, essential=lambda facets: (
+solver = polydec.PoissonSolver(box, side="dual", conductivity=kappa, essential=lambda facets: (
     (facets[:, 0] < 1e-9) | (facets[:, 0] > 2 - 1e-9)))
-flow = solver.solve(pressure=lambda facets: 1 - facets[:, 0] / 2)
+flow = solver.solve(boundary=lambda facets: 1 - facets[:, 0] / 2)
 
 # a flux counts outward where the facet is oriented as the boundary of its cell
 divergence = box.d(2)
@@ -24,5 +24,5 @@ print(f"inflow {-out[left].sum():g}, outflow {out[right].sum():g}, without the b
 balance = abs(divergence @ flow.flux.values).max()
 print("every cell balances to 1e-12:", "yes" if balance < 1e-12 else "no")
 
-polydec.view(box, {"pressure": flow.pressure},
+polydec.view(box, {"pressure": flow.form},
              title="Pressure around a block of clay").save("darcy_flow.html")

@@ -48,11 +48,11 @@ void cavity() {
 
 void salt() {
     const auto rock = polydec::discretize(polydec::hexagons(16));
-    const polydec::DarcySolver darcy(rock);
-    const polydec::Points& facets = darcy.facet_sites();
+    const polydec::PoissonSolver darcy({rock, polydec::Side::dual, 0, {}});
+    const polydec::Points facets = polydec::facet_sites(rock);
     const polydec::Vector none = polydec::Vector::Zero(rock.complex().size(2));
     const polydec::Vector flux =
-        darcy.solve(none, -facets.col(0), polydec::Vector::Zero(facets.rows())).flux.values;
+        darcy.solve({polydec::Side::dual, 0, none}, {.values = -facets.col(0)}).flux.values;
     const polydec::FluxTransport transport(rock);
     const polydec::Vector salty = polydec::Vector::Ones(facets.rows());
     polydec::Vector density = none;

@@ -12,14 +12,14 @@ using std::numbers::pi;
 
 void forms_with_sources() {
     const auto mesh = polydec::discretize(polydec::torus(24, 16));
-    const polydec::HodgeLaplaceSolver solver({mesh, polydec::Side::primal, 1});
+    const polydec::PoissonSolver solver({mesh, polydec::Side::primal, 1});
     const auto f = polydec::de_rham(mesh, 1, polydec::circulation_form([](const auto& x) {
                                         return polydec::Vector{{x[1], -x[0], x[2]}};
                                     }));
-    const auto [u, divergence, removed, report] = solver.solve(f);
+    const auto found = solver.solve(f); // u = found.form, delta u = found.flux
 
-    const auto left = polydec::laplacian(mesh, u) + removed - f;
-    const double share = polydec::norm(mesh, removed) / polydec::norm(mesh, f);
+    const auto left = polydec::laplacian(mesh, found.form) + found.removed - f;
+    const double share = polydec::norm(mesh, found.removed) / polydec::norm(mesh, f);
     std::cout << "harmonic 1-forms: " << solver.harmonic_forms().cols() << ", share of f " << share
               << ", Delta u - f " << (polydec::norm(mesh, left) < 1e-8 ? "= 0" : "not 0") << '\n';
 }
@@ -40,7 +40,7 @@ void magnet() {
                                            const double j = r > 0.2 && r < 0.35 ? 1 / r : 0;
                                            return polydec::Vector{{-j * b, j * a, 0}};
                                        }));
-    const polydec::HodgeLaplaceSolver solver(
+    const polydec::PoissonSolver solver(
         {iron, polydec::Side::primal, 1, {polydec::BoundaryCondition::essential}});
     const auto [A, removed, report] = polydec::solve_curl_curl(solver, coil);
 
@@ -55,9 +55,9 @@ void robin() {
         polydec::discretize(polydec::hexagons(32), {.star = polydec::StarKind::circumcentric});
     const auto cooled =
         polydec::robin_elsewhere({polydec::BoundaryCondition::natural}, 2.0); // du/dnu + 2 u = 0
-    const polydec::PoissonSolver solver(mesh, {.side = polydec::Side::dual, .boundary = cooled});
-    const polydec::Vector f = polydec::Vector::Ones(solver.sites().rows());
-    const auto u = solver.solve(f, polydec::Vector::Zero(solver.boundary_sites().rows())).values;
+    const polydec::PoissonSolver solver({mesh, polydec::Side::dual, 0, cooled});
+    const polydec::Vector f = polydec::Vector::Ones(mesh.complex().size(2));
+    const auto u = solver.solve({polydec::Side::dual, 0, f}).form.values;
     // all heat that is made leaves through the boundary of length 4, where du/dnu = -2 u
     std::cout << "from " << u.minCoeff() << " to " << u.maxCoeff() << '\n';
 }
@@ -72,9 +72,8 @@ void periodic_box() {
     const auto wave = polydec::de_rham(mesh, 1, polydec::circulation_form([](const auto& x) {
                                            return polydec::Vector{{0, std::sin(2 * pi * x[0])}};
                                        }));
-    const auto u = polydec::HodgeLaplaceSolver({mesh, polydec::Side::primal, 1})
-                       .solve(4 * pi * pi * wave)
-                       .form;
+    const auto u =
+        polydec::PoissonSolver({mesh, polydec::Side::primal, 1}).solve(4 * pi * pi * wave).form;
     std::cout << "error " << polydec::norm(mesh, u - wave) / polydec::norm(mesh, wave) << '\n';
 }
 

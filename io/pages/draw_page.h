@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/pages/page.h"
-#include "solvers/spectrum.h"
+#include "solvers/spectra/spectrum.h"
 
 #include <string>
 #include <utility>

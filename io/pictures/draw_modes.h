@@ -4,7 +4,7 @@
 #include "dec/discretization.h"
 #include "dec/forms/cochain.h"
 #include "io/pictures/vtu.h"
-#include "solvers/spectrum.h"
+#include "solvers/spectra/spectrum.h"
 
 namespace polydec {
 

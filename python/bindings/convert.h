@@ -4,7 +4,7 @@
 #include "base/solve_report.h"
 #include "base/types.h"
 #include "dec/forms/cochain.h"
-#include "solvers/boundary_forms.h"
+#include "solvers/sources/boundary_forms.h"
 
 #include <cxxabi.h>
 #include <functional>

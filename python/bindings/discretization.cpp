@@ -216,6 +216,11 @@ void add_stars(py::class_<Discretization, Cells>& type) {
              })
         .def("with_star", [](const Discretization& mesh, int k,
                              const MatrixParts& star) { return mesh.with_star(k, sparse(star)); })
+        .def("with_conductivity",
+             [](const Discretization& mesh, const std::string& side, const CellData& kappa) {
+                 return unlocked(
+                     [&, on = side_of(side)] { return with_conductivity(mesh, on, kappa); });
+             })
         .def("with_material",
              [](const Discretization& mesh, int k, const CellData& weights) {
                  return unlocked([&] { return with_material(mesh, k, weights); });

@@ -3,10 +3,10 @@
 #include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
 #include "python/bindings/guarded.h"
-#include "solvers/evolution.h"
 #include "solvers/flow/flow.h"
 #include "solvers/heat.h"
-#include "solvers/waves.h"
+#include "solvers/time/evolution.h"
+#include "solvers/time/waves.h"
 
 #include <array>
 

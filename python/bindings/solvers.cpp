@@ -2,9 +2,8 @@
 #include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
 #include "python/bindings/guarded.h"
-#include "solvers/darcy.h"
-#include "solvers/hodge.h"
-#include "solvers/poisson.h"
+#include "solvers/sources/hodge.h"
+#include "solvers/sources/poisson.h"
 #include "solvers/surfaces/geodesic_distance.h"
 #include "solvers/surfaces/parallel_transport.h"
 #include "solvers/surfaces/surface_paths.h"
@@ -12,74 +11,6 @@
 namespace polydec::python {
 
 namespace {
-
-py::dict both_in_words(const SolveReport& report, const Compatibility& compatibility) {
-    py::dict result = report_of(report);
-    result["free_components"] = compatibility.free_components;
-    result["incompatible"] = compatibility.worst;
-    return result;
-}
-
-/// A mesh knows places and materials.
-template <class On>
-auto poisson_solver(const On& of, const std::string& side, const BoundaryConditions& conditions,
-                    const CellData& conductivity, const std::string& engine) {
-    return guarded<PoissonSolver>(of,
-                                  PoissonOptions{side_of(side), conditions, engine, conductivity});
-}
-
-template <class On>
-auto darcy_solver(const On& of, const BoundaryConditions& conditions, const CellData& conductivity,
-                  const std::string& engine) {
-    return guarded<DarcySolver>(of, PoissonOptions{Side::dual, conditions, engine, conductivity});
-}
-
-void add_poisson(py::module_& module) {
-    using Solver = Guarded<PoissonSolver>;
-    py::class_<Solver>(module, "PoissonSolver")
-        .def(py::init(&poisson_solver<Discretization>))
-        .def(py::init(&poisson_solver<Cells>))
-        .def_property_readonly(
-            "sites", [](const Solver& self) { return array(Points(self.solver.sites())); })
-        .def_property_readonly(
-            "boundary_sites",
-            [](const Solver& self) { return array(Points(self.solver.boundary_sites())); })
-        .def_property_readonly(
-            "flux_sites",
-            [](const Solver& self) { return array(Points(self.solver.flux_sites())); })
-        .def("solve",
-             [](Solver& self, const Numbers& f, const Numbers& values, const Numbers& derivatives) {
-                 auto [u, report, compatibility, warnings] =
-                     self.use([&, given = columns(f), at_boundary = columns(values),
-                               normal = columns(derivatives)](const PoissonSolver& solver) {
-                         return solver.solve_all(given, at_boundary, normal);
-                     });
-                 warn(warnings);
-                 return py::make_tuple(array(std::move(u)), both_in_words(report, compatibility));
-             });
-}
-
-void add_darcy(py::module_& module) {
-    using Solver = Guarded<DarcySolver>;
-    py::class_<Solver>(module, "DarcySolver")
-        .def(py::init(&darcy_solver<Discretization>))
-        .def(py::init(&darcy_solver<Cells>))
-        .def_property_readonly(
-            "sites", [](const Solver& self) { return array(Points(self.solver.sites())); })
-        .def_property_readonly(
-            "facet_sites",
-            [](const Solver& self) { return array(Points(self.solver.facet_sites())); })
-        .def("solve", [](Solver& self, const Numbers& source, const Numbers& pressures,
-                         const Numbers& outflow) {
-            DarcyFlow flow = self.use([&, given = vector(source), at_boundary = vector(pressures),
-                                       out = vector(outflow)](const DarcySolver& solver) {
-                return solver.solve(given, at_boundary, out);
-            });
-            warn(flow.warnings);
-            return py::make_tuple(parts(std::move(flow.pressure)), parts(std::move(flow.flux)),
-                                  both_in_words(flow.report, flow.compatibility));
-        });
-}
 
 void add_hodge(py::module_& module) {
     using Solver = Guarded<HodgeSolver>;
@@ -192,8 +123,6 @@ void add_transport(py::module_& module) {
 } // namespace
 
 void add_solvers(py::module_& module) {
-    add_poisson(module);
-    add_darcy(module);
     add_hodge(module);
     add_distance(module);
     add_paths(module);

@@ -2,36 +2,45 @@
 #include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
 #include "python/bindings/guarded.h"
-#include "solvers/hodge_laplace.h"
+#include "solvers/sources/poisson.h"
 
 namespace polydec::python {
 
 namespace {
 
-void add_forms_with_sources(py::module_& module) {
-    using Solver = Guarded<HodgeLaplaceSolver>;
-    py::class_<Solver>(module, "HodgeLaplaceSolver")
+py::dict in_words(const SolveReport& report, const Compatibility& compatibility) {
+    py::dict result = report_of(report);
+    result["free_components"] = compatibility.free_components;
+    result["incompatible"] = compatibility.worst;
+    return result;
+}
+
+void add_poisson(py::module_& module) {
+    using Solver = Guarded<PoissonSolver>;
+    py::class_<Solver>(module, "PoissonSolver")
         .def(py::init([](const Cells& of, const std::string& side, int degree,
                          const BoundaryConditions& conditions, const std::string& engine) {
-            return guarded<HodgeLaplaceSolver>(space_of(of, side, degree, conditions), engine);
+            return guarded<PoissonSolver>(space_of(of, side, degree, conditions), engine);
         }))
         .def("solve",
              [](Solver& self, const std::string& side, int degree, const Numbers& f,
                 const GivenBoundary& data, const Numbers& harmonic) {
-                 FormSolution found =
+                 PoissonSolution found =
                      self.use([&, given = form(side, degree, f), known = boundary_forms(data),
-                               part = vector(harmonic)](const HodgeLaplaceSolver& solver) {
+                               part = vector(harmonic)](const PoissonSolver& solver) {
                          return solver.solve(given, known, part);
                      });
-                 return py::make_tuple(parts(std::move(found.form)), parts(std::move(found.beside)),
-                                       parts(std::move(found.removed)), report_of(found.report));
+                 warn(found.warnings);
+                 return py::make_tuple(parts(std::move(found.form)), parts(std::move(found.flux)),
+                                       parts(std::move(found.removed)),
+                                       in_words(found.report, found.compatibility));
              })
         .def("solve_curl_curl",
              [](Solver& self, const std::string& side, int degree, const Numbers& current,
                 const GivenBoundary& data) {
                  CurlCurlSolution found =
                      self.use([&, given = form(side, degree, current),
-                               known = boundary_forms(data)](const HodgeLaplaceSolver& solver) {
+                               known = boundary_forms(data)](const PoissonSolver& solver) {
                          return solve_curl_curl(solver, given, known);
                      });
                  return py::make_tuple(parts(std::move(found.potential)),
@@ -39,18 +48,18 @@ void add_forms_with_sources(py::module_& module) {
              })
         .def("harmonic_forms", [](Solver& self) {
             return array(
-                self.use([](const HodgeLaplaceSolver& solver) { return solver.harmonic_forms(); }));
+                self.use([](const PoissonSolver& solver) { return solver.harmonic_forms(); }));
         });
 }
 
 } // namespace
 
 void add_sources(py::module_& module) {
-    add_forms_with_sources(module);
+    add_poisson(module);
     module.def("outward_flow",
-               [](const Discretization& mesh, const std::string& side, const Numbers& derivatives) {
+               [](const Cells& cells, const std::string& side, const Numbers& derivatives) {
                    return array(unlocked([&, on = side_of(side), given = vector(derivatives)] {
-                       return outward_flow(mesh, on, given);
+                       return outward_flow(cells, on, given);
                    }));
                });
 }

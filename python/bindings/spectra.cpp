@@ -2,8 +2,8 @@
 #include "backends/spectra/certified_eigensolver.h"
 #include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
-#include "solvers/coexact_spectrum.h"
-#include "solvers/spectrum.h"
+#include "solvers/spectra/coexact_spectrum.h"
+#include "solvers/spectra/spectrum.h"
 
 #include <variant>
 

@@ -33,16 +33,15 @@ from ._flow import (Flow, FluxTransport, IncompressibleFlow, ShallowWater, flow_
                     flow_of_vorticity, flux_through_boundary)
 from ._given import as_mesh, split_polygons
 from ._lists import CellList, Polygons
+from ._hodge import HodgeParts, HodgeSolver, harmonic_forms, hodge_decomposition
 from ._mesh import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, write_mesh
 from ._periodic import PeriodicMesh, glue, periodic
 from ._plot import plot, to_meshio, to_pyvista
 from ._run import Run
 from ._shape import (CountBelow, PoissonError, ShapeSpectrum, count_below, goal_interval, poisson_error,
                      shape_spectrum)
-from ._solvers import (DarcyFlow, DarcySolver, HodgeParts, HodgeSolver, PoissonSolver, darcy,
-                       harmonic_forms, hodge_decomposition, poisson)
-from ._sources import (CurlCurlSolution, FormSolution, HodgeLaplaceSolver, StokesFlow, StokesSolver,
-                       hodge_laplace, outward_flow)
+from ._sources import (CurlCurlSolution, PoissonSolution, PoissonSolver, StokesFlow, StokesSolver,
+                       outward_flow, poisson)
 from ._spectra import Certificate, Eigenpairs, Spectrum, smallest_eigenpairs, spectrum
 from ._view import Page, Series, view, write_vtu
 from ._waves import AbsorbingLayer, Waves, stable_step, wave
@@ -50,17 +49,18 @@ from ._waves import AbsorbingLayer, Waves, stable_step, wave
 __all__ = [
     "__version__", "meshes", "AbsorbingLayer", "Backend", "BackendUnavailable", "CellList",
     "Cells", "Certificate", "Cochain", "Complex", "ConditionedCells", "CountBelow",
-    "CurlCurlSolution", "DarcyFlow", "DarcySolver", "Eigenpairs", "Error", "Evolution",
-    "Flow", "FluxTransport", "FormSolution", "GeodesicDistance", "HeatSolver",
-    "HodgeLaplaceSolver", "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
+    "CurlCurlSolution", "Eigenpairs", "Error", "Evolution",
+    "Flow", "FluxTransport", "GeodesicDistance", "HeatSolver",
+    "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
     "IoError", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page",
-    "ParallelTransport", "PeriodicMesh", "PoissonError", "PoissonSolver", "PolydecWarning", "Polygons", "Run", "Series", "ShallowWater",
+    "ParallelTransport", "PeriodicMesh", "PoissonError", "PoissonSolution",
+    "PoissonSolver", "PolydecWarning", "Polygons", "Run", "Series", "ShallowWater",
     "ShapeSpectrum", "ShortestPath", "SurfacePaths",
     "Solution", "SolverFailure", "Spectrum", "StokesFlow", "StokesSolver", "Waves", "as_mesh",
-    "backends", "boundary_de_rham", "count_below", "darcy", "de_rham", "discretize", "flat",
+    "backends", "boundary_de_rham", "count_below", "de_rham", "discretize", "flat",
     "flow_of_velocity", "flow_of_vorticity", "flux_form", "flux_sharp", "flux_through_boundary",
     "geodesic_distance", "glue", "goal_interval", "gradient", "harmonic_forms", "heat", "hodge_decomposition",
-    "hodge_laplace", "inflow", "interior_product", "lie_derivative", "load_engine", "outward_flow",
+    "inflow", "interior_product", "lie_derivative", "load_engine", "outward_flow",
     "periodic", "plot", "poisson", "poisson_error", "primal_dual_wedge", "read_lengths", "read_mesh",
     "register_eigen_solver", "register_linear_solver", "set_memory_limit", "shape_spectrum", "sharp_pd", "sharp_pp",
     "smallest_eigenpairs", "solve", "spectrum", "split_polygons", "stable_step", "to_meshio",

@@ -201,8 +201,7 @@ class Complex(Cells):
         the input in its order (simplices, or polygons and solids that were split), a dual 0-form,
         or a function of the centroids of the n-cells.
 
-        Of Maxwell's equations with E a primal 1-form that of degree 1 is weighted by the
-        permittivity, that of degree 2 by the inverse of the permeability.
+        For Maxwell's primal 1-forms E weight degree 1 by permittivity, degree 2 by 1 / permeability.
 
         >>> import numpy as np, polydec
         >>> square = polydec.discretize(polydec.meshes.grid(4, 4))
@@ -210,8 +209,13 @@ class Complex(Cells):
         >>> np.allclose(heavy.star(0), 3 * square.star(0))
         True
         """
-        made = self._mesh.with_material(k, cell_data(self, weights, "weights"))
-        return Complex(made, None, self._options)
+        data = cell_data(self, weights, "weights")
+        return Complex(self._mesh.with_material(k, data), None, self._options)
+
+    def with_conductivity(self, kappa: CellNumbers, side: str = "primal") -> Complex:
+        """The same with stars that make Delta of functions ``-div kappa grad`` (see `with_material`)."""
+        data = cell_data(self, kappa, "conductivities")
+        return Complex(self._mesh.with_conductivity(side, data), None, self._options)
 
     def cell_means(self, k: int, weights: CellNumbers) -> Floats:
         """The mean around each k-cell of numbers of cells, as `with_material` takes them but at

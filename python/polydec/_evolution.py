@@ -109,7 +109,7 @@ class Evolution(Run):
         Vertices at which values of primal 0-forms are given, as for `PoissonSolver`.
     boundary : float, array_like, dict or callable, optional
         Values on essential facets, by default 0: of primal k-forms for each k-cell, of dual 0-forms
-        for each facet; or a dict of all data as `HodgeLaplaceSolver.solve` takes them, like
+        for each facet; or a dict of all data by the names of C++, as `PoissonSolver.solve` has them, like
         ``{"derivative_flow": outward_flow(complex, 1.0)}``; or a function of the time that returns
         one of these. Of several unknowns a sequence of these, or None.
     event : callable, optional

@@ -299,7 +299,7 @@ class FluxTransport:
     --------
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.hexagons(8))
-    >>> flow = polydec.darcy(square, source=1.0).flux.values
+    >>> flow = polydec.poisson(square, 1.0, side="dual").flux.values
     >>> carried = polydec.FluxTransport(square)
     >>> rho, dt = np.ones(square.size(2)), 0.9 * carried.stable_step(flow)
     >>> lost = dt * carried.outflow(carried.mass_flux(flow, rho))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Sources of forms: Delta u = f of any degree, magnets, slow flows."""
+"""Sources: Poisson's equation for forms of any degree, magnets, slow flows."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -10,10 +10,13 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, Values, at_places, floats
+from ._cell_data import CellNumbers
 from ._cells import Cells, Form, as_form
 from ._cochain import Cochain
 from ._complex import CellsLike, Complex, as_cells, mesh_of
 from ._conditions import conditions_of, facet_marks
+from ._errors import InvalidInput
+from ._vertices import at_cells, form_at_vertices
 
 
 def _made(parts: tuple[str, int, Floats], cells: Cells) -> Cochain:
@@ -50,9 +53,9 @@ def outward_flow(complex: Complex, derivatives: Values, side: str = "primal") ->
     --------
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.grid(4, 4))
-    >>> solver = polydec.HodgeLaplaceSolver(square, degree=0, essential=lambda p: p[:, 0] < 0.01)
+    >>> solver = polydec.PoissonSolver(square, essential=lambda p: p[:, 0] < 0.01)
     >>> pulled = polydec.outward_flow(square, lambda p: p[:, 0] > 0.99)     # u = x
-    >>> u = solver.solve(np.zeros(25), derivative_flow=pulled).form
+    >>> u = solver.solve(derivative_flow=pulled).form
     >>> bool(abs(u.values - square.points[:, 0]).max() < 1e-12)
     True
     """
@@ -61,15 +64,16 @@ def outward_flow(complex: Complex, derivatives: Values, side: str = "primal") ->
 
 
 @dataclass(frozen=True)
-class FormSolution:
-    """A solution of ``Delta u = f`` and what was found beside it.
+class PoissonSolution:
+    """A solution of ``Delta u = f`` and what was found beside it; an array wherever one is asked for.
 
     Attributes
     ----------
     form : Cochain
         u.
-    beside : Cochain
-        delta u of a primal form, du of a dual one.
+    flux : Cochain
+        delta w, a primal form, where u is the primal form w or its star. Of dual 0-forms it is what
+        flows through the facets, -kappa grad u, and ``flux.d()`` is the integral of f in every cell.
     removed : Cochain
         The harmonic part of the data, which no u can give.
     report : dict
@@ -77,9 +81,18 @@ class FormSolution:
     """
 
     form: Cochain
-    beside: Cochain
+    flux: Cochain
     removed: Cochain
     report: dict[str, Any]
+
+    @property
+    def values(self) -> Floats:
+        """Those of u; at vertices for all that were given, nan where no cell uses one."""
+        u = self.form
+        return form_at_vertices(u.complex, u.values, u.side, u.degree)
+
+    def __array__(self, dtype: Any = None) -> npt.NDArray[Any]:
+        return np.asarray(self.values, dtype=dtype)
 
 
 @dataclass(frozen=True)
@@ -91,78 +104,112 @@ class CurlCurlSolution:
     report: dict[str, Any]
 
 
-class HodgeLaplaceSolver:
-    """Solves ``Delta u = (d delta + delta d) u = f`` for forms of any degree, with one factorization.
+class PoissonSolver:
+    """Solves ``Delta u = (d delta + delta d) u = f`` for forms, with one factorization.
 
-    Harmonic forms obey ``Delta u = 0``: the harmonic part of f is removed and told, and u has the
-    one that is asked for, by default none.
+    Of functions, the 0-forms, that is ``-div grad u = f``, with a conductivity ``-div kappa grad u
+    = f``; of dual ones it is Darcy's problem. Harmonic forms obey ``Delta u = 0``: the harmonic part
+    of f is removed and told, and u has the one that is asked for, by default none.
 
     Parameters
     ----------
     complex : Cells, or a mesh as `discretize` takes it
     degree, side
-        Of the forms.
-    essential : bool or array of bool or callable
-        Facets of the boundary where the tangential parts of u and of delta u are given; elsewhere
-        those of star u and of star du are. As for `PoissonSolver`.
+        Of the forms; by default primal 0-forms, with values at vertices. Dual 0-forms have them at
+        the circumcenters of n-cells.
+    essential : bool or array of bool or callable or str or list of str
+        Where on the boundary u is given (Dirichlet), of forms its tangential part and that of
+        delta u: everywhere, nowhere, or one mark for each (n-1)-cell; elsewhere its normal
+        derivative is (Neumann), of forms the tangential parts of star u and of star du. A callable
+        takes all facet sites, an array (size(n-1), N), and returns marks; groups of the file are
+        given by their names.
     robin : float, array_like or callable, optional
-        Coefficients of Robin's condition where facets are not essential, as for `PoissonSolver`.
+        Where u is not given, its normal derivative plus this coefficient times u is (Robin):
+        positive, one for all facets or one for each; where it is 0 the normal derivative is given.
+    fixed : array_like or callable or str, optional
+        Vertices at which u is given besides, inside as well, of primal 0-forms: as sources of
+        `geodesic_distance`.
+    conductivity : float, array_like, Cochain or callable, optional
+        Of 0-forms, kappa > 0: see `Complex.with_conductivity`.
     engine : str
         A name of `backends`.
+
+    Attributes
+    ----------
+    sites, boundary_sites, flux_sites : numpy.ndarray
+        Of 0-forms, places of f and u, of boundary values, and of normal derivatives, a row each. Of
+        primal forms all vertices that were given; where no cell uses one data do not matter, and u
+        is nan.
 
     Raises
     ------
     InvalidInput
-        If the star of the forms or of those beside them is not positive; ``cells`` says where.
+        Where dual 0-forms make no sense or an interior dual has no length, and where the star of
+        other forms or of those beside them is not positive; ``cells`` says where.
     """
 
-    def __init__(self, complex: CellsLike, *, degree: int, side: str = "primal",
-                 essential: Any = True, robin: Values | None = None,
-                 engine: str = "auto") -> None:
-        self._complex = complex = as_cells(complex)
+    def __init__(self, complex: CellsLike, *, degree: int = 0, side: str = "primal",
+                 essential: Any = True, robin: Values | None = None, fixed: Any = None,
+                 conductivity: CellNumbers | None = None, engine: str = "auto") -> None:
+        complex = as_cells(complex, in_units=True)
+        if conductivity is not None:
+            complex = _with_conductivity(complex, side, degree, conductivity)
+        self._complex = complex
         self._kind = side, degree
-        self._solver = _core.HodgeLaplaceSolver(
-            complex._cells, side, degree, conditions_of(complex, essential, robin), engine)
+        self._solver = _core.PoissonSolver(complex._cells, side, degree,
+                                           conditions_of(complex, essential, robin, fixed), engine)
+        self.sites, self.boundary_sites, self.flux_sites = _places(complex, side)
 
-    def solve(self, f: Form, *, values: npt.ArrayLike | None = None,
+    def solve(self, f: Form | Values = 0.0, boundary: Values = 0.0, flux: Values = 0.0, *,
               codifferential: npt.ArrayLike | None = None, flow: npt.ArrayLike | None = None,
               derivative_flow: npt.ArrayLike | None = None,
-              harmonic: npt.ArrayLike | None = None) -> FormSolution:
+              harmonic: npt.ArrayLike | None = None) -> PoissonSolution:
         """u.
 
         Parameters
         ----------
-        f : Cochain or array_like
-            By its integrals over cells, as every form.
-        values, codifferential : array_like, optional
-            On essential facets, the traces of u and of delta u.
+        f : Cochain, array_like, or for 0-forms a number or a callable
+            By its integrals over cells, as every form; of 0-forms at `sites`, which a callable
+            takes, (m, N).
+        boundary : array_like, or for 0-forms a number or a callable
+            u where it is given, at `boundary_sites`; of other forms the trace, by integrals.
+        flux : float, array_like or callable
+            Of 0-forms the derivative along the outward normal, times kappa, at `flux_sites`; where
+            there is Robin's condition with its coefficient times u added.
+        codifferential : array_like, optional
+            On essential facets, the trace of delta u.
         flow, derivative_flow : array_like, optional
-            On natural facets, those of star u and of star du. They all are integrals over cells on
-            the boundary, or over their duals within it, as `boundary_de_rham` makes them; by
+            On natural facets, the traces of star u and of star du. They all are integrals over cells
+            on the boundary, or over their duals within it, as `boundary_de_rham` makes them; by
             default 0. The page on sources says of which cells.
         harmonic : array_like, optional
             Coefficients of u at `harmonic_forms`.
         """
         side, degree = self._kind
-        data = boundary_data(values=values, codifferential=codifferential, flow=flow,
+        given = _form_of(self._complex, f, side, degree, self.sites)
+        trace = _trace_of(self._complex, boundary, side, degree, self.boundary_sites)
+        if derivative_flow is None and degree == 0:
+            derivative_flow = _core.outward_flow(
+                self._complex._cells, side, at_places(flux, self.flux_sites, "normal derivatives"))
+        data = boundary_data(values=trace, codifferential=codifferential, flow=flow,
                              derivative_flow=derivative_flow)
-        form, beside, removed, report = self._solver.solve(
-            *as_form(self._complex, f, degree, side), data, _or_none(harmonic, "coefficients of harmonic forms"))
-        return FormSolution(_made(form, self._complex), _made(beside, self._complex),
-                            _made(removed, self._complex), report)
+        form, through, removed, report = self._solver.solve(
+            *given, data, _or_none(harmonic, "coefficients of harmonic forms"))
+        return PoissonSolution(_made(form, self._complex), _made(through, self._complex),
+                               _made(removed, self._complex), report)
 
     def solve_curl_curl(self, current: Form, *,
-                        values: npt.ArrayLike | None = None) -> CurlCurlSolution:
+                        boundary: npt.ArrayLike | None = None) -> CurlCurlSolution:
         """u with ``d^T star du = star j`` and ``delta u = 0``, of primal forms: magnetostatics.
 
-        What of the current j is no curl is removed and told. `values` are those of u on the
-        boundary, as for `solve`.
+        What of the current j is no curl is removed and told. `boundary` is the trace of u, as for
+        `solve`.
         """
         side, degree = self._kind
         none = np.zeros(0)
         potential, removed, report = self._solver.solve_curl_curl(
             *as_form(self._complex, current, degree, side),
-            (_or_none(values, "values on the boundary"), none, none, none))
+            (_or_none(boundary, "values on the boundary"), none, none, none))
         return CurlCurlSolution(_made(potential, self._complex), _made(removed, self._complex),
                                 report)
 
@@ -171,25 +218,80 @@ class HodgeLaplaceSolver:
         return self._solver.harmonic_forms()
 
 
-def hodge_laplace(complex: CellsLike, f: Form, *, degree: int | None = None, side: str = "primal",
-                  essential: Any = True, robin: Values | None = None,
-                  engine: str = "auto") -> FormSolution:
-    """Solves ``Delta u = f`` for forms of any degree: a `HodgeLaplaceSolver` made for one solve.
+def _with_conductivity(cells: Cells, side: str, degree: int, kappa: CellNumbers) -> Complex:
+    if degree != 0:
+        raise InvalidInput(f"a conductivity is given for {degree}-forms: expected functions, of "
+                           "degree 0; the material of others is a star (Complex.with_material)")
+    if not isinstance(cells, Complex):
+        raise InvalidInput("conductivities are given for cells of one's own: how their duals are "
+                           "divided among them is not known; give a mesh")
+    return cells.with_conductivity(kappa, side)
+
+
+def _places(cells: Cells, side: str) -> tuple[Floats, Floats, Floats]:
+    """Those of functions, of their boundary values, and of what flows through; cells of one's own
+    have none, and the rows no columns."""
+    if not isinstance(cells, Complex):
+        facets = np.zeros((cells.size(cells.dim - 1), 0))
+        at = np.zeros((cells.size(0, side), 0))
+        return at, at if side == "primal" else facets, facets
+    facets = cells.facet_sites()
+    if side == "primal":
+        return cells.points, cells.points, facets
+    return cells.dual_sites(), facets, facets
+
+
+def _form_of(cells: Cells, f: Form | Values, side: str, degree: int,
+             places: Floats) -> tuple[str, int, Floats]:
+    if degree == 0 and not isinstance(f, Cochain):
+        f = at_places(f, places, "values of f")
+    if isinstance(f, float):
+        f = np.full(cells.size(degree, side), f)
+    return as_form(cells, f, degree, side)
+
+
+def _trace_of(cells: Cells, boundary: Values, side: str, degree: int, places: Floats) -> Floats:
+    if degree == 0:
+        given = at_places(boundary, places, "boundary values")
+        return at_cells(cells, given) if side == "primal" else given
+    return _or_none(None if np.ndim(boundary) == 0 else boundary, "values on the boundary")
+
+
+def poisson(complex: CellsLike, f: Form | Values = 0.0, boundary: Values = 0.0,
+            flux: Values = 0.0, *, degree: int | None = None, side: str = "primal",
+            essential: Any = True, robin: Values | None = None, fixed: Any = None,
+            conductivity: CellNumbers | None = None, engine: str = "auto") -> PoissonSolution:
+    """Solves ``Delta u = f``: a `PoissonSolver` made for one solve. Side and degree are those of f
+    where it is a Cochain, else by default those of primal 0-forms.
 
     Examples
     --------
     >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.well_centered(8))
+    >>> plane = lambda x: 1 + 2 * x[:, 0] - x[:, 1]
+    >>> u = polydec.poisson(square, 0.0, plane)           # a linear function comes out exactly
+    >>> bool(abs(u.values - plane(square.points)).max() < 1e-12)
+    True
+
+    What flows through the facets keeps the balance of every cell:
+
+    >>> flow = polydec.poisson(square, 1.0, side="dual")
+    >>> np.allclose(square.d(1) @ flow.flux.values, square.volumes(2))
+    True
+
+    Of 1-forms on a torus, two are harmonic:
+
     >>> torus = polydec.discretize(polydec.meshes.torus(12, 8))
     >>> f = torus.cochain(np.cos(np.arange(torus.size(1))), 1)
-    >>> found = polydec.hodge_laplace(torus, f)
+    >>> found = polydec.poisson(torus, f)
     >>> bool((found.form.laplacian() + found.removed - f).norm() < 1e-9)
     True
     """
-    complex = as_cells(complex)
-    given_side, k, values = as_form(complex, f, degree, side)
-    solver = HodgeLaplaceSolver(complex, degree=k, side=given_side, essential=essential,
-                                robin=robin, engine=engine)
-    return solver.solve(values)
+    if isinstance(f, Cochain):
+        side, degree = f.side, f.degree
+    solver = PoissonSolver(complex, degree=degree or 0, side=side, essential=essential, robin=robin,
+                           fixed=fixed, conductivity=conductivity, engine=engine)
+    return solver.solve(f, boundary, flux)
 
 
 @dataclass(frozen=True)

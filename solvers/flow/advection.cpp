@@ -10,7 +10,7 @@
 #include "dec/metric/permutation_sign.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/subsets.h"
-#include "solvers/dual_fluxes.h"
+#include "dec/two_sided.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solvers/fixed_steps.h"
 #include "solvers/flow/incompressible_flow.h"
+#include "solvers/time/fixed_steps.h"
 
 namespace polydec {
 

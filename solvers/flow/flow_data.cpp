@@ -7,7 +7,7 @@
 #include "dec/forms/input_units.h"
 #include "dec/forms/operator.h"
 #include "dec/metric/simplex_geometry.h"
-#include "solvers/poisson.h"
+#include "solvers/sources/poisson.h"
 
 #include <fmt/format.h>
 
@@ -20,8 +20,9 @@ Vector flow_of_vorticity(const Discretization& mesh, const Vector& vorticity) {
         throw InvalidInput(fmt::format("a flow in dimension {} is to be made of vorticities at "
                                        "vertices: expected a surface; else give velocities",
                                        mesh.dimension()));
-    const Vector none = Vector::Zero(mesh.complex().size(0));
-    const Vector psi = PoissonSolver(mesh).solve(vorticity, none).values;
+    const Vector psi = PoissonSolver({mesh, Side::primal, 0, {BoundaryCondition::essential}})
+                           .solve({Side::primal, 0, vorticity})
+                           .form.values;
     return Operator::derivative(mesh.complex(), 0) * psi;
 }
 

@@ -6,7 +6,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/derivative.h"
-#include "solvers/spectra/positive_mass.h"
+#include "dec/positive_mass.h"
 
 #include <fmt/format.h>
 

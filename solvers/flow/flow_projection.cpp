@@ -3,9 +3,9 @@
 
 #include "base/errors.h"
 #include "dec/forms/derivative.h"
-#include "solvers/constrained_system.h"
 #include "solvers/flow/flow_operators.h"
-#include "solvers/saddle_solver.h"
+#include "solvers/sources/constrained_system.h"
+#include "solvers/sources/saddle_solver.h"
 
 #include <fmt/format.h>
 

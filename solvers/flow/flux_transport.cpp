@@ -2,8 +2,8 @@
 #include "solvers/flow/flux_transport.h"
 
 #include "base/checks.h"
+#include "dec/two_sided.h"
 #include "meshes/unit_of_length.h"
-#include "solvers/dual_fluxes.h"
 
 #include <algorithm>
 #include <limits>

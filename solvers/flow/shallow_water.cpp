@@ -6,9 +6,9 @@
 #include "complex/relative.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/derivative.h"
+#include "dec/positive_mass.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/flow/advection.h"
-#include "solvers/spectra/positive_mass.h"
 
 #include <fmt/format.h>
 

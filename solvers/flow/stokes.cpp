@@ -8,9 +8,9 @@
 #include "complex/relative.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/derivative.h"
+#include "dec/positive_mass.h"
 #include "meshes/unit_of_length.h"
-#include "solvers/saddle_solver.h"
-#include "solvers/spectra/positive_mass.h"
+#include "solvers/sources/saddle_solver.h"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 #include "base/solve_report.h"
 #include "dec/discretization.h"
 #include "dec/forms/cochain.h"
-#include "solvers/constrained_system.h"
 #include "solvers/flow/flow_boundary.h"
+#include "solvers/sources/constrained_system.h"
 
 #include <memory>
 #include <string>

@@ -2,7 +2,7 @@
 #include "solvers/surfaces/heat_distance.h"
 
 #include "shape/sources.h"
-#include "solvers/constrained_system.h"
+#include "solvers/sources/constrained_system.h"
 #include "solvers/surfaces/heat_step.h"
 #include "solvers/surfaces/surface_metric.h"
 

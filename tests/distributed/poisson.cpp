@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
-#include "solvers/poisson.h"
+#include "solvers/sources/poisson.h"
 #include "tests/distributed/compare.h"
 #include "tests/support/families.h"
 
@@ -47,12 +47,13 @@ double difference(const Ranks& ranks, const DistributedCells::Degree& cells, con
 }
 
 /// What one process makes of a problem; none if it refuses it.
-std::optional<Solution<Vector>> of_one_process(const Discretization& mesh,
-                                               const PoissonOptions& options) {
+std::optional<PoissonSolution> of_one_process(const Discretization& mesh, Side side,
+                                              const BoundaryConditions& conditions) {
     try {
-        const PoissonSolver solver(mesh, options);
-        return solver.solve(data(solver.sites(), 0), data(solver.boundary_sites(), 1),
-                            data(solver.flux_sites(), 2));
+        return PoissonSolver({mesh, side, 0, conditions})
+            .solve({side, 0, data(sites(mesh, side), 0)},
+                   {.values = data(boundary_sites(mesh, side), 1),
+                    .derivative_flow = outward_flow(mesh, side, data(facet_sites(mesh), 2))});
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -62,8 +63,7 @@ std::optional<Solution<Vector>> of_one_process(const Discretization& mesh,
 bool expect_equal(const Ranks& ranks, const Discretization& whole, const DistributedMesh& mesh,
                   Side side, const std::string& which, const std::string& in) {
     const int n = whole.dimension();
-    const auto expected =
-        of_one_process(whole, {.side = side, .boundary = conditions(which, facet_sites(whole))});
+    const auto expected = of_one_process(whole, side, conditions(which, facet_sites(whole)));
     const auto solve = [&] {
         const SharedPoissonSolver solver(
             ranks, mesh,
@@ -80,16 +80,17 @@ bool expect_equal(const Ranks& ranks, const Discretization& whole, const Distrib
     const double solved =
         std::max(1e-9, 100 * std::max(found.report.residual, expected->report.residual));
     const int k = side == Side::primal ? 0 : n;
-    EXPECT_LE(difference(ranks, mesh.cells.degree(k), found.values, expected->values), solved)
+    EXPECT_LE(difference(ranks, mesh.cells.degree(k), found.values, expected->form.values), solved)
         << in << " with " << found.report.engine << ", residual " << found.report.residual;
     EXPECT_EQ(found.compatibility.free_components, expected->compatibility.free_components) << in;
     EXPECT_NEAR(found.compatibility.worst, expected->compatibility.worst, 1e-12) << in;
 
     Vector twin = found.values; // that is off in one place, on one rank
     if (ranks.rank() == 0 && twin.size() > 0)
-        twin[0] += 1e-7 * (1 + expected->values.cwiseAbs().maxCoeff());
+        twin[0] += 1e-7 * (1 + expected->form.values.cwiseAbs().maxCoeff());
     if (ranks.largest(ranks.rank() == 0 ? std::ssize(mesh.cells.degree(k).number) : 0) > 0) {
-        EXPECT_GT(difference(ranks, mesh.cells.degree(k), twin, expected->values), solved) << in;
+        EXPECT_GT(difference(ranks, mesh.cells.degree(k), twin, expected->form.values), solved)
+            << in;
     }
     return true;
 }

@@ -3,8 +3,9 @@
 
 #include "complex/homology.h"
 #include "dec/diagnosis.h"
+#include "dec/fields/cell_centers.h"
 #include "dec/forms/star.h"
-#include "solvers/poisson.h"
+#include "solvers/sources/poisson.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/topology.h"
 
@@ -85,11 +86,12 @@ void require_poisson(const Discretization& mesh) {
     for (const Side side : {Side::primal, Side::dual}) {
         accepts<SolverFailure>([&] {
             accepts([&] {
-                PoissonSolver solver(mesh, {.side = side});
-                const auto [u, report, compatibility, warnings] =
-                    solver.solve(Vector::Ones(solver.sites().rows()),
-                                 Vector::LinSpaced(solver.boundary_sites().rows(), 0.0, 1.0));
-                require(u.allFinite() && std::isfinite(report.residual), "solutions are finite");
+                const PoissonSolver solver({mesh, side, 0, {BoundaryCondition::essential}});
+                const auto found = solver.solve(
+                    {side, 0, Vector::Ones(sites(mesh, side).rows())},
+                    {.values = Vector::LinSpaced(boundary_sites(mesh, side).rows(), 0.0, 1.0)});
+                require(found.form.values.allFinite() && std::isfinite(found.report.residual),
+                        "solutions are finite");
             });
         });
     }

@@ -226,7 +226,7 @@ TEST(doors, a_matrix_is_no_vector) {
     Cochain w = form(s, Side::primal, 0);
     EXPECT_EQ(outcome([&] { w.values = three; }), "refused");
     EXPECT_EQ(outcome([&] { laplacian({s.P(), s.V()}, 0) * three; }), "refused");
-    EXPECT_EQ(outcome([&] { PoissonSolver(s.mesh, {.conductivity = three}); }), "refused");
+    EXPECT_EQ(outcome([&] { with_conductivity(s.mesh, Side::primal, three); }), "refused");
     EXPECT_EQ(
         outcome([&] { de_rham(s.mesh, 0, [&](const Vector&) { return DenseMatrix(1, 2); }); }),
         "refused");
@@ -234,22 +234,8 @@ TEST(doors, a_matrix_is_no_vector) {
     EXPECT_EQ(outcome([&] { CertifiedEigensolver(SparseMatrix(size, size), three); }), "refused");
 }
 
-TEST(doors, several_problems_are_solved_as_one_by_one) {
+TEST(doors, several_forms_are_restricted_as_one_by_one) {
     const Sample& s = sample("a merged square");
-    PoissonSolver solver(s.mesh);
-    const auto places = solver.sites().rows();
-    const DenseMatrix f = DenseMatrix::Random(places, 3), g = DenseMatrix::Random(places, 3);
-    const DenseMatrix h = DenseMatrix::Random(solver.flux_sites().rows(), 3);
-    const DenseMatrix u = solver.solve_all(f, g).values,
-                      with_fluxes = solver.solve_all(f, g, h).values;
-    ASSERT_EQ(u.cols(), 3);
-    for (int j = 0; j < 3; ++j) {
-        EXPECT_EQ(u.col(j), solver.solve(f.col(j), g.col(j)).values);
-        EXPECT_EQ(with_fluxes.col(j), solver.solve(f.col(j), g.col(j), h.col(j)).values);
-    }
-    EXPECT_TRUE(says(refusal([&] { solver.solve_all(f, DenseMatrix(g.leftCols(2))); }),
-                     {"3 right-hand sides", "boundary data", "2", "normal derivatives", "2"}));
-
     const auto relative = relative_to_boundary(s.P());
     for (int k = 0; k <= s.n(); ++k) {
         const DenseMatrix forms = DenseMatrix::Random(s.P().size(k), 3);
@@ -273,7 +259,7 @@ static_assert(!std::is_reference_v<decltype(std::declval<Merging>().diamond(0))>
 static_assert(!std::is_reference_v<decltype(std::declval<SimplicialComplex>().simplices(0))>);
 static_assert(!std::is_reference_v<decltype(std::declval<CellComplex>().coboundary(0))>);
 static_assert(!std::is_reference_v<decltype(std::declval<CellComplex>().coface_counts(0))>);
-static_assert(!std::is_reference_v<decltype(std::declval<PoissonSolver>().sites())>);
+static_assert(!std::is_reference_v<decltype(std::declval<PoissonSolver>().space())>);
 
 TEST(doors, a_temporary_gives_what_it_holds) {
     const auto& complex = discretize(kuhn(2, 2)).complex();

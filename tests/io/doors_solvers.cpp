@@ -31,24 +31,20 @@ Questions of_solvers(const Sample& s, Side side) {
     return {
         {"PoissonSolver",
          [&s, side, n, unknowns, boundary](Inputs& in) {
+             const Vector kappa = in.vector(s.size(n)).cwiseAbs();
              const PoissonSolver solver(
-                 s.mesh, {side, conditions_of(s, in), engine, in.vector(s.size(n)).cwiseAbs()});
-             const Vector f = in.vector(unknowns), g = in.vector(boundary);
-             return fit(solver.solve(f, g, in.vector(s.size(n - 1))).values, unknowns);
+                 {with_conductivity(s.mesh, side, kappa), side, 0, conditions_of(s, in)}, engine);
+             const Cochain f{side, 0, in.vector(unknowns)};
+             const auto found = solver.solve(
+                 f, {.values = in.vector(boundary),
+                     .derivative_flow = outward_flow(s.mesh, side, in.vector(s.size(n - 1)))});
+             return fit(found.form, s.P(), side, 0);
          }},
         {"PoissonSolver of any cells",
          [&s, side, unknowns, boundary](Inputs& in) {
-             const PoissonSolver solver({s.P(), s.V()}, {side, conditions_of(s, in), engine});
-             const Vector f = in.vector(unknowns);
-             return fit(solver.solve(f, in.vector(boundary)).values, unknowns);
-         }},
-        {"DarcySolver",
-         [&s, n](Inputs& in) {
-             const DarcySolver solver(s.mesh, {Side::dual, conditions_of(s, in), engine});
-             const Vector source = in.vector(s.size(n)), given = in.vector(s.size(n - 1));
-             const auto flow = solver.solve(source, given, in.vector(s.size(n - 1)));
-             return fit(flow.pressure, s.P(), Side::dual, 0) +
-                    fit(flow.flux, s.P(), Side::primal, n - 1);
+             const PoissonSolver solver({{s.P(), s.V()}, side, 0, conditions_of(s, in)}, engine);
+             const Cochain f{side, 0, in.vector(unknowns)};
+             return fit(solver.solve(f, {.values = in.vector(boundary)}).form, s.P(), side, 0);
          }},
     };
 }

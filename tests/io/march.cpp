@@ -4,10 +4,10 @@
 #include "dec/material_stars.h"
 #include "io/checkpoint.h"
 #include "meshes/generate.h"
-#include "solvers/evolution.h"
 #include "solvers/flow/flow.h"
 #include "solvers/heat.h"
-#include "solvers/waves.h"
+#include "solvers/time/evolution.h"
+#include "solvers/time/waves.h"
 #include "tests/io/support.h"
 #include "tests/support/says.h"
 

@@ -6,7 +6,7 @@
 #include "dec/fields/interior_product.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
-#include "solvers/hodge.h"
+#include "solvers/sources/hodge.h"
 #include "tests/real/surfaces.h"
 #include "tests/support/refusal.h"
 

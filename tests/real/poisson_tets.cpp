@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Delta u = 1 with u = 0 on the boundary, on tetrahedra with negative duals: u is nowhere negative.
-#include "solvers/hodge.h"
-#include "solvers/poisson.h"
+#include "solvers/sources/hodge.h"
+#include "solvers/sources/poisson.h"
 #include "tests/real/samples.h"
 #include "tests/support/matrices.h"
 
@@ -23,11 +23,9 @@ protected:
 
     /// The least value over the largest.
     static double least(StarKind kind, Side side) {
-        const PoissonSolver solver(mesh(kind), {.side = side});
-        const Vector u = solver
-                             .solve(Vector::Ones(solver.sites().rows()),
-                                    Vector::Zero(solver.boundary_sites().rows()))
-                             .values;
+        const PoissonSolver solver({mesh(kind), side, 0, {BoundaryCondition::essential}});
+        const Vector ones = Vector::Ones(mesh(kind).complex().size(solver.space().cell_degree()));
+        const Vector u = solver.solve({side, 0, ones}).form.values;
         return u.minCoeff() / u.maxCoeff();
     }
 };

@@ -5,7 +5,7 @@
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "shape/poisson_pair.h"
-#include "solvers/poisson.h"
+#include "solvers/sources/poisson.h"
 #include "tests/shape/known_shapes.h"
 #include "tests/support/families.h"
 #include "tests/support/refusal.h"
@@ -316,12 +316,14 @@ TEST(PoissonError, of_a_mesh_takes_what_the_solver_takes_also_on_merged_cells) {
     for (const Discretization& mesh : {apart, merged}) {
         const auto left =
             essential_where(cell_centers(mesh, 1), [](const Vector& p) { return p[0] < 1e-9; });
-        PoissonSolver solver(mesh, {.boundary = left});
+        const PoissonSolver solver({mesh, Side::primal, 0, left});
         const Vector f = Vector::Ones(mesh.complex().size(0)),
-                     flow = 0.5 * Vector::Ones(mesh.complex().size(1)),
-                     zero = Vector::Zero(f.size());
+                     flow = 0.5 * Vector::Ones(mesh.complex().size(1));
         if (u.size() == 0)
-            u = solver.solve(f, zero, flow).values;
+            u = solver
+                    .solve({Side::primal, 0, f},
+                           {.derivative_flow = outward_flow(mesh, Side::primal, flow)})
+                    .form.values;
         bounds.push_back(poisson_error(poisson_problem(mesh, left, {}, f, flow), u).energy);
     }
     EXPECT_NEAR(bounds[0], bounds[1], 1e-12);

@@ -3,7 +3,7 @@
 #include "dec/fields/de_rham.h"
 #include "dec/forms/boundary_conditions.h"
 #include "meshes/generate.h"
-#include "solvers/waves.h"
+#include "solvers/time/waves.h"
 #include "tests/support/circumcentric.h"
 
 #include <gtest/gtest.h>

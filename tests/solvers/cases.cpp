@@ -131,6 +131,29 @@ BoundaryForms data_of(const Discretization& mesh, Side side, const WaveForm& wav
     return data;
 }
 
+BoundaryForms random_data(const CellComplex& complex, Side side, int degree) {
+    const int k = cell_degree(complex, side, degree);
+    const auto values = [&](int on, unsigned seed) {
+        return on < 0 ? Vector() : random_vector(complex.size(on), seed);
+    };
+    if (side == Side::primal)
+        return {values(k, 1), values(k - 1, 2), values(k - 1, 3), values(k, 4)};
+    return {values(k - 1, 1), values(k, 2), values(k, 3), values(k - 1, 4)};
+}
+
+FormSpace functions(const Cells& cells, Side side, const BoundaryConditions& conditions) {
+    return {cells, side, 0, conditions};
+}
+
+PoissonSolution solved(const PoissonSolver& solver, const Vector& f, const Vector& values,
+                       const Vector& derivatives) {
+    const FormSpace& space = solver.space();
+    BoundaryForms data{.values = values};
+    if (derivatives.size() > 0)
+        data.derivative_flow = outward_flow(space.cells(), space.side(), derivatives);
+    return solver.solve({space.side(), 0, f}, data);
+}
+
 Vector at(const Points& sites, const std::function<double(const Vector&)>& function) {
     Vector result(sites.rows());
     for (Index i = 0; i < result.size(); ++i)

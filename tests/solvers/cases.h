@@ -89,8 +89,19 @@ Cochain exact_form(const Discretization& mesh, Side side, const WaveForm& wave);
 /// Norm in the inner product of the form's side, but of cells without dual.
 double size_of(const Discretization& mesh, const Cochain& form);
 
+/// All that can be given of a form on the boundary, at random.
+BoundaryForms random_data(const CellComplex& complex, Side side, int degree);
+
 /// The conditions' data for the smooth form; of Robin's, the trace's part is added by its star.
 BoundaryForms data_of(const Discretization& mesh, Side side, const WaveForm& wave, Where where);
+
+/// Functions of a side, by default with values given on the whole boundary.
+FormSpace functions(const Cells& cells, Side side, const BoundaryConditions& conditions = {});
+
+/// The solution of Poisson's problem for functions, of f and of boundary values where they have
+/// values (see sites and boundary_sites), and of outward derivatives at facets; what is empty is 0.
+PoissonSolution solved(const PoissonSolver& solver, const Vector& f, const Vector& values = {},
+                       const Vector& derivatives = {});
 
 /// A function at places, a row of coordinates each.
 Vector at(const Points& sites, const std::function<double(const Vector& point)>& function);

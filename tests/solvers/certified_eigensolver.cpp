@@ -6,7 +6,7 @@
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/spectrum.h"
+#include "solvers/spectra/spectrum.h"
 #include "tests/solvers/dense_spectrum.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"

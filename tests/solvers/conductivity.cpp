@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "base/random.h"
+#include "dec/fields/cell_centers.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
+#include "dec/material_stars.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "meshes/delaunay.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/poisson.h"
+#include "solvers/sources/poisson.h"
 #include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
@@ -70,10 +72,10 @@ DenseMatrix sum_over_simplices(const Discretization& mesh, const Vector& conduct
 /// differ by a constant on a component without boundary are equal.
 double error_of_solution(const Discretization& mesh, const Vector& conductivity,
                          const DenseMatrix& A) {
-    PoissonSolver solver(mesh, {.conductivity = CellData::on_cells(conductivity)});
+    const auto medium = with_conductivity(mesh, Side::primal, CellData::on_cells(conductivity));
     const Vector v = random_vector(mesh.complex().size(0), 17);
     const Vector f = (A * v).cwiseQuotient(star(mesh.volumes(), 0).diagonal());
-    const Vector u = solver.solve(f, v).values;
+    const Vector u = solved(PoissonSolver(functions(medium, Side::primal)), f, v).form.values;
     const SparseMatrix d = derivative(mesh.complex(), 0);
     return relative_difference(Vector(d * u), Vector(d * v));
 }
@@ -164,9 +166,10 @@ Vector conductive_half(const Discretization& mesh) {
 TEST(ConcyclicEdges, between_different_conductivities_conduct) {
     const auto mesh = circumcentric(trapezoid_in_ring(), {.criterion = MergeCriterion::none});
     const Vector kappa = conductive_half(mesh);
-    PoissonSolver solver(mesh, {.conductivity = CellData::on_cells(kappa)});
-    const Vector squares = solver.boundary_sites().col(0).cwiseAbs2();
-    const Vector u = solver.solve(Vector::Zero(8), squares).values;
+    const auto medium = with_conductivity(mesh, Side::primal, CellData::on_cells(kappa));
+    const Vector u = solved(PoissonSolver(functions(medium, Side::primal)), Vector::Zero(8),
+                            mesh.points().col(0).cwiseAbs2())
+                         .form.values;
     // linear finite elements, by an independent program
     const Vector known{
         {21.946478616632547, 35.40093594432815, 31.920829238841744, 25.678205826116056}};
@@ -177,19 +180,18 @@ TEST(ConductivityLayers, are_exact_as_resistances_in_series) {
     // two layers of a box, split where cells are: flux 1 needs pressure drops 1/2 and 1/8
     for (const int n : {1, 2, 3}) {
         const auto mesh = circumcentric(kuhn(n, 4));
-        const Points centers = PoissonSolver(mesh, {.side = Side::dual}).sites();
-        const Vector kappa = at(centers, [](const Vector& p) { return p[0] < 0.5 ? 1 : 4; });
-        const Points facets = PoissonSolver(mesh, {.side = Side::primal}).flux_sites();
-        const auto ends =
-            essential_where(facets, [](const Vector& p) { return p[0] < 1e-9 || p[0] > 1 - 1e-9; });
+        const Vector kappa =
+            at(dual_sites(mesh), [](const Vector& p) { return p[0] < 0.5 ? 1 : 4; });
+        const auto ends = essential_where(
+            facet_sites(mesh), [](const Vector& p) { return p[0] < 1e-9 || p[0] > 1 - 1e-9; });
         for (const Side side : sides) {
-            PoissonSolver solver(
-                mesh, {.side = side, .boundary = ends, .conductivity = CellData::on_cells(kappa)});
-            const Vector drop = -0.625 * solver.boundary_sites().col(0);
-            const Vector u = solver.solve(Vector::Zero(solver.sites().rows()), drop).values;
-            const Vector exact = at(solver.sites(), [](const Vector& p) {
+            const auto medium = with_conductivity(mesh, side, CellData::on_cells(kappa));
+            const Vector exact = at(sites(medium, side), [](const Vector& p) {
                 return p[0] < 0.5 ? -p[0] : -0.5 - (p[0] - 0.5) / 4;
             });
+            const Vector u = solved(PoissonSolver(functions(medium, side, ends)), 0 * exact,
+                                    -0.625 * boundary_sites(medium, side).col(0))
+                                 .form.values;
             EXPECT_LE((u - exact).cwiseAbs().maxCoeff(), 1e-12) << "n = " << n << name(side);
         }
     }
@@ -204,15 +206,17 @@ Mesh obtuse_beside_acute() {
 TEST(DualFluxes, whose_resistances_cancel_are_refused_by_the_facet) {
     // the centers are at -3/4 and -15/8: parts of the dual -3/4 and 15/8
     const auto mesh = circumcentric(obtuse_beside_acute());
-    const auto solved = [&](double obtuse, double acute) {
+    const auto verdict = [&](double obtuse, double acute) {
         const Vector kappa{{obtuse, acute}};
-        return refusal([&] { PoissonSolver(mesh, {.side = Side::dual, .conductivity = kappa}); });
+        return refusal([&] {
+            PoissonSolver(functions(with_conductivity(mesh, Side::dual, kappa), Side::dual));
+        });
     };
-    EXPECT_EQ(solved(1, 1), "accepted");
-    EXPECT_EQ(solved(1, 2.4), "accepted");
+    EXPECT_EQ(verdict(1, 1), "accepted");
+    EXPECT_EQ(verdict(1, 2.4), "accepted");
     for (const double size : {1e-9, 1.0, 1e9})
-        EXPECT_TRUE(
-            says(solved(0.4 * size, size), {"facet 0", "vertices 0, 1", "conductivity", "cancel"}));
+        EXPECT_TRUE(says(verdict(0.4 * size, size),
+                         {"facet 0", "vertices 0, 1", "conductivity", "cancel"}));
 }
 
 TEST(ConcyclicEdgesBroken, that_are_left_out_give_another_solution) {

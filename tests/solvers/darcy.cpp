@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/darcy.h"
-
 #include "base/decompositions.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/laplacian.h"
+#include "dec/forms/derivative.h"
 #include "dec/material_stars.h"
 #include "meshes/generate.h"
+#include "solvers/sources/poisson.h"
 #include "tests/solvers/cases.h"
 #include "tests/solvers/star_samples.h"
 #include "tests/support/circumcentric.h"
@@ -77,14 +76,13 @@ Defects patch_defects(const Discretization& mesh, const Vector& slope, const Vec
                       const Points& sites) {
     const Vector exact = flux_of(mesh, field);
     const auto by = [&](const BoundaryConditions& conditions) {
-        const DarcySolver solver(mesh, {.boundary = conditions});
-        return solver.solve(Vector::Zero(sites.rows()), solver.facet_sites() * slope,
-                            outflow(mesh, exact));
+        return solved(PoissonSolver(functions(mesh, Side::dual, conditions)),
+                      Vector::Zero(sites.rows()), facet_sites(mesh) * slope, -outflow(mesh, exact));
     };
     auto flow = by(mixed(mesh));
     if (flow.compatibility.free_components > 0)
         flow = by({}); // parts that hang together at a vertex need a pressure each
-    return {relative_difference(flow.pressure.values, Vector(sites * slope)),
+    return {relative_difference(flow.form.values, Vector(sites * slope)),
             relative_difference(flow.flux.values, exact)};
 }
 
@@ -110,11 +108,11 @@ TEST_P(FlatDarcy, linear_pressures_and_their_fluxes_come_out) {
 /// What flows out of cells with random data less the source in them, relative.
 double imbalance(const Discretization& mesh, const BoundaryConditions& conditions) {
     const int n = mesh.dimension();
-    const DarcySolver solver(mesh, {.boundary = conditions});
+    const PoissonSolver solver(functions(mesh, Side::dual, conditions));
     const Index facets = mesh.complex().size(n - 1);
     const Vector source = random_vector(mesh.complex().size(n), 1);
     const Vector flux =
-        solver.solve(source, random_vector(facets, 2), random_vector(facets, 3)).flux.values;
+        solved(solver, source, random_vector(facets, 2), -random_vector(facets, 3)).flux.values;
     const Vector balance =
         derivative(mesh.complex(), n - 1) * flux - mesh.volumes().primal(n).cwiseProduct(source);
     return balance.cwiseAbs().maxCoeff() / flux.cwiseAbs().maxCoeff();
@@ -133,12 +131,11 @@ INSTANTIATE_TEST_SUITE_P(Bounded, FlatDarcy,
 // Pressures at the corners of an FCC box are given thrice, and fluxes there by their sum alone.
 TEST(DarcyCorners, cells_with_several_facets_without_dual_balance_as_a_whole) {
     const auto mesh = circumcentric(mesh_named("fcc1"));
-    const DarcySolver solver(mesh);
     const Vector slope = Vector::LinSpaced(3, 1, 2);
+    const Vector exact = dual_sites(mesh) * slope;
     const auto linear =
-        solver.solve(Vector::Zero(solver.sites().rows()), solver.facet_sites() * slope,
-                     Vector::Zero(solver.facet_sites().rows()));
-    EXPECT_LE(relative_difference(linear.pressure.values, Vector(solver.sites() * slope)), 1e-10);
+        solved(PoissonSolver(functions(mesh, Side::dual)), 0 * exact, facet_sites(mesh) * slope);
+    EXPECT_LE(relative_difference(linear.form.values, exact), 1e-10);
     EXPECT_LE(imbalance(mesh, {}), 1e-12);
 }
 
@@ -192,11 +189,11 @@ TEST_P(DarcyByStars, both_equations_hold_for_all_data) {
             std::any_of(complex.coface_counts(n - 1).begin(), complex.coface_counts(n - 1).end(),
                         [](Index count) { return count == 1; });
         const auto conditions = bounded ? mixed(mesh) : BoundaryConditions{};
-        const DarcySolver solver(mesh, {.boundary = conditions});
         const Index facets = complex.size(n - 1);
         const Vector source = random_vector(complex.size(n), 1);
         const Vector pressures = random_vector(facets, 2), out = random_vector(facets, 3);
-        const auto flow = solver.solve(source, pressures, out);
+        const auto flow =
+            solved(PoissonSolver(functions(mesh, Side::dual, conditions)), source, pressures, -out);
         const SparseMatrix D = derivative(mesh.complex(), n - 1);
         const Vector& volumes = mesh.volumes().primal(n);
 
@@ -204,14 +201,14 @@ TEST_P(DarcyByStars, both_equations_hold_for_all_data) {
         const Index free = flow.compatibility.free_components;
         if (free == 1 && !bounded) {
             balance -= volumes * (balance.sum() / volumes.sum());
-            EXPECT_LE(std::abs(volumes.dot(flow.pressure.values)),
-                      1e-12 * volumes.sum() * flow.pressure.values.cwiseAbs().maxCoeff());
+            EXPECT_LE(std::abs(volumes.dot(flow.form.values)),
+                      1e-12 * volumes.sum() * flow.form.values.cwiseAbs().maxCoeff());
         }
         if (free <= (bounded ? 0 : 1))
             EXPECT_LE(balance.norm(), 1e-11 * (flow.flux.values.norm() + source.norm()));
 
         const auto essential = essential_cells(complex, conditions)[n - 1];
-        Vector drops = D.transpose() * flow.pressure.values;
+        Vector drops = D.transpose() * flow.form.values;
         for (Index f = 0; f < facets; ++f)
             if (essential[f])
                 drops[f] -= SparseMatrix::InnerIterator(SparseMatrix(D.transpose()), f).value() *
@@ -224,10 +221,6 @@ TEST_P(DarcyByStars, both_equations_hold_for_all_data) {
                 EXPECT_NEAR(given[f], 0, 1e-12);
             }
         EXPECT_LE(left.norm(), 1e-11 * (drops.norm() + pressures.norm()));
-        const auto poisson = PoissonSolver(mesh, {.side = Side::dual, .boundary = conditions});
-        EXPECT_LE(relative_difference(poisson.solve(source, pressures, -out).values,
-                                      flow.pressure.values),
-                  1e-12);
     });
 }
 
@@ -266,15 +259,15 @@ TEST(DarcyByOtherStars, linear_pressures_do_not_come_out) {
 /// Errors of a manufactured pressure in L2, and of its flux in the norm of the star.
 Vector errors(const Discretization& mesh) {
     const int n = mesh.dimension();
-    const DarcySolver solver(mesh);
     const auto wave = [](const Vector& p) { return (M_PI / 2 * p.array() + 0.3).cos().prod(); };
-    const Vector p = at(solver.sites(), wave), boundary = at(solver.facet_sites(), wave);
-    const auto flow = solver.solve(n * M_PI * M_PI / 4 * p, boundary, 0 * boundary);
+    const Vector p = at(dual_sites(mesh), wave);
+    const auto flow = solved(PoissonSolver(functions(mesh, Side::dual)), n * M_PI * M_PI / 4 * p,
+                             at(facet_sites(mesh), wave));
     const Vector exact = flux_of(mesh, [&](const Vector& x) -> Vector {
         return wave(x) * M_PI / 2 * (M_PI / 2 * x.array() + 0.3).tan();
     });
     const Vector difference = flow.flux.values - exact;
-    return Vector{{l2_norm(mesh, Side::dual, flow.pressure.values - p),
+    return Vector{{l2_norm(mesh, Side::dual, flow.form.values - p),
                    size_of(mesh, {Side::primal, n - 1, difference})}};
 }
 
@@ -364,10 +357,9 @@ TEST(MaterialStars, are_exact_for_resistances_in_series) {
             mesh.stars().with(n - 1, material_star(mesh, n - 1, CellData::on_cells(resistivity))));
         const auto ends = essential_where(
             facet_sites(medium), [](const Vector& p) { return p[0] < 1e-9 || p[0] > 1 - 1e-9; });
-        const DarcySolver solver(medium, {.boundary = ends});
-        const Vector drop = -0.625 * solver.facet_sites().col(0);
-        const auto flow = solver.solve(0 * kappa, drop, 0 * drop);
-        EXPECT_LE(relative_difference(flow.pressure.values, exact), 1e-12) << "n = " << n;
+        const auto flow = solved(PoissonSolver(functions(medium, Side::dual, ends)), 0 * kappa,
+                                 -0.625 * facet_sites(medium).col(0));
+        EXPECT_LE(relative_difference(flow.form.values, exact), 1e-12) << "n = " << n;
         EXPECT_LE(relative_difference(flow.flux.values, flux_of(mesh, Vector(Vector::Unit(n, 0)))),
                   1e-12);
     }
@@ -375,25 +367,26 @@ TEST(MaterialStars, are_exact_for_resistances_in_series) {
 
 TEST(DarcyErrors, name_what_does_not_fit) {
     const auto mesh = circumcentric(grid(2, 2));
-    EXPECT_TRUE(says(refusal([&] { DarcySolver(mesh, {.conductivity = Vector::Ones(3)}); }),
+    EXPECT_TRUE(says(refusal([&] { with_conductivity(mesh, Side::dual, Vector::Ones(3)); }),
                      {"3 values", "conductivity", "8"}));
     Vector kappa = Vector::Ones(8);
     kappa[2] = 0;
-    EXPECT_TRUE(says(refusal([&] { DarcySolver(mesh, {.conductivity = kappa}); }),
+    EXPECT_TRUE(says(refusal([&] { with_conductivity(mesh, Side::dual, kappa); }),
                      {"conductivity", "2-cell 2", "0"}));
 }
 
 TEST(DarcyByStarsErrors, name_what_does_not_fit) {
     const auto branching = circumcentric(mesh_named("branching"));
     const auto stars = branching.with_stars(StarKind::galerkin).stars();
-    EXPECT_TRUE(says(refusal([&] { DarcySolver(branching.with_stars(stars)); }),
-                     {"cells", "facet", "flux"}));
+    EXPECT_TRUE(says(refusal([&] { functions(branching.with_stars(stars), Side::dual); }),
+                     {"cells", "facet", "flows"}));
     const auto mesh = circumcentric(grid(2, 2));
     const auto by_galerkin = mesh.with_stars(mesh.with_stars(StarKind::galerkin).stars());
-    EXPECT_TRUE(says(refusal([&] { DarcySolver(by_galerkin, {.conductivity = Vector::Ones(8)}); }),
+    EXPECT_TRUE(says(refusal([&] { with_conductivity(by_galerkin, Side::dual, Vector::Ones(8)); }),
                      {"material_star"}));
-    EXPECT_TRUE(says(refusal([&] { DarcySolver(by_galerkin, {.linear_solver = "eigen.cg"}); }),
-                     {"positive", "definite"}));
+    EXPECT_TRUE(
+        says(refusal([&] { PoissonSolver(functions(by_galerkin, Side::dual), "eigen.cg"); }),
+             {"positive", "definite"}));
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/evolution.h"
+#include "solvers/time/evolution.h"
 
 #include "backends/registry.h"
 #include "base/errors.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
-#include "solvers/poisson.h"
-#include "solvers/spectrum.h"
+#include "solvers/sources/poisson.h"
+#include "solvers/spectra/spectrum.h"
+#include "tests/solvers/cases.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
@@ -27,9 +28,9 @@ TEST(Conditions, fix_values_of_primal_functions_at_vertices) {
         conditions.fixed_vertices[v] = is_center || is_corner;
         given[v] = is_center ? 1 : 0;
     }
-    const auto u = PoissonSolver(mesh, {.boundary = conditions})
-                       .solve(Vector::Zero(given.size()), given)
-                       .values;
+    const Vector u =
+        solved(PoissonSolver(functions(mesh, Side::primal, conditions)), 0 * given, given)
+            .form.values;
     const Vector flow = symmetric_laplacian(mesh, 0).matrix() * u;
     for (Index v = 0; v < given.size(); ++v)
         if (conditions.fixed_vertices[v])
@@ -37,17 +38,18 @@ TEST(Conditions, fix_values_of_primal_functions_at_vertices) {
         else
             EXPECT_NEAR(flow[v], 0, 1e-12);
     EXPECT_GT(spectrum({mesh, Side::primal, 0, conditions}, {.count = 1}).eigenvalues[0], 0.1);
-    for (const auto& refused :
-         {refusal([&] { PoissonSolver(mesh, {.side = Side::dual, .boundary = conditions}); }),
-          refusal([&] {
-              spectrum({mesh, Side::primal, 1, conditions});
-          }),
-          refusal([&] {
-              spectrum({mesh, Side::dual, 2, conditions});
-          })})
+    for (const auto& refused : {refusal([&] {
+                                    PoissonSolver({mesh, Side::dual, 0, conditions});
+                                }),
+                                refusal([&] {
+                                    spectrum({mesh, Side::primal, 1, conditions});
+                                }),
+                                refusal([&] {
+                                    spectrum({mesh, Side::dual, 2, conditions});
+                                })})
         EXPECT_TRUE(says(refused, {"vertices", "primal 0-forms"})) << refused;
     conditions.fixed_vertices.pop_back();
-    EXPECT_TRUE(says(refusal([&] { PoissonSolver(mesh, {.boundary = conditions}); }),
+    EXPECT_TRUE(says(refusal([&] { functions(mesh, Side::primal, conditions); }),
                      {"80", "fixed vertices", "81"}));
 }
 

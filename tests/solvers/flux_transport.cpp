@@ -2,7 +2,8 @@
 #include "solvers/flow/flux_transport.h"
 
 #include "dec/fields/cell_centers.h"
-#include "solvers/darcy.h"
+#include "solvers/sources/poisson.h"
+#include "tests/solvers/cases.h"
 #include "tests/solvers/flow_samples.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
@@ -55,13 +56,11 @@ struct Carried {
 };
 
 Carried carried_by_darcy(const Discretization& mesh, Sampling sampling) {
-    const DarcySolver darcy(mesh);
-    const Points& facets = darcy.facet_sites();
-    Vector pressures(facets.rows());
-    for (Index f = 0; f < facets.rows(); ++f)
-        pressures[f] = -facets(f, 1) + 0.3 * std::sin(3 * facets(f, 0));
-    const Vector none = Vector::Zero(darcy.sites().rows());
-    const Vector flux = darcy.solve(none, pressures, Vector::Zero(facets.rows())).flux.values;
+    const Vector pressures =
+        at(facet_sites(mesh), [](const Vector& p) { return -p[1] + 0.3 * std::sin(3 * p[0]); });
+    const Vector none = Vector::Zero(mesh.complex().size(2));
+    const Vector flux =
+        solved(PoissonSolver(functions(mesh, Side::dual)), none, pressures).flux.values;
 
     const FluxTransport transport(mesh, sampling);
     const Vector outside = Vector::Ones(flux.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/boundary_conditions.h"
-#include "solvers/hodge.h"
-#include "solvers/spectrum.h"
+#include "solvers/sources/hodge.h"
+#include "solvers/spectra/spectrum.h"
 #include "tests/support/golden_forms.h"
 #include "tests/support/golden_numbers.h"
 

@@ -5,9 +5,8 @@
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"
 #include "meshes/rearrange.h"
-#include "solvers/diffusion.h"
-#include "solvers/hodge_laplace.h"
-#include "solvers/poisson.h"
+#include "solvers/sources/poisson.h"
+#include "solvers/time/diffusion.h"
 #include "tests/solvers/cases.h"
 #include "tests/support/families.h"
 #include "tests/support/forms.h"
@@ -118,12 +117,12 @@ TEST_P(HarmonicForms, are_returned_and_stand_still) {
             const Cochain u = constant.on(places, side);
             BoundaryForms data = constant.boundary(places, side);
             if (where == Where::robin && k < n) {
-                const double sign = k % 2 == 0 ? 1 : -1; // see HodgeLaplaceEquations
+                const double sign = k % 2 == 0 ? 1 : -1; // see FormEquations
                 data.derivative_flow =
                     sign * dual_boundary_derivative(mesh.complex(), n - 1 - k).transpose() *
                     Vector(FormSpace(mesh, side, degree, conditions).robin_weights() * u.values);
             }
-            const HodgeLaplaceSolver solver({mesh, side, degree, conditions});
+            const PoissonSolver solver({mesh, side, degree, conditions});
             const DenseMatrix H = solver.harmonic_forms();
             Vector harmonic(H.cols());
             for (Index i = 0; i < harmonic.size(); ++i)
@@ -164,45 +163,37 @@ TEST_P(HarmonicForms, that_are_linear_functions_come_back_and_stand_still) {
                 const auto x = places.points().col(0);
                 const auto conditions =
                     conditions_of(places, where, (x.minCoeff() + x.maxCoeff()) / 2);
-                std::optional<PoissonSolver> poisson, with_sites;
-                const auto refused = refusal([&] {
-                    poisson.emplace(mesh, PoissonOptions{side, conditions});
-                    with_sites.emplace(places, PoissonOptions{side, conditions});
-                });
+                std::optional<PoissonSolver> poisson;
+                const auto refused =
+                    refusal([&] { poisson.emplace(FormSpace(mesh, side, 0, conditions)); });
                 if (refused != "accepted") {
                     EXPECT_TRUE(says(refused, {"facet", "length"}));
                     continue;
                 }
                 const Vector slope = random_vector(n, 4);
-                const Vector u = (with_sites->sites() * slope).array() + 1;
-                const Vector given = (with_sites->boundary_sites() * slope).array() + 1;
+                const Vector u = (sites(places, side) * slope).array() + 1;
+                const Vector given = (boundary_sites(places, side) * slope).array() + 1;
                 Vector derivatives = outward_normals(places) * slope;
                 if (where == Where::robin && side == Side::dual)
                     derivatives +=
                         robin_coefficients(mesh.complex(), conditions).cwiseProduct(given);
-                const Vector zero = Vector::Zero(u.size());
                 const bool free = where == Where::natural;
-                // Poisson's right sides share Robin's data by facets, which is not their star
-                if (where != Where::robin || side == Side::dual) {
-                    const auto found = [&](double factor) {
-                        const Vector flow = factor * derivatives;
-                        return distance(poisson->solve(zero, given, flow).values, u, free);
-                    };
-                    EXPECT_LE(found(1), 0.1 * rounding);
-                    if (where != Where::essential && u.size() > 1)
-                        EXPECT_GT(found(-1), 1e-2) << "with the flux reversed";
-                    ++solved;
-                }
-                if (!is_positive(mesh.stars()[k]) || !is_positive(mesh.stars()[beside]))
-                    continue;
                 BoundaryForms data{.values = given,
                                    .derivative_flow = outward_flow(mesh, side, derivatives)};
                 if (where == Where::robin && side == Side::primal)
-                    data.derivative_flow +=
-                        FormSpace(mesh, side, 0, conditions).robin_weights() * u;
-                const HodgeLaplaceSolver solver({mesh, side, 0, conditions});
-                EXPECT_LE(distance(solver.solve({side, 0, zero}, data).form.values, u, free),
-                          rounding);
+                    data.derivative_flow += poisson->space().robin_weights() * u;
+                const auto found = [&](double factor) {
+                    BoundaryForms flow = data;
+                    flow.derivative_flow *= factor;
+                    const Cochain none{side, 0, Vector::Zero(u.size())};
+                    return distance(poisson->solve(none, flow).form.values, u, free);
+                };
+                EXPECT_LE(found(1), 0.1 * rounding);
+                if (where != Where::essential && u.size() > 1)
+                    EXPECT_GT(found(-1), 1e-2) << "with the flux reversed";
+                ++solved;
+                if (!is_positive(mesh.stars()[k]) || !is_positive(mesh.stars()[beside]))
+                    continue;
 
                 const Diffusion diffusion({mesh, side, 0, conditions});
                 const Vector values = diffusion.values_of(u, data);

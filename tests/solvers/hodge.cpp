@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/hodge.h"
+#include "solvers/sources/hodge.h"
 
 #include "base/decompositions.h"
 #include "complex/homology.h"

@@ -2,7 +2,7 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/boundary_conditions.h"
-#include "solvers/hodge.h"
+#include "solvers/sources/hodge.h"
 #include "tests/solvers/flow_samples.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/darcy.h"
 #include "solvers/flow/flow.h"
 #include "solvers/flow/flow_data.h"
 #include "solvers/flow/flux_transport.h"
 #include "solvers/flow/shallow_water.h"
 #include "solvers/flow/stokes.h"
+#include "solvers/sources/poisson.h"
+#include "tests/solvers/cases.h"
 #include "tests/support/all_sizes.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -33,15 +34,15 @@ TEST(InputUnits, are_those_of_pressures_and_fluxes) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side side, int) {
             const bool essential = side == Side::primal || mesh.complex().size(0) > 60;
-            const DarcySolver solver(mesh, {.boundary = {essential ? BoundaryCondition::essential
-                                                                   : BoundaryCondition::natural}});
-            const Vector source = random_vector(solver.sites().rows(), 3) / (size * size);
-            const Index facets = static_cast<Index>(solver.facet_sites().rows());
-            const Vector pressures = random_vector(facets, 4),
-                         outflow = random_vector(facets, 5) / size;
-            const auto flow = solver.solve(source, pressures, outflow);
-            return joined(
-                {flow.pressure.values, flow.flux.values / std::pow(size, mesh.dimension() - 2)});
+            const PoissonSolver solver(
+                functions(mesh, Side::dual,
+                          {essential ? BoundaryCondition::essential : BoundaryCondition::natural}));
+            const int n = mesh.dimension();
+            const Index facets = mesh.complex().size(n - 1);
+            const auto flow =
+                solved(solver, random_vector(mesh.complex().size(n), 3) / (size * size),
+                       random_vector(facets, 4), -random_vector(facets, 5) / size);
+            return joined({flow.form.values, flow.flux.values / std::pow(size, n - 2)});
         },
         1);
 }

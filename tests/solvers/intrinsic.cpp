@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
+#include "dec/fields/cell_centers.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
+#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/hodge.h"
-#include "solvers/poisson.h"
-#include "solvers/spectrum.h"
+#include "solvers/sources/hodge.h"
+#include "solvers/sources/poisson.h"
+#include "solvers/spectra/spectrum.h"
 #include "solvers/surfaces/geodesic_distance.h"
+#include "tests/solvers/cases.h"
 #include "tests/solvers/heat_distance.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
@@ -78,17 +81,12 @@ TEST(OnSurfacesAsTheyAre, forms_have_no_mass_where_duals_are_negative) {
 double error_in_the_plane(Side side, const std::function<double(double, double)>& u, double f) {
     const auto mesh = flipped(perturbed(grid(9, 9), 0.04, 3));
     EXPECT_GT(mesh.passage().flips().statistics.flips, 0);
-    PoissonSolver solver(mesh, {.side = side});
-    const auto at = [&](const Points& sites) {
-        Vector values(sites.rows());
-        for (Index i = 0; i < sites.rows(); ++i)
-            values[i] = u(sites(i, 0), sites(i, 1));
-        return values;
-    };
-    const Vector found =
-        solver.solve(Vector::Constant(solver.sites().rows(), f), at(solver.boundary_sites()))
-            .values;
-    return (found - at(solver.sites())).cwiseAbs().maxCoeff();
+    const auto given = [&](const Vector& p) { return u(p[0], p[1]); };
+    const Vector exact = at(sites(mesh, side), given);
+    const auto found =
+        solved(PoissonSolver(functions(mesh, side)), Vector::Constant(exact.size(), f),
+               at(boundary_sites(mesh, side), given));
+    return (found.form.values - exact).cwiseAbs().maxCoeff();
 }
 
 TEST(PoissonOnFlippedSquare, gives_linear_functions_back_on_both_sides) {
@@ -99,18 +97,20 @@ TEST(PoissonOnFlippedSquare, gives_linear_functions_back_on_both_sides) {
 
 TEST(PoissonOnFlippedSquare, takes_a_conductivity_for_each_polygon) {
     const auto mesh = flipped(perturbed(grid(9, 9), 0.04, 3));
-    const auto solve = [&](Side side, const Vector& conductivity) {
-        PoissonSolver solver(mesh,
-                             {.side = side, .conductivity = CellData::on_cells(conductivity)});
-        const Vector boundary = solver.boundary_sites().col(0);
-        return solver.solve(Vector::Zero(solver.sites().rows()), boundary).values;
+    const auto solve = [](Side side, const Discretization& medium) {
+        return solved(PoissonSolver(functions(medium, side)),
+                      Vector::Zero(sites(medium, side).rows()), boundary_sites(medium, side).col(0))
+            .form.values;
+    };
+    const auto solve_with = [&](Side side, const Vector& conductivity) {
+        return solve(side, with_conductivity(mesh, side, CellData::on_cells(conductivity)));
     };
     const Vector ones = Vector::Ones(mesh.complex().size(2));
     const Vector any = ones + 0.9 * random_vector(mesh.complex().size(2), 4);
     for (const Side side : {Side::primal, Side::dual}) {
-        const Vector linear = solve(side, {});
-        EXPECT_LT(relative_difference(solve(side, 3 * ones), linear), 1e-11);
-        EXPECT_GT(relative_difference(solve(side, any), linear), 1e-3);
+        const Vector linear = solve(side, mesh);
+        EXPECT_LT(relative_difference(solve_with(side, 3 * ones), linear), 1e-11);
+        EXPECT_GT(relative_difference(solve_with(side, any), linear), 1e-3);
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate.h"
-#include "solvers/coexact_spectrum.h"
-#include "solvers/spectrum.h"
+#include "solvers/spectra/coexact_spectrum.h"
+#include "solvers/spectra/spectrum.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"

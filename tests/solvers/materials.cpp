@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "dec/fields/cell_centers.h"
+#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/poisson.h"
+#include "solvers/sources/poisson.h"
+#include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 
@@ -39,13 +42,12 @@ double error(const Mesh& input, MergeCriterion criterion, Side side, double seco
     Vector conductivity(mesh.complex().size(mesh.dimension()));
     for (Index cell = 0; cell < conductivity.size(); ++cell)
         conductivity[cell] = mesh.tags()[cell] == 1 ? 1 : second;
-    PoissonSolver solver(mesh, {.side = side, .conductivity = CellData::on_cells(conductivity)});
-    const auto exact = [](const Points& sites) {
-        return Vector(sites.col(0).unaryExpr(&potential));
-    };
-    const Vector u =
-        solver.solve(Vector::Zero(solver.sites().rows()), exact(solver.boundary_sites())).values;
-    return (u - exact(solver.sites())).cwiseAbs().maxCoeff();
+    const auto medium = with_conductivity(mesh, side, CellData::on_cells(conductivity));
+    const auto given = [](const Vector& p) { return potential(p[0]); };
+    const Vector exact = at(sites(medium, side), given);
+    const auto found = solved(PoissonSolver(functions(medium, side)), 0 * exact,
+                              at(boundary_sites(medium, side), given));
+    return (found.form.values - exact).cwiseAbs().maxCoeff();
 }
 
 constexpr double rounding = 1e-12;

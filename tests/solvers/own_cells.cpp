@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/cell_centers.h"
 #include "meshes/generate.h"
-#include "solvers/darcy.h"
 #include "solvers/heat.h"
-#include "solvers/hodge.h"
-#include "solvers/poisson.h"
-#include "solvers/waves.h"
+#include "solvers/sources/hodge.h"
+#include "solvers/sources/poisson.h"
+#include "solvers/time/waves.h"
 #include "tests/dec/discretized.h"
+#include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
-#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 
 namespace polydec::test::in_own_cells {
 namespace {
@@ -26,6 +25,13 @@ protected:
     const Discretization& whole() const { return discretized(GetParam()); }
     const CellComplex& complex() const { return whole().complex(); }
     const CellVolumes& volumes() const { return whole().volumes(); }
+
+    PoissonSolution any_solution(const Cells& cells, Side side, BoundaryCondition condition) const {
+        const int k = side == Side::primal ? 0 : complex().dimension();
+        return solved(PoissonSolver(functions(cells, side, {condition})),
+                      random_vector(complex().size(k), 1),
+                      random_vector(complex().size(std::max(0, k - 1)), 2));
+    }
 };
 
 /// Both results, or that both are refused.
@@ -44,33 +50,24 @@ void expect_equal(First first, Second second, double factor) {
 }
 
 TEST_P(OwnCells, have_the_solutions_of_poisson_problems_that_meshes_have) {
-    for (const Side side : {Side::primal, Side::dual})
+    for (const Side side : sides)
         for (const auto condition : {BoundaryCondition::essential, BoundaryCondition::natural}) {
-            const PoissonOptions options{.side = side, .boundary = {condition}};
-            const auto solved = [&](const PoissonSolver& solver) {
-                const Vector f = random_vector(solver.sites().rows(), 1);
-                const Vector g = random_vector(solver.boundary_sites().rows(), 2);
-                return solver.solve(f, g).values;
+            const auto solution = [&](const Cells& cells) {
+                return any_solution(cells, side, condition).form.values;
             };
-            expect_equal([&] { return solved(PoissonSolver(whole(), options)); },
+            expect_equal([&] { return solution(whole()); },
                          [&] {
-                             return solved(PoissonSolver({complex(), volumes()}, options));
+                             return solution({complex(), volumes()});
                          },
                          1.1);
         }
 }
 
 TEST_P(OwnCells, have_the_flows_that_meshes_have) {
-    const auto solved = [&](const DarcySolver& solver) {
-        const Vector f = random_vector(solver.sites().rows(), 1);
-        const Vector g = random_vector(solver.facet_sites().rows(), 2);
-        return solver.solve(f, g, g).flux.values;
+    const auto flux = [&](const Cells& cells) {
+        return any_solution(cells, Side::dual, BoundaryCondition::essential).flux.values;
     };
-    expect_equal([&] { return solved(DarcySolver(whole())); },
-                 [&] {
-                     return solved(DarcySolver({complex(), volumes()}));
-                 },
-                 -1);
+    expect_equal([&] { return flux(whole()); }, [&] { return flux({complex(), volumes()}); }, -1);
 }
 
 TEST_P(OwnCells, have_heat_waves_and_decompositions) {
@@ -125,32 +122,26 @@ POLYDEC_OVER_MESHES(OwnCells);
 TEST(OwnCellsOfAGrid, share_what_flows_through_a_facet_among_its_vertices) {
     for (const int n : {1, 2, 3}) {
         const auto mesh = circumcentric(kuhn(n, 3));
-        const PoissonOptions options{.boundary = {BoundaryCondition::natural}};
-        const PoissonSolver own({mesh.complex(), mesh.volumes()}, options);
+        const PoissonSolver own(functions({mesh.complex(), mesh.volumes()}, Side::primal,
+                                          {BoundaryCondition::natural}));
         const Points centers = cell_centers(mesh, n - 1);
         Vector slopes = Vector::Zero(centers.rows()); // of x along the outward normal
         for (Index f = 0; f < slopes.size(); ++f)
             slopes[f] = centers(f, 0) == 0 ? -1 : centers(f, 0) == 1 ? 1 : 0;
         const Vector none = Vector::Zero(mesh.complex().size(0));
         const auto error = [&](double factor) {
-            const Vector u = own.solve(none, none, factor * slopes).values;
+            const Vector u = solved(own, none, {}, factor * slopes).form.values;
             const Vector x = mesh.points().col(0);
             return (u.array() - (x.array() - 0.5)).abs().maxCoeff();
         };
         EXPECT_LE(error(1), 1e-12) << "n = " << n;
         EXPECT_GT(error(2), 0.1) << "n = " << n;
-        EXPECT_EQ(own.sites().cols(), 0);
     }
 }
 
-TEST(OwnCellsRefuse, conductivities_and_volumes_of_other_cells) {
+TEST(OwnCellsRefuse, volumes_of_other_cells) {
     const auto mesh = circumcentric(grid(2, 2)), other = circumcentric(grid(3, 2));
-    EXPECT_TRUE(
-        says(refusal([&] {
-                 PoissonSolver({mesh.complex(), mesh.volumes()}, {.conductivity = Vector::Ones(4)});
-             }),
-             {"conductivities", "cells of one's own"}));
-    EXPECT_NE(refusal([&] { PoissonSolver({mesh.complex(), other.volumes()}); }), "accepted");
+    EXPECT_NE(refusal([&] { Cells(mesh.complex(), other.volumes()); }), "accepted");
 }
 
 } // namespace

@@ -6,9 +6,8 @@
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/hodge_laplace.h"
-#include "solvers/poisson.h"
-#include "solvers/spectrum.h"
+#include "solvers/sources/poisson.h"
+#include "solvers/spectra/spectrum.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
@@ -91,7 +90,7 @@ double wave_error(const Mesh& box, int k, Side side, double turn = 0) {
     const int n = box.dimension();
     const auto glued = periodic(box, unit_translations(n));
     const auto mesh = circumcentric(glued);
-    const HodgeLaplaceSolver solver({mesh, side, k, {}});
+    const PoissonSolver solver({mesh, side, k, {}});
     Cochain u = de_rham(mesh, side == Side::primal ? k : n - k,
                         waves(n, side == Side::primal ? k : n - k, turn));
     if (side == Side::dual)

@@ -9,16 +9,17 @@
 
 #include "backends/registry.h"
 #include "dec/forms/star.h"
+#include "dec/material_stars.h"
 #include "dec/metric/circumcentric_volumes.h"
+#include "dec/positive_mass.h"
 #include "io/meshes/length_file.h"
 #include "io/meshes/read_mesh.h"
 #include "io/meshes/write_mesh.h"
 #include "meshes/generate.h"
 #include "meshes/tidy.h"
-#include "solvers/poisson.h"
-#include "solvers/spectra/positive_mass.h"
+#include "solvers/sources/poisson.h"
 #include "solvers/surfaces/geodesic_distance.h"
-#include "solvers/waves.h"
+#include "solvers/time/waves.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tools/messages.h"
@@ -197,11 +198,14 @@ const std::vector<Refusal>& refusals() {
                  made_of({{0, 0}, {4, 0}, {2, 1.6}, {2, -1.6}}, {{0, 1, 2}, {0, 3, 1}}));
              stable_step({{mesh.complex(), mesh.volumes()}, Side::primal, 0});
          }},
-        {"flux", [] { PoissonSolver(unmerged_grid(), {.side = Side::dual}); }},
+        {"flux",
+         [] {
+             PoissonSolver({unmerged_grid(), Side::dual, 0, {}});
+         }},
         {"conductivity",
          [] {
              const auto mesh = circumcentric(grid(2, 2));
-             PoissonSolver(mesh, {.conductivity = CellData::on_cells(Vector{{1, 2, -3, 4}})});
+             with_conductivity(mesh, Side::primal, CellData::on_cells(Vector{{1, 2, -3, 4}}));
          }},
         {"three triangles",
          [] {

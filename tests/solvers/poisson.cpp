@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/poisson.h"
+#include "solvers/sources/poisson.h"
 
 #include "base/errors.h"
 #include "complex/components.h"
@@ -60,11 +60,11 @@ double franke_laplacian(const Vector& p) {
 }
 
 double franke_error(const Discretization& mesh, Side side) {
-    PoissonSolver solver(mesh, {.side = side});
-    const auto [u, report, compatibility, warnings] =
-        solver.solve(at(solver.sites(), franke_laplacian), at(solver.boundary_sites(), franke));
-    EXPECT_LE(report.residual, 1e-10);
-    return l2_norm(mesh, side, u - at(solver.sites(), franke));
+    const auto found =
+        solved(PoissonSolver(functions(mesh, side)), at(sites(mesh, side), franke_laplacian),
+               at(boundary_sites(mesh, side), franke));
+    EXPECT_LE(found.report.residual, 1e-10);
+    return l2_norm(mesh, side, found.form.values - at(sites(mesh, side), franke));
 }
 
 /// The errors, by an independent program, of grids with N = 8, 16, 32.
@@ -99,23 +99,22 @@ double wave_error(const Discretization& mesh, Side side, Where where, int terms)
     const bool is_free = where == Where::natural; // whose normal derivative vanishes
     const double frequency = is_free ? M_PI : M_PI / 2, shift = is_free ? 0 : 0.3;
     const auto conditions = conditions_of(mesh, where);
-    const PoissonSolver solver(mesh, {.side = side, .boundary = conditions});
-    const auto wave = [=](const Points& sites) -> Vector {
-        return (frequency * sites.array() + shift).cos().rowwise().prod();
+    const auto wave = [=](const Points& places) -> Vector {
+        return (frequency * places.array() + shift).cos().rowwise().prod();
     };
-    Vector data = Vector::Zero(solver.flux_sites().rows());
+    Vector data;
     if (where == Where::mixed || where == Where::robin) {
-        const Points& sites = solver.flux_sites();
-        const DenseMatrix slopes = -frequency * (frequency * sites.array() + shift).tan();
+        const Points facets = facet_sites(mesh);
+        const DenseMatrix slopes = -frequency * (frequency * facets.array() + shift).tan();
         data = outward_normals(mesh).cwiseProduct(slopes).rowwise().sum();
         data += robin_coefficients(mesh.complex(), conditions);
-        data = data.cwiseProduct(wave(sites));
+        data = data.cwiseProduct(wave(facets));
     }
-    const Vector exact = wave(solver.sites());
-    const Vector u =
-        solver.solve(terms * frequency * frequency * exact, wave(solver.boundary_sites()), data)
-            .values;
-    return l2_norm(mesh, side, u - exact);
+    const Vector exact = wave(sites(mesh, side));
+    const auto found =
+        solved(PoissonSolver(functions(mesh, side, conditions)),
+               terms * frequency * frequency * exact, wave(boundary_sites(mesh, side)), data);
+    return l2_norm(mesh, side, found.form.values - exact);
 }
 
 class PoissonOrders : public testing::TestWithParam<Row> {};
@@ -160,13 +159,12 @@ TEST(PoissonOrdersBroken, are_not_two_for_another_right_hand_side) {
 TEST(NaturalConditions, say_how_far_fluxes_are_from_balanced) {
     const auto& mesh = Case{"squares"}.mesh(4);
     for (const Side side : sides) {
-        PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
-        const Vector zero = Vector::Zero(solver.sites().rows());
-        const Vector none = Vector::Zero(solver.boundary_sites().rows());
+        const PoissonSolver solver(functions(mesh, side, {BoundaryCondition::natural}));
+        const Vector ones = Vector::Ones(sites(mesh, side).rows());
         // what is made inside, 4 per area, leaves through the boundary of length 4
-        const Vector out = Vector::Constant(solver.flux_sites().rows(), -1);
-        EXPECT_LE(solver.solve(zero.array() + 4, none, out).compatibility.worst, 1e-12);
-        EXPECT_GT(solver.solve(zero.array() + 5, none, out).compatibility.worst, 0.1);
+        const Vector out = Vector::Constant(mesh.complex().size(1), -1);
+        EXPECT_LE(solved(solver, 4 * ones, {}, out).compatibility.worst, 1e-12);
+        EXPECT_GT(solved(solver, 5 * ones, {}, out).compatibility.worst, 0.1);
     }
 }
 
@@ -183,10 +181,10 @@ TEST(ThinLayers, keep_linear_functions_on_both_sides_and_where_boxes_grow) {
     };
     for (const auto& mesh : meshes)
         for (const Side side : sides) {
-            const PoissonSolver solver(mesh, {.side = side});
-            const Vector exact = at(solver.sites(), linear);
-            const Vector u = solver.solve(0 * exact, at(solver.boundary_sites(), linear)).values;
-            EXPECT_LE((u - exact).cwiseAbs().maxCoeff(), 1e-12) << name(side);
+            const Vector exact = at(sites(mesh, side), linear);
+            const auto found = solved(PoissonSolver(functions(mesh, side)), 0 * exact,
+                                      at(boundary_sites(mesh, side), linear));
+            EXPECT_LE((found.form.values - exact).cwiseAbs().maxCoeff(), 1e-12) << name(side);
         }
 }
 
@@ -223,20 +221,20 @@ TEST(NaturalProblem, has_the_solution_of_mean_zero_on_every_component) {
     for (const auto& input : {two_components(), two_squares})
         for (const Side side : sides) {
             const auto mesh = circumcentric(input);
-            PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
-            const Vector f = at(solver.sites(), wave);
-            const Vector none = Vector::Zero(solver.boundary_sites().rows());
-            const auto [u, report, compatibility, warnings] = solver.solve(f, none);
+            const PoissonSolver solver(functions(mesh, side, {BoundaryCondition::natural}));
+            const Vector f = at(sites(mesh, side), wave);
+            const auto found = solved(solver, f);
+            const Vector& u = found.form.values;
             EXPECT_GT(u.norm(), 1e-3);
             ASSERT_EQ(means(mesh, side, u).size(), 2);
             EXPECT_LE(means(mesh, side, u).cwiseAbs().maxCoeff(), 1e-12);
-            EXPECT_EQ(compatibility.free_components, 2);
-            EXPECT_GT(compatibility.worst, 1e-3) << "f has means that are not zero";
+            EXPECT_EQ(found.compatibility.free_components, 2);
+            EXPECT_GT(found.compatibility.worst, 1e-3) << "f has means that are not zero";
 
             // the means of f are what was removed, so without them nothing changes
             const Vector rest = f - means(mesh, side, f)(components_of_sites(mesh, side));
-            const auto again = solver.solve(rest, none);
-            EXPECT_LE((again.values - u).norm(), 1e-10 * u.norm());
+            const auto again = solved(solver, rest);
+            EXPECT_LE((again.form.values - u).norm(), 1e-10 * u.norm());
             EXPECT_LE(again.compatibility.worst, 1e-12);
         }
 }
@@ -244,15 +242,14 @@ TEST(NaturalProblem, has_the_solution_of_mean_zero_on_every_component) {
 TEST(ClosedSurface, has_no_use_for_boundary_data) {
     const auto mesh = circumcentric(torus(16, 8));
     for (const Side side : sides) {
-        PoissonSolver fixed(mesh, {.side = side});
-        PoissonSolver natural(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
-        const Vector f = at(fixed.sites(), wave);
-        const auto [u, report, compatibility, warnings] =
-            fixed.solve(f, Vector::Ones(fixed.boundary_sites().rows()));
-        EXPECT_TRUE(u.isApprox(
-            natural.solve(f, Vector::Zero(natural.boundary_sites().rows())).values, 1e-12));
+        const PoissonSolver natural(functions(mesh, side, {BoundaryCondition::natural}));
+        const Vector f = at(sites(mesh, side), wave);
+        const auto found = solved(PoissonSolver(functions(mesh, side)), f,
+                                  Vector::Ones(boundary_sites(mesh, side).rows()));
+        const Vector& u = found.form.values;
+        EXPECT_TRUE(u.isApprox(solved(natural, f).form.values, 1e-12));
         EXPECT_LE(means(mesh, side, u).cwiseAbs().maxCoeff(), 1e-12);
-        EXPECT_EQ(compatibility.free_components, 1);
+        EXPECT_EQ(found.compatibility.free_components, 1);
     }
 }
 
@@ -262,32 +259,31 @@ TEST(Solutions, do_not_depend_on_the_unit_of_length) {
             const auto solve = [&](double length) {
                 const auto mesh =
                     circumcentric(transformed(hexagons(6), DenseMatrix::Identity(2, 2), length));
-                PoissonSolver solver(mesh, {.side = side});
-                return solver
-                    .solve(at(solver.sites() / length, franke_laplacian) / (length * length),
-                           at(solver.boundary_sites() / length, franke))
-                    .values;
+                return solved(PoissonSolver(functions(mesh, side)),
+                              at(sites(mesh, side) / length, franke_laplacian) / (length * length),
+                              at(boundary_sites(mesh, side) / length, franke))
+                    .form.values;
             };
             EXPECT_TRUE(solve(scale).isApprox(solve(1), 1e-10)) << name(side) << ' ' << scale;
         }
 }
 
 std::string dual_refusal(const Mesh& mesh) {
-    return refusal([&] { PoissonSolver(circumcentric(mesh), {.side = Side::dual}); });
+    return refusal([&] { PoissonSolver(functions(circumcentric(mesh), Side::dual)); });
 }
 
 TEST(DualProblemRefuses, what_has_not_two_sides) {
     EXPECT_TRUE(says(dual_refusal(moebius(12, 2)),
                      {"non-orientable", "dual 0-forms", "facet 0", "vertices 0, 1"}));
     EXPECT_TRUE(says(dual_refusal(read_golden("branching.off")),
-                     {"3 cells", "facet 0", "vertices 0, 1", "flux"}));
+                     {"3 cells", "facet 0", "vertices 0, 1", "flows"}));
 }
 
 TEST(DualProblemRefuses, interior_facets_without_dual) {
     EXPECT_TRUE(says(refusal([] {
                          const auto mesh =
                              circumcentric(grid(2, 2), {.criterion = MergeCriterion::none});
-                         PoissonSolver(mesh, {.side = Side::dual});
+                         PoissonSolver(functions(mesh, Side::dual));
                      }),
                      {"dual", "facet 2", "vertices 0, 4", "length"}));
 }
@@ -295,45 +291,44 @@ TEST(DualProblemRefuses, interior_facets_without_dual) {
 TEST(PrimalProblem, needs_no_two_sides) {
     for (const auto& input : {moebius(12, 2), read_golden("branching.off")}) {
         const auto mesh = circumcentric(input);
-        PoissonSolver solver(mesh);
-        const Vector ones = Vector::Ones(solver.boundary_sites().rows());
-        const Vector u = solver.solve(Vector::Zero(solver.sites().rows()), ones).values;
-        EXPECT_LE((u.array() - 1).abs().maxCoeff(), 1e-12);
+        const Vector ones = Vector::Ones(mesh.complex().size(0));
+        const auto found = solved(PoissonSolver(functions(mesh, Side::primal)), 0 * ones, ones);
+        EXPECT_LE((found.form.values - ones).cwiseAbs().maxCoeff(), 1e-12);
     }
 }
 
 TEST(PoissonSolverRefuses, data_that_are_no_numbers_or_too_few) {
     const auto mesh = circumcentric(grid(2, 2));
-    PoissonSolver solver(mesh);
+    const PoissonSolver solver(functions(mesh, Side::primal));
     const Vector zeros = Vector::Zero(9);
     Vector bad = zeros;
     bad[4] = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_TRUE(says(refusal([&] { solver.solve(bad, zeros); }), {"right-hand side", "4", "nan"}));
+    EXPECT_TRUE(says(refusal([&] { solved(solver, bad); }), {"primal 0-form", "4", "nan"}));
     bad[4] = std::numeric_limits<double>::infinity();
-    EXPECT_TRUE(says(refusal([&] { solver.solve(zeros, bad); }), {"boundary data", "4", "inf"}));
-    EXPECT_TRUE(says(refusal([&] { solver.solve(Vector::Zero(8), zeros); }),
-                     {"right-hand side", "8 values", "9 places"}));
-    EXPECT_TRUE(says(refusal([&] { solver.solve(zeros, Vector::Zero(10)); }),
-                     {"boundary data", "10 values", "9 places"}));
-    EXPECT_TRUE(says(refusal([&] { solver.solve(zeros, zeros, zeros); }),
-                     {"normal derivatives", "9 values", "12 places"}));
-    EXPECT_TRUE(
-        says(refusal([&] {
-                 PoissonSolver(mesh, {.boundary = {.facets = {2, BoundaryCondition::natural}}});
-             }),
-             {"2 boundary conditions", "12 1-cells"}));
+    EXPECT_TRUE(says(refusal([&] { solved(solver, zeros, bad); }),
+                     {"boundary values of the form", "4", "inf"}));
+    EXPECT_TRUE(says(refusal([&] { solved(solver, Vector::Zero(8)); }),
+                     {"primal 0-form", "8 values", "9 0-cells"}));
+    EXPECT_TRUE(says(refusal([&] { solved(solver, zeros, Vector::Zero(10)); }),
+                     {"10 boundary values", "expected 9"}));
+    EXPECT_TRUE(says(refusal([&] { solved(solver, zeros, zeros, zeros); }),
+                     {"9 outward derivatives", "expected 12"}));
+    EXPECT_TRUE(says(refusal([&] {
+                         functions(mesh, Side::primal, {.facets = {2, BoundaryCondition::natural}});
+                     }),
+                     {"2 boundary conditions", "12 1-cells"}));
 }
 
 TEST(PoissonSolverRefuses, data_that_overflow_with_the_volumes) {
     const auto mesh = circumcentric(grid(2, 2));
     for (const Side side : sides) {
-        PoissonSolver solver(mesh, {.side = side});
-        const Vector f = Vector::Zero(solver.sites().rows());
-        const Vector values = Vector::Constant(solver.boundary_sites().rows(), -1.5e308);
+        const PoissonSolver solver(functions(mesh, side));
+        const Vector f = Vector::Zero(sites(mesh, side).rows());
+        const Vector values = Vector::Constant(boundary_sites(mesh, side).rows(), -1.5e308);
         EXPECT_TRUE(
-            says(refusal([&] { solver.solve(f, values); }),
+            says(refusal([&] { solved(solver, f, values); }),
                  {"right-hand side", side == Side::primal ? "0-cell 4" : "2-cell 0", "-inf"}));
-        EXPECT_TRUE(solver.solve(f, values / 16).values.allFinite());
+        EXPECT_TRUE(solved(solver, f, values / 16).form.values.allFinite());
     }
 }
 
@@ -341,15 +336,12 @@ TEST(PoissonSolverRefuses, data_that_overflow_with_the_volumes) {
 /// boundary, what flows out elsewhere.
 double error_of_linear_solution(const Discretization& mesh) {
     const Vector slope = random_vector(3, 8);
-    PoissonOptions options;
-    options.boundary =
+    const auto left =
         essential_where(cell_centers(mesh, 2), [](const Vector& x) { return x[0] < 0.5; });
-    const PoissonSolver solver(mesh, options);
-    const Vector exact = solver.sites() * slope;
-    const Vector outflow = outward_normals(mesh) * slope;
-    return (solver.solve(Vector::Zero(exact.size()), exact, outflow).values - exact)
-        .cwiseAbs()
-        .maxCoeff();
+    const Vector exact = sites(mesh, Side::primal) * slope;
+    const auto found = solved(PoissonSolver(functions(mesh, Side::primal, left)), 0 * exact, exact,
+                              outward_normals(mesh) * slope);
+    return (found.form.values - exact).cwiseAbs().maxCoeff();
 }
 
 TEST(PoissonByStars, has_linear_solutions_on_obtuse_tets) {
@@ -369,19 +361,20 @@ TEST(PoissonByStars, makes_the_star_of_conductivities) {
     Vector kappa(mesh.complex().size(3));
     for (Index cell = 0; cell < kappa.size(); ++cell)
         kappa[cell] = 1 + cell % 3;
-    for (const Side side : {Side::primal, Side::dual}) {
+    for (const Side side : sides) {
         const int k = side == Side::primal ? 1 : 2;
         const Vector weights = side == Side::primal ? kappa : Vector(kappa.cwiseInverse());
         const auto own = mesh.with_stars(
             mesh.stars().with(k, material_star(mesh, k, CellData::on_cells(weights))));
-        const auto solve = [&](const Discretization& given, const Vector& conductivity) -> Vector {
-            const PoissonSolver solver(
-                given, {.side = side, .conductivity = CellData::on_cells(conductivity)});
-            return solver.solve(Vector::Ones(solver.sites().rows()), solver.boundary_sites().col(0))
-                .values;
+        const auto solve = [&](const Discretization& given) {
+            return solved(PoissonSolver(functions(given, side)),
+                          Vector::Ones(sites(given, side).rows()),
+                          boundary_sites(given, side).col(0))
+                .form.values;
         };
-        EXPECT_EQ(solve(mesh, kappa), solve(own, {}));
-        EXPECT_GT(relative_difference(solve(mesh, kappa), solve(mesh, {})), 1e-5);
+        const auto made = with_conductivity(mesh, side, CellData::on_cells(kappa));
+        EXPECT_EQ(solve(made), solve(own));
+        EXPECT_GT(relative_difference(solve(made), solve(mesh)), 1e-5);
     }
 }
 
@@ -390,7 +383,7 @@ TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
     const auto stars = mesh.with_stars(mesh.with_stars(StarKind::galerkin).stars());
     const Vector ones = Vector::Ones(mesh.complex().size(3));
     EXPECT_TRUE(
-        says(refusal([&] { PoissonSolver(stars, {.conductivity = CellData::on_cells(ones)}); }),
+        says(refusal([&] { with_conductivity(stars, Side::primal, CellData::on_cells(ones)); }),
              {"material_star"}));
 }
 

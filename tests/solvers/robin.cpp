@@ -2,11 +2,10 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/form_space.h"
 #include "meshes/generate.h"
-#include "solvers/darcy.h"
 #include "solvers/heat.h"
-#include "solvers/hodge.h"
-#include "solvers/poisson.h"
-#include "solvers/spectrum.h"
+#include "solvers/sources/hodge.h"
+#include "solvers/sources/poisson.h"
+#include "solvers/spectra/spectrum.h"
 #include "tests/solvers/cases.h"
 #include "tests/solvers/flow_samples.h"
 #include "tests/support/circumcentric.h"
@@ -59,14 +58,12 @@ double slope(const Vector& p) {
 /// L2 error of the wave for the data slope + varied(coefficient) u, solved with another
 /// coefficient.
 double error(const Discretization& mesh, Side side, double coefficient, double solved_with) {
-    const PoissonSolver solver(mesh, {.side = side, .boundary = varied_robin(mesh, solved_with)});
-    const Vector exact = at(solver.sites(), wave);
-    const Vector data = at(solver.flux_sites(), [&](const Vector& p) {
+    const PoissonSolver solver(functions(mesh, side, varied_robin(mesh, solved_with)));
+    const Vector exact = at(sites(mesh, side), wave);
+    const Vector data = at(facet_sites(mesh), [&](const Vector& p) {
         return slope(p) + varied(coefficient, p) * wave(p);
     });
-    const Vector u =
-        solver.solve(5 * exact, Vector::Zero(solver.boundary_sites().rows()), data).values;
-    return l2_norm(mesh, side, u - exact);
+    return l2_norm(mesh, side, solved(solver, 5 * exact, {}, data).form.values - exact);
 }
 
 /// Calls law(case, side) for cells of the plane with diagonal stars and with matrices, both sides.
@@ -113,16 +110,20 @@ TEST(Robin, of_a_slab_is_exact) {
             ends.coefficients.push_back(!is_end ? 0 : x < 0.5 ? alpha : beta);
         }
         for (const Side side : sides) {
-            const PoissonSolver solver(mesh, {.side = side, .boundary = ends});
-            const auto solution = solver.solve(Vector::Ones(solver.sites().rows()),
-                                               Vector::Zero(solver.boundary_sites().rows()));
-            const auto x = solver.sites().col(0).array();
+            const Points places = sites(mesh, side);
+            const auto solution =
+                solved(PoissonSolver(functions(mesh, side, ends)), Vector::Ones(places.rows()));
+            const auto x = places.col(0).array();
             // a cell's balance lets dual values be off by an eighth of the square of its length
             const double h = 1 / std::round(std::pow(mesh.complex().size(n), 1.0 / n));
             const double offset = side == Side::primal ? 0 : h * h / 8;
             const Vector exact = c + alpha * c * x - x * x / 2 + offset;
-            EXPECT_LE(relative_difference(solution.values, exact), 1e-11) << n << name(side);
+            EXPECT_LE(relative_difference(solution.form.values, exact), 1e-11) << n << name(side);
             EXPECT_EQ(solution.compatibility.free_components, 0);
+            if (side == Side::dual) {
+                const Vector made = d(mesh.complex(), solution.flux).values;
+                EXPECT_LE(relative_difference(made, mesh.volumes().primal(n)), 1e-11) << n;
+            }
         }
     }
 }
@@ -140,14 +141,11 @@ TEST(Robin, of_a_ring_converges_to_the_closed_form) {
         std::vector<double> errors;
         for (const int m : {12, 24, 48}) {
             const auto mesh = circumcentric(ring(6 * m, m));
-            const PoissonSolver solver(mesh, {.side = side, .boundary = robin(alpha)});
-            const Vector u = solver
-                                 .solve(Vector::Ones(solver.sites().rows()),
-                                        Vector::Zero(solver.boundary_sites().rows()))
-                                 .values;
             const Vector wanted =
-                at(solver.sites(), [&](const Vector& x) { return exact(x.norm()); });
-            errors.push_back((u - wanted).cwiseAbs().maxCoeff());
+                at(sites(mesh, side), [&](const Vector& x) { return exact(x.norm()); });
+            const auto found = solved(PoissonSolver(functions(mesh, side, robin(alpha))),
+                                      Vector::Ones(wanted.size()));
+            errors.push_back((found.form.values - wanted).cwiseAbs().maxCoeff());
         }
         EXPECT_LE(errors[2], 2e-3) << name(side);
         EXPECT_GE(std::log2(errors[0] / errors[1]), 1.8) << name(side);
@@ -270,12 +268,11 @@ TEST(Robin, of_an_infinite_coefficient_is_Dirichlets_and_of_none_Neumanns) {
             for (const StarKind kind : kinds) {
                 const auto mesh = with_stars(mesh_named(name_of), kind);
                 const auto solution = [&](const BoundaryConditions& conditions, double data) {
-                    const PoissonSolver solver(mesh, {.side = side, .boundary = conditions});
-                    const Vector f = random_vector(solver.sites().rows(), 1);
-                    return solver
-                        .solve(f, Vector::Constant(solver.boundary_sites().rows(), 0.7),
-                               Vector::Constant(solver.flux_sites().rows(), data))
-                        .values;
+                    return solved(PoissonSolver(functions(mesh, side, conditions)),
+                                  random_vector(sites(mesh, side).rows(), 1),
+                                  Vector::Constant(boundary_sites(mesh, side).rows(), 0.7),
+                                  Vector::Constant(facet_sites(mesh).rows(), data))
+                        .form.values;
                 };
                 const Vector dirichlet = solution({BoundaryCondition::essential}, 0);
                 EXPECT_LE(relative_difference(solution(robin(1e9), 0.7e9), dirichlet), 1e-6)
@@ -286,11 +283,9 @@ TEST(Robin, of_an_infinite_coefficient_is_Dirichlets_and_of_none_Neumanns) {
 
 TEST(Robin, is_refused_where_it_and_a_negative_half_dual_leave_no_resistance) {
     const auto mesh = circumcentric(mesh_named("bcc2"));
-    EXPECT_TRUE(
-        says(refusal([&] { PoissonSolver(mesh, {.side = Side::dual, .boundary = robin(16)}); }),
-             {"facet 0", "vertices 0, 1, 3, 4", "-0.125", "1", "Robin", "-0.0625"}));
-    EXPECT_EQ(refusal([&] { PoissonSolver(mesh, {.side = Side::dual, .boundary = robin(4)}); }),
-              "accepted");
+    EXPECT_TRUE(says(refusal([&] { PoissonSolver(functions(mesh, Side::dual, robin(16))); }),
+                     {"facet 0", "vertices 0, 1, 3, 4", "-0.125", "1", "Robin", "-0.0625"}));
+    EXPECT_EQ(refusal([&] { PoissonSolver(functions(mesh, Side::dual, robin(4))); }), "accepted");
 }
 
 TEST(Robin, is_refused_by_name_where_it_is_not_known) {
@@ -299,13 +294,10 @@ TEST(Robin, is_refused_by_name_where_it_is_not_known) {
                          HodgeSolver({mesh, Side::primal, 0, robin(1)});
                      }),
                      {"facet 0", "Robin", "PoissonSolver"}));
-    EXPECT_TRUE(says(refusal([&] { DarcySolver(mesh, {.boundary = robin(1)}); }),
-                     {"facet 0", "Robin", "Darcy"}));
-    EXPECT_TRUE(says(refusal([&] { PoissonSolver(mesh, {.boundary = robin(-1)}); }),
+    EXPECT_TRUE(says(refusal([&] { functions(mesh, Side::primal, robin(-1)); }),
                      {"Robin", "1-cell 0", "-1"}));
-    EXPECT_TRUE(
-        says(refusal([&] { PoissonSolver(mesh, {.boundary = {BoundaryCondition::robin}}); }),
-             {"0 coefficients", "Robin", "12 1-cells"}));
+    EXPECT_TRUE(says(refusal([&] { functions(mesh, Side::primal, {BoundaryCondition::robin}); }),
+                     {"0 coefficients", "Robin", "12 1-cells"}));
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 #include "dec/discretization.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/side.h"
-#include "solvers/hodge_laplace.h"
+#include "solvers/sources/poisson.h"
 
 namespace polydec::test {
 

@@ -2,7 +2,7 @@
 #include "base/errors.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/derivative.h"
-#include "solvers/waves.h"
+#include "solvers/time/waves.h"
 #include "tests/solvers/cases.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/waves.h"
+#include "solvers/time/waves.h"
 
 #include "dec/fields/de_rham.h"
 #include "dec/forms/boundary_conditions.h"

@@ -6,7 +6,7 @@
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
-#include "solvers/waves.h"
+#include "solvers/time/waves.h"
 #include "tests/solvers/star_samples.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/dense_laplacian.h"

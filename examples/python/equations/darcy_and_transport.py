@@ -6,7 +6,7 @@ import polydec
 
 rock = polydec.discretize(polydec.meshes.hexagons(32))
 ends = lambda x: (x[:, 0] < 1e-9) | (x[:, 0] > 1 - 1e-9)
-flow = polydec.darcy(rock, pressure=lambda x: 1 - x[:, 0], essential=ends).flux
+flow = polydec.poisson(rock, 0.0, lambda x: 1 - x[:, 0], side="dual", essential=ends).flux
 transport = polydec.FluxTransport(rock)
 salt, salty = np.zeros(rock.size(2)), np.ones(rock.size(1))
 came, time, dt = 0.0, 0.0, 0.9 * transport.stable_step(flow)

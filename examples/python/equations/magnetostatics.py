@@ -10,5 +10,5 @@ iron = box.with_material(2, lambda x: np.where(
 turned = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 0]])
 coil = polydec.de_rham(box, 1, lambda x: (x - 0.5) @ turned * np.exp(
     -30 * ((x[:, :2] - 0.5) ** 2).sum(axis=1, keepdims=True)))
-A = polydec.HodgeLaplaceSolver(iron, degree=1).solve_curl_curl(coil).potential
+A = polydec.PoissonSolver(iron, degree=1).solve_curl_curl(coil).potential
 print(f"energy {A.d().norm() ** 2 / 2:g}, work {iron.inner_product(A.values, coil, 1) / 2:g}")

@@ -8,7 +8,7 @@ import polydec
 torus = polydec.discretize(polydec.meshes.torus(24, 16))
 field = lambda x: np.column_stack([x[:, 1], -x[:, 0], x[:, 2]])
 f = torus.cochain(polydec.de_rham(torus, 1, field), 1)
-solver = polydec.HodgeLaplaceSolver(torus, degree=1)
+solver = polydec.PoissonSolver(torus, degree=1)
 found = solver.solve(f)
 left = found.form.laplacian() + found.removed - f
 print(f"{solver.harmonic_forms().shape[1]} harmonic forms, a share of "

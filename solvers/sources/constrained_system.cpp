@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/sources/constrained_system.h"
+
+#include "backends/registry.h"
+#include "base/checks.h"
+#include "base/errors.h"
+#include "complex/disjoint_sets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+void check_sizes(const ConstrainedSystem& system) {
+    const auto n = static_cast<std::size_t>(system.A.rows());
+    if (system.A.cols() != system.A.rows() || system.fixed.size() != n || system.tied.size() != n ||
+        static_cast<std::size_t>(system.weights.size()) != n)
+        throw InvalidInput(fmt::format("constrained system of {} rows, {} columns, {} flags fixed, "
+                                       "{} flags tied, {} weights: expected equal sizes",
+                                       n, system.A.cols(), system.fixed.size(), system.tied.size(),
+                                       system.weights.size()));
+}
+
+/// Only ratios of weights matter: a power of two makes the largest 1 to 2.
+void normalize(Vector& weights) {
+    const double largest = weights.size() > 0 ? weights.maxCoeff() : 0;
+    if (largest > 0 && std::isfinite(largest))
+        for (double& weight : weights)
+            weight = std::ldexp(weight, -std::ilogb(largest));
+}
+
+/// The rows and columns of A in the list.
+SparseMatrix part(const SparseMatrix& A, const std::vector<Index>& list) {
+    std::vector<Index> place(A.rows(), -1);
+    for (std::size_t i = 0; i < list.size(); ++i)
+        place[list[i]] = static_cast<Index>(i);
+    SparseMatrix result(static_cast<Index>(list.size()), static_cast<Index>(list.size()));
+    result.reserve(A.nonZeros());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        result.startVec(static_cast<Index>(i));
+        for (SparseMatrix::InnerIterator entry(A, list[i]); entry; ++entry)
+            if (place[entry.col()] >= 0)
+                result.insertBack(static_cast<Index>(i), place[entry.col()]) = entry.value();
+    }
+    result.finalize();
+    return result;
+}
+
+} // namespace
+
+FreeComponents::FreeComponents(const SparseMatrix& graph, const std::vector<bool>& fixed,
+                               const std::vector<bool>& tied, Vector weights)
+    : weights_(std::move(weights)) {
+    normalize(weights_);
+    const auto n = static_cast<Index>(graph.rows());
+    DisjointSets sets(n);
+    std::vector<bool> held = tied;
+    for (Index i = 0; i < n; ++i)
+        for (SparseMatrix::InnerIterator entry(graph, i); entry; ++entry) {
+            const auto j = static_cast<Index>(entry.col());
+            if (entry.value() == 0 || fixed[i])
+                continue;
+            if (fixed[j])
+                held[i] = true;
+            else
+                sets.join(i, j);
+        }
+
+    std::vector<bool> held_root(n, false);
+    for (Index i = 0; i < n; ++i)
+        if (held[i] && !fixed[i])
+            held_root[sets.find(i).element] = true;
+    std::vector<Index> number(n, -1);
+    component_.assign(n, -1);
+    Index count = 0;
+    for (Index i = 0; i < n; ++i) {
+        const Index root = sets.find(i).element;
+        if (fixed[i] || held_root[root])
+            continue;
+        if (number[root] < 0)
+            number[root] = count++;
+        component_[i] = number[root];
+    }
+    weights_of_all_ = Vector::Zero(count);
+    for (Index i = 0; i < n; ++i)
+        if (const Index c = component_[i]; c >= 0)
+            weights_of_all_[c] += weights_[i];
+}
+
+Compatibility FreeComponents::balance(Vector& b) const {
+    Vector sum = Vector::Zero(count()), size = sum;
+    for (Index i = 0; i < b.size(); ++i)
+        if (const Index c = component_[i]; c >= 0) {
+            sum[c] += b[i];
+            size[c] += std::abs(b[i]);
+        }
+    Compatibility compatibility{count(), 0};
+    for (Index c = 0; c < count(); ++c)
+        if (size[c] > 0)
+            compatibility.worst = std::max(compatibility.worst, std::abs(sum[c]) / size[c]);
+    for (Index i = 0; i < b.size(); ++i)
+        if (const Index c = component_[i]; c >= 0)
+            b[i] -= sum[c] * weights_[i] / weights_of_all_[c];
+    return compatibility;
+}
+
+void FreeComponents::remove_means(Vector& u) const {
+    Vector mean = Vector::Zero(count());
+    for (Index i = 0; i < u.size(); ++i)
+        if (const Index c = component_[i]; c >= 0)
+            mean[c] += weights_[i] * u[i] / weights_of_all_[c];
+    for (Index i = 0; i < u.size(); ++i)
+        if (const Index c = component_[i]; c >= 0)
+            u[i] -= mean[c];
+}
+
+void check_loads(const char* what, const Vector& loads, int degree) {
+    for (Index i = 0; i < loads.size(); ++i)
+        if (!std::isfinite(loads[i]))
+            throw InvalidInput(fmt::format("{} at {}-cell {} is {}: data times volumes leave the "
+                                           "range of numbers there; divide all data by a power of "
+                                           "two, and multiply the solution by it",
+                                           what, degree, i, loads[i]),
+                               {.degree = degree, .cells = {i}});
+}
+
+std::vector<std::string> warning_of(const Compatibility& compatibility) {
+    constexpr double rounding = 1e-10;
+    if (compatibility.worst <= rounding)
+        return {};
+    return {fmt::format("the right-hand side does not sum to zero on {} component{} without "
+                        "boundary data (relative {:.2g}): its mean was removed",
+                        compatibility.free_components,
+                        compatibility.free_components == 1 ? "" : "s", compatibility.worst)};
+}
+
+ConstrainedSolver::ConstrainedSolver(ConstrainedSystem&& system, const std::string& engine)
+    : solver_(make_linear_solver(engine)) {
+    SparseMatrix A; // what moves would be copied
+    A.swap(system.A);
+    system_ = std::move(system);
+    system_.A.swap(A);
+    check_sizes(system_);
+    components_ = {system_.A, system_.fixed, system_.tied, system_.weights};
+
+    // one unknown of each free component is set to zero for the time being
+    std::vector<bool> grounded(components_.count(), false);
+    for (Index i = 0; i < system_.A.rows(); ++i) {
+        if (system_.fixed[i])
+            continue;
+        const Index component = components_.of(i);
+        if (component < 0 || grounded[component])
+            unknowns_.push_back(i);
+        else
+            grounded[component] = true;
+    }
+    MatrixFacts facts;
+    facts.symmetry = Symmetry::symmetric;
+    facts.definiteness = system_.definiteness == Definiteness::indefinite ? Definiteness::indefinite
+                                                                          : Definiteness::positive;
+    facts.domain_dimension = system_.domain_dimension;
+    solver_->factorize(part(system_.A, unknowns_), facts);
+}
+
+Solution ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) const {
+    const auto n = static_cast<Index>(system_.A.rows());
+    if (b.size() != n || fixed_values.size() != n)
+        throw InvalidInput(fmt::format("right-hand side of {} and fixed values of {} entries: "
+                                       "expected {}",
+                                       b.size(), fixed_values.size(), n));
+    if (!fixed_values.allFinite())
+        throw InvalidInput("fixed values of a constrained system are not finite: scale the data");
+    Vector u = Vector::Zero(n);
+    for (Index i = 0; i < n; ++i)
+        if (system_.fixed[i])
+            u[i] = fixed_values[i];
+    // no free component has a fixed neighbor, so there it is b
+    Vector right_side = b - system_.A * u;
+    for (Index i = 0; i < n; ++i)
+        if (system_.fixed[i])
+            right_side[i] = 0;
+    check_loads("the right-hand side of the system", right_side, system_.degree);
+    const Compatibility compatibility = components_.balance(right_side);
+
+    const Vector reduced = right_side(unknowns_);
+    const Vector solution = solver_->solve(reduced);
+    u(unknowns_) = solution;
+
+    components_.remove_means(u);
+    if (!u.allFinite())
+        throw SolverFailure("the solution has values that are not finite: data or weights leave "
+                            "the range of numbers; scale them");
+    return {std::move(u), solver_->report(), compatibility, warning_of(compatibility)};
+}
+
+} // namespace polydec

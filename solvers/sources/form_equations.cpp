@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/sources/form_equations.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+#include "dec/forms/boundary_conditions.h"
+#include "dec/forms/cochain.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/gram.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+double sign(int exponent) {
+    return exponent % 2 == 0 ? 1 : -1;
+}
+
+/// From values of the cells that are not marked to those of all, 0 at the others.
+SparseMatrix all_but(const std::vector<bool>& marks) {
+    std::vector<Index> cells;
+    for (std::size_t s = 0; s < marks.size(); ++s)
+        if (!marks[s])
+            cells.push_back(static_cast<Index>(s));
+    return inclusion(cells, static_cast<Index>(marks.size()));
+}
+
+/// d_k^T star_(k+1) d_k over the cells where dw follows from w: all but those that are left out
+/// without data on all their faces. Stars that are matrices couple these with the free ones. What
+/// is no more than rounding connects nothing.
+SparseMatrix upper_stiffness(const FormSpace& space, int k) {
+    const CellComplex& complex = space.cells().complex();
+    const HodgeStar star = space.cells().stars()[k + 1];
+    const CellMarks &fixed = space.fixed(), &left_out = space.left_out();
+    const auto unknown = [&](Index cell) { return left_out[k + 1][cell] && !fixed[k + 1][cell]; };
+    SparseMatrix A;
+    if (star.is_diagonal()) {
+        Vector weights = star.diagonal();
+        weights(star.zeros()).setZero();
+        for (Index cell = 0; cell < weights.size(); ++cell)
+            if (unknown(cell))
+                weights[cell] = 0;
+        A = gram_of_columns(complex.incidences(k), weights);
+    } else {
+        SparseMatrix M = star.matrix();
+        M.prune([&](Eigen::Index row, Eigen::Index column, double) {
+            return !unknown(static_cast<Index>(row)) && !unknown(static_cast<Index>(column));
+        });
+        const SparseMatrix d = derivative(complex, k);
+        A = SparseMatrix(SparseMatrix(d.transpose()) * M) * d;
+    }
+    A.prune(0.0);
+    return A;
+}
+
+SparseMatrix transpose_of(const SparseMatrix& A) {
+    return A.transpose();
+}
+
+/// Where the center of an n-cell lies on the boundary and the cell is left out for it: from values
+/// at its facets there to that of the cell, their mean.
+SparseMatrix centers_on_the_boundary(const CellComplex& complex, const FormSpace& space) {
+    const int n = complex.dimension();
+    const CellMarks &fixed = space.fixed(), &left_out = space.left_out();
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    for (Index t = 0; t < complex.size(n); ++t) {
+        if (!left_out[n][t])
+            continue;
+        std::vector<Index> touched;
+        for (const SignedFace& f : complex.incidences(n - 1)[t])
+            if (left_out[n - 1][f.face] && !fixed[n - 1][f.face])
+                touched.push_back(f.face);
+        for (const Index f : touched)
+            entries.emplace_back(t, f, 1.0 / static_cast<double>(touched.size()));
+    }
+    SparseMatrix result(complex.size(n), complex.size(n - 1));
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+}
+
+/// What is known of a primal k-form w on the boundary: w, delta w, and over the duals there star w
+/// and star dw. Dual forms are stars of primal ones.
+struct PrimalData {
+    Vector w, below, star_w, star_dw;
+};
+
+PrimalData primal_data(const BoundaryForms& data, const FormEquations& of) {
+    const int n = of.dimension, k = of.k;
+    const auto values = [&](const Vector& given, int degree, const char* what, double factor) {
+        const auto size = degree == k ? of.M.rows() : of.M_below.rows();
+        if (given.size() == 0)
+            return Vector(Vector::Zero(size));
+        check_as_many(what, given.size(), size);
+        for (Index i = 0; i < given.size(); ++i)
+            if (!std::isfinite(given[i]))
+                throw InvalidInput(fmt::format("{}: value {} is {}", what, i, given[i]));
+        return Vector(factor * given);
+    };
+    constexpr auto trace = "boundary values of the form",
+                   below = "boundary values of the codifferential",
+                   flow = "boundary values of the star of the form",
+                   derivative_flow = "boundary values of the star of the derivative";
+    if (of.side == Side::primal)
+        return {values(data.values, k, trace, 1), values(data.codifferential, k - 1, below, 1),
+                values(data.flow, k - 1, flow, 1),
+                values(data.derivative_flow, k, derivative_flow, 1)};
+    return {values(data.flow, k, flow, sign(k * (n - k))),
+            values(data.derivative_flow, k - 1, derivative_flow, sign(k + (k - 1) * (n - k + 1))),
+            values(data.values, k - 1, trace, 1),
+            values(data.codifferential, k, below, sign(k + 1))};
+}
+
+Vector ones_at(const CellMarks& marks, int k) {
+    if (k < 0)
+        return {};
+    Vector result(static_cast<Index>(marks[k].size()));
+    for (Index s = 0; s < result.size(); ++s)
+        result[s] = marks[k][s] ? 1 : 0;
+    return result;
+}
+
+/// What data at the duals within the boundary add to d^T of what a k-form has over the duals.
+SparseMatrix boundary_part(const CellComplex& complex, int k) {
+    const int n = complex.dimension();
+    if (k < 0 || k == n)
+        return SparseMatrix(k < 0 ? 0 : complex.size(n), k < 0 ? 0 : complex.size(n));
+    return sign(k) * dual_boundary_derivative(complex, n - 1 - k);
+}
+
+SparseMatrix or_zeros(const SparseMatrix& matrix, Eigen::Index size) {
+    return matrix.size() > 0 ? matrix : SparseMatrix(size, size);
+}
+
+/// 1 at the cells on facets where dual forms have values, else 0.
+Vector asked_for(const CellComplex& complex, Side side, const BoundaryConditions& conditions,
+                 int k) {
+    return side == Side::primal ? Vector(Vector::Ones(complex.size(k)))
+                                : ones_at(essential_cells(complex, conditions), k);
+}
+
+} // namespace
+
+FormEquations::FormEquations(const FormSpace& space)
+    : FormEquations(space, space.cells().complex(), space.cells().stars()) {}
+
+FormEquations::FormEquations(const FormSpace& space, const CellComplex& complex,
+                             const HodgeStars& stars)
+    : side(space.side()),
+      dimension(complex.dimension()),
+      k(space.cell_degree()),
+      left_out(space.left_out()[k]),
+      left_out_below(k > 0 ? space.left_out()[k - 1] : std::vector<bool>()),
+      kept(all_but(left_out)),
+      kept_below(all_but(left_out_below)),
+      given(ones_at(space.fixed(), k)),
+      given_below(ones_at(space.fixed(), k - 1)),
+      asked(k > 0 ? asked_for(complex, side, space.conditions(), k - 1) : Vector()),
+      M(stars[k].matrix()),
+      M_below(k > 0 ? stars[k - 1].matrix() : SparseMatrix(0, 0)),
+      upper(M.rows(), M.rows()),
+      down(transpose_of(derivative(complex, k - 1)) * M),
+      B(boundary_part(complex, k)),
+      B_below(boundary_part(complex, k - 1)),
+      fix(M.rows(), B_below.cols()),
+      load(M.rows(), M.rows()),
+      robin(or_zeros(space.robin_weights(), M.rows())),
+      robin_below(or_zeros(space.robin_layer(), M_below.rows())) {
+    if (k == dimension)
+        fix = centers_on_the_boundary(complex, space);
+    else
+        upper = upper_stiffness(space, k);
+    if (k == dimension - 1)
+        load = transpose_of(derivative(complex, k)) * centers_on_the_boundary(complex, space);
+}
+
+namespace {
+
+/// Adds A x to a sum, and its size to that of the terms.
+void add(Vector& sum, Vector& terms, double sign_of, const SparseMatrix& A, const Vector& x) {
+    sum += sign_of * (A * x);
+    terms += A.cwiseAbs() * x.cwiseAbs();
+}
+
+} // namespace
+
+BoundaryLoads FormEquations::loads(const BoundaryForms& data) const {
+    PrimalData known = primal_data(data, *this);
+    known.star_w = known.star_w.cwiseProduct(asked);
+    BoundaryLoads result{
+        known.w.cwiseProduct(given), known.below.cwiseProduct(given_below), {}, {}, {}, {}};
+    auto& [w, below, b, g, b_terms, g_terms] = result;
+    if (fix.nonZeros() > 0)
+        w += (fix * known.star_w).cwiseQuotient(M.diagonal());
+    b_terms = b = Vector::Zero(M.rows());
+    g_terms = g = Vector::Zero(M_below.rows());
+    add(b, b_terms, 1, B, known.star_dw);
+    add(b, b_terms, -1, load, known.star_dw);
+    add(g, g_terms, 1, B_below, known.star_w);
+    add(g, g_terms, -1, robin_below, known.below);
+    return result;
+}
+
+BoundaryLoads FormEquations::loads_of_free_values(const BoundaryForms& data) const {
+    BoundaryLoads result = loads(data);
+    auto& [w, below, b, g, b_terms, g_terms] = result;
+    add(b, b_terms, -1, upper, w);
+    add(b, b_terms, -1, robin, w);
+    add(b, b_terms, -1, transpose_of(down), below);
+    add(g, g_terms, 1, M_below, below);
+    add(g, g_terms, 1, robin_below, below);
+    add(g, g_terms, -1, down, w);
+    return result;
+}
+
+} // namespace polydec

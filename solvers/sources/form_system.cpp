@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "base/checks.h"
+#include "complex/homology.h"
+#include "dec/positive_mass.h"
+#include "solvers/sources/form_equations.h"
+#include "solvers/sources/hodge.h"
+#include "solvers/sources/poisson_system.h"
+#include "solvers/sources/saddle_solver.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <memory>
+
+namespace polydec {
+
+namespace {
+
+/// The star below counts with the layer that Robin's condition adds to it.
+void check_stars(const FormSpace& space) {
+    const HodgeStars stars = relative_stars(space.relative(), space.cells().stars());
+    const Side side = space.side();
+    const int k = space.cell_degree();
+    const auto degree = [&](int j) { return side == Side::primal ? j : stars.dimension() - j; };
+    check_positive_mass(stars[k], side, degree(k));
+    if (k == 0)
+        return;
+    HodgeStar below = stars[k - 1];
+    if (space.cells().stars()[k - 1].is_diagonal() && space.robin_layer().size() > 0) {
+        const CellVolumes& volumes = stars.volumes();
+        const Vector layer = space.relative()
+                                 .restrict(k - 1, Vector(space.robin_layer().diagonal()))
+                                 .cwiseProduct(volumes.primal(k - 1));
+        below = HodgeStar(volumes.with_dual(k - 1, volumes.dual(k - 1) + layer,
+                                            volumes.terms(k - 1).vector(),
+                                            volumes.rounding(k - 1).vector()),
+                          k - 1);
+    }
+    check_positive_mass(below, side, degree(k - 1));
+}
+
+class Forms final : public PoissonSystem {
+public:
+    Forms(const FormSpace& space, const std::string& engine) : of_(space), side_(space.side()) {
+        const CellComplex complex = space.relative().complex;
+        harmonic_.resize(of_.kept.cols(), 0);
+        if (homology_generators(complex, of_.k).cols() > 0) // takes no work where there are none
+            harmonic_ = polydec::harmonic_forms(
+                FormSpace::vanishing_on({complex, space.inside().stars()}, Side::primal, of_.k),
+                engine);
+        keep_free_of_robin();
+        const SparseMatrix P = of_.kept.transpose(), P_below = of_.kept_below.transpose();
+        weighted_ = P * of_.M * of_.kept * harmonic_;
+        solver_ = std::make_unique<SaddleSolver>(
+            SparseMatrix(P * (of_.upper + of_.robin) * of_.kept),
+            SparseMatrix(P_below * of_.down * of_.kept),
+            SparseMatrix(P_below * (of_.M_below + of_.robin_below) * of_.kept_below), engine,
+            complex.dimension());
+    }
+
+    DenseMatrix harmonic_forms() const override { return form(DenseMatrix(of_.kept * harmonic_)); }
+
+    Found solve(const Vector& f, const BoundaryForms& data, const Vector& harmonic) const override {
+        if (harmonic.size() != 0)
+            check_as_many("coefficients of harmonic forms", harmonic.size(), harmonic_.cols());
+        auto [w, below, b, g, b_terms, g_terms] = of_.loads_of_free_values(data);
+        const bool primal = side_ == Side::primal;
+        b += primal ? of_.M * f : f;
+        b_terms += primal ? Vector(of_.M.cwiseAbs() * f.cwiseAbs()) : f.cwiseAbs();
+        check_loads("the right-hand side of the system", b, of_.k);
+        const SparseMatrix P = of_.kept.transpose(), P_below = of_.kept_below.transpose();
+        Vector free = P * b;
+        const Vector excess = harmonic_.transpose() * free;
+        free -= weighted_ * excess;
+        Vector terms(P.rows() + P_below.rows());
+        terms << P * b_terms, P_below * g_terms;
+        constexpr double rounding = 1e-14;
+        if (free.norm() <= rounding * terms.head(free.size()).norm())
+            free.setZero(); // what rounding left of harmonic data has a harmonic part itself
+        const auto [x, s, report] = solver_->solve(free, P_below * g, terms);
+
+        w += of_.kept * x;
+        below += of_.kept_below * s;
+        Vector coefficients = -(harmonic_.transpose() * (P * (of_.M * w)));
+        if (harmonic.size() != 0)
+            coefficients += harmonic;
+        w += of_.kept * (harmonic_ * coefficients);
+        return {form(w), std::move(below), form(Vector(of_.kept * (harmonic_ * excess))), report};
+    }
+
+private:
+    /// Of the space, from the primal ones that it has or has the stars of.
+    template <class Values>
+    Values form(Values w) const {
+        return side_ == Side::primal ? w : Values(of_.M * w);
+    }
+
+    /// Of primal forms the harmonic ones whose traces on Robin's facets are 0: to all others the
+    /// condition adds energy.
+    void keep_free_of_robin() {
+        if (harmonic_.cols() == 0 || of_.robin.nonZeros() == 0)
+            return;
+        const DenseMatrix whole = of_.kept * harmonic_;
+        const DenseMatrix energy = whole.transpose() * (of_.robin * whole);
+        const Eigen::SelfAdjointEigenSolver<DenseMatrix> parts(energy);
+        constexpr double rounding = 1e-12;
+        const double largest = of_.robin.diagonal().dot(whole.rowwise().squaredNorm());
+        const Index free = static_cast<Index>(
+            (parts.eigenvalues().array() <= rounding * std::max(largest, energy.norm())).count());
+        harmonic_ = (harmonic_ * parts.eigenvectors().leftCols(free)).eval();
+    }
+
+    FormEquations of_;
+    Side side_;
+    DenseMatrix harmonic_, weighted_; // of free values, orthonormal; M times these
+    std::unique_ptr<SaddleSolver> solver_;
+};
+
+} // namespace
+
+std::unique_ptr<const PoissonSystem> system_of_forms(const FormSpace& space,
+                                                     const std::string& engine) {
+    check_stars(space);
+    return std::make_unique<Forms>(space, engine);
+}
+
+} // namespace polydec

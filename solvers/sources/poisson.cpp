@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/sources/poisson.h"
+
+#include "base/errors.h"
+#include "dec/advice.h"
+#include "dec/two_sided.h"
+#include "meshes/unit_of_length.h"
+#include "solvers/sources/poisson_system.h"
+
+#include <algorithm>
+
+namespace polydec {
+
+namespace {
+
+bool is_alone(const FormSpace& space) {
+    const HodgeStars& stars = space.cells().stars();
+    const int n = stars.dimension();
+    return space.cell_degree() == 0 ||
+           (space.cell_degree() == n && stars[n].is_diagonal() && stars[n - 1].is_diagonal() &&
+            is_two_sided(space.cells().complex()));
+}
+
+/// Where stars may have any sign, what the negative entries of that of fluxes do.
+std::vector<std::string> warnings_of(const FormSpace& space) {
+    if (!is_alone(space))
+        return {};
+    const bool at_vertices = space.cell_degree() == 0;
+    const int n = space.cells().dimension();
+    return warning_of_negative_duals(space.cells(), at_vertices ? std::min(1, n) : n - 1,
+                                     "the solution may be far off there");
+}
+
+std::unique_ptr<const PoissonSystem> system_of(const FormSpace& space, const std::string& engine) {
+    const Cells cells = space.cells();
+    const int n = cells.dimension(), k = space.cell_degree();
+    if (k == 0)
+        return system_of_values(space, engine);
+    if (space.side() == Side::dual && k == n)
+        check_two_sided(cells);
+    if (is_alone(space))
+        return system_of_densities(space, engine);
+    if (k == n && cells.stars()[n].is_diagonal() && is_two_sided(cells.complex()))
+        return system_of_fluxes(space, engine);
+    return system_of_forms(space, engine);
+}
+
+} // namespace
+
+PoissonSolver::PoissonSolver(const FormSpace& space, const std::string& linear_solver)
+    : space_(space), system_(system_of(space, linear_solver)), warnings_(warnings_of(space)) {}
+
+PoissonSolver::PoissonSolver(PoissonSolver&&) noexcept = default;
+PoissonSolver::~PoissonSolver() = default;
+
+PoissonSolution PoissonSolver::solve(const Cochain& f, const BoundaryForms& data,
+                                     const Vector& harmonic) const {
+    space_.check(f);
+    const Side side = space_.side();
+    const int n = space_.cells().dimension(), k = space_.cell_degree(), degree = space_.degree();
+    const double unit = space_.cells().unit();
+    auto [form, flux, removed, report, compatibility] = system_->solve(
+        in_input_units(f.values, unit, 2, "source"), in_unit(data, unit, n, degree), harmonic);
+    // relative to values of u, which are the same in both units
+    const int power = side == Side::primal ? -2 : 2 * k - n - 2;
+    PoissonSolution solution{{side, degree, std::move(form)},
+                             {Side::primal, k - 1, {}},
+                             {side, degree, in_input_units(removed, unit, -2, "removed part")},
+                             std::move(report),
+                             compatibility,
+                             warning_of(compatibility)};
+    solution.warnings.insert(solution.warnings.end(), warnings_.begin(), warnings_.end());
+    try {
+        solution.flux.values = form_in_input_units(flux, unit, power, "fluxes");
+    } catch (const InvalidInput& beyond) { // u may be a number where its flux is none
+        solution.warnings.emplace_back(beyond.what());
+    }
+    return solution;
+}
+
+DenseMatrix PoissonSolver::harmonic_forms() const {
+    return system_->harmonic_forms();
+}
+
+CurlCurlSolution solve_curl_curl(const PoissonSolver& solver, const Cochain& j,
+                                 const BoundaryForms& data) {
+    if (j.side != Side::primal)
+        throw InvalidInput("a dual form is given as the source of a curl of a curl: expected a "
+                           "primal one");
+    const auto first = solver.solve(j, data);
+    Cochain exact{Side::primal, j.degree, Vector::Zero(j.values.size())};
+    if (j.degree > 0)
+        exact.values = d(solver.space().cells().complex(), first.flux).values;
+    auto second = solver.solve(j - exact, data);
+    return {std::move(second.form), exact + first.removed, std::move(second.report)};
+}
+
+} // namespace polydec

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/sources/saddle_solver.h"
+
+#include "backends/registry.h"
+#include "base/block_matrix.h"
+#include "base/checks.h"
+#include "base/errors.h"
+#include "base/row_sum_norm.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+/// The diagonal below M, of rows whose D diag(M)^-1 D^T has diagonal 1. Pivots of this size cost
+/// half of the digits, and refinement gives them back; parts of c are refined by this over their
+/// eigenvalue, which are the squared frequencies of the mesh over the largest.
+constexpr double below = 1e-8;
+
+/// 1 over the roots of the diagonals of M and of D diag(M)^-1 D^T.
+Vector scales_of(const SparseMatrix& M, const SparseMatrix& D) {
+    check_as_many("columns of constraints", D.cols(), M.rows());
+    Vector result(M.rows() + D.rows());
+    for (Index i = 0; i < M.rows(); ++i)
+        result[i] = 1 / std::sqrt(M.coeff(i, i));
+    for (Index row = 0; row < D.rows(); ++row) {
+        double sum = 0;
+        for (SparseMatrix::InnerIterator entry(D, row); entry; ++entry)
+            sum += std::pow(entry.value() * result[entry.col()], 2);
+        result[M.rows() + row] = sum > 0 ? 1 / std::sqrt(sum) : 1;
+    }
+    return result;
+}
+
+/// The same of semidefinite M and C: what both equations make of a single x, and of a single c.
+/// Rows of nothing have the scale 1.
+Vector scales_of(const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C) {
+    check_as_many("columns of constraints", D.cols(), M.rows());
+    check_as_many("rows of constraints", D.rows(), C.rows());
+    Vector x = M.diagonal(), c = C.diagonal();
+    const auto entries = [&](auto add) {
+        for (Index row = 0; row < D.rows(); ++row)
+            for (SparseMatrix::InnerIterator entry(D, row); entry; ++entry)
+                add(row, entry.col(), std::pow(entry.value(), 2));
+    };
+    const Vector of_C = c;
+    entries([&](Index row, Eigen::Index column, double square) {
+        if (of_C[row] > 0)
+            x[column] += square / of_C[row];
+    });
+    entries([&](Index row, Eigen::Index column, double square) {
+        if (!(of_C[row] > 0) && x[column] > 0)
+            c[row] += square / x[column];
+    });
+    Vector result(x.size() + c.size());
+    result << x, c;
+    return result.unaryExpr([](double sum) { return sum == 0 ? 1 : 1 / std::sqrt(sum); });
+}
+
+/// M above, D beside and below, -C; scaled, with these diagonals of M and below it.
+SparseMatrix saddle(const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C,
+                    const Vector& scales, double of_M, double of_C) {
+    const auto with_diagonal = [](const SparseMatrix& A, double factor, double number,
+                                  const auto& part) -> SparseMatrix {
+        if (number == 0)
+            return factor * A;
+        SparseMatrix diagonal(A.rows(), A.rows());
+        diagonal.setIdentity();
+        diagonal.coeffs() = number / part.array().square();
+        return factor * A + diagonal;
+    };
+    SparseMatrix result = block_matrix(with_diagonal(M, 1, of_M, scales.head(M.rows())), D,
+                                       with_diagonal(C, -1, of_C, scales.tail(D.rows())));
+    for (Index i = 0; i < result.rows(); ++i)
+        for (SparseMatrix::InnerIterator entry(result, i); entry; ++entry)
+            entry.valueRef() *= scales[i] * scales[entry.col()];
+    return result;
+}
+
+} // namespace
+
+SaddleSolver::SaddleSolver(const SparseMatrix& M, const SparseMatrix& D, const std::string& engine,
+                           int domain_dimension)
+    : SaddleSolver(scales_of(M, D), M, D, SparseMatrix(D.rows(), D.rows()), 0, engine,
+                   domain_dimension) {}
+
+SaddleSolver::SaddleSolver(const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C,
+                           const std::string& engine, int domain_dimension)
+    : SaddleSolver(scales_of(M, D, C), M, D, C, below, engine, domain_dimension) {}
+
+SaddleSolver::SaddleSolver(Vector scales, const SparseMatrix& M, const SparseMatrix& D,
+                           const SparseMatrix& C, double above, const std::string& engine,
+                           int domain_dimension)
+    : scales_(std::move(scales)),
+      A_(saddle(M, D, C, scales_, 0, 0)),
+      size_(static_cast<Index>(M.rows())),
+      domain_dimension_(domain_dimension),
+      solver_(make_linear_solver(engine)) {
+    if (!scales_.allFinite())
+        throw InvalidInput("a matrix is given as inner products whose diagonal is not positive: "
+                           "expected a positive definite one");
+    solver_->factorize(saddle(M, D, C, scales_, above, -below),
+                       {.symmetry = Symmetry::symmetric,
+                        .domain_dimension = domain_dimension,
+                        .many_solves = true});
+    // on what D takes to 0, M decides on the signs
+    if (const auto negative = solver_->negative_pivots(); negative && *negative != D.rows())
+        throw InvalidInput(fmt::format("a matrix is given as inner products that has {} negative "
+                                       "eigenvalues: expected a positive definite one",
+                                       *negative - D.rows()));
+}
+
+SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g,
+                                         const Vector& terms) const {
+    check_as_many("values of the upper right-hand side", f.size(), size_);
+    check_as_many("values of the lower right-hand side", g.size(), A_.rows() - size_);
+    Vector b(A_.rows());
+    b << f, g;
+    b = b.cwiseProduct(scales_);
+    double size_of_data = b.lpNorm<Eigen::Infinity>();
+    if (terms.size() > 0) {
+        check_as_many("terms of the right-hand side", terms.size(), b.size());
+        size_of_data =
+            std::max(size_of_data, terms.cwiseProduct(scales_).lpNorm<Eigen::Infinity>());
+    }
+    Vector y = Vector::Zero(b.size()), left = b;
+    // corrections shrink until they are rounding, at the latest that of the residual
+    constexpr int most = 100;
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+    double before = std::numeric_limits<double>::infinity();
+    for (int pass = 0; pass < most && !left.isZero(0); ++pass) {
+        const Vector step = solver_->solve(left);
+        const double size = step.lpNorm<Eigen::Infinity>();
+        if (!(size < 0.9 * before))
+            break;
+        y += step;
+        left = b - A_ * y;
+        before = size;
+        if (size <= rounding * y.lpNorm<Eigen::Infinity>())
+            break;
+    }
+    const double scale = row_sum_norm(A_) * y.lpNorm<Eigen::Infinity>() + size_of_data;
+    const double error = scale > 0 ? left.lpNorm<Eigen::Infinity>() / scale : 0;
+    SolveReport report = solver_->report();
+    report.backward_error = error;
+    report.residual = b.isZero(0) ? 0 : left.stableNorm() / b.stableNorm();
+    constexpr double limit = 1e-10;
+    if (!(error <= limit))
+        throw SolverFailure(fmt::format("{}: the solution of a mixed problem is not to be trusted: "
+                                        "backward error {:.2g}\nThe matrix of the inner products "
+                                        "is nearly singular, or its data contradict each other.",
+                                        report.engine, error),
+                            report);
+    const Vector solution = y.cwiseProduct(scales_);
+    return {solution.head(size_), solution.tail(g.size()), report};
+}
+
+} // namespace polydec

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/time/diffusion.h"
+
+#include "backends/registry.h"
+#include "base/block_matrix.h"
+#include "base/errors.h"
+#include "base/lazy.h"
+#include "dec/advice.h"
+#include "dec/forms/laplacian.h"
+#include "dec/positive_mass.h"
+#include "meshes/unit_of_length.h"
+#include "solvers/sources/form_equations.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+/// M_k + t (d^T M_(k+1) d + weights, if there are), and beside it t times d^T M_k and, negative,
+/// M_(k-1): of a form and its codifferential. Quasi-definite, so that it has factors in every
+/// order.
+SparseMatrix mixed_step(const FormSpace& space, double t) {
+    const Cells inside = space.inside();
+    const CellComplex& complex = inside.complex();
+    const HodgeStars& stars = inside.stars();
+    const SparseMatrix weights = space.free_robin_weights();
+    const int k = space.cell_degree();
+    const Operator mass = Operator::star(stars[k]);
+    const Operator below = Operator::derivative(complex, k - 1).transposed();
+    Operator A =
+        weights.size() > 0 ? mass + t * Operator::star({stars.volumes(), k, weights}) : mass;
+    if (k < complex.dimension()) {
+        const Operator d = Operator::derivative(complex, k);
+        A = A + t * (d.transposed() * Operator::star(stars[k + 1]) * d);
+    }
+    return block_matrix(A, t * (below * mass), -t * Operator::star(stars[k - 1]));
+}
+
+/// The coefficient in squares of the unit of length.
+double in_unit_of(const Cells& cells, double coefficient) {
+    return in_input_units(Vector{{coefficient}}, cells.unit(), -2, "coefficient of diffusion")[0];
+}
+
+bool has_any(const BoundaryForms& data) {
+    return data.values.size() > 0 || data.codifferential.size() > 0 || data.flow.size() > 0 ||
+           data.derivative_flow.size() > 0;
+}
+
+} // namespace
+
+struct Diffusion::Space {
+    FormSpace of;
+    Lazy<FormEquations> equations = {}; // which data need alone
+};
+
+Diffusion::Diffusion(const FormSpace& space, double nu, const std::string& linear_solver)
+    : kept_(space.free()),
+      side_(space.side()),
+      degree_(space.degree()),
+      coefficient_(in_unit_of(space.cells(), nu)),
+      unit_(space.cells().unit()),
+      stiffness_(Operator::zero(0, 0)),
+      mass_(space.inside().stars()[space.cell_degree()]),
+      space_(new Space{space}) {
+    const Cells inside = space.inside();
+    const int k = space.cell_degree();
+    check_positive_mass(mass_, side_, degree_);
+    if (!(coefficient_ >= 0) || !std::isfinite(coefficient_))
+        throw InvalidInput(fmt::format("a coefficient of diffusion of {} is given: expected a "
+                                       "finite one of at least 0",
+                                       coefficient_));
+    solver_ = make_linear_solver(linear_solver);
+    stiffness_ = space.stiffness();
+    facts_ = {.symmetry = Symmetry::symmetric,
+              .domain_dimension = inside.dimension(),
+              .many_solves = true};
+    is_mixed_ = k > 0 && !(mass_.is_diagonal() && inside.stars()[k - 1].is_diagonal());
+    if (!is_mixed_ && laplacian_definiteness(inside.stars(), k) == Definiteness::semidefinite)
+        facts_.definiteness = Definiteness::positive;
+}
+
+Diffusion::Diffusion(const HodgeStar& mass, const Operator& stiffness, Side side,
+                     const std::string& linear_solver)
+    : side_(side),
+      degree_(side == Side::primal ? mass.degree() : mass.dimension() - mass.degree()),
+      stiffness_(stiffness),
+      mass_(mass),
+      facts_{.symmetry = Symmetry::symmetric,
+             .domain_dimension = mass.dimension(),
+             .many_solves = true},
+      solver_(make_linear_solver(linear_solver)) {
+    if (stiffness.rows() != mass.size() || stiffness.cols() != mass.size())
+        throw InvalidInput(fmt::format("a stiffness of {} x {} is given: expected {} x {}, as the "
+                                       "star of {}-cells",
+                                       stiffness.rows(), stiffness.cols(), mass.size(), mass.size(),
+                                       mass.degree()));
+    check_positive_mass(mass, side, degree_);
+    for (Index cell = 0; cell < mass.size(); ++cell)
+        kept_.push_back(cell);
+}
+
+SparseMatrix Diffusion::step_matrix(double gamma) const {
+    const double t = gamma * coefficient_;
+    if (is_mixed_)
+        return mixed_step(space_->of, t);
+    return Operator::star(mass_) + t * stiffness_;
+}
+
+void Diffusion::prepare(double gamma) {
+    SparseMatrix A = step_matrix(gamma);
+    // forms of different degrees have different units
+    scales_ =
+        A.diagonal().unaryExpr([](double a) { return a == 0 ? 1 : 1 / std::sqrt(std::abs(a)); });
+    if (is_mixed_)
+        A = scales_.asDiagonal() * A * scales_.asDiagonal();
+    else
+        scales_.setOnes();
+    solver_->factorize(A, facts_);
+}
+
+/// The resolvent of a semidefinite operator shortens every form.
+void Diffusion::check_growth(const Vector& before, const Vector& after) const {
+    constexpr double rounding = 1e-9;
+    const double from = before.dot(mass_ * before), to = after.dot(mass_ * after);
+    if (!(to <= from * (1 + rounding)))
+        throw SolverFailure(fmt::format(
+            "a step of diffusion of {} {}-forms makes their norm larger, by {:.2g} of "
+            "itself: the Laplacian has negative eigenvalues, as it may by stars with "
+            "negative duals; take {}",
+            name(side_), degree_, std::sqrt(to / from) - 1, positive_stars(mass_.dimension())));
+}
+
+Vector Diffusion::solve(const Vector& values, double explicit_part) const {
+    // dual forms are stars of primal ones, and stars commute with the Laplacian
+    const bool primal = side_ == Side::primal;
+    const Vector w = primal ? values : mass_.solve(values);
+    Vector right_side = mass_ * w;
+    if (explicit_part > 0)
+        right_side -= explicit_part * coefficient_ * (stiffness_ * w);
+    right_side.conservativeResizeLike(Vector::Zero(scales_.size()));
+    const Vector next =
+        solver_->solve(right_side.cwiseProduct(scales_)).cwiseProduct(scales_).head(w.size());
+    check_growth(w, next);
+    return primal ? next : mass_ * next;
+}
+
+Vector Diffusion::rate(const Vector& values) const {
+    if (side_ == Side::dual)
+        return -coefficient_ * (stiffness_ * mass_.solve(values));
+    return -coefficient_ * mass_.solve(stiffness_ * values);
+}
+
+const FormEquations& Diffusion::equations() const {
+    if (!space_)
+        throw InvalidInput("a diffusion by a stiffness knows no boundary: add what it brings to "
+                           "the rate");
+    return space_->equations.get([&] { return FormEquations(space_->of); });
+}
+
+BoundaryLoads Diffusion::loads(const BoundaryForms& data) const {
+    return equations().loads_of_free_values(in_unit(data, unit_, mass_.dimension(), degree_));
+}
+
+/// What the mass makes of fixed values, as values of the kept cells.
+Vector Diffusion::moved(const Vector& fixed) const {
+    if (!space_ || mass_.is_diagonal())
+        return Vector::Zero(size());
+    const Vector moments = space_->of.cells().stars()[mass_.degree()] * fixed;
+    return mass_.solve(Vector(space_->of.restrict(moments)));
+}
+
+Vector Diffusion::boundary_rate(const BoundaryForms& data) const {
+    const FormEquations& of = equations();
+    auto [w, below, b, g, b_terms, g_terms] = loads(data);
+    const Vector shift = of.kept * moved(w);
+    b += of.upper * shift + of.robin * shift;
+    g += of.down * shift;
+    if (of.k > 0) {
+        const HodgeStar star = space_->of.inside().stars()[of.k - 1];
+        const Vector s = star.solve(Vector(of.kept_below.transpose() * g));
+        b += of.down.transpose() * Vector(of.kept_below * s);
+    }
+    const Vector load = coefficient_ * (of.kept.transpose() * b);
+    return side_ == Side::dual ? load : mass_.solve(load);
+}
+
+Vector Diffusion::form_of(const Vector& values, const BoundaryForms& data) const {
+    if (!space_)
+        return values;
+    const HodgeStar star = space_->of.cells().stars()[mass_.degree()];
+    Vector w = Vector::Zero(star.size());
+    if (has_any(data))
+        w = loads(data).w;
+    if (side_ == Side::dual && mass_.is_diagonal()) {
+        w = star * w;
+        w(kept_) = values;
+        return w;
+    }
+    const Vector shift = moved(w);
+    w(kept_) = (side_ == Side::primal ? values : mass_.solve(values)) - shift;
+    return side_ == Side::primal ? w : star * w;
+}
+
+Vector Diffusion::values_of(const Vector& form) const {
+    if (side_ == Side::dual || mass_.is_diagonal())
+        return form(kept_);
+    Vector fixed = form;
+    fixed(kept_).setZero();
+    return form(kept_) + moved(fixed);
+}
+
+Vector Diffusion::values_of(const Vector& form, const BoundaryForms& data) const {
+    if (side_ == Side::dual || mass_.is_diagonal())
+        return form(kept_);
+    Vector whole = has_any(data) ? loads(data).w : Vector::Zero(form.size());
+    whole(kept_) = form(kept_);
+    return values_of(whole);
+}
+
+Fingerprint Diffusion::fingerprint() const {
+    Fingerprint result;
+    result.add(side_).add(degree_).add(coefficient_).add(unit_).add(solver_->name());
+    if (space_)
+        return result.add(space_->of);
+    return result.add(mass_).add(stiffness_.matrix());
+}
+
+} // namespace polydec

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/time/fixed_steps.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec {
+
+FixedSteps::FixedSteps(double time_step, std::vector<Vector> state)
+    : time_step_(time_step), state_(std::move(state)) {
+    if (!(time_step > 0) || !std::isfinite(time_step))
+        throw InvalidInput(
+            fmt::format("a time step of {} is given: expected a finite one above 0", time_step));
+}
+
+void FixedSteps::advance(std::int64_t steps, const TimeListener& progress) {
+    for (const std::int64_t last = steps_ + steps; steps_ < last;) {
+        step(state_);
+        ++steps_;
+        if (progress)
+            progress(time());
+    }
+    for (const Vector& values : state_)
+        if (!values.allFinite())
+            throw SolverFailure(fmt::format("after step {}, at the time {:.6g}, values are no "
+                                            "finite numbers: take shorter steps, or look at the "
+                                            "data",
+                                            steps_, time()));
+}
+
+Arrival FixedSteps::march(double until, const TimeListener& progress) {
+    constexpr double most = 1e15;
+    const double last = std::round(until / time_step_);
+    if (!(last >= static_cast<double>(steps_) && last <= most))
+        throw InvalidInput(fmt::format("the run cannot march to the time {:.6g}: expected a time "
+                                       "of at least {:.6g}, where it is now",
+                                       until, time()));
+    advance(static_cast<std::int64_t>(last) - steps_, progress);
+    return Arrival::at_time;
+}
+
+void FixedSteps::resume(double time, const std::vector<Vector>& state) {
+    bool fits = state.size() == state_.size() && time >= 0 && std::isfinite(time);
+    for (std::size_t i = 0; fits && i < state.size(); ++i)
+        fits =
+            state[i].size() == state_[i].size() || std::min(state[i].size(), state_[i].size()) == 0;
+    if (!fits)
+        throw InvalidInput("a state of another run is given: expected one that state() of this run "
+                           "has given, and its time");
+    steps_ = std::llround(time / time_step_);
+    state_ = state;
+}
+
+} // namespace polydec
