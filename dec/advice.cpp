@@ -55,7 +55,8 @@ bool are_positive(const GluedSurface& surface, const Vector& lengths,
 }
 
 /// Whether flips, and splits if the options say so, make every dual of a surface positive. An angle
-/// opposite to the boundary only grows by flips.
+/// opposite to the boundary only grows by flips. Where they are many, as in a fan of all triangles
+/// around one vertex, where they may be as many as pairs of edges, it is not tried to the end.
 bool are_cure(const SimplicialComplex& triangles, const Vector& lengths,
               const DiscretizeOptions& options) {
     const bool splits = options.delaunay == Delaunay::flips_and_splits;
@@ -63,10 +64,11 @@ bool are_cure(const SimplicialComplex& triangles, const Vector& lengths,
     if (!splits && options.criterion != MergeCriterion::none &&
         !are_positive(surface, lengths, options))
         return false;
+    constexpr Index many = 20; // for each edge
     try {
         const auto tried = intrinsic_delaunay(
             surface, lengths,
-            {splits ? BoundaryEdges::split : BoundaryEdges::keep, options.tolerance});
+            {splits ? BoundaryEdges::split : BoundaryEdges::keep, options.tolerance, many});
         return are_positive(tried.surface, tried.lengths, options);
     } catch (const Error&) {
         return false; // at a sharp corner, for instance

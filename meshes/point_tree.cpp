@@ -128,78 +128,62 @@ void PointTree::join_leaves(Index a, Index b, double square, DisjointSets& sets)
 }
 
 /// A part of a simplex, in its box.
-struct PointTree::Piece {
-    explicit Piece(Points given) : corners(std::move(given)), box(2 * corners.cols()) {
-        box << corners.colwise().minCoeff(), corners.colwise().maxCoeff();
-    }
-
-    Points corners;
-    Eigen::RowVectorXd box;
-};
-
 struct PointTree::Near {
-    Piece simplex;
-    double square; // of the length
+    const Points& simplex;
+    Eigen::RowVectorXd box; // of the simplex
+    double length;
     const std::vector<Index>& without;
     std::vector<Index> found = {};
 };
 
 std::vector<Index> PointTree::near(const Points& simplex, double length,
                                    const std::vector<Index>& without) const {
-    Near near{Piece(simplex), length * length, without};
+    Near near{simplex, Eigen::RowVectorXd(2 * simplex.cols()), length, without};
+    near.box << simplex.colwise().minCoeff(), simplex.colwise().maxCoeff();
     if (!tree_.nodes().empty())
-        search(near, 0, near.simplex);
+        search(near, 0);
     std::sort(near.found.begin(), near.found.end());
-    near.found.erase(std::unique(near.found.begin(), near.found.end()), near.found.end());
     return std::move(near.found);
 }
 
-/// A piece much larger than the box is halved before it, so that boxes along a long edge are few;
-/// one of many corners is not, whose pieces, until all edges are halved, would be too many.
-void PointTree::search(Near& near, Index node, const Piece& piece) const {
-    if (tree_.squared_gap(tree_.box(node), piece.box.data()) > near.square)
+/// A simplex much larger than the box has to reach the ball around it, so that few boxes are looked
+/// into that are near its own box alone; not one of many corners, where that takes too long.
+void PointTree::search(Near& near, Index node) const {
+    const double *const box = tree_.box(node), *const around = near.box.data();
+    if (tree_.squared_gap(box, around) > near.length * near.length)
         return;
     const auto& [begin, end, left, right] = tree_.nodes()[node];
     if (left == 0)
         return search_leaf(near, node);
-    const double extent = tree_.squared_span(piece.box.data(), piece.box.data());
     constexpr double much = 16; // of squares
-    const double own = tree_.squared_span(tree_.box(node), tree_.box(node));
     constexpr Index many = 4;
-    if (extent <= near.square || extent <= much * own || piece.corners.rows() > many) {
-        search(near, left, piece);
-        search(near, right, piece);
-        return;
+    const double span = tree_.squared_span(box, box);
+    if (tree_.squared_span(around, around) > much * span && near.simplex.rows() <= many) {
+        const auto N = points_.cols();
+        const Eigen::Map<const Eigen::RowVectorXd> low(box, N), high(box + N, N);
+        constexpr double rounding = 1e-9;
+        const double reach = (1 + rounding) * (std::sqrt(span) / 2 + near.length);
+        if (squared_distance(0.5 * (low + high), near.simplex, reach * reach) > reach * reach)
+            return;
     }
-    const Points& corners = piece.corners;
-    Index a = 0, b = 1; // the longest edge
-    for (Index i = 0; i < corners.rows(); ++i)
-        for (Index j = i + 1; j < corners.rows(); ++j)
-            if ((corners.row(i) - corners.row(j)).squaredNorm() >
-                (corners.row(a) - corners.row(b)).squaredNorm()) {
-                a = i;
-                b = j;
-            }
-    for (const Index replaced : {a, b}) {
-        Points half = corners;
-        half.row(replaced) = 0.5 * (corners.row(a) + corners.row(b));
-        search(near, node, Piece(std::move(half)));
-    }
+    search(near, left);
+    search(near, right);
 }
 
 void PointTree::search_leaf(Near& near, Index node) const {
     const BoxTree::Node& leaf = tree_.nodes()[node];
     const auto N = points_.cols();
     const auto& without = near.without;
-    const double* const around = near.simplex.box.data();
+    const double square = near.length * near.length;
+    const double* const around = near.box.data();
     for (Index i = leaf.begin; i < leaf.end; ++i) {
         const double* const point = points_.row(i).data();
         double gap = 0; // to the box
         for (Index axis = 0; axis < N; ++axis)
             gap = std::max({gap, around[axis] - point[axis], point[axis] - around[N + axis]});
-        if (gap * gap <= near.square &&
+        if (gap * gap <= square &&
             std::find(without.begin(), without.end(), tree_.order()[i]) == without.end() &&
-            squared_distance(points_.row(i), near.simplex.corners, near.square) <= near.square)
+            squared_distance(points_.row(i), near.simplex, square) <= square)
             near.found.push_back(tree_.order()[i]);
     }
 }

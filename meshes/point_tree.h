@@ -38,7 +38,6 @@ public:
                             const std::vector<Index>& without = {}) const;
 
 private:
-    struct Piece;
     struct Near; // a search, and what it has found
 
     friend void join_near(const Points& points, double length, DisjointSets& sets);
@@ -47,7 +46,7 @@ private:
     void join_all(Index node, double square, DisjointSets& sets) const;
     void join_across(Index a, Index b, double square, DisjointSets& sets) const;
     void join_leaves(Index a, Index b, double square, DisjointSets& sets) const;
-    void search(Near& near, Index node, const Piece& piece) const;
+    void search(Near& near, Index node) const;
     void search_leaf(Near& near, Index leaf) const;
 
     BoxTree tree_;

@@ -197,7 +197,7 @@ void Flipping::count_what_is_left() {
 }
 
 void Flipping::flip_all() {
-    const std::int64_t limit = 1000 + 1000 * std::int64_t{surface_.edges()};
+    const std::int64_t limit = 1000 + std::int64_t{options_.most} * surface_.edges();
     while (!queue_.empty()) {
         const auto [mean, edge] = queue_.top();
         queue_.pop();
@@ -308,7 +308,7 @@ bool Flipping::split_boundary() {
             places.emplace_back(e, place_of_split(e));
     for (const auto& [edge, fraction] : places)
         split(edge, fraction);
-    const std::int64_t limit = 10000 + 1000 * std::int64_t{boundary_edges_};
+    const std::int64_t limit = 10000 + std::int64_t{options_.most} * boundary_edges_;
     if (statistics_.splits > limit)
         throw SolverFailure(fmt::format("{} splits of {} boundary edges and no end: the boundary "
                                         "has corners of nearly no angle; do without the splits",

@@ -16,6 +16,7 @@ enum class BoundaryEdges {
 struct IntrinsicDelaunayOptions {
     BoundaryEdges boundary = BoundaryEdges::keep;
     double tolerance = 1e-4; ///< boundary edges with star_1 up to this are split
+    Index most = 1000;       ///< flips for each edge, and splits for each on the boundary
 };
 
 /// What flips and splits did to a surface.

@@ -6,6 +6,7 @@
 #include "dec/metric/subsets.h"
 #include "tests/io/support.h"
 #include "tests/real/samples.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 
 #include <algorithm>
@@ -63,7 +64,8 @@ const Discretization& OnRealSurfaces::mesh() const {
     static RealSurface made_of;
     static std::optional<Discretization> made;
     if (!made || made_of != GetParam()) {
-        made = discretize(mesh_of(std::get<0>(GetParam())), {.delaunay = std::get<1>(GetParam())});
+        made =
+            circumcentric(mesh_of(std::get<0>(GetParam())), {.delaunay = std::get<1>(GetParam())});
         made_of = GetParam();
     }
     return *made;

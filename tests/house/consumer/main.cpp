@@ -5,7 +5,7 @@
 
 int main() {
     const auto sphere = polydec::discretize(polydec::uv_sphere(16, 8));
-    const auto modes = polydec::spectrum(sphere, {.side = polydec::Side::dual, .count = 4});
+    const auto modes = polydec::spectrum({sphere, polydec::Side::dual, 0}, {.count = 4});
 
     std::cout << "polydec " << CONSUMER_EXPECTS_VERSION << ": on the sphere 2 is about "
               << modes.eigenvalues[3] << ", factorized by " << modes.linear_solver << '\n';
