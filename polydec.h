@@ -124,7 +124,6 @@
 #include "solvers/flow/incompressible_flow.h"
 #include "solvers/flow/shallow_water.h"
 #include "solvers/flow/stokes.h"
-#include "solvers/heat.h"
 #include "solvers/sources/boundary_forms.h"
 #include "solvers/sources/constrained_system.h"
 #include "solvers/sources/hodge.h"

@@ -18,5 +18,7 @@ std::unique_ptr<LinearSolver> make_eigen_bicgstab(const LinearSolverOptions& opt
 std::unique_ptr<EigenSolver> make_block_lanczos();
 std::unique_ptr<EigenSolver> make_spectra();
 std::unique_ptr<Integrator> make_runge_kutta(const IntegratorOptions& options);
+std::unique_ptr<Integrator> make_backward_euler(const IntegratorOptions& options);
+std::unique_ptr<Integrator> make_implicit_midpoint(const IntegratorOptions& options);
 
 } // namespace polydec::builtin

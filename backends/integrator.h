@@ -12,8 +12,9 @@ namespace polydec {
 /// The rate of change of a state at a time: as many entries as the state.
 using Rate = std::function<Vector(double time, const Vector& state)>;
 
-/// Whether a rate is affine in the state, with a linear part that never changes.
-enum class Linearity { affine, general };
+/// Whether a rate is a matrix times the state that never changes, the same and a term that the time
+/// alone changes, or anything.
+enum class Linearity { linear, affine, general };
 
 /// The stiff part g(t, y) of a rate, and how to solve with its derivative g' by y, so that steps
 /// need not be as short as the fastest decay.
@@ -39,7 +40,7 @@ struct InitialValueProblem {
     /// A march stops where this goes through 0.
     std::function<double(double time, const Vector& state)> event = {};
 
-    /// Told of the time whenever a rate is asked for; what it throws ends a march.
+    /// Told of the time whenever a rate or a solution is asked for; what it throws ends a march.
     std::function<void(double time)> progress = {};
 
     /// What an entry of the state is measured in: the absolute tolerance is multiplied by it, as
@@ -65,7 +66,8 @@ struct IntegratorTraits {
     int explicit_order = 0; ///< of accuracy, where nothing is stiff; 0: varies
     int implicit_order = 0; ///< with a stiff part
     bool has_fixed_steps = true;
-    bool resumes_exactly = true; ///< memory() makes a march go on in the same bits
+    bool resumes_exactly = true;   ///< memory() makes a march go on in the same bits
+    bool resumes_anywhere = false; ///< and does so between the times that are marched to
 };
 
 /// What it took, since begin().

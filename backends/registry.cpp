@@ -103,6 +103,16 @@ void add_builtin(Registry& registry) {
          "Prince's 5(4)",
          ""},
         IntegratorFactory(builtin::make_runge_kutta));
+    add(registry.integrator,
+        {"backward-euler", EngineKind::integrator, true,
+         "backward Euler by fixed steps, of order 1: functions get no new extremes", ""},
+        IntegratorFactory(builtin::make_backward_euler));
+    add(registry.integrator,
+        {"implicit-midpoint", EngineKind::integrator, true,
+         "the implicit midpoint rule by fixed steps, of order 2: Crank and Nicolson's scheme where "
+         "rates are linear",
+         ""},
+        IntegratorFactory(builtin::make_implicit_midpoint));
 }
 
 // Made at the first call, so nothing hangs on the order in which programs start.

@@ -45,17 +45,16 @@ polydec::SvgSeries run(int n, int cells) {
         return polydec::inner_product(box, sine, u) / polydec::inner_product(box, sine, sine);
     };
 
-    polydec::HeatSolver heat(space,
-                             {.time_step = 0.001, .scheme = polydec::HeatScheme::crank_nicolson});
+    polydec::Evolution heat({{space, sine.values, 1}}, {},
+                            {.integrator = "implicit-midpoint", .steps = {.fixed_step = 0.001}});
     polydec::SvgSeries cooling{"n = " + std::to_string(n), {0}, {1}, polydec::SvgTrace::line};
-    polydec::Cochain u = sine;
     Film cooled("heat", box);
     for (int i = 1; i <= 50; ++i) {
-        u = heat.step(u);
+        heat.march(0.001 * i);
         if (i % 10 == 0)
-            cooled.add(0.001 * i, u);
-        cooling.x.push_back(0.001 * i);
-        cooling.y.push_back(amplitude(u));
+            cooled.add(heat.time(), heat.form(0));
+        cooling.x.push_back(heat.time());
+        cooling.y.push_back(amplitude(heat.form(0)));
     }
 
     // half a period turns the wave around

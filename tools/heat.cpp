@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/heat.h"
 
 #include "base/errors.h"
 #include "dec/forms/cochain.h"
@@ -33,13 +32,22 @@ struct HeatArguments {
     Side side = Side::primal;
     int degree = 0;
     std::string initial, source, boundary, flux;
-    HeatOptions heat;
-    std::string integrator = "runge-kutta";
+    std::string integrator, engine = "auto";
     double tolerance = 0; ///< 0: none is asked for
 
-    bool needs_integrator() const {
-        return tolerance > 0 || !source.empty() || !boundary.empty() || !flux.empty() ||
-               integrator != "runge-kutta";
+    /// By the tolerance where one is asked for or rates change in time, else by equal steps.
+    void choose_integrator() {
+        const bool changes = tolerance > 0 || !source.empty() || !boundary.empty() || !flux.empty();
+        if (integrator.empty())
+            integrator = changes ? "runge-kutta" : "backward-euler";
+        if (tolerance > 0 && has_equal_steps())
+            throw InvalidInput(fmt::format("--tolerance-in-time: {} takes steps of one length and "
+                                           "knows nothing of their errors; say --integrator "
+                                           "runge-kutta or leave it out",
+                                           integrator));
+    }
+    bool has_equal_steps() const {
+        return integrator == "backward-euler" || integrator == "implicit-midpoint";
     }
 };
 
@@ -67,34 +75,35 @@ struct Cooled : Answer {
     double min, max, norm;
     std::optional<double> relative_norm;
     ChosenStars stars;
-    std::optional<IntegratorReport> integrated;
+    IntegratorReport integrated;
+    bool has_equal_steps;
 
     Cooled(const Heat& heat, const TimeSteps& equal, const Ran& how, std::string words,
-           const Run& run)
+           const Evolution& run)
         : side(heat.start.side),
           degree(heat.start.degree),
           steps(equal),
           ran(how),
           conditions(std::move(words)),
-          stars(heat.mesh.chosen_stars()) {
+          stars(heat.mesh.chosen_stars()),
+          integrated(run.report()),
+          has_equal_steps(heat.arguments.has_equal_steps()) {
         const Cochain end = run.form(0);
         min = end.values.minCoeff();
         max = end.values.maxCoeff();
         norm = tools::norm(heat.mesh, end);
         relative_norm = part_of(norm, tools::norm(heat.mesh, heat.start));
-        if (const auto* evolution = dynamic_cast<const Evolution*>(&run))
-            integrated = evolution->report();
     }
 
     void write(JsonWriter& json) const override {
         json.member("side", name(side));
         json.member("degree", degree);
         write_time(json, steps, ran);
-        if (integrated) {
-            json.member("integrator", integrated->engine);
-            json.member("integrator_steps", integrated->steps);
-            json.member("integrator_rejected", integrated->rejected);
-            json.member("integrator_last_step", integrated->last_step);
+        json.member("integrator", integrated.engine);
+        if (!has_equal_steps) {
+            json.member("integrator_steps", integrated.steps);
+            json.member("integrator_rejected", integrated.rejected);
+            json.member("integrator_last_step", integrated.last_step);
         }
         json.member("min", min);
         json.member("max", max);
@@ -105,10 +114,9 @@ struct Cooled : Answer {
 
     void write(Text& text) const override {
         text("heat equation for {} {}-forms, {}\n", name(side), degree, in_words(steps, ran));
-        if (integrated)
+        if (!has_equal_steps)
             text("  divided by {} into {} steps, {} of them taken again, the last one of {:.6g}\n",
-                 integrated->engine, integrated->steps, integrated->rejected,
-                 integrated->last_step);
+                 integrated.engine, integrated.steps, integrated.rejected, integrated.last_step);
         text("  {}\n  {}\n", conditions, in_words(stars));
         text("  values from {:.10g} to {:.10g}; L2 norm {:.10g}{}\n", min, max, norm,
              in_words(relative_norm));
@@ -150,8 +158,8 @@ double largest_of(const Heat& heat) {
     return largest > 0 ? largest : 1;
 }
 
-/// Steps from frame to frame, each of as many as the tolerance asks for.
-std::unique_ptr<Run> integrated(const Heat& heat) {
+/// By equal steps, or from frame to frame by as many as the tolerance asks for.
+Evolution run_of(const Heat& heat, const TimeSteps& steps) {
     const Side side = heat.start.side;
     const int degree = heat.start.degree;
     const Discretization& mesh = heat.mesh;
@@ -174,7 +182,7 @@ std::unique_ptr<Run> integrated(const Heat& heat) {
                     })](double t, const std::vector<Cochain>&) { return std::vector{rate(t)}; };
     const double tolerance = heat.arguments.tolerance > 0 ? heat.arguments.tolerance : 1e-5;
     EvolutionOptions options{.integrator = heat.arguments.integrator,
-                             .linear_solver = heat.arguments.heat.linear_solver,
+                             .linear_solver = heat.arguments.engine,
                              .label = "data"};
     for (const auto& [values, text] : {std::pair(&heat.source, heat.arguments.source),
                                        {&heat.boundary, heat.arguments.boundary},
@@ -182,19 +190,12 @@ std::unique_ptr<Run> integrated(const Heat& heat) {
         options.label += *values && (*values)->uses_time() ? "; in time " + text : "; fixed";
     options.steps = {.relative_tolerance = tolerance,
                      .absolute_tolerance = 1e-3 * tolerance * largest_of(heat),
-                     .fixed_step = heat.arguments.time.time_step};
-    return std::make_unique<Evolution>(std::vector{unknown}, reaction, options);
-}
-
-/// By what was asked for; else equal steps by a scheme.
-std::unique_ptr<Run> run_of(const Heat& heat, const TimeSteps& steps) {
-    if (heat.arguments.needs_integrator())
-        return integrated(heat);
+                     .fixed_step = heat.arguments.has_equal_steps()
+                                       ? steps.length
+                                       : heat.arguments.time.time_step};
     const Progress progress;
     progress("factorize");
-    auto options = heat.arguments.heat;
-    options.time_step = steps.length;
-    return std::make_unique<HeatRun>(heat.space, heat.start.values, options);
+    return {{unknown}, reaction, options};
 }
 
 void check_boundary(const HeatArguments& arguments) {
@@ -213,7 +214,7 @@ std::optional<FormValues> if_given(const std::string& option, const std::string&
     return FormValues(option, text, "t");
 }
 
-void run_heat(const HeatArguments& arguments) {
+void run_heat(HeatArguments arguments) {
     Log log;
     const FormValues initial("--initial", arguments.initial);
     auto source = if_given("--source", arguments.source);
@@ -221,6 +222,7 @@ void run_heat(const HeatArguments& arguments) {
     auto flux = if_given("--flux", arguments.flux);
     const ConditionValues asked(arguments.conditions);
     check_boundary(arguments);
+    arguments.choose_integrator();
     auto inputs = initial.inputs(arguments.mesh.mesh, {asked.file(), asked.fixed_file()});
     for (const auto* form : {&source, &boundary, &flux})
         if (*form)
@@ -229,9 +231,9 @@ void run_heat(const HeatArguments& arguments) {
     const Side side = arguments.side;
     const int degree = arguments.degree;
     auto time = arguments.time;
-    if (arguments.needs_integrator())
+    if (!arguments.has_equal_steps())
         time.time_step = 0; // which is the integrator's
-    const TimeSteps steps = time_steps(time, time.until / (arguments.needs_integrator() ? 1 : 100));
+    const TimeSteps steps = time_steps(time, time.until / (arguments.has_equal_steps() ? 100 : 1));
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.time.out.empty())
         check_drawable(mesh);
@@ -257,9 +259,9 @@ void run_heat(const HeatArguments& arguments) {
     const March march{"heat", in_page(std::move(text), log), steps, [](const Run& now) {
                           return std::vector{NamedForm("u", now.form(0), "the heat")};
                       }};
-    const auto run = computed_on(arguments.mesh.mesh, [&] { return run_of(heat, steps); });
-    const Ran ran = march_to_end(*run, march, arguments.time, arguments.mesh.mesh, mesh);
-    tell(Cooled(heat, steps, ran, words, *run), log, arguments.mesh.tell);
+    auto run = computed_on(arguments.mesh.mesh, [&] { return run_of(heat, steps); });
+    const Ran ran = march_to_end(run, march, arguments.time, arguments.mesh.mesh, mesh);
+    tell(Cooled(heat, steps, ran, words, run), log, arguments.mesh.tell);
 }
 
 } // namespace
@@ -282,24 +284,13 @@ void add_heat(CLI::App& app) {
                      "take steps as long as this error of each, as a part of the values,\n"
                      "allows (default with a source: 1e-5)")
         ->check(CLI::PositiveNumber);
-    command
-        ->add_option("--integrator", arguments->integrator,
-                     "engine for a source or a tolerance; --time-step then gives fixed\n"
-                     "steps in place of those by the tolerance")
-        ->capture_default_str();
-    auto* scheme = command
-                       ->add_option("--scheme", arguments->heat.scheme,
-                                    "backward-euler, of first order, makes no new extremes;\n"
-                                    "crank-nicolson is of second order")
-                       ->transform(CLI::CheckedTransformer(
-                                       std::map<std::string, HeatScheme>{
-                                           {"backward-euler", HeatScheme::backward_euler},
-                                           {"crank-nicolson", HeatScheme::crank_nicolson}},
-                                       CLI::ignore_underscore)
-                                       .description("backward-euler|crank-nicolson"))
-                       ->default_str("backward-euler");
-    for (const char* other : {"--source", "--tolerance-in-time", "--integrator"})
-        scheme->excludes(other);
+    command->add_option("--integrator", arguments->integrator,
+                        "backward-euler, of first order, makes no new extremes;\n"
+                        "implicit-midpoint is of second order, Crank and Nicolson's scheme:\n"
+                        "both take steps of --time-step; runge-kutta and cvode those that the\n"
+                        "tolerance allows, or of --time-step where it is given (default:\n"
+                        "backward-euler; runge-kutta with a tolerance, a source or data on the\n"
+                        "boundary)");
     add_conditions(*command, arguments->conditions,
                    "no flow through the boundary (Neumann); of forms of degree\n"
                    "1 .. n-1 the normal part is 0 there",
@@ -316,8 +307,7 @@ void add_heat(CLI::App& app) {
     add_essential_on(*command, arguments->conditions);
     add_fixed(*command, arguments->conditions, "values of --boundary-values");
     add_robin(*command, arguments->conditions, "--flux");
-    command->add_option("--engine", arguments->heat.linear_solver, "linear solver")
-        ->capture_default_str();
+    command->add_option("--engine", arguments->engine, "linear solver")->capture_default_str();
     command->footer(
         "On the boundary, primal forms have what --natural asks for unless told otherwise; dual "
         "forms\nhave values 0 (Dirichlet).\n\nExamples:\n"

@@ -57,4 +57,39 @@ const AdditiveTable& kennedy_carpenter() {
     return table;
 }
 
+namespace {
+
+/// One implicit stage at a part c of the step, whose rates are those of the step.
+AdditiveTable one_stage(int order, double c) {
+    return {.order = order,
+            .times = Vector{{0, c}},
+            .explicit_part = DenseMatrix{{0, 0}, {c, 0}},
+            .implicit_part = DenseMatrix{{0, 0}, {0, c}},
+            .weights = Vector{{0, 1}},
+            .error_weights = Vector::Zero(2)};
+}
+
+} // namespace
+
+const AdditiveTable& backward_euler() {
+    static const AdditiveTable table = one_stage(1, 1);
+    return table;
+}
+
+const AdditiveTable& implicit_midpoint() {
+    static const AdditiveTable table = one_stage(2, 0.5);
+    return table;
+}
+
+bool AdditiveTable::ends_at_last_stage(bool has_f, bool has_g) const {
+    const auto last = [&](const DenseMatrix& part) {
+        return part.rows() > 0 && part.row(part.rows() - 1) == weights.transpose();
+    };
+    return (!has_f || last(explicit_part)) && (!has_g || last(implicit_part));
+}
+
+bool AdditiveTable::uses_first_stiff_rate() const {
+    return implicit_part.size() > 0 && (!implicit_part.col(0).isZero(0) || weights[0] != 0);
+}
+
 } // namespace polydec

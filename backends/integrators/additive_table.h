@@ -10,7 +10,7 @@ namespace polydec {
 /// triangular with 0 first and then one number on its diagonal; both with the weights b.
 struct AdditiveTable {
     int order = 0;
-    int embedded_order = 0;
+    int embedded_order = 0; ///< 0: there is no embedded method
     Vector times = {};
     DenseMatrix explicit_part = {}; ///< E
     DenseMatrix implicit_part = {}; ///< I; empty: f alone
@@ -18,6 +18,11 @@ struct AdditiveTable {
     Vector error_weights = {}; ///< b less those of the embedded method
 
     Eigen::Index stages() const { return times.size(); }
+
+    /// Whether the end of a step is the state of its last stage, and whether the rate g at its
+    /// beginning matters.
+    bool ends_at_last_stage(bool has_f, bool has_g) const;
+    bool uses_first_stiff_rate() const;
 };
 
 /// 5(4), seven stages, of which the last one is the first of the next step.
@@ -27,5 +32,11 @@ const AdditiveTable& dormand_prince();
 /// ARK4(3)6L[2]SA: the implicit part is L-stable, its first stage explicit and its last one the
 /// end of the step. Source: Kennedy and Carpenter 2003.
 const AdditiveTable& kennedy_carpenter();
+
+/// Backward Euler, and the implicit midpoint rule: for a linear g alone the scheme of Crank and
+/// Nicolson. With f the pairs (1,2,1) and (1,2,2), of orders 1 and 2.
+/// Source: Ascher, Ruuth, Spiteri 1997.
+const AdditiveTable& backward_euler();
+const AdditiveTable& implicit_midpoint();
 
 } // namespace polydec

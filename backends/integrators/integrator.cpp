@@ -112,6 +112,8 @@ void Integrator::prepare(double time, const Vector& state, double gamma) {
 
 Vector Integrator::solve(const Vector& b) {
     ++report_.solves;
+    if (problem_.progress)
+        problem_.progress(time_);
     return sized(problem_.stiff->solve(b), "the solution of the stiff part");
 }
 

@@ -22,14 +22,23 @@ constexpr double no_number = std::numeric_limits<double>::infinity();
 /// costs a factorization.
 class RungeKutta final : public Integrator {
 public:
-    explicit RungeKutta(const IntegratorOptions& options) : Integrator("runge-kutta", options) {}
-
-    IntegratorTraits traits() const override {
-        return {.explicit_order = dormand_prince().order,
-                .implicit_order = kennedy_carpenter().order};
+    /// By one table without a stiff part, and by another with one.
+    RungeKutta(const char* name, const IntegratorOptions& options, const AdditiveTable& plain,
+               const AdditiveTable& stiff)
+        : Integrator(name, options), plain_(plain), stiff_(stiff) {
+        if (stiff.embedded_order == 0 && !is_fixed())
+            throw InvalidInput(fmt::format("{}: takes steps of one length, since it knows nothing "
+                                           "of their errors: give a fixed_step above 0",
+                                           name));
     }
 
-    Vector memory() const override { return Vector{{wanted_, last_error_}}; }
+    IntegratorTraits traits() const override {
+        return {.explicit_order = plain_.order,
+                .implicit_order = stiff_.order,
+                .resumes_anywhere = is_fixed()};
+    }
+
+    Vector memory() const override { return Vector{{wanted_, last_error_, step_, left_, end_}}; }
 
 protected:
     void start(const Vector& memory) override;
@@ -54,11 +63,13 @@ private:
     double lengthened(double factor) const;
     Arrival stop_at_event(double before, double after, Vector state);
 
+    const AdditiveTable &plain_, &stiff_;
     const AdditiveTable* table_ = nullptr;
     double wanted_ = 0;     ///< length of the steps to come; 0: not known
     double last_error_ = 1; ///< of the last step
     double step_ = 0;       ///< wanted_, shortened so that steps are equal up to the end
     double left_ = 0;       ///< steps of this length up to the end; 0: to be planned
+    double end_ = 0;
     bool was_rejected_ = false;
     double prepared_ = 0; ///< the gamma that can be solved with
     bool knows_first_rates_ = false;
@@ -67,16 +78,19 @@ private:
 };
 
 void RungeKutta::start(const Vector& memory) {
-    table_ = is_stiff() ? &kennedy_carpenter() : &dormand_prince();
-    if (memory.size() != 0 && (memory.size() != 2 || !memory.allFinite() || memory.minCoeff() < 0))
+    table_ = is_stiff() ? &stiff_ : &plain_;
+    const bool goes_on = memory.size() == 5;
+    if (memory.size() != 0 && (!goes_on || !memory.allFinite() || memory.head(4).minCoeff() < 0))
         throw InvalidInput(name() + ": cannot go on with a memory that is not its own: expected "
-                                    "two numbers of at least 0");
-    const bool goes_on = memory.size() == 2;
+                                    "five numbers, four of them at least 0");
     wanted_ = goes_on ? memory[0] : options().first_step;
     last_error_ = goes_on ? memory[1] : 1;
+    step_ = goes_on ? memory[2] : 0;
+    left_ = goes_on ? memory[3] : 0;
+    end_ = goes_on ? memory[4] : time();
     if (is_fixed())
         wanted_ = options().fixed_step;
-    left_ = prepared_ = 0;
+    prepared_ = 0;
     was_rejected_ = knows_first_rates_ = false;
     const Eigen::Index stages = table_->stages();
     f_.setZero(state().size(), problem().rate ? stages : 0);
@@ -87,7 +101,9 @@ Arrival RungeKutta::march(double until) {
     learn_first_rates();
     if (wanted_ == 0)
         wanted_ = first_step(until - time());
-    left_ = 0;
+    if (until != end_ || !is_fixed())
+        left_ = 0;
+    end_ = until;
     double before = has_events() ? event(time(), state()) : 0;
     for (Index steps = 0; steps < options().most_steps;) {
         if (left_ == 0)
@@ -123,7 +139,7 @@ void RungeKutta::learn_first_rates() {
         return;
     if (problem().rate)
         f_.col(0) = rate(time(), state());
-    if (is_stiff())
+    if (is_stiff() && table_->uses_first_stiff_rate())
         g_.col(0) = stiff_rate(time(), state());
     if (!f_.leftCols(std::min<Eigen::Index>(1, f_.cols())).allFinite() ||
         !g_.leftCols(std::min<Eigen::Index>(1, g_.cols())).allFinite())
@@ -168,17 +184,15 @@ RungeKutta::Trial RungeKutta::take(double step, double end) {
     for (Eigen::Index i = 1; i < table_->stages(); ++i)
         if (!take_stage(i, step, end))
             return {{}, no_number};
-    // where nothing is stiff the last stage is the end
-    Vector next = stage_;
-    Vector error = Vector::Zero(next.size());
-    if (is_stiff()) {
-        next = state() + step * (g_ * table_->weights);
-        error += step * (g_ * table_->error_weights);
+    const bool is_end = table_->ends_at_last_stage(f_.cols() > 0, is_stiff());
+    Vector next = is_end ? stage_ : state(), error = Vector::Zero(next.size());
+    for (const DenseMatrix* rates : {&g_, &f_}) {
+        if (rates->cols() == 0)
+            continue;
+        error += step * (*rates * table_->error_weights);
+        if (!is_end)
+            next += step * (*rates * table_->weights);
     }
-    if (is_stiff() && f_.cols() > 0)
-        next += step * (f_ * table_->weights);
-    if (f_.cols() > 0)
-        error += step * (f_ * table_->error_weights);
     const Vector larger = state().cwiseAbs().cwiseMax(next.cwiseAbs());
     const double part = next.allFinite() ? size(error, allowed(larger)) : no_number;
     return {std::move(next), is_fixed() && std::isfinite(part) ? 0 : part};
@@ -215,6 +229,11 @@ bool RungeKutta::take_stage(Eigen::Index i, double step, double end) {
 bool RungeKutta::solve_stage(double time, double gamma, const Vector& known, Vector& state) {
     constexpr int most = 10;
     constexpr double small = 1e-3; // of what a step may be wrong by
+    const Linearity linearity = problem().stiff->linearity;
+    if (linearity == Linearity::linear) {
+        state = solve(known);
+        return state.allFinite();
+    }
     state = this->state();
     const Vector allowed = this->allowed(state);
     double last = no_number;
@@ -224,7 +243,7 @@ bool RungeKutta::solve_stage(double time, double gamma, const Vector& known, Vec
             return false;
         const Vector change = solve(residual);
         state += change;
-        if (problem().stiff->linearity == Linearity::affine)
+        if (linearity == Linearity::affine)
             return state.allFinite();
         const double now = size(change, allowed);
         if (now <= small)
@@ -262,7 +281,7 @@ void RungeKutta::keep(Trial trial, double end) {
         was_rejected_ = false;
     }
     left_ = is_fixed() || wanted_ == step_ ? left_ - 1 : 0;
-    knows_first_rates_ = !is_stiff();
+    knows_first_rates_ = !is_stiff() && table_->ends_at_last_stage(true, false);
     if (knows_first_rates_)
         f_.col(0) = f_.col(f_.cols() - 1);
     else
@@ -306,6 +325,7 @@ Arrival RungeKutta::stop_at_event(double before, double after, Vector state) {
         last = is_behind ? 1 : -1;
     }
     accept(time() + high, std::move(state), high);
+    left_ = 0;
     knows_first_rates_ = false;
     learn_first_rates();
     return Arrival::at_event;
@@ -314,7 +334,18 @@ Arrival RungeKutta::stop_at_event(double before, double after, Vector state) {
 } // namespace
 
 std::unique_ptr<Integrator> builtin::make_runge_kutta(const IntegratorOptions& options) {
-    return std::make_unique<RungeKutta>(options);
+    return std::make_unique<RungeKutta>("runge-kutta", options, dormand_prince(),
+                                        kennedy_carpenter());
+}
+
+std::unique_ptr<Integrator> builtin::make_backward_euler(const IntegratorOptions& options) {
+    return std::make_unique<RungeKutta>("backward-euler", options, polydec::backward_euler(),
+                                        polydec::backward_euler());
+}
+
+std::unique_ptr<Integrator> builtin::make_implicit_midpoint(const IntegratorOptions& options) {
+    return std::make_unique<RungeKutta>("implicit-midpoint", options, polydec::implicit_midpoint(),
+                                        polydec::implicit_midpoint());
 }
 
 } // namespace polydec

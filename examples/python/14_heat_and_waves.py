@@ -17,7 +17,7 @@ def run(n: int, cells: int) -> None:
     def amplitude(u: Floats) -> float:
         return inside.inner_product(start, u, 0) / inside.inner_product(start, start, 0)
 
-    cooled = polydec.heat(inside, start, 0.001, 50, scheme="crank_nicolson")
+    cooled = polydec.heat(inside, start, 0.001, 50, integrator="implicit-midpoint")
     rate = -np.log(amplitude(cooled)) / 0.05 / (n * np.pi ** 2)
 
     # half a period turns the wave around

@@ -14,7 +14,9 @@ namespace {
 /// Heat up to a time, from where a checkpoint says or from the start.
 polydec::Vector heat_until(double end, const polydec::Discretization& sphere,
                            const polydec::Cochain& start) {
-    polydec::HeatRun heat({sphere, polydec::Side::primal, 0}, start.values, {.time_step = 0.01});
+    polydec::Evolution heat(
+        {{.space = {sphere, polydec::Side::primal, 0}, .start = start.values, .diffusion = 1}}, {},
+        {.integrator = "backward-euler", .steps = {.fixed_step = 0.01}});
     polydec::Frames frames(
         heat, {0.1, 0.2, 0.3, 0.4, 0.5},
         {.checkpoint = "heat.checkpoint", .stop = [&] { return heat.time() > end; }});

@@ -4,7 +4,6 @@
 #include "python/bindings/convert.h"
 #include "python/bindings/guarded.h"
 #include "solvers/flow/flow.h"
-#include "solvers/heat.h"
 #include "solvers/time/evolution.h"
 #include "solvers/time/waves.h"
 
@@ -13,36 +12,6 @@
 namespace polydec::python {
 
 namespace {
-
-HeatOptions heat_options(double time_step, const std::string& scheme, const std::string& engine) {
-    return {time_step,
-            chosen<HeatScheme>("scheme", scheme,
-                               {{"backward_euler", HeatScheme::backward_euler},
-                                {"crank_nicolson", HeatScheme::crank_nicolson}}),
-            engine};
-}
-
-void add_heat(py::module_& module) {
-    using Heat = Guarded<HeatSolver>;
-    py::class_<Heat>(module, "HeatSolver")
-        .def(py::init([](const Cells& of, const GivenConditions& conditions,
-                         const std::string& side, int degree, double time_step,
-                         const std::string& scheme, const std::string& engine) {
-            const HeatOptions options = heat_options(time_step, scheme, engine);
-            return guarded<HeatSolver>(space_of(of, side, degree, conditions), options);
-        }))
-        .def("step", [](Heat& self, const std::string& side, int degree, const Numbers& values,
-                        Index steps) {
-            Cochain now = form(side, degree, values);
-            self.use([&](const HeatSolver& solver) {
-                for (Index i = 0; i < steps; ++i) {
-                    now = solver.step(now);
-                    check_signals();
-                }
-            });
-            return parts(std::move(now));
-        });
-}
 
 /// What a function of Python's gives for a time, an As, made into something of polydec's; without
 /// one nothing.
@@ -269,7 +238,6 @@ double stable_step_of(const Cells& of, const std::string& side, int degree,
 } // namespace
 
 void add_in_time(py::module_& module) {
-    add_heat(module);
     add_runs(module);
     module.def("evolution", &evolution_of);
     module.def("waves", &waves_of);

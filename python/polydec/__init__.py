@@ -25,7 +25,7 @@ from ._engines import (Backend, Solution, backends, load_engine, register_eigen_
                        register_linear_solver, set_memory_limit, solve)
 from ._errors import (BackendUnavailable, Error, InvalidInput, IoError, PolydecWarning,
                       SolverFailure)
-from ._evolution import Evolution, HeatSolver, heat
+from ._evolution import Evolution, heat
 from ._fields import (LieDerivative, boundary_de_rham, de_rham, flat, flux_form, flux_sharp, gradient, inflow, interior_product,
                       lie_derivative, primal_dual_wedge, sharp_pd, sharp_pp, wedge,
                       whitney_at_centroids, whitney_form)
@@ -50,7 +50,7 @@ __all__ = [
     "__version__", "meshes", "AbsorbingLayer", "Backend", "BackendUnavailable", "CellList",
     "Cells", "Certificate", "Cochain", "Complex", "ConditionedCells", "CountBelow",
     "CurlCurlSolution", "Eigenpairs", "Error", "Evolution",
-    "Flow", "FluxTransport", "GeodesicDistance", "HeatSolver",
+    "Flow", "FluxTransport", "GeodesicDistance",
     "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
     "IoError", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page",
     "ParallelTransport", "PeriodicMesh", "PoissonError", "PoissonSolution",

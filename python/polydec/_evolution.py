@@ -24,65 +24,6 @@ _names = {"values", "codifferential", "flow", "derivative_flow"}
 Forms = Union[Form, Sequence[Form]]
 
 
-class HeatSolver:
-    """Steps of the heat equation du/dt = -Delta u for forms, with one factorization.
-
-    Parameters
-    ----------
-    complex : Cells, or a mesh as `discretize` takes it
-    time_step : float
-    degree, side
-        Of the forms.
-    scheme : {"backward_euler", "crank_nicolson"}
-        Of first order in time, and smoothing; or of second.
-    engine : str
-        A name of `backends`.
-    essential : bool or array of bool or callable, optional
-        As for `spectrum`.
-    robin : float, array_like or callable, optional
-        Coefficients of Robin's condition where facets are not essential (by default none is then):
-        as much flows out as the coefficient times the trace. As for `PoissonSolver`.
-    fixed : array_like or callable or str, optional
-        Vertices at which primal 0-forms are 0 as well, as for `PoissonSolver`.
-    """
-
-    def __init__(self, complex: CellsLike, time_step: float, *, degree: int = 0,
-                 side: str = "primal", scheme: str = "backward_euler", essential: Any = None,
-                 robin: Values | None = None, fixed: Any = None,
-                 engine: str = "auto") -> None:
-        self._complex = complex = as_cells(complex, in_units=True)
-        conditions = conditions_or_none(complex, essential, robin, fixed)
-        self._kind = side, degree
-        self._solver = _core.HeatSolver(complex._cells, conditions, side, degree, time_step,
-                                        scheme, engine)
-
-    def step(self, u: Form, steps: int = 1) -> Floats:
-        """The values so many steps later. Ctrl-C ends it between two steps."""
-        side, degree, values = as_form(self._complex, u, self._kind[1], self._kind[0])
-        later = self._solver.step(side, degree, values, steps)[2]
-        return form_at_vertices(self._complex, later, side, degree)
-
-
-def heat(complex: CellsLike, u: Form, time_step: float, steps: int = 1, *, degree: int = 0,
-         side: str = "primal", scheme: str = "backward_euler", essential: Any = None,
-         robin: Values | None = None, engine: str = "auto") -> Floats:
-    """The values of a form after so many steps of the heat equation.
-
-    Parameters are those of `HeatSolver`; for several runs make one of these.
-
-    Examples
-    --------
-    >>> import numpy as np, polydec
-    >>> sphere = polydec.discretize(polydec.meshes.icosphere(8))
-    >>> z = polydec.heat(sphere, sphere.points[:, 2], 0.01, 10)      # decays by about exp(-2 t)
-    >>> bool(0.81 < z.max() < 0.83)
-    True
-    """
-    solver = HeatSolver(complex, time_step, degree=degree, side=side, scheme=scheme,
-                        essential=essential, robin=robin, engine=engine)
-    return solver.step(u, steps)
-
-
 class Evolution(Run):
     """Forms that change in time: ``du_i/dt = -nu_i Delta u_i + f_i(t, u_1, u_2, ..)``.
 
@@ -104,7 +45,9 @@ class Evolution(Run):
     essential : bool or array of bool or callable, optional
         As for `spectrum`, for all unknowns. Without, the built-in conditions hold.
     robin : float, array_like or callable, optional
-        As for `HeatSolver`, for all unknowns.
+        Coefficients of Robin's condition where facets are not essential (by default none is then):
+        as much flows out as the coefficient times the trace. As for `PoissonSolver`, for all
+        unknowns.
     fixed : array_like or callable or str, optional
         Vertices at which values of primal 0-forms are given, as for `PoissonSolver`.
     boundary : float, array_like, dict or callable, optional
@@ -212,6 +155,30 @@ class Evolution(Run):
         """What it took: ``engine``, ``steps``, ``rejected``, ``evaluations`` of the reaction,
         ``stiff_evaluations``, ``preparations``, ``solves``, ``last_step``."""
         return self._run.report()
+
+
+def heat(complex: CellsLike, u: Form, time_step: float, steps: int = 1, *, degree: int = 0,
+         side: str = "primal", integrator: str = "backward-euler", essential: Any = None,
+         robin: Values | None = None, fixed: Any = None, engine: str = "auto") -> Floats:
+    """The values of a form after so many steps of the heat equation du/dt = -Delta u: an `Evolution`
+    made for one march, whose parameters the others are.
+
+    Steps have the length `time_step`. Backward Euler is of first order in time and makes no new
+    extremes; "implicit-midpoint" is of second.
+
+    Examples
+    --------
+    >>> import numpy as np, polydec
+    >>> sphere = polydec.discretize(polydec.meshes.icosphere(8))
+    >>> z = polydec.heat(sphere, sphere.points[:, 2], 0.01, 10)      # decays by about exp(-2 t)
+    >>> bool(0.81 < z.max() < 0.83)
+    True
+    """
+    run = Evolution(complex, u, degree=degree, side=side, diffusion=1.0, essential=essential,
+                    robin=robin, fixed=fixed, integrator=integrator, fixed_step=time_step,
+                    engine=engine)
+    run.march(steps * time_step)
+    return run.forms[0]
 
 
 def _several(start: Forms) -> list[Form]:

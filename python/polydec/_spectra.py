@@ -95,7 +95,7 @@ def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str 
         nothing flows through (Neumann's). A callable takes all facet sites, (size(n-1), N), and
         marks them. Without it primal forms have no condition, dual ones are 0 on the boundary.
     robin : float, array_like or callable, optional
-        Coefficients of Robin's condition where facets are not essential, as for `HeatSolver`; not
+        Coefficients of Robin's condition where facets are not essential, as for `Evolution`; not
         for coexact forms alone.
     fixed : array_like or callable or str, optional
         Vertices at which primal 0-forms are 0, inside as well, as for `PoissonSolver`.

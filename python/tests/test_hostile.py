@@ -124,9 +124,7 @@ def test_stars_are_positive_by_default():
     found = polydec.spectrum(c, side="dual", count=3)
     assert found.certificate.complete and found.eigenvalues[0] > -found.radii[0]
     u = np.array([1., 0, 0, 0])
-    heat = polydec.HeatSolver(c, time_step=.01, side="dual")
-    for _ in range(50):
-        u = heat.step(u)
+    u = polydec.heat(c, u, .01, 50, side="dual")
     assert 0 < u.min() and u.max() < 1
     other = polydec.discretize(OBTUSE, star="circumcentric")
     with pytest.warns(polydec.PolydecWarning, match=said("negative", "spurious")):

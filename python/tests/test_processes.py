@@ -159,8 +159,7 @@ def test_interrupted_spectrum(listen):
 
 
 def test_interrupted_steps(square):
-    solver = polydec.HeatSolver(square, 1e-3)
-    assert is_interrupted(lambda: solver.step(square.points[:, 0], 10 ** 8), 0.2)
+    assert is_interrupted(lambda: polydec.heat(square, square.points[:, 0], 1e-3, 10 ** 8), 0.2)
     waves = polydec.Waves(square, square.points[:, 0])
     assert is_interrupted(lambda: waves.march(1e9 * waves.time_step), 0.2)
 

@@ -7,6 +7,8 @@
 #include "meshes/unit_of_length.h"
 #include "solvers/sources/poisson_system.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace polydec {
@@ -25,10 +27,12 @@ bool is_alone(const FormSpace& space) {
 std::vector<std::string> warnings_of(const FormSpace& space) {
     if (!is_alone(space))
         return {};
-    const bool at_vertices = space.cell_degree() == 0;
     const int n = space.cells().dimension();
-    return warning_of_negative_duals(space.cells(), at_vertices ? std::min(1, n) : n - 1,
-                                     "the solution may be far off there");
+    constexpr auto spoiled = "the solution may be far off there";
+    if (space.cell_degree() == 0)
+        return warning_of_negative_duals(space.cells(), std::min(1, n), spoiled);
+    return warning_of_negative_duals(space.cells(), n - 1,
+                                     fmt::format("{}; compare with Side::primal", spoiled));
 }
 
 std::unique_ptr<const PoissonSystem> system_of(const FormSpace& space, const std::string& engine) {

@@ -173,6 +173,8 @@ InitialValueProblem Evolution::Equation::problem(const std::shared_ptr<Equation>
     InitialValueProblem result{.scale = scale};
     const bool is_stiff =
         std::any_of(parts.begin(), parts.end(), [](const Part& part) { return !!part.stiff; });
+    const bool has_data = std::any_of(parts.begin(), parts.end(),
+                                      [](const Part& part) { return !!part.unknown.boundary; });
     if (reaction || !is_stiff)
         result.rate = [self](double t, const Vector& y) {
             return self->reaction ? Vector(self->unit * self->rate(self->unit * t, y))
@@ -188,7 +190,8 @@ InitialValueProblem Evolution::Equation::problem(const std::shared_ptr<Equation>
                                     if (part.stiff)
                                         part.stiff->prepare(self->unit * gamma);
                             },
-                        .solve = [self](const Vector& b) { return self->solve(b); }};
+                        .solve = [self](const Vector& b) { return self->solve(b); },
+                        .linearity = has_data ? Linearity::affine : Linearity::linear};
     result.progress = [self](double t) {
         if (self->progress)
             self->progress(self->unit * t);
@@ -265,6 +268,10 @@ double Evolution::time() const {
 
 std::vector<Cochain> Evolution::forms() const {
     return equation_->forms(time(), integrator_->state());
+}
+
+bool Evolution::resumes_anywhere() const {
+    return integrator_->traits().resumes_anywhere;
 }
 
 std::vector<Vector> Evolution::state() const {

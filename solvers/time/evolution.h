@@ -47,7 +47,8 @@ double largest_coefficient(const Cells& cells, const Cochain& form);
 
 /// Forms that change in time: u_i' = -nu_i Delta u_i + f_i(t, u_1, u_2, ..), for primal and dual
 /// forms of any degrees. The steps are what the tolerances ask for, however fine the
-/// mesh is, since diffusion is solved for. A step's error is measured in values over the sizes of
+/// mesh is, since diffusion is solved for; or fixed ones, as "backward-euler" and
+/// "implicit-midpoint" take them alone. A step's error is measured in values over the sizes of
 /// cells, so that the absolute tolerance is one of coefficients. Times and rates are those of the
 /// caller, of lengths of a mesh's input.
 class Evolution final : public Run {
@@ -64,6 +65,7 @@ public:
     Arrival march(double until, const TimeListener& progress = {}) override;
     std::vector<Vector> state() const override;
     void resume(double time, const std::vector<Vector>& state) override;
+    bool resumes_anywhere() const override;
 
     /// What the reaction and the data on the boundary give at the start is part of it as well.
     std::optional<Fingerprint> fingerprint() const override;

@@ -45,7 +45,8 @@ TEST(registry, the_engines_that_are_always_there_are_there) {
     EXPECT_EQ(make_eigen_solver("spectra")->name(), "spectra");
     EXPECT_EQ(info_of("spectra").kind, EngineKind::eigen);
     EXPECT_EQ(make_eigen_solver("block-lanczos")->name(), "block-lanczos");
-    EXPECT_EQ(make_integrator("runge-kutta")->name(), "runge-kutta");
+    for (const char* name : {"runge-kutta", "backward-euler", "implicit-midpoint"})
+        EXPECT_EQ(make_integrator(name, {.fixed_step = 1})->name(), name);
     EXPECT_EQ(info_of("runge-kutta").kind, EngineKind::integrator);
 }
 

@@ -133,8 +133,9 @@ std::vector<Door> doors_of_forms(const Sample& s) {
         });
         doors.push_back({std::string("cell_degree, ") + name(side), 0, n,
                          [&s, side](int k) { cell_degree(s.P(), side, k); }});
-        doors.push_back({std::string("HeatSolver, ") + name(side), 0, n, [&s, side](int k) {
-                             HeatSolver({{s.P(), s.V()}, side, k}, {.time_step = 0.01});
+        doors.push_back({std::string("Evolution, ") + name(side), 0, n, [&s, side](int k) {
+                             const FormSpace space({s.P(), s.V()}, side, k);
+                             Evolution({{space, form(s, side, k).values, 1}});
                          }});
         doors.push_back({std::string("spectrum, ") + name(side), 0, n, [&s, side](int k) {
                              spectrum({{s.P(), s.V()}, side, k}, {.count = 1});

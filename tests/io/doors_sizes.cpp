@@ -192,7 +192,7 @@ TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
                 {"cells", [&] { MergedCells(s.mesh.merging(), s.mesh.geometry(), other.V()); }},
                 {"heat",
                  [&] {
-                     HeatSolver({{s.P(), other.V()}, Side::primal, k}, {.time_step = 1});
+                     Evolution({{{{s.P(), other.V()}, Side::primal, k}, w.values, 1}});
                  }},
                 {"hodge",
                  [&] {

@@ -5,7 +5,6 @@
 #include "io/checkpoint.h"
 #include "meshes/generate.h"
 #include "solvers/flow/flow.h"
-#include "solvers/heat.h"
 #include "solvers/time/evolution.h"
 #include "solvers/time/waves.h"
 #include "tests/io/support.h"
@@ -48,8 +47,9 @@ using Made = std::unique_ptr<Run>;
 
 Made heat(const Problem& problem) {
     const auto mesh = problem.mesh();
-    return std::make_unique<HeatRun>(problem.space(mesh), Problem::start(mesh),
-                                     HeatOptions{problem.step});
+    return std::make_unique<Evolution>(
+        std::vector<Unknown>{{problem.space(mesh), Problem::start(mesh), 1}}, Reaction(),
+        EvolutionOptions{.integrator = "backward-euler", .steps = {.fixed_step = problem.step}});
 }
 
 Made waves(const Problem& problem) {

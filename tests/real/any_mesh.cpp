@@ -7,9 +7,9 @@
 #include "complex/homology.h"
 #include "dec/well_defined.h"
 #include "io/meshes/read_mesh.h"
-#include "solvers/heat.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/spectra/spectrum.h"
+#include "solvers/time/evolution.h"
 #include "tests/io/support.h"
 #include "tests/real/samples.h"
 #include "tests/support/matrices.h"
@@ -121,8 +121,10 @@ TEST(AnyMesh, has_orthogonal_decompositions_and_heat_that_does_not_grow) {
         EXPECT_LE(product(parts.exact, parts.harmonic), 1e-10);
         EXPECT_LE(product(parts.coexact, parts.harmonic), 1e-10);
         const double step = std::pow(mesh.volumes().primal(1).mean(), 2);
-        const HeatSolver heat({mesh, Side::primal, 1}, {.time_step = step});
-        const Vector later = heat.step({Side::primal, 1, w}).values;
+        Evolution heat({{.space = {mesh, Side::primal, 1}, .start = w, .diffusion = 1}}, {},
+                       {.integrator = "backward-euler", .steps = {.fixed_step = step}});
+        heat.march(step);
+        const Vector later = heat.form(0).values;
         EXPECT_LE(later.dot(star * later), all * (1 + 1e-12));
     });
 }

@@ -5,6 +5,7 @@
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "solvers/time/evolution.h"
 #include "tests/support/circumcentric.h"
 
 #include <cmath>
@@ -152,6 +153,15 @@ PoissonSolution solved(const PoissonSolver& solver, const Vector& f, const Vecto
     if (derivatives.size() > 0)
         data.derivative_flow = outward_flow(space.cells(), space.side(), derivatives);
     return solver.solve({space.side(), 0, f}, data);
+}
+
+Cochain heated(const FormSpace& space, const Cochain& start, double time_step, int steps,
+               const std::string& integrator) {
+    space.check(start);
+    Evolution run({{.space = space, .start = start.values, .diffusion = 1}}, {},
+                  {.integrator = integrator, .steps = {.fixed_step = time_step}});
+    run.march(steps * time_step);
+    return run.form(0);
 }
 
 Vector at(const Points& sites, const std::function<double(const Vector&)>& function) {

@@ -103,6 +103,10 @@ FormSpace functions(const Cells& cells, Side side, const BoundaryConditions& con
 PoissonSolution solved(const PoissonSolver& solver, const Vector& f, const Vector& values = {},
                        const Vector& derivatives = {});
 
+/// A form of the space after steps of the heat equation.
+Cochain heated(const FormSpace& space, const Cochain& start, double time_step, int steps = 1,
+               const std::string& integrator = "backward-euler");
+
 /// A function at places, a row of coordinates each.
 Vector at(const Points& sites, const std::function<double(const Vector& point)>& function);
 

@@ -5,11 +5,11 @@
 #include "dec/well_defined.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/heat.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/sources/poisson.h"
 #include "solvers/spectra/spectrum.h"
 #include "solvers/time/waves.h"
+#include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/hand_made.h"
@@ -27,7 +27,6 @@
 namespace polydec::test::in_conditions {
 namespace {
 
-constexpr Side sides[] = {Side::primal, Side::dual};
 const BoundaryConditions dirichlet{BoundaryCondition::essential};
 const BoundaryConditions neumann{BoundaryCondition::natural};
 
@@ -181,13 +180,12 @@ TEST(HeatUnderConditions, makes_modes_decay_with_their_eigenvalues) {
                     continue; // fcc1 has one vertex inside, at most
                 const auto modes = spectrum(space, {.count = 2});
                 const double dt = 1e-3;
-                HeatSolver solver(space, {.time_step = dt});
                 const Cochain mode{side, 0, modes.modes.col(1)};
                 const Vector expected = mode.values / (1 + dt * modes.eigenvalues[1]);
-                EXPECT_LE(relative_difference(solver.step(mode).values, expected), 1e-8);
+                EXPECT_LE(relative_difference(heated(space, mode, dt).values, expected), 1e-8);
                 // values that the conditions fix are 0, whatever they were
                 const Cochain ones{side, 0, Vector::Ones(mode.values.size())};
-                const Vector next = solver.step(ones).values;
+                const Vector next = heated(space, ones, dt).values;
                 if (conditions.facets.empty() && conditions.everywhere == neumann.everywhere)
                     EXPECT_LE((next.array() - 1).abs().maxCoeff(), 1e-10);
                 else
@@ -226,6 +224,7 @@ TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
     const auto mesh = circumcentric(grid(4, 4), {.criterion = MergeCriterion::none});
     const auto zero = star(mesh.volumes(), 1).zeros();
     const auto cells = "(cells " + star(mesh.volumes(), 1).numbers(zero) + ")";
+    const auto ones = [&](int k) { return Vector(Vector::Ones(mesh.complex().size(k))); };
     for (const Side side : sides) {
         // by which the boundary is left out
         const auto& conditions = side == Side::primal ? dirichlet : neumann;
@@ -237,11 +236,11 @@ TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
                   spectrum({mesh, side, 1, conditions});
               }),
               refusal([&] {
-                  HeatSolver({mesh, side, 1, conditions}, {.time_step = 1});
+                  heated({mesh, side, 1, conditions}, {side, 1, ones(1)}, 1);
               }),
               refusal([&] {
-                  HeatSolver({mesh, side, side == Side::primal ? 2 : 0, conditions},
-                             {.time_step = 1});
+                  const int degree = side == Side::primal ? 2 : 0;
+                  heated({mesh, side, degree, conditions}, {side, degree, ones(2)}, 1);
               }),
               refusal([&] {
                   HodgeSolver({mesh, side, 1, conditions});
@@ -255,18 +254,19 @@ TEST(ConditionedErrors, name_the_facet_where_dual_functions_have_no_differences)
     const auto primal = spectrum({branching, Side::primal, 0}, {.count = 2});
     EXPECT_LE(std::abs(primal.eigenvalues[0]), primal.radii[0]);
     const Vector ones = Vector::Ones(branching.complex().size(2));
-    for (const auto& refused : {refusal([&] {
-                                    spectrum({branching, Side::dual, 0});
-                                }),
-                                refusal([&] {
-                                    spectrum({branching, Side::dual, 0});
-                                }),
-                                refusal([&] {
-                                    spectrum({branching, Side::dual, 0, neumann});
-                                }),
-                                refusal([&] {
-                                    HeatSolver({branching, Side::dual, 0, neumann}, {});
-                                })})
+    for (const auto& refused :
+         {refusal([&] {
+              spectrum({branching, Side::dual, 0});
+          }),
+          refusal([&] {
+              spectrum({branching, Side::dual, 0});
+          }),
+          refusal([&] {
+              spectrum({branching, Side::dual, 0, neumann});
+          }),
+          refusal([&] {
+              heated({branching, Side::dual, 0, neumann}, {Side::dual, 0, ones}, 1);
+          })})
         EXPECT_TRUE(says(refused, {"3 cells", "facet", "primal 0-forms"})) << refused;
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/heat.h"
-
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/form_space.h"
@@ -9,6 +7,7 @@
 #include "meshes/rearrange.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/spectra/spectrum.h"
+#include "solvers/time/evolution.h"
 #include "tests/solvers/cases.h"
 #include "tests/support/branches.h"
 #include "tests/support/circumcentric.h"
@@ -28,7 +27,7 @@
 namespace polydec::test::in_heat {
 namespace {
 
-const HeatOptions quick{.time_step = 0.1};
+constexpr double quick = 0.1;
 
 /// Heat shrinks an eigenform by 1 / (1 + dt lambda) with each step.
 void expect_eigenforms_to_shrink(const CellComplex& complex, const HodgeStars& stars, int k) {
@@ -37,34 +36,32 @@ void expect_eigenforms_to_shrink(const CellComplex& complex, const HodgeStars& s
     for (Index i = 0; i < A.cols(); ++i)
         A.col(i) = applied * Vector::Unit(A.cols(), i);
     const auto [values, forms] = dense_modes(A, DenseMatrix(stars[k].matrix()));
-    const HeatSolver primal({{complex, stars}, Side::primal, k}, quick);
     const int j = complex.dimension() - k;
-    const HeatSolver dual({{complex, stars}, Side::dual, j}, quick);
+    const FormSpace primal({complex, stars}, Side::primal, k),
+        dual({complex, stars}, Side::dual, j);
     for (const Index i : {Index{0}, static_cast<Index>(A.rows() / 2)}) {
         const Vector form = forms.col(i);
-        const double factor = 1 / (1 + quick.time_step * values[i]);
-        EXPECT_LE(relative_difference(primal.step({Side::primal, k, form}).values, factor * form),
-                  1e-8)
-            << "k = " << k;
+        const double factor = 1 / (1 + quick * values[i]);
+        const Vector next = heated(primal, {Side::primal, k, form}, quick).values;
+        EXPECT_LE(relative_difference(next, factor * form), 1e-8) << "k = " << k;
         const Vector flux = stars[k] * form;
-        EXPECT_LE(relative_difference(dual.step({Side::dual, j, flux}).values, factor * flux), 1e-8)
+        EXPECT_LE(
+            relative_difference(heated(dual, {Side::dual, j, flux}, quick).values, factor * flux),
+            1e-8)
             << "k = " << k;
-        EXPECT_GT(relative_difference(primal.step({Side::primal, k, form}).values,
-                                      factor * factor * form + form),
-                  1e-3);
-        const HeatSolver second({{complex, stars}, Side::primal, k},
-                                {.time_step = 0.1, .scheme = HeatScheme::crank_nicolson});
-        const double half = quick.time_step * values[i] / 2;
-        EXPECT_LE(relative_difference(second.step({Side::primal, k, form}).values,
-                                      (1 - half) / (1 + half) * form),
-                  1e-8);
+        EXPECT_GT(relative_difference(next, factor * factor * form + form), 1e-3);
+        const Cochain second =
+            heated(primal, {Side::primal, k, form}, quick, 1, "implicit-midpoint");
+        const double half = quick * values[i] / 2;
+        EXPECT_LE(relative_difference(second.values, (1 - half) / (1 + half) * form), 1e-8);
     }
 }
 
 TEST(HeatByStars, shrinks_eigenforms_on_obtuse_surfaces) {
     const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, 3));
     ASSERT_TRUE(says(refusal([&] {
-                         HeatSolver({mesh, Side::primal, 1}, quick);
+                         const Vector ones = Vector::Ones(mesh.complex().size(1));
+                         heated({mesh, Side::primal, 1}, {Side::primal, 1, ones}, quick);
                      }),
                      {"not positive"}));
     const auto stars = mesh.with_stars(StarKind::automatic).stars();
@@ -91,10 +88,9 @@ TEST(HeatByStars, keeps_conditions_on_the_boundary) {
     ASSERT_LT(space.size(), mesh.complex().size(1));
     ASSERT_FALSE(on.stars()[1].is_diagonal());
     const Vector form = random_vector(mesh.complex().size(1), 2);
-    const HeatSolver inside({on, Side::primal, 1}, quick);
-    const HeatSolver solver(space, quick);
-    const Vector next = solver.step({Side::primal, 1, form}).values;
-    const Vector there = inside.step({Side::primal, 1, space.restrict(form)}).values;
+    const Vector next = heated(space, {Side::primal, 1, form}, quick).values;
+    const Cochain part_of_it{Side::primal, 1, space.restrict(form)};
+    const Vector there = heated({on, Side::primal, 1}, part_of_it, quick).values;
     EXPECT_LE(relative_difference(next, space.extend(there)), 1e-12);
     // the rows and columns of the edges inside, as they are
     const DenseMatrix whole(stars[1].matrix()), part(on.stars()[1].matrix());
@@ -114,8 +110,7 @@ TEST(HeatByStars, has_nothing_to_do_where_conditions_fix_all) {
     const Cells inside = space.inside();
     EXPECT_EQ(inside.stars()[1].size(), 0);
     EXPECT_FALSE(inside.stars()[1].is_diagonal());
-    const HeatSolver solver(space, quick);
-    EXPECT_TRUE(solver.step({Side::primal, 1, Vector::Ones(3)}).values.isZero(0));
+    EXPECT_TRUE(heated(space, {Side::primal, 1, Vector::Ones(3)}, quick).values.isZero(0));
 }
 
 TEST(HeatByStars, shrinks_eigenforms_of_every_degree_by_galerkin) {
@@ -137,10 +132,9 @@ TEST(HeatByStars, leaves_harmonic_forms_after_the_longest_time) {
     const Vector harmonic =
         hodge_decomposition({{mesh.complex(), stars}, form.side, form.degree}, form)
             .harmonic.values;
-    const HeatSolver solver({{mesh.complex(), stars}, Side::primal, 1}, {.time_step = 1e8});
-    EXPECT_LE(relative_difference(solver.step(form).values, harmonic), 1e-6);
-    const HeatSolver brief({{mesh.complex(), stars}, Side::primal, 1}, {.time_step = 1});
-    EXPECT_GT(relative_difference(brief.step(form).values, harmonic), 1e-3);
+    const FormSpace space({mesh.complex(), stars}, Side::primal, 1);
+    EXPECT_LE(relative_difference(heated(space, form, 1e8).values, harmonic), 1e-6);
+    EXPECT_GT(relative_difference(heated(space, form, 1).values, harmonic), 1e-3);
 }
 
 class Heat : public OverMeshes {};
@@ -160,10 +154,10 @@ TEST_P(Heat, eigenforms_decay_with_their_eigenvalues_on_both_sides) {
             const double lambda = modes.eigenvalues[0], dt = 1e-3;
             if (lambda < -1e-9)
                 continue; // spurious, of a negative dual: grows instead
-            HeatSolver solver({{mesh().P(), mesh().volumes}, side, degree}, {.time_step = dt});
             const Cochain mode{side, degree, modes.modes.col(0)};
+            const Cochain next = heated({{mesh().P(), mesh().volumes}, side, degree}, mode, dt);
             const Vector expected = mode.values / (1 + dt * lambda);
-            EXPECT_LE(relative_difference(solver.step(mode).values, expected), 1e-8)
+            EXPECT_LE(relative_difference(next.values, expected), 1e-8)
                 << name(side) << ' ' << degree;
         }
 }
@@ -174,18 +168,15 @@ TEST(HeatOrders, are_1_and_2_in_time) {
     const auto mesh = circumcentric(grid(6, 6));
     const auto modes = spectrum({mesh, Side::primal, 0}, {.count = 2});
     const double lambda = modes.eigenvalues[1], end = 0.1;
-    const auto error = [&](HeatScheme scheme, int steps) {
-        HeatSolver solver({{mesh.complex(), mesh.volumes()}, Side::primal, 0},
-                          {.time_step = end / steps, .scheme = scheme});
-        Cochain u{Side::primal, 0, modes.modes.col(1)};
-        const Vector exact = std::exp(-lambda * end) * u.values;
-        for (int step = 0; step < steps; ++step)
-            u = solver.step(u);
-        return (u.values - exact).norm();
+    const auto error = [&](const char* integrator, int steps) {
+        const Cochain u{Side::primal, 0, modes.modes.col(1)};
+        const FormSpace space({mesh.complex(), mesh.volumes()}, u.side, u.degree);
+        const Cochain cooled = heated(space, u, end / steps, steps, integrator);
+        return (cooled.values - std::exp(-lambda * end) * u.values).norm();
     };
-    for (const auto& [scheme, order] :
-         {std::pair{HeatScheme::backward_euler, 1.0}, {HeatScheme::crank_nicolson, 2.0}})
-        EXPECT_NEAR(std::log2(error(scheme, 20) / error(scheme, 40)), order, 0.1);
+    for (const auto& [integrator, order] :
+         {std::pair{"backward-euler", 1.0}, {"implicit-midpoint", 2.0}})
+        EXPECT_NEAR(std::log2(error(integrator, 20) / error(integrator, 40)), order, 0.1);
 }
 
 TEST(Heat, of_stars_that_are_matrices_does_not_mind_the_size_of_cells) {
@@ -194,9 +185,8 @@ TEST(Heat, of_stars_that_are_matrices_does_not_mind_the_size_of_cells) {
         mesh.points *= size;
         const auto given =
             discretize(mesh, {.criterion = MergeCriterion::none, .star = StarKind::galerkin});
-        const HeatSolver solver({given, Side::dual, 0}, {.time_step = 0.05 * size * size});
-        return solver.step({Side::dual, 0, Vector::Ones(given.complex().size(2))})
-            .values.maxCoeff();
+        const Cochain ones{Side::dual, 0, Vector::Ones(given.complex().size(2))};
+        return heated({given, Side::dual, 0}, ones, 0.05 * size * size).values.maxCoeff();
     };
     for (const int exponent : {-38, -20, 20, 30, 38})
         EXPECT_NEAR(largest_at(std::ldexp(1, exponent)), largest_at(1), 1e-9) << exponent;
@@ -206,18 +196,19 @@ TEST(Heat, does_not_grow_where_duals_of_facets_are_negative) {
     const auto mesh = circumcentric(perturbed(grid(4, 4), 0.08, 3), {MergeCriterion::none});
     ASSERT_FALSE(star(mesh.volumes(), 1).negatives().empty());
     for (const char* engine : {"eigen.ldlt", "auto"}) {
-        const HeatSolver solver({mesh, Side::dual, 0},
-                                {.time_step = 0.01, .linear_solver = engine});
-        Cochain u{Side::dual, 0, random_vector(mesh.complex().size(2), 1)};
-        EXPECT_TRUE(says(message_of<SolverFailure>([&] {
-                             for (int step = 0; step < 100; ++step)
-                                 u = solver.step(u);
-                         }),
+        Evolution run({{.space = {mesh, Side::dual, 0},
+                        .start = random_vector(mesh.complex().size(2), 1),
+                        .diffusion = 1}},
+                      {},
+                      {.integrator = "backward-euler",
+                       .steps = {.fixed_step = 0.01},
+                       .linear_solver = engine});
+        EXPECT_TRUE(says(message_of<SolverFailure>([&] { run.march(1); }),
                          {"norm larger", "negative duals", "StarKind::automatic"}))
             << engine;
+        const Cochain u = run.form(0);
         const auto positive = mesh.with_stars(StarKind::automatic);
-        const HeatSolver other({positive, Side::dual, 0}, {.time_step = 0.01});
-        EXPECT_LT(norm(positive, other.step(u)), norm(positive, u));
+        EXPECT_LT(norm(positive, heated({positive, Side::dual, 0}, u, 0.01)), norm(positive, u));
     }
 }
 

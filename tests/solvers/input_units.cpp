@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/cell_centers.h"
-#include "solvers/heat.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/sources/poisson.h"
 #include "solvers/spectra/coexact_spectrum.h"
 #include "solvers/spectra/spectrum.h"
 #include "solvers/time/evolution.h"
 #include "solvers/time/waves.h"
+#include "tests/solvers/cases.h"
 #include "tests/support/all_sizes.h"
 
 #include <gtest/gtest.h>
@@ -32,11 +32,11 @@ Vector slopes(const Discretization& mesh, double size) {
 TEST(InputUnits, are_those_of_heat) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side side, int degree) {
-            const HeatOptions options{.time_step = 0.05 * size * size};
+            const double step = 0.05 * size * size;
             const Cochain start = any_form(mesh, side, degree);
-            const HeatSolver built_in({mesh, side, degree}, options);
-            const HeatSolver held({mesh, side, degree, robin(1.5 / size)}, options);
-            return joined({built_in.step(start).values, held.step(start).values});
+            const FormSpace held(mesh, side, degree, robin(1.5 / size));
+            return joined({heated({mesh, side, degree}, start, step).values,
+                           heated(held, start, step).values});
         },
         all_degrees);
 }

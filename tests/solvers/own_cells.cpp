@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/cell_centers.h"
 #include "meshes/generate.h"
-#include "solvers/heat.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/sources/poisson.h"
 #include "solvers/time/waves.h"
@@ -75,19 +74,14 @@ TEST_P(OwnCells, have_heat_waves_and_decompositions) {
         for (const Side side : {Side::primal, Side::dual}) {
             const int degree = side == Side::primal ? k : complex().dimension() - k;
             const Cochain form{side, degree, random_vector(complex().size(k), 3)};
-            const HeatOptions options{.time_step = 0.1};
             for (const auto condition : {BoundaryCondition::essential, BoundaryCondition::natural})
                 expect_equal(
                     [&] {
-                        return HeatSolver({whole(), side, degree, {condition}}, options)
-                            .step(form)
-                            .values;
+                        return heated({whole(), side, degree, {condition}}, form, 0.1).values;
                     },
                     [&] {
-                        return HeatSolver({{complex(), volumes()}, side, degree, {condition}},
-                                          options)
-                            .step(form)
-                            .values;
+                        const Cells cells{complex(), volumes()};
+                        return heated({cells, side, degree, {condition}}, form, 0.1).values;
                     },
                     1.1);
             expect_equal(

@@ -2,10 +2,10 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/form_space.h"
 #include "meshes/generate.h"
-#include "solvers/heat.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/sources/poisson.h"
 #include "solvers/spectra/spectrum.h"
+#include "solvers/time/diffusion.h"
 #include "tests/solvers/cases.h"
 #include "tests/solvers/flow_samples.h"
 #include "tests/support/circumcentric.h"
@@ -172,13 +172,10 @@ double fading_error(const Discretization& mesh, Side side, double alpha, double 
                          : diagonal           ? cell_centers(mesh, 2)
                                               : cell_centroids(mesh, 2);
     const Vector start = (w * (sites.array() - 0.5)).cos().rowwise().prod();
-    Cochain u{side, 0, start};
     constexpr int steps = 80;
     constexpr double time = 0.2;
-    const HeatSolver solver({mesh, side, 0, robin(solved_with)},
-                            {.time_step = time / steps, .scheme = HeatScheme::crank_nicolson});
-    for (int i = 0; i < steps; ++i)
-        u = solver.step(u);
+    const Cochain u = heated({mesh, side, 0, robin(solved_with)}, {side, 0, start}, time / steps,
+                             steps, "implicit-midpoint");
     return l2_norm(mesh, side, u.values - std::exp(-2 * w * w * time) * start);
 }
 
@@ -247,8 +244,8 @@ TEST(Robin, takes_energy_from_heat_of_every_degree) {
             const Vector weights = side == Side::primal ? star : star.cwiseInverse();
             const Cochain u{side, k, random_vector(mesh.complex().size(cells), 5)};
             const auto energy_after = [&](const BoundaryConditions& conditions) {
-                const HeatSolver solver({mesh, side, k, conditions}, {.time_step = 0.1});
-                return weights.dot(solver.step(u).values.cwiseAbs2());
+                const Cochain next = heated({mesh, side, k, conditions}, u, 0.1);
+                return weights.dot(next.values.cwiseAbs2());
             };
             const double left = energy_after(robin(1));
             EXPECT_LT(left, weights.dot(u.values.cwiseAbs2()));

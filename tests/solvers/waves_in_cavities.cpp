@@ -6,10 +6,10 @@
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/heat.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/spectra/coexact_spectrum.h"
 #include "solvers/time/waves.h"
+#include "tests/solvers/cases.h"
 #include "tests/support/branches.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
@@ -223,10 +223,14 @@ TEST(WaveErrors, name_what_is_wrong) {
     };
     EXPECT_TRUE(says(refused(2, 0.1), {"waves", "2-forms", "dimension 2", "0", "1"}));
     EXPECT_TRUE(says(refused(0, 1), {"time step of 1"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         HeatSolver({{mesh.complex(), mesh.volumes()}, Side::dual, 0}, {});
-                     }),
-                     {"time step of 0"}));
+    const auto refused_heat = [&](double step) {
+        const Cochain form{Side::dual, 0, Vector::Zero(mesh.complex().size(2))};
+        return refusal([&] {
+            heated({{mesh.complex(), mesh.volumes()}, form.side, form.degree}, form, step);
+        });
+    };
+    EXPECT_TRUE(says(refused_heat(0), {"backward-euler", "fixed_step above 0"}));
+    EXPECT_TRUE(says(refused_heat(-1), {"backward-euler", "fixed_step is -1"}));
     EXPECT_TRUE(says(refusal([&] {
                          coexact_spectrum({{mesh.complex(), mesh.volumes()}, Side::dual, 0});
                      }),

@@ -165,7 +165,7 @@ class Draw:
         form = self.form_of(degree)
         conditions = self.conditions(["robin"] * (degree == 0))
         times = self.times(draw.choice([1e-4, 1e-2, 1]), draw.randint(1, 5), 2)
-        scheme = draw.choice([[], [], ["--scheme", "crank-nicolson"]])
+        scheme = draw.choice([[], [], ["--integrator", "implicit-midpoint"]])
         source = self.template() if degree == 0 and not scheme and draw.random() < .2 else None
 
         def asked(g):

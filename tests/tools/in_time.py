@@ -28,7 +28,7 @@ class InTime(TestCase):
             errors = []
             for step in (0.02, 0.01):
                 answer = self.ask("heat", sphere, "--side", side, "--initial", "z", "--until", 0.5,
-                                  "--time-step", step, "--scheme", "crank-nicolson")
+                                  "--time-step", step, "--integrator", "implicit-midpoint")
                 self.assertEqual(answer["steps"], round(0.5 / step))
                 errors.append(abs(answer["relative_norm"] / math.exp(-2 * 0.5) - 1))
             self.assertLess(errors[-1], 0.01)
@@ -104,8 +104,8 @@ class InTime(TestCase):
     def test_what_a_source_goes_without_is_told(self):
         grid = golden("grid4.nsc")
         heat = ("heat", grid, "--side", "primal", "--initial", "1", "--until", 1)
-        self.assertSays(self.fail_with(1, *heat, "--source", "t", "--scheme", "crank-nicolson"),
-                        "--source", "--scheme")
+        self.assertSays(self.fail_with(2, *heat, "--tolerance-in-time", 1e-4, "--integrator",
+                                       "backward-euler"), "--tolerance-in-time", "backward-euler")
         self.assertSays(self.fail_with(2, *heat, "--boundary-values", "t"),
                         "--boundary-values", "essential", "--essential-where")
         self.assertSays(self.fail_with(2, *heat, "--integrator", "foo"), "integrator", "`foo`")
