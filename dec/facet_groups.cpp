@@ -44,7 +44,7 @@ std::string groups_with_facets(const Discretization& mesh) {
                         : fmt::format("there are {}", fmt::join(list, ", "));
 }
 
-std::vector<bool> facets_in(const Discretization& mesh, Index group) {
+std::vector<bool> facets_of(const Discretization& mesh, Index group) {
     std::vector<bool> marks(mesh.complex().size(mesh.dimension() - 1), false);
     const auto& tags = mesh.facet_tags();
     for (std::size_t f = 0; f < tags.size(); ++f) {
@@ -56,11 +56,11 @@ std::vector<bool> facets_in(const Discretization& mesh, Index group) {
 
 } // namespace
 
-std::vector<bool> facets_on(const Discretization& mesh, const std::vector<std::string>& groups) {
+std::vector<bool> facets_in(const Discretization& mesh, const std::vector<std::string>& groups) {
     std::vector<bool> marks(mesh.complex().size(mesh.dimension() - 1), false);
     const auto tags = group_tags(mesh.groups(), mesh.dimension() - 1, groups);
     for (std::size_t i = 0; i < tags.size(); ++i) {
-        const auto found = facets_in(mesh, tags[i]);
+        const auto found = facets_of(mesh, tags[i]);
         if (std::find(found.begin(), found.end(), true) == found.end())
             throw InvalidInput(fmt::format("no facet is in the group {}: {}", groups[i],
                                            groups_with_facets(mesh)));
@@ -73,11 +73,7 @@ std::vector<bool> facets_on(const Discretization& mesh, const std::vector<std::s
 BoundaryConditions essential_on(const Discretization& mesh,
                                 const std::vector<std::string>& groups) {
     const auto conditions = [&](const std::vector<std::string>& some) {
-        BoundaryConditions result{BoundaryCondition::natural};
-        for (const bool is_marked : facets_on(mesh, some))
-            result.facets.push_back(is_marked ? BoundaryCondition::essential
-                                              : BoundaryCondition::natural);
-        return result;
+        return BoundaryConditions(BoundaryCondition::natural).essential(facets_in(mesh, some));
     };
     for (const auto& group : groups) // each of them, not some
         require_essential(mesh.complex(), conditions({group}),

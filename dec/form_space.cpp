@@ -136,6 +136,12 @@ std::string FormSpace::in_words() const {
     return polydec::in_words(conditions(), parts_->cells.complex(), degree());
 }
 
+Cochain FormSpace::form(Vector values) const {
+    Cochain result{side(), degree(), std::move(values)};
+    check(result);
+    return result;
+}
+
 void FormSpace::check(const Cochain& form) const {
     if (form.side != side() || form.degree != degree())
         throw InvalidInput(fmt::format("a {} {}-form is given: expected a {} {}-form",

@@ -52,6 +52,9 @@ public:
     /// What the conditions mean, like polydec::in_words.
     std::string in_words() const;
 
+    /// A form of the space by a value for each cell. Throws like check.
+    Cochain form(Vector values) const;
+
     /// Throws InvalidInput, naming both, for a form of another side, degree or number of values,
     /// and for values that are not finite.
     void check(const Cochain& form) const;

@@ -4,6 +4,7 @@
 #include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "dec/forms/cochain.h"
 #include "dec/galerkin_mass.h"
 #include "dec/metric/rounding.h"
 #include "dec/metric/simplex_geometry.h"
@@ -165,6 +166,22 @@ Discretization with_conductivity(const Discretization& mesh, Side side, const Ce
     const Vector values = kappa.on(mesh, "conductivity", Range::positive);
     return with_material(
         mesh, k, CellData::on_cells(side == Side::primal ? values : Vector(values.cwiseInverse())));
+}
+
+Discretization with_electric_material(const Discretization& mesh, Side side, int degree,
+                                      const CellData& permittivity, const CellData& permeability) {
+    const bool is_primal = side == Side::primal;
+    const int k = cell_degree(mesh.complex(), side, degree);
+    Discretization result = mesh;
+    const auto put = [&](int j, const char* name, const CellData& given, bool inverted) {
+        const Vector weights = given.on(mesh, name, Range::positive);
+        if (!weights.isOnes(0))
+            result = with_material(
+                result, j, CellData::on_cells(inverted ? Vector(weights.cwiseInverse()) : weights));
+    };
+    put(k, "permittivity", permittivity, !is_primal);
+    put(is_primal ? k + 1 : k - 1, "permeability", permeability, is_primal);
+    return result;
 }
 
 } // namespace polydec

@@ -49,4 +49,10 @@ Discretization with_material(const Discretization& mesh, int k, const CellData& 
 /// known.
 Discretization with_conductivity(const Discretization& mesh, Side side, const CellData& kappa);
 
+/// With these stars forms of a side and degree are electric fields E in a material, whose energies
+/// are of permittivity |E|^2 and |B|^2 / permeability: dual forms are stars of primal ones by what
+/// is between them, and have the inverses. Both positive. Throws likewise.
+Discretization with_electric_material(const Discretization& mesh, Side side, int degree,
+                                      const CellData& permittivity, const CellData& permeability);
+
 } // namespace polydec

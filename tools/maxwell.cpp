@@ -61,7 +61,8 @@ public:
     Filling(const Discretization& empty, const MaxwellArguments& arguments,
             const Material& material)
         : empty_(empty),
-          is_primal_(arguments.side == Side::primal),
+          side_(arguments.side),
+          degree_(arguments.degree),
           k_(cell_degree(empty.complex(), arguments.side, arguments.degree)) {
         const auto at = [&](const char* name, const std::optional<SiteValues>& values,
                             double none) {
@@ -76,15 +77,8 @@ public:
     }
 
     Discretization filled() const {
-        Discretization result = empty_;
-        const auto put = [&](int k, const Vector& weights) {
-            if (!weights.isOnes(0))
-                result = with_material(result, k, CellData::on_cells(weights));
-        };
-        put(k_, is_primal_ ? permittivity_ : Vector(permittivity_.cwiseInverse()));
-        put(is_primal_ ? k_ + 1 : k_ - 1,
-            is_primal_ ? Vector(permeability_.cwiseInverse()) : permeability_);
-        return result;
+        return with_electric_material(empty_, side_, degree_, CellData::on_cells(permittivity_),
+                                      CellData::on_cells(permeability_));
     }
 
     /// Conductivity over permittivity; none where nothing conducts.
@@ -106,14 +100,14 @@ private:
         const auto means = [&](const Vector& of_cells) {
             return cell_means(empty_, k_, CellData::on_cells(of_cells));
         };
-        if (!is_primal_)
+        if (side_ == Side::dual)
             return means(values.cwiseQuotient(permittivity_));
         return means(values).cwiseQuotient(means(permittivity_));
     }
 
     const Discretization& empty_;
-    bool is_primal_;
-    int k_;
+    Side side_;
+    int degree_, k_;
     Vector permittivity_, permeability_, conductivity_;
 };
 

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "base/memory.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/material_stars.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -111,7 +112,7 @@ struct Data {
 };
 
 /// What is known on the boundary, in words.
-std::string known(const FormSpace& space, const PoissonArguments& arguments) {
+std::string conditions(const FormSpace& space, const PoissonArguments& arguments) {
     return in_words(space.conditions(), space.cells().complex(), 0,
                     {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
 }
@@ -169,18 +170,22 @@ void run_poisson(PoissonArguments arguments) {
                                               : values.at(places);
     };
     const Points places = sites(cells, arguments.side);
-    const Vector f = at(data.rhs, places),
-                 g = at(data.boundary, boundary_sites(cells, arguments.side)),
-                 h = data.flux.at(facet_sites(cells));
+    const Vector f = at(data.rhs, places);
+    Vector h = Vector::Zero(cells.size(cells.dimension() - 1));
+    BoundaryForms known;
+    if (!arguments.boundary.empty())
+        known.values = at(data.boundary, boundary_sites(cells, arguments.side));
+    if (!arguments.flux.empty()) {
+        h = data.flux.at(facet_sites(cells));
+        known.derivative_flow = outward_flow(cells, arguments.side, h);
+    }
     const auto solution = computed_on(arguments.mesh.mesh, [&] {
-        return solver.solve(
-            {arguments.side, 0, f},
-            {.values = g, .derivative_flow = outward_flow(cells, arguments.side, h)});
+        return solver.solve({arguments.side, 0, f}, known);
     });
     const Vector& u = solution.form.values;
     log.warn(solution.warnings);
     Solved answer = describe(mesh, arguments, solution);
-    answer.conditions = known(space, arguments);
+    answer.conditions = conditions(space, arguments);
     log.timing.begin("bound");
     add_bound(answer, mesh, space, conductivity, arguments.engine, f, h, u);
     if (data.exact)

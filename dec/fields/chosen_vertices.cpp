@@ -67,7 +67,7 @@ std::vector<Index> vertices_on(const Discretization& mesh, const std::vector<std
         const bool of_cells = std::find(cells.begin(), cells.end(), true) != cells.end();
         for (const Index v : of_cells
                                  ? vertices_of(mesh.complex(), n, cells)
-                                 : vertices_of(mesh.complex(), n - 1, facets_on(mesh, {group})))
+                                 : vertices_of(mesh.complex(), n - 1, facets_in(mesh, {group})))
             marks[v] = true;
     }
     return numbers_of(marks);

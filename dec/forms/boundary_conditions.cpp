@@ -150,14 +150,35 @@ void require_essential(const CellComplex& complex, const BoundaryConditions& con
                                        what, boundary));
 }
 
+BoundaryConditions BoundaryConditions::essential(const std::vector<bool>& marks) const {
+    BoundaryConditions result = *this;
+    result.facets.resize(marks.size(), everywhere);
+    for (std::size_t f = 0; f < marks.size(); ++f)
+        if (marks[f])
+            result.facets[f] = BoundaryCondition::essential;
+    return result;
+}
+
+BoundaryConditions BoundaryConditions::robin(const std::vector<bool>& marks,
+                                             double coefficient) const {
+    BoundaryConditions result = essential(marks);
+    const double others = coefficients.size() == 1 ? coefficients[0] : 0;
+    if (coefficients.size() <= 1)
+        result.coefficients.assign(marks.size(), others);
+    for (std::size_t f = 0; f < std::min(marks.size(), result.coefficients.size()); ++f)
+        if (marks[f]) {
+            result.facets[f] = BoundaryCondition::robin;
+            result.coefficients[f] = coefficient;
+        }
+    return result;
+}
+
 BoundaryConditions essential_where(const Points& sites,
                                    const std::function<bool(const Vector& site)>& predicate) {
-    BoundaryConditions conditions;
+    std::vector<bool> marks;
     for (Index f = 0; f < sites.rows(); ++f)
-        conditions.facets.push_back(predicate(sites.row(f).transpose())
-                                        ? BoundaryCondition::essential
-                                        : BoundaryCondition::natural);
-    return conditions;
+        marks.push_back(predicate(sites.row(f).transpose()));
+    return BoundaryConditions(BoundaryCondition::natural).essential(marks);
 }
 
 BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coefficient) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace polydec {
 
@@ -18,8 +19,21 @@ enum class BoundaryCondition {
     robin,     ///< the trace times a coefficient and what flows through together: impedance
 };
 
-/// The conditions on the boundary: one everywhere, or one for each facet.
+/// The conditions on the boundary: one everywhere, or one for each facet, as in
+/// BoundaryConditions(BoundaryCondition::natural).essential(hot).robin(cold, 2.5).
 struct BoundaryConditions {
+    BoundaryConditions(BoundaryCondition on_all = BoundaryCondition::essential,
+                       std::vector<BoundaryCondition> on_each = {},
+                       std::vector<double> of_robin = {}, std::vector<bool> vertices = {})
+        : everywhere(on_all),
+          facets(std::move(on_each)),
+          coefficients(std::move(of_robin)),
+          fixed_vertices(std::move(vertices)) {}
+
+    /// The same with another condition on the marked ones of all (n-1)-cells.
+    BoundaryConditions essential(const std::vector<bool>& marks) const;
+    BoundaryConditions robin(const std::vector<bool>& marks, double coefficient) const;
+
     BoundaryCondition everywhere = BoundaryCondition::essential;
     /// Empty, or one for each (n-1)-cell; those with other than one coface do not matter.
     std::vector<BoundaryCondition> facets = {};

@@ -30,6 +30,7 @@ public:
     const CellComplex& complex() const& { return complex_; }
     CellComplex complex() && { return complex_; }
     int dimension() const { return complex_.dimension(); }
+    Index size(int k) const { return complex_.size(k); } ///< how many k-cells there are
 
     /// Of the cells; diagonal stars of your own are made of them.
     const CellVolumes& volumes() const& { return volumes_; }

@@ -144,8 +144,8 @@ BoundaryConditions conditions_of(const std::vector<bool>& essential, const Numbe
         return robin.size() > 0 && robin[i] != 0 ? BoundaryCondition::robin
                                                  : BoundaryCondition::natural;
     };
-    BoundaryConditions conditions{.coefficients = {robin.begin(), robin.end()},
-                                  .fixed_vertices = fixed};
+    BoundaryConditions conditions(BoundaryCondition::essential, {}, {robin.begin(), robin.end()},
+                                  fixed);
     if (essential.size() == 1 && robin.size() == 0)
         conditions.everywhere = condition(0);
     else

@@ -162,7 +162,7 @@ void add_parts(py::class_<Discretization, Cells>& type) {
                                [](const Discretization& mesh) { return array(mesh.facet_tags()); })
         .def("facets_in",
              [](const Discretization& mesh, const std::vector<std::string>& groups) {
-                 return facets_on(mesh, groups);
+                 return facets_in(mesh, groups);
              })
         .def_property_readonly("unit", &Discretization::unit)
         .def_property_readonly(

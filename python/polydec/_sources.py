@@ -243,18 +243,29 @@ def _places(cells: Cells, side: str) -> tuple[Floats, Floats, Floats]:
 
 def _form_of(cells: Cells, f: Form | Values, side: str, degree: int,
              places: Floats) -> tuple[str, int, Floats]:
-    if degree == 0 and not isinstance(f, Cochain):
-        f = at_places(f, places, "values of f")
-    if isinstance(f, float):
-        f = np.full(cells.size(degree, side), f)
-    return as_form(cells, f, degree, side)
+    if isinstance(f, Cochain):
+        return as_form(cells, f, degree, side)
+    if degree == 0:
+        return as_form(cells, at_places(f, places, "values of f"), degree, side)
+    given = _integrals(f, degree)
+    if np.ndim(given) == 0:
+        given = np.full(cells.size(degree, side), given)
+    return as_form(cells, given, degree, side)
 
 
 def _trace_of(cells: Cells, boundary: Values, side: str, degree: int, places: Floats) -> Floats:
     if degree == 0:
         given = at_places(boundary, places, "boundary values")
         return at_cells(cells, given) if side == "primal" else given
-    return _or_none(None if np.ndim(boundary) == 0 else boundary, "values on the boundary")
+    integrals = _integrals(boundary, degree)
+    return _or_none(None if np.ndim(integrals) == 0 else integrals, "values on the boundary")
+
+
+def _integrals(given: Values, degree: int) -> npt.ArrayLike:
+    if callable(given):
+        raise InvalidInput(f"a function of places is given for {degree}-forms: expected their "
+                           "integrals, as de_rham makes them")
+    return given
 
 
 def poisson(complex: CellsLike, f: Form | Values = 0.0, boundary: Values = 0.0,

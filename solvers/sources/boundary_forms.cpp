@@ -2,8 +2,14 @@
 #include "solvers/sources/boundary_forms.h"
 
 #include "base/checks.h"
+#include "base/errors.h"
 #include "dec/forms/boundary_conditions.h"
 #include "meshes/unit_of_length.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <utility>
 
 namespace polydec {
 
@@ -25,6 +31,36 @@ Vector outward_flow(const Cells& cells, Side side, const Vector& derivatives) {
             if (complex.coface_counts(n - 1)[f.face] == 1)
                 flow[f.face] = f.sign * areas[f.face] * derivatives[f.face];
     return in_input(flow);
+}
+
+BoundaryForms boundary_data(const FormSpace& space, const std::vector<FacetValue>& values) {
+    const Cells cells = space.cells();
+    const int facets = cells.dimension() - 1;
+    if (space.degree() != 0)
+        throw InvalidInput(
+            fmt::format("values of {}-forms are given by facets: expected functions, "
+                        "of degree 0",
+                        space.degree()));
+    const bool at_vertices = space.side() == Side::primal;
+    Vector u = Vector::Zero(cells.size(at_vertices ? 0 : facets));
+    Vector derivatives = Vector::Zero(cells.size(facets));
+    for (const auto& [marks, value] : values) {
+        check_as_many("marks of facets", std::ssize(marks), cells.size(facets));
+        std::vector<bool> given = marks;
+        for (Index f = 0; f < cells.size(facets); ++f) {
+            const bool is_essential = space.conditions().at(f) == BoundaryCondition::essential;
+            given[f] = marks[f] && is_essential;
+            if (marks[f] && !is_essential)
+                derivatives[f] = value;
+        }
+        const CellMarks held = essential_cells(
+            cells.complex(), BoundaryConditions(BoundaryCondition::natural).essential(given));
+        for (Index i = 0; i < u.size(); ++i)
+            if (held[at_vertices ? 0 : facets][i])
+                u[i] = value;
+    }
+    return {.values = std::move(u),
+            .derivative_flow = outward_flow(cells, space.side(), derivatives)};
 }
 
 BoundaryForms in_unit(const BoundaryForms& data, double unit, int n, int degree) {

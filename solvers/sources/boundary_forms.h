@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/forms/cells.h"
+#include "dec/form_space.h"
 #include "dec/forms/side.h"
+
+#include <vector>
 
 namespace polydec {
 
@@ -30,6 +32,19 @@ struct BoundaryForms {
 /// Size size(0) for primal forms, size(n-1) for dual ones. In the units of the input. Throws
 /// InvalidInput for another number of them.
 Vector outward_flow(const Cells& cells, Side side, const Vector& derivatives);
+
+/// What is known of functions on some facets.
+struct FacetValue {
+    std::vector<bool> facets; ///< marks of the (n-1)-cells
+    double value;
+};
+
+/// Data of functions, the 0-forms of a space, by what the conditions of marked facets ask for: u
+/// where they are essential, its outward derivative where they are natural, with the coefficient
+/// times u added where they are Robin's; with a material what flows in, in place of the derivative.
+/// 0 on facets that are not marked; the last value holds where facets are marked twice or meet at a
+/// vertex. In the units of the input. Throws InvalidInput for other forms and numbers of marks.
+BoundaryForms boundary_data(const FormSpace& space, const std::vector<FacetValue>& values);
 
 /// Data of forms of this degree in the units of the input as they are on a mesh of dimension n that
 /// is measured in a unit of length. Throws InvalidInput where they are no numbers.

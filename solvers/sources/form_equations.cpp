@@ -182,6 +182,8 @@ namespace {
 
 /// Adds A x to a sum, and its size to that of the terms.
 void add(Vector& sum, Vector& terms, double sign_of, const SparseMatrix& A, const Vector& x) {
+    if (x.isZero(0))
+        return;
     sum += sign_of * (A * x);
     terms += A.cwiseAbs() * x.cwiseAbs();
 }

@@ -140,7 +140,8 @@ TEST(BoundaryDataBroken, without_the_boundary_constants_have_jumps_there) {
 
 TEST(BoundaryData, of_a_cone_reaches_the_vertex_of_its_loop) {
     const auto cone = cell_complex(folded_triangle());
-    const auto marks = essential_cells(cone, {.facets = {2, BoundaryCondition::essential}});
+    const auto marks =
+        essential_cells(cone, {BoundaryCondition::essential, {2, BoundaryCondition::essential}});
     EXPECT_EQ(marks, boundary_cells(cone));
     EXPECT_EQ(std::count(marks[0].begin(), marks[0].end(), true), 1);
 }
@@ -179,10 +180,11 @@ TEST(BoundaryWords, say_what_holds_for_forms_of_each_degree) {
 
 TEST(BoundaryErrors, count_the_conditions) {
     const auto& P = merged("grid4").P();
-    EXPECT_TRUE(says(refusal([&] {
-                         essential_cells(P, {.facets = {3, BoundaryCondition::natural}});
-                     }),
-                     {"3 boundary conditions", "40 1-cells"}));
+    EXPECT_TRUE(says(
+        refusal([&] {
+            essential_cells(P, {BoundaryCondition::essential, {3, BoundaryCondition::natural}});
+        }),
+        {"3 boundary conditions", "40 1-cells"}));
 }
 
 TEST(FixedVertices, are_cells_on_which_primal_functions_alone_are_given) {

@@ -171,22 +171,22 @@ TEST(FacetTags, of_several_groups_of_a_facet_all_count) {
     EXPECT_EQ(result.joint_tags()[0].groups, (std::vector<Index>{8, 9}));
     EXPECT_TRUE(each_says(result.warnings(), {{"1 facet", "groups 8, 9", "10"}}));
     using Marks = std::vector<bool>;
-    EXPECT_EQ(facets_on(result, {"wall"}), (Marks{true, false, false, false, false}));
-    EXPECT_EQ(facets_on(result, {"9"}), (Marks{true, false, false, true, false}));
-    EXPECT_EQ(facets_on(result, {"lid"}), facets_on(result, {"9"}));
-    EXPECT_EQ(facets_on(result, {"8", "5"}), (Marks{true, true, false, false, false}));
+    EXPECT_EQ(facets_in(result, {"wall"}), (Marks{true, false, false, false, false}));
+    EXPECT_EQ(facets_in(result, {"9"}), (Marks{true, false, false, true, false}));
+    EXPECT_EQ(facets_in(result, {"lid"}), facets_in(result, {"9"}));
+    EXPECT_EQ(facets_in(result, {"8", "5"}), (Marks{true, true, false, false, false}));
     EXPECT_EQ(essential_on(result, {"lid"}).at(3), BoundaryCondition::essential);
     EXPECT_EQ(essential_on(result, {"lid"}).at(1), BoundaryCondition::natural);
-    EXPECT_TRUE(says(refusal([&] { facets_on(result, {"4"}); }),
+    EXPECT_TRUE(says(refusal([&] { facets_in(result, {"4"}); }),
                      {"no facet", "group 4", "5 (1 facets)", "wall (1 facets)", "lid (2 facets)"}));
-    EXPECT_TRUE(says(refusal([&] { facets_on(result, {"plate"}); }), {"1-cells", "plate", "wall"}));
+    EXPECT_TRUE(says(refusal([&] { facets_in(result, {"plate"}); }), {"1-cells", "plate", "wall"}));
     EXPECT_TRUE(says(refusal([&] {
                          essential_on(result, {"lid", "5"});
                      }),
                      {"group 5", "wall", "none", "4 facets"}));
     mesh.facet_tags = {};
     EXPECT_TRUE(
-        says(refusal([&] { facets_on(discretize(mesh), {"4"}); }), {"no facet", "group 4"}));
+        says(refusal([&] { facets_in(discretize(mesh), {"4"}); }), {"no facet", "group 4"}));
     mesh.facet_tags = {Simplices{{1, 0}, {0, 1}}, {1, std::numeric_limits<Index>::max()}};
     EXPECT_EQ(discretize(mesh).joint_tags()[0].tag, 2);
 }

@@ -4,6 +4,7 @@
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/sources/poisson.h"
+#include "solvers/time/waves.h"
 #include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace polydec::test::in_materials {
 namespace {
@@ -83,6 +85,53 @@ TEST(TwoMaterials, have_their_exact_solution_where_the_wall_divides_cospherical_
     EXPECT_EQ(joined.warnings().size(), 1u);
     EXPECT_LT(joined.complex().size(2),
               circumcentric(mesh, {.materials = Materials::keep_apart}).complex().size(2));
+}
+
+// 100 at x = 0, du/dnu + 2 u = 40 at x = 1, kappa 1 and then `ratio`. The twin: other air.
+TEST(TwoMaterials, are_cooled_by_the_data_of_their_facets) {
+    const auto plate =
+        circumcentric(two_materials(kuhn(2, 4)), {.materials = Materials::keep_apart});
+    Vector kappa(plate.size(2));
+    for (Index cell = 0; cell < kappa.size(); ++cell)
+        kappa[cell] = plate.tags()[cell] == 1 ? 1 : ratio;
+    std::vector<bool> hot, air;
+    const Points facets = facet_sites(plate);
+    for (Index f = 0; f < facets.rows(); ++f) {
+        hot.push_back(facets(f, 0) < 1e-9);
+        air.push_back(facets(f, 0) > 1 - 1e-9);
+    }
+    const double inward = (40 - 2 * 100) / (1 + 2 * potential(1));
+    for (const Side side : sides) {
+        const auto medium = with_conductivity(plate, side, CellData::on_cells(kappa));
+        const FormSpace space(
+            medium, side, 0,
+            BoundaryConditions(BoundaryCondition::natural).essential(hot).robin(air, 2));
+        const Vector exact = at(sites(medium, side),
+                                [&](const Vector& p) { return 100 + inward * potential(p[0]); });
+        const auto error = [&](double outside) {
+            const auto found = PoissonSolver(space).solve(
+                space.form(0 * exact), boundary_data(space, {{hot, 100}, {air, outside}}));
+            return (found.form.values - exact).cwiseAbs().maxCoeff();
+        };
+        EXPECT_LE(error(40), 1e-10) << name(side);
+        EXPECT_GT(error(50), 1e-2) << name(side);
+    }
+}
+
+// On a mesh of one material: the speed of waves is 1 / sqrt(permittivity permeability).
+TEST(ElectricMaterial, divides_eigenvalues_by_permittivity_and_permeability) {
+    const auto empty = circumcentric(kuhn(2, 4));
+    for (const Side side : sides)
+        for (const int degree : {0, 1}) {
+            const auto both = [&](double permittivity, double permeability) {
+                const auto cells = Vector::Ones(empty.size(2));
+                const auto filled = with_electric_material(
+                    empty, side, degree, CellData::on_cells(permittivity * cells),
+                    CellData::on_cells(permeability * cells));
+                return stable_step({filled, side, degree});
+            };
+            EXPECT_NEAR(both(4, 9), 6 * both(1, 1), 1e-9 * both(1, 1)) << name(side) << degree;
+        }
 }
 
 } // namespace

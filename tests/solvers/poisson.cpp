@@ -314,7 +314,8 @@ TEST(PoissonSolverRefuses, data_that_are_no_numbers_or_too_few) {
     EXPECT_TRUE(says(refusal([&] { solved(solver, zeros, zeros, zeros); }),
                      {"9 outward derivatives", "expected 12"}));
     EXPECT_TRUE(says(refusal([&] {
-                         functions(mesh, Side::primal, {.facets = {2, BoundaryCondition::natural}});
+                         functions(mesh, Side::primal,
+                                   {BoundaryCondition::essential, {2, BoundaryCondition::natural}});
                      }),
                      {"2 boundary conditions", "12 1-cells"}));
 }
