@@ -32,6 +32,7 @@ PROGRAMS = {folder: (f"{folder}/test_{folder}",) for folder in ("io", "meshes", 
 PROGRAMS["dec"] = ("dec/test_dec", "solvers/test_solvers")
 PROGRAMS["backends"] = ("backends/test_backends", "solvers/test_solvers")
 SECONDS = 600
+WITH_COMPONENTS = "slepc.*:*UninstantiatedParameterizedTestSuite*" # there are none beside a flaw
 
 
 def flags(build, path):
@@ -74,7 +75,8 @@ def compiled(build, work, name):
 def verdict(tests, work, name, shared):
     """Name of the first failing test; "" if all pass."""
     for program in PROGRAMS[MUTANTS[name][0].split("/")[0]]:
-        run = subprocess.run([tests / program, "--gtest_brief=1", "--gtest_fail_fast"],
+        run = subprocess.run([tests / program, "--gtest_brief=1", "--gtest_fail_fast",
+                              "--gtest_filter=-" + WITH_COMPONENTS],
                              env=dict(os.environ, LD_PRELOAD=str(shared), LD_LIBRARY_PATH=str(work),
                                       POLYDEC_ENGINES="", RC_PARAMS="seed=1", OMP_NUM_THREADS="1"),
                              capture_output=True, text=True, errors="replace", timeout=SECONDS)
