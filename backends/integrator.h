@@ -40,7 +40,8 @@ struct InitialValueProblem {
     /// A march stops where this goes through 0.
     std::function<double(double time, const Vector& state)> event = {};
 
-    /// Told of the time whenever a rate or a solution is asked for; what it throws ends a march.
+    /// Called with the time at each evaluation of a rate and at each solve. An exception from it
+    /// ends the march.
     std::function<void(double time)> progress = {};
 
     /// What an entry of the state is measured in: the absolute tolerance is multiplied by it, as

@@ -35,7 +35,8 @@ struct HeatArguments {
     std::string integrator, engine = "auto";
     double tolerance = 0; ///< 0: none is asked for
 
-    /// By the tolerance where one is asked for or rates change in time, else by equal steps.
+    /// The default: "runge-kutta" if there is a tolerance, a source or boundary data, otherwise
+    /// "backward-euler". Throws InvalidInput for a tolerance with an integrator of fixed steps.
     void choose_integrator() {
         const bool changes = tolerance > 0 || !source.empty() || !boundary.empty() || !flux.empty();
         if (integrator.empty())

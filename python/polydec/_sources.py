@@ -65,7 +65,7 @@ def outward_flow(complex: Complex, derivatives: Values, side: str = "primal") ->
 
 @dataclass(frozen=True)
 class PoissonSolution:
-    """A solution of ``Delta u = f`` and what was found beside it; an array wherever one is asked for.
+    """The solution of ``Delta u = f`` with its flux. Converts to an array of its values.
 
     Attributes
     ----------
@@ -107,9 +107,9 @@ class CurlCurlSolution:
 class PoissonSolver:
     """Solves ``Delta u = (d delta + delta d) u = f`` for forms, with one factorization.
 
-    Of functions, the 0-forms, that is ``-div grad u = f``, with a conductivity ``-div kappa grad u
-    = f``; of dual ones it is Darcy's problem. Harmonic forms obey ``Delta u = 0``: the harmonic part
-    of f is removed and told, and u has the one that is asked for, by default none.
+    For functions (0-forms) this is ``-div grad u = f``, with a conductivity ``-div kappa grad u =
+    f``; for dual functions it is Darcy's problem. The harmonic part of f has no solution and is
+    returned as ``removed``. The harmonic part of u is zero unless `harmonic` gives it.
 
     Parameters
     ----------
@@ -200,10 +200,10 @@ class PoissonSolver:
 
     def solve_curl_curl(self, current: Form, *,
                         boundary: npt.ArrayLike | None = None) -> CurlCurlSolution:
-        """u with ``d^T star du = star j`` and ``delta u = 0``, of primal forms: magnetostatics.
+        """Magnetostatics: u with ``d^T star du = star j`` and ``delta u = 0``, for primal forms.
 
-        What of the current j is no curl is removed and told. `boundary` is the trace of u, as for
-        `solve`.
+        The exact and harmonic parts of the current j are returned as ``removed``. `boundary` is the
+        trace of u, as for `solve`.
         """
         side, degree = self._kind
         none = np.zeros(0)

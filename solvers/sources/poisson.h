@@ -32,10 +32,11 @@ struct PoissonSolution {
 /// with a conductivity (see with_conductivity) -div kappa grad u = f; of dual functions that is
 /// Darcy's problem. With star_(k+1) of a material it is that of magnetostatics.
 ///
-/// Harmonic forms obey Delta u = 0 and the conditions with data 0: of functions the constants on
-/// components where no value is tied down; on a torus, say, two 1-forms. The harmonic part of f and
-/// of what the data add to it is removed and reported; u has the harmonic part that is asked for,
-/// by default none: it is orthogonal to the harmonic forms.
+/// Harmonic forms satisfy Delta u = 0 and the conditions with zero data. Harmonic functions are
+/// constant on each component without an essential or Robin facet; a torus has two harmonic
+/// 1-forms. The harmonic part of f and of the boundary data has no solution; it is removed and
+/// returned. The solution is orthogonal to the harmonic forms unless coefficients for them are
+/// given.
 ///
 /// Where there is nothing below (k = 0), or it can be eliminated (k = n, and the star below is
 /// diagonal), u alone is solved for, and its star may have any sign. Otherwise u and its flux are
@@ -92,8 +93,9 @@ struct CurlCurlSolution {
     SolveReport report;
 };
 
-/// Of primal forms, d delta of which is the exact part of j. Data are those of the conditions with
-/// delta u = 0. Throws like PoissonSolver::solve, and InvalidInput for dual forms.
+/// For primal forms; the first solve finds the exact part of j, which is d delta u. `data` are
+/// boundary data of u with delta u = 0. Throws like PoissonSolver::solve, and InvalidInput for dual
+/// forms.
 CurlCurlSolution solve_curl_curl(const PoissonSolver& solver, const Cochain& j,
                                  const BoundaryForms& data = {});
 

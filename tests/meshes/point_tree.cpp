@@ -27,7 +27,7 @@ Points points_around(const Points& simplex, double length, std::mt19937& random)
     return points;
 }
 
-// Large and thin simplices among many points, each of which is asked one by one.
+// Large and thin simplices among many points, compared with a test of every point.
 TEST(PointTree, finds_the_points_near_a_simplex) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> any(-1, 1);
