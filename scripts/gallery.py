@@ -22,8 +22,9 @@ from gallery_entries import ENTRIES
 ROOT = Path(__file__).resolve().parent.parent
 HEAD = """# Gallery
 
-Each picture is a page that any browser opens, turns, cuts and asks for values ([pages](pages.md)). All of
-them are made, and bound into `demo-output/gallery/gallery.html`, by
+Each picture shows a page for any browser, which can turn and cut it and read off values
+([pages](pages.md)). This command makes all of them, and binds them into
+`demo-output/gallery/gallery.html`:
 
     scripts/gallery.py build/release
 """

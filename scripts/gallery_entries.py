@@ -42,7 +42,7 @@ ENTRIES = (
           "goldberg.html", {"field": "10"}),
     Entry("harmonic_field", "A harmonic field on a torus",
           "The torus has two loops, and two harmonic 1-forms: eigenvalue 0 twice. Colors are the "
-          "values on edges, arrows the field that they are integrals of.",
+          "values on edges; they are integrals of the field that the arrows show.",
           ("polydec generate torus --major 32 --minor 16 -o torus.off",
            "polydec spectrum torus.off --side primal --degree 1 --count 6 -o torus.html"),
           "torus.html", {"field": "0", "edges": False}, (DOWN,) * 4),
@@ -51,19 +51,19 @@ ENTRIES = (
           "three. This is the gradient.",
           ("07_hodge_decomposition",), "hodge_decomposition.html", {"field": "1"}, (DOWN,) * 4),
     Entry("octahedra", "Octahedra and tetrahedra, cut open",
-          "The face-centered cubic lattice: the tetrahedra of each octahedron have one circumsphere "
-          "and are merged. A cut takes whole cells away.",
+          "The face-centered cubic lattice: the tetrahedra of each octahedron have one "
+          "circumsphere and are merged. A cut removes whole cells.",
           ("polydec generate fcc --cells 4 -o fcc.mesh", "polydec view fcc.mesh -o fcc.html"),
           "fcc.html", {"field": "0", "axis": "0", "cut": "55"}, (LEFT,) * 7),
     Entry("cubes", "Poisson's equation, a value for each cube",
-          "Six tetrahedra of one circumsphere are a cube again, whose center is that of the sphere. "
-          "The solution of a dual Poisson problem, cut open.",
+          "Six tetrahedra with one circumsphere merge into a cube, centered at the center of the "
+          "sphere. The solution of a dual Poisson problem, cut open.",
           ("polydec generate kuhn --cells 10 -o cubes.nsc",
            "polydec poisson cubes.nsc --side dual --rhs 'cos(2*pi*x)*cos(2*pi*y)*cos(pi*z)' "
            "-o cubes.html"), "cubes.html", {"axis": "0", "cut": "50"}, (LEFT,) * 7),
     Entry("clusters", "Many points on one sphere",
-          "Random points around a sphere that is full of cospherical ones: the Delaunay tetrahedra "
-          "inside are one cell.",
+          "Random points around a sphere with many points on it: the Delaunay tetrahedra inside "
+          "merge into one cell.",
           ("polydec generate clusters -o clusters.nsc",
            "polydec view clusters.nsc -o clusters.html"),
           "clusters.html", {"field": "0", "axis": "0", "cut": "56"}, (LEFT,) * 7),
@@ -73,7 +73,7 @@ ENTRIES = (
            "polydec poisson hexagons.off --side primal --rhs 1 -o hexagons.html"),
           "hexagons.html", {"levels": True}),
     Entry("moebius", "A mode of the Moebius strip",
-          "It has no orientation. Primal forms and their Laplacian do without one.",
+          "The strip has no orientation. Primal forms and their Laplacian need none.",
           ("polydec generate moebius --around 48 --across 8 -o moebius.off",
            "polydec spectrum moebius.off --side primal --degree 0 --count 8 -o moebius.html"),
           "moebius.html", {"field": "3"}, (DOWN,) * 3),
@@ -85,38 +85,38 @@ ENTRIES = (
           "well-centered.html", {"dual": True}),
     Entry("distance", "Distance on a bad mesh",
           "Triangles wind around a drill as helices, and most edges have a negative dual. After "
-          "intrinsic flips the heat method measures the distance on the same vertices to 2 %.",
+          "intrinsic flips the heat method measures the distance at the same vertices to 2 %.",
           ("15_distance_on_a_bad_mesh",), "distance.html",
           {"field": "1", "edges": False, "levels": True}),
     Entry("darcy", "Water around a block of clay",
-          "A pressure in each octahedron and tetrahedron; arrows are the velocities. Each cell "
-          "balances to rounding.",
+          "A pressure in each octahedron and tetrahedron; arrows are the velocities. Inflow equals "
+          "outflow in each cell, to rounding.",
           ("11_darcy_flow",), "darcy_flow.html", {"axis": "2", "cut": "35", "edges": False},
           (DOWN,) * 5),
     Entry("cavity", "A standing wave in a box",
-          "An electric wave in a box of cubes with conducting walls, cut open: the field upwards, put "
-          "together of the six modes of one eigenvalue.",
+          "An electric wave in a box of cubes with conducting walls, cut open: the vertical field, "
+          "a combination of the six modes of one eigenvalue.",
           ("12_maxwell_cavity",), "maxwell_cavity.html", {"axis": "2", "cut": "50"}, (LEFT,) * 2),
     Entry("hot_spot", "A hot spot, blown around a sphere",
-          "A PDE of one's own: transport by a wind with upwind sampling, and heat, on quads.",
+          "A user-defined PDE: transport by a wind with upwind sampling, and heat, on quads.",
           ("10_your_own_pde",), "temperature.html", {"step": "8", "levels": True}, (RIGHT,) * 20),
     Entry("wave", "A wave on a torus",
-          "From rest, a bump runs around the tube both ways, meets itself and goes on. Energy is kept to "
-          "rounding; the page plays the steps.",
+          "From rest, a bump runs around the tube both ways, meets itself and continues. Energy is "
+          "conserved to rounding; the page plays the steps.",
           ("polydec generate torus --major 96 --minor 48 -o fine-torus.off",
            "polydec wave fine-torus.off --initial 'exp(-30*((x-1.5)^2+y^2+z^2))' --until 3 "
            "--frames 60 -o wave.html"), "wave.html", {"step": "18", "edges": False},
           (DOWN,) * 4),
     Entry("flow", "Vortices on a sphere",
-          "Two vortices of one sense turn around each other on a sphere of hexagons, draw each other out "
-          "and become one; what energy they lose goes by friction.",
+          "Two vortices of one sense turn around each other on a sphere of hexagons, stretch each "
+          "other and merge; the energy loss is due to friction.",
           ("polydec generate goldberg --frequency 16 -o ball.off",
            "polydec flow ball.off --vorticity 'exp(-25*(x-.95)^2-25*(y-.3)^2-25*z^2)"
            "+exp(-25*(x-.95)^2-25*(y+.3)^2-25*z^2)' --viscosity .0003 --until 24 --frames 12 "
            "--scheme imex -o flow.html"), "flow.html", {"step": "8", "edges": False}, (LEFT,) * 7),
     Entry("pulse", "A pulse of light among octahedra",
-          "The electric field upwards, by leapfrog on octahedra and tetrahedra, a value for each "
-          "cell; the page plays the steps. A cut takes the front half away.",
+          "The vertical electric field, by leapfrog on octahedra and tetrahedra, a value for each "
+          "cell; the page plays the steps. A cut removes the front half.",
           ("13_electromagnetic_pulse",), "pulse_on_octahedra.html",
           {"axis": "0", "cut": "50", "step": "17"}, (LEFT,) * 7),
 )
