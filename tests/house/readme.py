@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Checks that every C++ block of README.md and of docs/*.md, and every block of docs/*.md in Python
 that is no dialog, stands, line by line and indented the same, in an example that is compiled or run
-and that the page links to; and that every page of docs/ but the decisions shows a picture, all of
+and that the page links to; and that every page of docs/, its folders apart, shows a picture, all of
 which are there.
 
 Usage: readme.py ROOT. A complaint for each, as file:line. Exit code: 0 none, 1 some.
@@ -77,10 +77,9 @@ def main():
         for line, block in lost(page, sources) + of_python:
             print(f"{name}:{line}: this code is in no example that the page links to:\n{block}")
             found = True
-        if path.name != "decisions.md":
-            for complaint in missing_pictures(page, path.parent):
-                print(f"{name}:1: {complaint}")
-                found = True
+        for complaint in missing_pictures(page, path.parent):
+            print(f"{name}:1: {complaint}")
+            found = True
     sys.exit(1 if found else 0)
 
 
