@@ -9,29 +9,29 @@
 
 namespace polydec {
 
-/// Which numbers a quantity may have.
+/// Range that the values of a quantity must lie in.
 enum class Range { positive, not_negative };
 
 /// Numbers for the n-cells of a mesh, such as conductivities.
 class CellData {
 public:
-    /// None.
+    /// No data.
     CellData() = default;
 
-    /// One for each cell of the input, in the input's order: for each simplex of the mesh that was
-    /// given, or for each polygon or solid where these were split (see InputCells). Cells that were
-    /// left out have one too.
+    /// One number per cell of the input, in the input's order: per simplex of the given mesh, or
+    /// per polygon or solid if those were split (see InputCells). Cells that were left out count
+    /// too.
     template <class Numbers>
     CellData(const Eigen::MatrixBase<Numbers>& of_input) : values_(of_input) {}
 
-    /// One for each n-cell of complex(), in its order, such as a function at cell_centroids.
+    /// One number per n-cell of complex(), in its order, e.g. a function at cell_centroids.
     static CellData on_cells(Vector values);
 
     bool is_empty() const { return values_.size() == 0; }
 
-    /// One for each n-cell. Throws InvalidInput, saying what they are and naming the cell of the
-    /// input, for another number of them, for one out of range or not finite, and where a cell
-    /// joins cells of the input with different numbers.
+    /// One number per n-cell. Throws InvalidInput, naming the quantity and the cell of the input,
+    /// for a wrong number of values, for a value that is out of range or not finite, and if a cell
+    /// joins cells of the input with different values.
     Vector on(const Discretization& mesh, std::string_view what, Range range) const;
 
 private:
@@ -39,11 +39,11 @@ private:
     bool are_on_cells_ = false;
 };
 
-/// Number of the input's cells, for which data are given; 0 if the mesh was made of parts.
+/// Number of cells of the input, one per datum; 0 if the mesh was assembled from parts.
 Index count_input_cells(const Discretization& mesh);
 
-/// Of each n-cell the first cell of the input that is part of it. Throws InvalidInput, naming both,
-/// where data of another part differ from those of the first: flips may join any cells.
+/// For each n-cell, the first cell of the input that is part of it. Throws InvalidInput, naming
+/// both cells, if the data of another part differ from the first: flips may join any two cells.
 std::vector<Index> cells_of_input(const Discretization& mesh, std::string_view what,
                                   const std::function<bool(Index, Index)>& differ);
 

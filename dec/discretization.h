@@ -20,50 +20,50 @@ namespace polydec {
 class GluedBox;
 struct PeriodicMesh;
 
-/// The n-simplices of a mesh between points: the corners of each are rows of a table, in the order
-/// of its vertices. Keeps references.
+/// The n-simplices of a mesh, placed by points: the corners of each simplex are rows of a table, in
+/// the order of its vertices. Keeps references.
 struct PlacedSimplices {
     const Points& points;
     const Simplices& corners; ///< n+1 rows of `points` for each n-simplex
 };
 
-/// A mesh made ready for calculus: its complex, merged where cells are cospherical, and the metric.
-/// Everything here answers for the cells of complex(), or says for what else. A handle on what
-/// never changes: copies share it and cost nothing. Accessors of a temporary return copies.
+/// A mesh prepared for calculus: its complex, merged where cells are cospherical, and its metric.
+/// Every member refers to the cells of complex() unless it says otherwise. An immutable handle:
+/// copies share the data and cost nothing. Accessors of a temporary return copies.
 ///
-/// Where intrinsic Delaunay flips were asked for, the pieces are the flipped triangles, whose edges
-/// are geodesics on the input.
+/// With intrinsic Delaunay flips, the pieces are the flipped triangles, whose edges are geodesics
+/// on the input.
 class Discretization : public Cells {
 public:
-    /// What it holds.
+    /// The data of a discretization.
     struct Parts {
-        Geometry input;     ///< of the simplices given, by themselves unless some are flat
-        Passage passage;    ///< from these to the pieces
+        Geometry input;     ///< of the given simplices, each on its own unless some are flat
+        Passage passage;    ///< from the given simplices to the pieces
         MergedCells merged; ///< of the pieces
-        /// Of the input's vertices; without columns if only lengths are known.
+        /// One row per vertex of the input; without columns if only lengths are known.
         std::shared_ptr<const Points> input_points;
         Points points = {}; ///< of the vertices of the pieces, if edges were flipped
         DiscretizeOptions options = {};
-        DegenerateFacets degenerate = {}; ///< of the pieces; found anew without marks
+        DegenerateFacets degenerate = {}; ///< of the pieces; computed anew if it has no marks
         std::vector<std::string> warnings = {};
         std::vector<Index> tags = {};
         double unit = 1;
         Points isolated = {}; ///< in the units of the input
         FacetTags facet_tags = {};
         std::vector<GroupName> groups = {};
-        std::shared_ptr<const GluedBox> box = {}; ///< of a glued mesh, which knows lengths
-        InputCells input_cells = {};              ///< by rows of the input (see input_row)
+        std::shared_ptr<const GluedBox> box = {}; ///< of a glued mesh, which knows only lengths
+        InputCells input_cells = {};              ///< by row of the input (see input_row)
     };
 
-    /// Throws InvalidInput unless pieces, tags and points are those of as many cells and vertices,
-    /// and points have as many coordinates.
+    /// Throws InvalidInput unless the numbers of pieces, tags and points fit the cells and
+    /// vertices, and all points have the same number of coordinates.
     explicit Discretization(Parts parts);
 
     // no moves, which would leave a handle on nothing
     Discretization(const Discretization&) = default;
     Discretization& operator=(const Discretization&) = default;
 
-    /// As of all cells; or with the stars of a kind, which throws like choose_stars.
+    /// The same with other stars (see Cells), or with stars of this kind; throws like choose_stars.
     Discretization with_stars(const ChosenStars& chosen) const;
     Discretization with_stars(const HodgeStars& stars) const {
         return with_stars(ChosenStars(stars));
@@ -71,14 +71,14 @@ public:
     Discretization with_stars(StarKind kind) const;
     Discretization with_star(int k, const SparseMatrix& star) const;
 
-    /// The same with other volumes of the cells, and the stars that they make. Throws InvalidInput
-    /// unless they fit.
+    /// The same with other volumes of the cells, and the stars made from them. Throws InvalidInput
+    /// unless the volumes fit.
     Discretization with_volumes(const CellVolumes& volumes) const;
 
-    /// The same as a mesh glued from this box.
+    /// The same, marked as glued from this box.
     Discretization with_box(std::shared_ptr<const GluedBox> box) const;
 
-    /// What the cells are made of, and how.
+    /// The merged cells, the merging that made them, and the pieces that were merged.
     const MergedCells& merged() const& { return merged_cells(); }
     const Merging& merging() const& { return merged().merging(); }
     const Pieces& pieces() const& { return merging().pieces(); }
@@ -86,13 +86,13 @@ public:
     Merging merging() && { return merging(); }
     Pieces pieces() && { return pieces(); }
 
-    /// The shape of the pieces, with duals between options().centers, but where cells have been
-    /// merged in R^n circumcenters in one place for all pieces of a cell. Points count as n
-    /// coordinates where they lie in an n-plane; after flips lengths are known.
+    /// Geometry of the pieces. Duals lie between options().centers; where cells were merged in R^n,
+    /// all pieces of a cell share one circumcenter. Points have n coordinates if they lie in an
+    /// n-plane. After flips the metric consists of lengths.
     const Geometry& geometry() const& { return merged().geometry(); }
     Geometry geometry() && { return geometry(); }
 
-    /// The simplices that were given, the way from them to the pieces, and their shape.
+    /// The given simplices, the passage from them to the pieces, and their geometry.
     const Passage& passage() const& { return parts_->passage; }
     const SimplicialComplex& input() const& { return passage().input(); }
     const Geometry& input_geometry() const& { return parts_->input; }
@@ -100,10 +100,10 @@ public:
     SimplicialComplex input() && { return input(); }
     Geometry input_geometry() && { return input_geometry(); }
 
-    /// Of the vertices of complex(), which are those of the input that cells use, and behind them
-    /// those that splits have made; without columns if only lengths are known. A field at vertices
-    /// and a primal 0-form have the same rows. Those of the input are its first. As they were
-    /// given, where measured_points() are in unit().
+    /// Points of the vertices of complex(): first the vertices of the input that cells use, then
+    /// the vertices that splits have added; without columns if only lengths are known. A field at
+    /// vertices and a primal 0-form have the same rows. points() are in the units of the input,
+    /// measured_points() in unit().
     const Points& points() const& { return given_ ? given_->points : measured_points(); }
     const Points& input_points() const& {
         return given_ ? given_->input_points : measured_input_points();
@@ -115,57 +115,57 @@ public:
     }
     const Points& measured_input_points() const& { return *parts_->input_points; }
 
-    /// The box that a glued mesh was made of; null for other meshes.
+    /// The box from which a glued mesh was made; null for other meshes.
     const std::shared_ptr<const GluedBox>& box() const& { return parts_->box; }
     std::shared_ptr<const GluedBox> box() && { return box(); }
 
-    /// Where the n-simplices of the input lie: between measured_input_points(), or, if the mesh is
-    /// glued, each where it lies in the box, so that simplices across a seam are straight. Without
-    /// columns if only lengths are known.
+    /// Places of the n-simplices of the input: between measured_input_points(), or on a glued mesh
+    /// the position of each simplex in the box, so that simplices across a seam are straight.
+    /// Without columns if only lengths are known.
     PlacedSimplices places() const&;
     PlacedSimplices places() const&& = delete;
 
-    /// Number N of coordinates of these points; 0 if only lengths are known.
+    /// Number N of coordinates of the points; 0 if only lengths are known.
     int ambient_dimension() const;
 
-    /// The points of the input that no cell uses, in order, as they were given.
+    /// Points of the input that no cell uses, in order, in the units of the input.
     const Points& isolated() const& { return parts_->isolated; }
     Points isolated() && { return isolated(); }
 
-    /// Of the input's edges if only these are known; or empty.
+    /// Lengths of the input's edges if only lengths are known; else empty.
     Vector lengths() const {
         const Vector* known = input_geometry().metric().lengths();
         return known == nullptr ? Vector() : *known;
     }
 
-    /// Of which cells of the input the simplices of input() are parts, by their input_row.
+    /// The cells of the input that the simplices of input() are parts of, by input_row.
     const InputCells& input_cells() const& { return parts_->input_cells; }
     InputCells input_cells() && { return input_cells(); }
 
-    /// How it was made, and which facets were found degenerate.
+    /// The options of discretize, and the facets found degenerate.
     const DiscretizeOptions& options() const& { return parts_->options; }
     DiscretizeOptions options() && { return options(); }
     const DegenerateFacets& degenerate() const& { return parts_->degenerate; }
     DegenerateFacets degenerate() && { return degenerate(); }
 
-    /// What was untidy in the input, and what was done about it.
+    /// Defects of the input, and how each was handled.
     const std::vector<std::string>& warnings() const& { return parts_->warnings; }
     std::vector<std::string> warnings() && { return warnings(); }
 
-    /// Of each n-cell the tag of its simplices, 0 where they have different ones; or empty.
+    /// For each n-cell the tag of its simplices, 0 if they differ; or empty.
     const std::vector<Index>& tags() const& { return parts_->tags; }
     std::vector<Index> tags() && { return tags(); }
 
-    /// Of each (n-1)-cell the tag that its facets have in the input, 0 for none and where they have
-    /// different ones; or empty, if the input has no facets with tags or edges were flipped.
+    /// For each (n-1)-cell the tag of its facets in the input; 0 if they have none or differ. Empty
+    /// if the input has no tagged facets or edges were flipped.
     const std::vector<Index>& facet_tags() const& { return parts_->facet_tags.tags; }
     std::vector<Index> facet_tags() && { return facet_tags(); }
 
-    /// Those of these tags that stand for several groups.
+    /// The facet tags that stand for several groups.
     const std::vector<JointTag>& joint_tags() const& { return parts_->facet_tags.joint; }
     std::vector<JointTag> joint_tags() && { return joint_tags(); }
 
-    /// The names of groups of the input.
+    /// Names of the groups of the input.
     const std::vector<GroupName>& groups() const& { return parts_->groups; }
     std::vector<GroupName> groups() && { return groups(); }
 
@@ -178,30 +178,29 @@ private:
     std::shared_ptr<const Given> given_; // null where unit() is 1
 };
 
-/// The whole way from a mesh to its merged complex, volumes and stars. Untidy input is tidied with
-/// a warning (see tidy); a mesh far from size 1 is measured in other units, with a warning;
-/// warnings tell of cells that overlap (see find_overlaps). Each stage (complex, volumes, merge,
-/// stars) is told as it begins, if anyone listens. Throws InvalidInput, naming the cell or vertex,
-/// for what cannot be used.
+/// Computes the merged complex, volumes and stars of a mesh. Untidy input is tidied with a warning
+/// (see tidy); a mesh far from size 1 is measured in other units, with a warning; overlapping cells
+/// give a warning (see find_overlaps). Calls `stage`, if given, as each stage (complex, volumes,
+/// merge, stars) begins. Throws InvalidInput, naming the cell or vertex, for unusable input.
 Discretization discretize(Mesh mesh, const DiscretizeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 
-/// The same from lengths alone; nothing is left out as untidy. What needs points (de Rham maps,
-/// flats, sharps, vector fields, centers of cells, drawings) throws InvalidInput for the result;
-/// all else is that of any mesh.
-/// Throws like check of a LengthMesh, SimplicialComplex, SimplexMetric and circumcentric_volumes.
+/// The same from lengths alone; nothing is left out as untidy. Functions that need points (de Rham
+/// maps, flats, sharps, vector fields, centers of cells, drawings) throw InvalidInput for the
+/// result; everything else works as on any mesh. Throws like check of a LengthMesh,
+/// SimplicialComplex, SimplexMetric and circumcentric_volumes.
 Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 
 /// The quotient of a glued mesh, measured by lengths and merged across the seams, with the places,
-/// tags and groups of its box. Forms, fields and expressions are taken where the simplices lie in
-/// the box, and pictures show the box. Flipped edges cross the simplices of the box: after flips
-/// only lengths are known, with a warning. Throws like the others.
+/// tags and groups of its box. Forms, fields and expressions are evaluated where the simplices lie
+/// in the box, and pictures show the box. Flipped edges cross the simplices of the box: after flips
+/// only lengths are known, with a warning. Throws like the other overloads.
 Discretization discretize(const PeriodicMesh& mesh, const DiscretizeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 
-/// The vertices of k-cell of complex(), ascending, by the numbers of the input, as messages and
-/// files name them; vertices that splits have made are numbered behind the input's.
+/// Vertices of a k-cell of complex(), ascending, by their numbers in the input, as in messages and
+/// files; vertices added by splits are numbered after the input's.
 std::vector<Index> cell_vertices(const Discretization& discretization, int k, Index cell);
 
 } // namespace polydec

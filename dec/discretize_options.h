@@ -7,29 +7,28 @@
 
 namespace polydec {
 
-/// Whether the edges of a surface are flipped before it is merged, so that no dual edge is
-/// negative. The surface and its vertices stay as they are. Source: see intrinsic_delaunay.
+/// Whether the edges of a surface are flipped before merging, so that no dual edge is negative. The
+/// surface and its vertices do not change. Source: see intrinsic_delaunay.
 enum class Delaunay {
     off,
-    flips,           ///< of interior edges; boundary edges keep negative duals
-    flips_and_splits ///< boundary edges are divided too, until every dual is positive
+    flips,           ///< flips interior edges; boundary edges keep negative duals
+    flips_and_splits ///< also splits boundary edges, until every dual is positive
 };
 
-/// Whether simplices of different materials, as the tags of a mesh tell them, may become pieces of
-/// one cell.
+/// Whether simplices of different materials (tags of the mesh) may become pieces of one cell.
 enum class Materials {
-    join,      ///< what is cospherical merges; a cell of several materials has the tag 0
+    join,      ///< cospherical simplices merge; a cell of several materials has tag 0
     keep_apart ///< facets between different tags stay, so that every cell has the tag of its
                ///< pieces, and so do facets that have a tag of their own
 };
 
-/// How a mesh is made ready for calculus: what is merged, as MergeOptions, and what else is done.
+/// How discretize prepares a mesh: the criterion of merging, as in MergeOptions, and other choices.
 struct DiscretizeOptions {
     MergeCriterion criterion = MergeOptions{}.criterion;
     double tolerance = MergeOptions{}.tolerance;
     Delaunay delaunay = Delaunay::off;
     Materials materials = Materials::join;
-    /// Other centers than circumcenters need no merging: nothing is merged then.
+    /// With centers other than circumcenters, nothing is merged: no merging is needed.
     Centers centers = {};
     StarKind star = StarKind::automatic; ///< see choose_stars
 

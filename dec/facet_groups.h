@@ -9,13 +9,13 @@
 
 namespace polydec {
 
-/// Marks the facets of a mesh in one of these groups of the file, each given by its name or by its
-/// tag in digits; a facet may be in several. size(n-1) marks. Throws InvalidInput, with the groups
-/// there are, for one that there is not or that has no facet.
+/// Marks the facets of a mesh that belong to at least one of these groups of the file. A group is
+/// given by its name or by its tag in digits; a facet may be in several. size(n-1) marks. Throws
+/// InvalidInput, listing the groups, for an unknown group and for one without facets.
 std::vector<bool> facets_in(const Discretization& mesh, const std::vector<std::string>& groups);
 
-/// Mixed conditions: essential at the facets of the boundary in one of these groups, natural
-/// elsewhere. Throws like facets_in, and for a group of which no facet is on the boundary.
+/// Mixed conditions: essential on the boundary facets in these groups, natural elsewhere. Throws
+/// like facets_in, and for a group with no facet on the boundary.
 BoundaryConditions essential_on(const Discretization& mesh, const std::vector<std::string>& groups);
 
 } // namespace polydec

@@ -18,8 +18,8 @@ class HodgeStar;
 class HodgeStars;
 struct BoundaryConditions;
 
-/// 64 bits by which what belongs together is known again: the same numbers and words in the same
-/// order give the same value on every machine. No protection against intent.
+/// A 64-bit hash that recognizes matching data: the same numbers and words in the same order give
+/// the same value on every machine. Not cryptographic.
 class Fingerprint {
 public:
     template <class Word>
@@ -34,14 +34,14 @@ public:
     /// All incidences.
     Fingerprint& add(const CellComplex& complex);
 
-    /// Every entry of a star; of all stars, and the volumes of the cells.
+    /// Every entry of a star; of all stars, plus the volumes of the cells.
     Fingerprint& add(const HodgeStar& star);
     Fingerprint& add(const HodgeStars& stars);
 
-    /// Those of every facet, coefficients, and fixed vertices.
+    /// The condition at every facet, coefficients, and fixed vertices.
     Fingerprint& add(const BoundaryConditions& conditions);
 
-    /// Incidences, stars and the unit of cells; of a mesh its points as well.
+    /// Incidences, stars and the unit of cells; of a mesh also its points.
     Fingerprint& add(const Cells& cells);
     Fingerprint& add(const Discretization& mesh);
 

@@ -6,38 +6,38 @@
 
 namespace polydec {
 
-/// Centers of the merged k-cells, where dual (n-k)-forms of degree 0 have their values, in the
-/// units of the input: one row of N coordinates per cell. Over a cell of several pieces, whose
-/// centers differ if it is bent, their mean by volume. For k = 0 the vertices themselves; where
-/// only lengths are known as many rows without coordinates.
+/// Centers of the merged k-cells, where dual (n-k)-forms of degree 0 have their values: one row of
+/// N coordinates per cell, in the units of the input. The center of a cell of several pieces is the
+/// mean of their centers by volume; the centers differ if the cell is bent. For k = 0, the
+/// vertices. If only lengths are known, the rows have no coordinates.
 ///
-/// After intrinsic flips they are places on the triangles of the input, where centers of the
-/// flipped ones are found on the surface; centers beyond its boundary go on as the corners of the
-/// last triangle lie. Cells of a glued mesh are where one of the n-cells around them lies in the
-/// box, vertices at their first place there.
+/// After intrinsic flips, the centers of the flipped triangles are located on the surface: they are
+/// places on the triangles of the input. Centers beyond its boundary lie in the plane of the last
+/// triangle. On a glued mesh, the center of a cell lies in the box with one of the n-cells around
+/// it; a vertex is at its first place in the box.
 Points cell_centers(const Discretization& discretization, int k);
 
-/// Centroids (centers of mass) of the merged k-cells, the means by volume of those of their pieces,
-/// likewise. Where vector fields made from forms belong: the mean of a linear function over a cell
-/// is its value there. Throws InvalidInput where only lengths are known.
+/// Centroids (centers of mass) of the merged k-cells: means of the pieces' centroids by volume,
+/// with rows as above. Attach vector fields made from forms here: the mean of a linear function
+/// over a cell is its value at the centroid. Throws InvalidInput if only lengths are known.
 Points cell_centroids(const Discretization& discretization, int k);
 
-/// Where values of dual 0-forms are, by the stars of a bundle: the centroids of the n-cells whose
-/// facets star_(n-1) couples, as Galerkin's does, and the centers of all others; so that a linear
-/// function, taken there, has the fluxes that the stars make of it. Throws like the above.
+/// Sites of the values of dual 0-forms, by the stars of a mesh: the centroid of each n-cell whose
+/// facets star_(n-1) couples, as Galerkin stars do, and the center of every other n-cell. A linear
+/// function sampled there has exactly the fluxes that the stars give. Throws like cell_centroids.
 Points dual_sites(const Discretization& discretization);
 
-/// The barycentric coordinates of these sites, or of the centers, in each n-piece: n + 1 in a row;
-/// and where these places of the pieces are, in unit().
+/// Barycentric coordinates of these sites, or of the centers, in each n-piece: n + 1 in a row; and
+/// the positions of these sites of the pieces, in unit().
 Points site_coordinates(const Discretization& discretization);
 Points sites_of_pieces(const Discretization& discretization);
 
-/// Where values on the boundary and through it are: the centroids of the (n-1)-cells where
+/// Sites of boundary values and of fluxes through the boundary: the centroids of the (n-1)-cells if
 /// star_(n-1) is a matrix, else their centers.
 Points facet_sites(const Discretization& discretization);
 
-/// Where functions of a side have their values, a row each: primal 0-forms at vertices, dual ones
-/// at dual_sites; and where they have values on the boundary: at vertices, or at facet_sites.
+/// Sites of 0-forms, one row each: vertices for primal forms, dual_sites for dual forms. Sites of
+/// their boundary values: vertices, or facet_sites.
 Points sites(const Discretization& discretization, Side side);
 Points boundary_sites(const Discretization& discretization, Side side);
 

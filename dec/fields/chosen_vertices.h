@@ -9,17 +9,17 @@
 
 namespace polydec {
 
-/// 0-cells of a mesh, ascending, such as sources of distances. Those on its boundary; throws
-/// InvalidInput if it has none.
+/// The 0-cells on the boundary of a mesh, ascending, e.g. as sources of distances. Throws
+/// InvalidInput if the mesh has no boundary.
 std::vector<Index> boundary_vertices(const Discretization& mesh);
 
-/// Those where the predicate holds, of points in the units of the input, size(0) rows. Throws
-/// InvalidInput if it holds at none, and where only lengths are known.
+/// The 0-cells at which the predicate holds; it is called with size(0) points in the units of the
+/// input. Throws InvalidInput if it holds at none, and if only lengths are known.
 std::vector<Index> vertices_where(const Discretization& mesh,
                                   const std::function<bool(const Vector& point)>& predicate);
 
-/// Those of n-cells, or else of facets, in groups of the file, given by names or by tags in digits.
-/// Throws InvalidInput for a group that there is not, or that has no such cells.
+/// Vertices of the n-cells, or else of the facets, in these groups of the file, by name or by tag
+/// in digits. Throws InvalidInput for an unknown group and for one without such cells.
 std::vector<Index> vertices_on(const Discretization& mesh, const std::vector<std::string>& groups);
 
 } // namespace polydec

@@ -8,24 +8,24 @@
 
 namespace polydec {
 
-/// What vector fields do to primal k-forms, without matrices: made once from a mesh, for solvers
-/// whose field is another one at every step. To rounding what interior_product, lie_derivative and
-/// inflow make, in linear time and a fraction of theirs; fields and forms are as there.
-/// A handle: copies cost nothing.
+/// Interior product and Lie derivative of primal k-forms without matrices: built once per mesh, for
+/// solvers whose field changes at every step. Equal to rounding to interior_product, lie_derivative
+/// and inflow, in linear time and a fraction of theirs; fields and forms are as there. A handle:
+/// copies cost nothing.
 class LieDerivative {
 public:
-    /// Throws InvalidInput unless k is one of 0..n, and where only lengths are known.
+    /// Throws InvalidInput unless k is in 0..n, and if only lengths are known.
     LieDerivative(const Discretization& mesh, int k, Sampling sampling);
 
-    /// i_X a, a (k-1)-form; empty for k = 0. They all throw InvalidInput for forms of another kind,
-    /// and like interior_product for a field that does not fit.
+    /// i_X a, a (k-1)-form; empty for k = 0. All members throw InvalidInput for forms of another
+    /// kind, and like interior_product for a field that does not fit.
     Cochain interior_product(const Points& field, const Cochain& form) const;
 
     /// L_X a, a k-form.
     Cochain operator()(const Points& field, const Cochain& form) const;
 
-    /// What values of a k-form outside add to -L_X a where the field flows in: a k-form. Upwind
-    /// transport of a form that is g outside is da/dt = -L_X a + inflow of g.
+    /// The term that outside values of a k-form add to -L_X a where the field flows in: a k-form.
+    /// Upwind transport of a form with outside values g is da/dt = -L_X a + inflow of g.
     Cochain inflow(const Points& field, const Cochain& outside) const;
 
 private:
