@@ -8,16 +8,16 @@
 
 namespace polydec {
 
-/// Vertices as the input numbers them, whether cells use them or not; behind them those that splits
-/// have made. Forms, fields and points() have rows for the 0-cells alone, which are the vertices
-/// that cells use.
+/// Number of vertices: all vertices of the input, used by cells or not, followed by the vertices
+/// that splits have added. Forms, fields and points() have rows for the 0-cells only, that is, for
+/// the vertices that cells use.
 Index count_vertices(const Discretization& mesh);
 
-/// Of each 0-cell its vertex, ascending.
+/// For each 0-cell its vertex, ascending.
 std::vector<Index> vertices_of_cells(const Discretization& mesh);
 
-/// Of each of these vertices its 0-cell. Throws InvalidInput, saying what they are and naming the
-/// vertex, for a number that there is not, and for a vertex that no cell uses.
+/// For each of these vertices its 0-cell. Throws InvalidInput, naming `what` and the vertex, for a
+/// number out of range, and for a vertex that no cell uses.
 std::vector<Index> cells_of_vertices(const Discretization& mesh, std::string_view what,
                                      const std::vector<Index>& vertices);
 

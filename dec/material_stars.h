@@ -8,50 +8,52 @@
 
 namespace polydec {
 
-/// Galerkin's star of k-forms of a material: the inner products of Whitney forms, on merged cells
-/// by the lift, each n-cell's times its weight. size(k) x size(k), units those of the star. Weights
-/// are in the order of the input's cells (see CellData), here as everywhere. With
-/// the conductivity as the weight of 1-forms Laplace's equation of primal 0-forms becomes div kappa
-/// grad; with its inverse as that of (n-1)-forms, that of dual 0-forms and Darcy's:
-/// mesh.with_stars(mesh.stars().with(k, material_star(mesh, k, weights))).
-/// Throws InvalidInput, naming the cell, for a weight that is not positive, and like CellData.
+/// Galerkin's star of k-forms in a material: inner products of Whitney forms, on merged cells by
+/// the lift, with each n-cell's contribution times its weight. size(k) x size(k), units of the
+/// star. Weights are in the order of the input's cells (see CellData), as in all functions below.
+/// With conductivity as the weight of 1-forms, Laplace's equation of primal 0-forms becomes div
+/// kappa grad. With the inverse as the weight of (n-1)-forms, Laplace's equation of dual 0-forms
+/// and Darcy's equations do: mesh.with_stars(mesh.stars().with(k, material_star(mesh, k,
+/// weights))). Throws InvalidInput, naming the cell, for a weight that is not positive, and like
+/// CellData.
 SparseMatrix material_star(const Discretization& mesh, int k, const CellData& weights);
 
-/// The same of (n-1)-forms by a conductivity that depends on the direction: a symmetric positive
-/// definite n x n tensor for each cell of the input, in its order, whose inverse is the weight.
-/// Source: Raviart, Thomas 1977.
-/// Throws InvalidInput, naming the cell, for other tensors, for different ones in one n-cell, and
-/// unless the mesh is flat (n x n), in place (not flipped) and of known points.
+/// The same for (n-1)-forms with an anisotropic conductivity: a symmetric positive definite n x n
+/// tensor per cell of the input, in the input's order, whose inverse is the weight. Source:
+/// Raviart, Thomas 1977. Throws InvalidInput, naming the cell, for other tensors and for different
+/// tensors in one n-cell, and unless the mesh is flat (n x n), not flipped and has known points.
 SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMatrix>& tensors);
 
-/// The mean of a weight around each k-cell, by the signed parts of |s||*s| in the n-cells: what the
-/// diagonal star of a material is to that of none, one value for each k-cell. Where the star is a
-/// matrix the parts are those between centroids; around cells without dual all n-cells count alike.
-/// Weights are at least 0, such as conductivity over permittivity; where duals have negative parts
-/// a mean may lie outside of what it is the mean of. Throws InvalidInput, naming the cell, for
-/// others, and like CellData.
+/// Mean of a weight around each k-cell, by the signed parts of |s||*s| in the n-cells: the ratio of
+/// the diagonal star with and without the material, one value per k-cell. If the star is a matrix,
+/// parts are taken between centroids; around cells without dual, all n-cells count equally. Weights
+/// are at least 0, e.g. conductivity over permittivity. Duals with negative parts may give a mean
+/// outside the range of the weights. Throws InvalidInput, naming the cell, for negative weights,
+/// and like CellData.
 Vector cell_means(const Discretization& mesh, int k, const CellData& weights);
 
-/// The stars of a mesh with that of k-forms weighted by n-cell: the sum of the signed shares of the
-/// n-cells, each times its weight, where it is diagonal, and is so then; else Galerkin's of the
-/// material. So on a Delaunay mesh of triangles primal 0-forms have the equations of linear finite
-/// elements. Of Maxwell's equations with E a primal 1-form that of degree 1 is weighted by the
-/// permittivity, that of degree 2 by the inverse of the permeability. Diagonal stars of one's own,
-/// of which shares are not known, are multiplied by the means. Throws like material_star.
+/// The stars of a mesh with the star of k-forms weighted by n-cell. A diagonal star stays diagonal:
+/// the sum of the signed shares of the n-cells, each times its weight. A matrix becomes Galerkin's
+/// star of the material. So on a Delaunay mesh of triangles, primal 0-forms have the equations of
+/// linear finite elements. In Maxwell's equations with E a primal 1-form, the permittivity weights
+/// the star of degree 1, and the inverse permeability the star of degree 2. The shares of
+/// user-supplied diagonal stars are unknown; such stars are multiplied by cell_means. Throws like
+/// material_star.
 HodgeStars weighted_stars(const Discretization& mesh, int k, const CellData& weights);
 
-/// The mesh with these stars, which are of the same kind.
+/// The mesh with these stars; the kind of stars is unchanged.
 Discretization with_material(const Discretization& mesh, int k, const CellData& weights);
 
-/// With these stars Delta of functions is -div kappa grad, for kappa > 0: the star of 1-forms
-/// weighted by kappa for primal functions, that of (n-1)-forms by 1 / kappa for dual ones. Throws
-/// likewise, and beside stars of one's own that are matrices, of which the cells' parts are not
-/// known.
+/// The mesh with stars for which Delta of functions is -div kappa grad, kappa > 0: kappa weights
+/// the star of 1-forms for primal functions, 1 / kappa the star of (n-1)-forms for dual functions.
+/// Throws like material_star, and for user-supplied stars that are matrices, whose parts by cell
+/// are unknown.
 Discretization with_conductivity(const Discretization& mesh, Side side, const CellData& kappa);
 
-/// With these stars forms of a side and degree are electric fields E in a material, whose energies
-/// are of permittivity |E|^2 and |B|^2 / permeability: dual forms are stars of primal ones by what
-/// is between them, and have the inverses. Both positive. Throws likewise.
+/// The mesh with stars for which forms of a side and degree are electric fields E in a material
+/// with energies permittivity |E|^2 and |B|^2 / permeability, both positive. Dual forms are stars
+/// of primal forms through the material, so their stars have the inverse weights. Throws like
+/// material_star.
 Discretization with_electric_material(const Discretization& mesh, Side side, int degree,
                                       const CellData& permittivity, const CellData& permeability);
 

@@ -7,43 +7,43 @@
 
 namespace polydec {
 
-/// A discrete k-form: its integral over each oriented cell of degree k, primal or dual. The dual
-/// k-cells are the duals of the (n-k)-cells and carry their numbers.
+/// A discrete k-form: its integral over each oriented k-cell, primal or dual. The dual k-cells are
+/// the duals of the (n-k)-cells and are numbered like them.
 struct Cochain {
     Side side = Side::primal;
     int degree = 0;
     Vector values = {};
 };
 
-/// A formal sum of oriented cells of degree k, primal or dual: a coefficient for each.
+/// A formal sum of oriented cells of degree k, primal or dual: one coefficient per cell.
 struct Chain {
     Side side = Side::primal;
     int degree = 0;
     Vector values = {};
 };
 
-/// The degree of the primal cells that number the cells of a side and degree: k or n-k.
-/// Throws InvalidInput if there is no such degree.
+/// Degree of the primal cells that carry primal or dual k-forms: k or n-k. Throws InvalidInput if
+/// there is no such degree.
 int cell_degree(const CellComplex& complex, Side side, int degree);
 
-/// Throw InvalidInput, naming side, degree and sizes, for what does not live on this complex, and
-/// naming the value for what is not finite. All that takes forms on a complex does so.
+/// Throw InvalidInput, naming side, degree and sizes, if the form or chain does not live on this
+/// complex, and, naming the value, if it is not finite. Every function of forms on a complex checks
+/// this.
 void check(const CellComplex& complex, const Cochain& form);
 void check(const CellComplex& complex, const Chain& chain);
 
-/// Throws InvalidInput, naming both forms, unless they live on this complex and on that side and
-/// their degrees add to n at most: what an exterior product asks for.
+/// Throws InvalidInput, naming both forms, unless both live on this complex and on that side, and
+/// their degrees add up to at most n: the conditions for an exterior product.
 void check_factors(const CellComplex& complex, Side side, const Cochain& a, const Cochain& b);
 
-/// The boundary, of degree k-1: the transpose of the derivative of forms of that side, so that
-/// Stokes' theorem pairing(d w, c) = pairing(w, boundary(c)) is exact. That of a dual cell leaves
-/// out what lies on the boundary of the domain. Chains of degree 0 have the empty boundary, of
+/// The boundary, of degree k-1: the transpose of the derivative of forms of that side, so Stokes'
+/// theorem pairing(d w, c) = pairing(w, boundary(c)) is exact. The boundary of a dual cell leaves
+/// out its part on the boundary of the domain. Chains of degree 0 have the empty boundary, of
 /// degree -1. Throws like check.
 Chain boundary(const CellComplex& complex, const Chain& chain);
 
-/// The value of a form on a chain: the integral of the one over the other.
-/// Throws InvalidInput, naming both, if their sides, degrees or sizes differ, and naming the value
-/// for what is not finite.
+/// The value of a form on a chain: the integral of the form over the chain. Throws InvalidInput,
+/// naming both, if their sides, degrees or sizes differ, and naming the value if it is not finite.
 double pairing(const Cochain& form, const Chain& chain);
 
 /// Exterior derivative, of degree k+1, by derivative or dual_derivative; empty for k = n. Throws
@@ -61,10 +61,10 @@ Cochain codifferential(const Cells& cells, const Cochain& form);
 /// Laplace-de Rham operator d delta + delta d. Throws like check and laplacian or dual_laplacian.
 Cochain laplacian(const Cells& cells, const Cochain& form);
 
-/// L2 product: values weighted with |*s| / |s| for primal forms, |s| / |*s| for dual ones.
-/// Symmetric; positive definite iff every dual volume is positive; units those of the values
-/// squared times length^(n-2k). Throws like check and, for dual forms, HodgeStar::solve, and
-/// InvalidInput, naming both, if sides or degrees differ.
+/// L2 product: values weighted with |*s| / |s| for primal forms, |s| / |*s| for dual forms.
+/// Symmetric; positive definite iff every dual volume is positive; units: values squared times
+/// length^(n-2k). Throws like check and, for dual forms, HodgeStar::solve; throws InvalidInput,
+/// naming both forms, if sides or degrees differ.
 double inner_product(const Cells& cells, const Cochain& a, const Cochain& b);
 
 /// Square root of the inner product with itself.

@@ -8,12 +8,12 @@
 
 namespace polydec {
 
-/// Volumes, and stars, measured in a unit of length as they are in those of the input (see
-/// Cells::unit). Throw InvalidInput, naming the degree, for numbers out of range.
+/// Volumes and stars converted from a unit of length to the units of the input (see Cells::unit).
+/// Throw InvalidInput, naming the degree, for overflow or underflow.
 CellVolumes in_input_units(const CellVolumes& volumes, double unit);
 HodgeStars in_input_units(const HodgeStars& stars, double unit);
 
-/// A matrix of numbers to some power of length, likewise. Throws InvalidInput, naming what it is.
+/// The same for a matrix in units of length^power. Throws InvalidInput, naming `what`.
 SparseMatrix in_input_units(SparseMatrix matrix, double unit, double power, std::string_view what);
 
 /// Applies form_in_input_units to each column of a table.

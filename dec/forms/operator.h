@@ -10,9 +10,9 @@
 
 namespace polydec {
 
-/// A linear map between the values of forms: sums of products of derivatives and weights. What it
-/// does to values, in the time that reading the incidences takes, and its matrix are two ways to
-/// look at it. Made once, used often; copies share all that is large.
+/// A linear map between the values of forms: sums of products of derivatives and weights. It can be
+/// applied to values, in the time of reading the incidences, or converted to a matrix. Build it
+/// once; copies share all large data.
 class Operator {
 public:
     /// d_k of a complex, size(k+1) x size(k), k = -1..n. Throws InvalidInput for another degree.
@@ -21,22 +21,22 @@ public:
     /// Multiplies each value by a weight.
     static Operator weights(Vector weights);
 
-    /// A star, and its inverse, which throws InvalidInput like HodgeStar::inverse. That of a star
-    /// that is no diagonal solves with it whenever it is applied.
+    /// A star, and its inverse, which throws InvalidInput like HodgeStar::inverse. The inverse of a
+    /// star that is a matrix solves a linear system at each application.
     static Operator star(const HodgeStar& star);
     static Operator inverse_star(const HodgeStar& star);
 
-    /// 0 for all values. Throws InvalidInput for a negative size.
+    /// The zero map. Throws InvalidInput for a negative size.
     static Operator zero(Index rows, Index cols);
 
     Index rows() const { return rows_; }
     Index cols() const { return cols_; }
 
-    /// What it makes of values. Throws InvalidInput unless there are cols() of them.
+    /// Applies the operator. Throws InvalidInput unless there are cols() values.
     Vector operator*(const Vector& values) const;
 
-    /// Throws InvalidInput if the inverse of a star that is no diagonal is among the factors: that
-    /// is a dense matrix.
+    /// Throws InvalidInput if a factor is the inverse of a star that is a matrix: the result would
+    /// be dense.
     SparseMatrix matrix() const;
     operator SparseMatrix() const { return matrix(); }
 
@@ -45,7 +45,7 @@ public:
 
     Operator transposed() const;
 
-    /// Throw InvalidInput, naming the shapes, for those that do not fit.
+    /// Throw InvalidInput, naming the shapes, if they do not fit.
     friend Operator operator*(const Operator& A, const Operator& B);
     friend Operator operator+(const Operator& A, const Operator& B);
 

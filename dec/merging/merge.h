@@ -6,7 +6,7 @@
 
 namespace polydec {
 
-/// By what a facet between two n-simplices is called degenerate.
+/// Criterion by which a facet between two n-simplices counts as degenerate.
 enum class MergeCriterion {
     dual_length, ///< relative dual length |V(f)| / l(f), l twice the circumradius of the facet
     angle,       ///< Schier's test: the angles opposite to the facet add up to pi (radians)
@@ -15,18 +15,19 @@ enum class MergeCriterion {
 
 struct MergeOptions {
     MergeCriterion criterion = MergeCriterion::dual_length;
-    /// Mesh files carry six or seven digits whatever they print, and merging all below 1e-3 moves
-    /// a Poisson error by less than 0.1 %: 1e-4 catches what was meant to be cospherical.
+    /// Mesh files carry six or seven significant digits, however many they print. Merging
+    /// everything below 1e-3 moves a Poisson error by less than 0.1 %. So 1e-4 catches cells that
+    /// were meant to be cospherical.
     double tolerance = 1e-4;
 };
 
-/// Facets within the tolerance, before any guard, by number of cofaces. Only those with two can
-/// merge; the others are worth knowing about since no inverse star exists on them.
+/// Facets within the tolerance, before any guard, by number of cofaces. Only facets with two
+/// cofaces can merge; the others matter because no inverse star exists on them.
 struct DegenerateFacets {
     Index interior = 0;
     Index boundary = 0;
     Index branching = 0;
-    std::vector<bool> marks = {}; ///< one for each facet
+    std::vector<bool> marks = {}; ///< one per facet
 
     bool operator[](Index facet) const { return marks[facet]; }
 };
@@ -34,32 +35,34 @@ struct DegenerateFacets {
 struct CosphericalMerging {
     Merging merging;
     DegenerateFacets degenerate;
-    int rounds = 0;    ///< how often a class of facets that made no proper cell was split up again
+    int rounds = 0;    ///< number of times a class of facets without a proper cell was split again
     Geometry geometry; ///< of the pieces: duals between circumcenters, those of a cell's pieces in
                        ///< one place; marks the flat pieces of cells that have others
 };
 
-/// Merges n-simplices across facets whose dual is degenerate, then downwards their faces wherever
-/// exactly two are left that lie straight across each other, so that no dual cell of the result is
+/// Merges n-simplices across facets with degenerate duals; then, in descending degree, merges faces
+/// wherever exactly two remain that lie straight across each other. No dual cell of the result is
 /// degenerate. Facets on the boundary or with three or more cofaces never merge; vertices stay.
 ///
-/// Since near-cospherical is not transitive, unions are made in ascending defect, equal ones
-/// together or not at all, and refused when the accumulated defect passes 10 tolerances; and every
-/// merged cell is checked to be a ball. So the result does not depend on the order of the input.
+/// Near-cospherical is not transitive. So unions are made in ascending order of defect, equal
+/// defects all together or not at all, and rejected when the accumulated defect exceeds 10
+/// tolerances. Every merged cell is checked to be a ball. The result does not depend on the order
+/// of the input.
 ///
-/// Flat simplices have no circumcenter of meaning: in solids in space they become pieces of a
-/// neighbor on whose sphere they lie (see absorb_flat); others, and those in other dimensions, stay
-/// cells. In R^n all that lies between two pieces of a cell goes, and their duals have one center.
+/// Flat simplices have no meaningful circumcenter. In solids in space they become pieces of a
+/// neighbor on whose sphere they lie (see absorb_flat); otherwise, and in other dimensions, they
+/// stay cells. In R^n every simplex between two pieces of a cell is removed, and the pieces have
+/// one center.
 ///
-/// `stays` may mark facets that are to stay whatever their duals, one entry for each.
-/// Time O(incidences + f log f), f the number of degenerate facets. Throws InvalidInput for a
-/// tolerance that is negative or not finite, and for another number of marks.
+/// `stays`: empty, or one mark per facet that must not merge whatever its dual. Time O(incidences +
+/// f log f), f the number of degenerate facets. Throws InvalidInput for a tolerance that is
+/// negative or not finite, and for a wrong number of marks.
 CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOptions& options = {},
                                      const std::vector<bool>& stays = {});
 
-/// Volumes of merged cells, with duals of 0 (see HodgeStar::zeros) where a center lies beyond the
-/// boundary, but within the tolerance: whatever rounding or jitter made of them, such centers count
-/// as lying on it.
+/// Volumes of merged cells, with duals set to 0 (see HodgeStar::zeros) where a center lies beyond
+/// the boundary but within the tolerance: rounding or jitter put it there, and it counts as lying
+/// on the boundary.
 CellVolumes without_duals_beyond_the_boundary(const CellVolumes& volumes, const Merging& merging,
                                               const DegenerateFacets& degenerate);
 

@@ -10,12 +10,12 @@
 
 namespace polydec {
 
-/// Cells and the simplices that were merged into them: what Hodge stars of every kind are made of.
-/// A handle: copies cost nothing.
+/// Cells and the simplices that were merged into them: the data for Hodge stars of every kind. A
+/// handle: copies cost nothing.
 class MergedCells {
 public:
-    /// The geometry is that of the pieces, the volumes those of the cells. Throws InvalidInput,
-    /// naming the degree, unless there are as many of both.
+    /// `geometry`: of the pieces. `volumes`: of the cells. Throws InvalidInput, naming the degree,
+    /// unless their sizes match the merging.
     MergedCells(const Merging& merging, const Geometry& geometry, const CellVolumes& volumes);
 
     const CellComplex& complex() const { return merging_.merged(); }
@@ -27,12 +27,12 @@ public:
     /// The same with other volumes of the cells. Throws like the constructor.
     MergedCells with_volumes(const CellVolumes& volumes) const;
 
-    /// The lift of forms on the cells to the pieces (see commuting_lift): made when it is first
-    /// asked for, once for all copies.
+    /// The lift of forms on the cells to the pieces (see commuting_lift); computed on first use,
+    /// once for all copies.
     const std::vector<SparseMatrix>& lift() const;
 
-    /// The part of |E||*E| that lies in each n-cell, for all its k-cells E: size(n) x size(k). Its
-    /// columns sum to |E||*E|, *E between these centers. length^n.
+    /// The part of |E||*E| in each n-cell, for all k-cells E: size(n) x size(k). Columns sum to
+    /// |E||*E|, with *E between these centers. length^n.
     SparseMatrix parts(int k, const Centers& centers) const;
 
 private:

@@ -9,8 +9,8 @@
 
 namespace polydec {
 
-/// The volumes of one cell, summed up over its pieces in ascending order: |s|, and |s| times the
-/// dual volume, the terms and the rounding of s.
+/// Sums over the pieces s of one cell, in ascending order: |s|, and |s| times the dual volume, the
+/// terms and the rounding of s.
 struct PieceSum {
     double primal = 0, dual = 0, terms = 0, rounding = 0;
 
@@ -27,11 +27,11 @@ struct PieceSum {
     }
 };
 
-/// Volumes of cells of degrees 0..n, of which these are the sums.
+/// Volumes of cells of degrees 0..n from these sums.
 CellVolumes volumes_of(const std::vector<std::vector<PieceSum>>& sums);
 
-/// Volumes of merged cells: |F| = sum |s| over the pieces, |*F| = (sum |s||*s|) / |F|. The pieces
-/// stand in the diamonds of degrees 0..n.
+/// Volumes of merged cells: |F| = sum |s| over the pieces, |*F| = (sum |s||*s|) / |F|. `diamonds`
+/// lists the pieces for degrees 0..n.
 CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const CellVolumes& input);
 CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input);
 

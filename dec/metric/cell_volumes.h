@@ -10,22 +10,21 @@ namespace polydec {
 
 class CellComplex;
 
-/// The metric of a complex: all that a Hodge star needs. Is whole from the start: every primal
-/// volume is a finite number above 0, every dual volume a finite one. A handle on what never
-/// changes: copies share it and cost nothing.
+/// The metric of a complex: all that a Hodge star needs. Always valid: primal volumes are finite
+/// and positive, dual volumes finite. An immutable handle: copies share the data and cost nothing.
 class CellVolumes {
 public:
-    /// Of no cells; no degree can be asked for.
+    /// No cells: dimension -1.
     CellVolumes() : parts_(std::make_shared<Parts>()) {}
 
     // no moves, which would leave a handle on nothing
     CellVolumes(const CellVolumes&) = default;
     CellVolumes& operator=(const CellVolumes&) = default;
 
-    /// One vector per degree 0..n, a number per cell. Without terms the duals are taken as they
-    /// are: terms are their own sizes, and nothing but their last digits is lost by rounding.
-    /// Throws InvalidInput, naming degree and cell, for sizes that differ, a primal volume that is
-    /// not a finite number above 0, and others that are not finite.
+    /// One vector per degree 0..n, one number per cell. Without `terms` and `rounding` the duals
+    /// count as exact up to their last digits: terms are the duals' own sizes. Throws InvalidInput,
+    /// naming degree and cell, for sizes that differ, for a primal volume that is not finite and
+    /// positive, and for other numbers that are not finite.
     CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
                 std::vector<Vector> terms = {}, std::vector<Vector> rounding = {});
     CellVolumes(std::vector<Values> primal, std::vector<Values> dual, std::vector<Bounds> terms,
@@ -34,7 +33,7 @@ public:
     /// Dimension n; -1 without cells.
     int dimension() const { return static_cast<int>(parts_->primal.size()) - 1; }
 
-    /// Number of k-cells. These accessors throw InvalidInput for another degree than 0..n.
+    /// Number of k-cells. The accessors below throw InvalidInput for a degree outside 0..n.
     Index size(int k) const { return parts_->primal[checked(k)].size(); }
 
     /// k-volumes |s| > 0, 1 for vertices; length^k.
@@ -45,31 +44,31 @@ public:
     const Vector& dual(int k) const& { return parts_->dual[checked(k)].vector(); }
     Vector dual(int k) && { return dual(k); }
 
-    /// Sizes of what cancels in the dual volumes, in heights of circumcenters too: to these their
-    /// errors are in proportion (see rounding_of) if the last digits of points or lengths are not
-    /// known. length^(n-k).
+    /// Magnitude of the terms that cancel in the dual volumes, including heights of circumcenters.
+    /// If the last digits of points or lengths are uncertain, errors are proportional to it (see
+    /// rounding_of). length^(n-k).
     const Bounds& terms(int k) const& { return parts_->terms[checked(k)]; }
     Bounds terms(int k) && { return terms(k); }
 
-    /// How far |*s| / |s| may be off, times |s|: what computing has done if points are exact.
-    /// Lengths have been computed, so their last digits count. length^(n-k).
+    /// Error bound of |*s| / |s|, times |s|: the rounding errors of the computation for exact
+    /// points. Lengths result from a computation, so their last digits count. length^(n-k).
     const Bounds& rounding(int k) const& { return parts_->rounding[checked(k)]; }
     Bounds rounding(int k) && { return rounding(k); }
 
     /// |*s| / |s|; length^(n-2k).
     Vector ratios(int k) const;
 
-    /// The same with other duals of the k-cells, taken as they are unless terms and rounding go
-    /// with them. Throws like the constructor.
+    /// The same with other duals of the k-cells, exact up to their last digits unless terms and
+    /// rounding are given. Throws like the constructor.
     CellVolumes with_dual(int k, Vector dual) const;
     CellVolumes with_dual(int k, Vector dual, Vector terms, Vector rounding) const;
 
-    /// The same with other numbers for the cells, by which messages name them: those of a relative
-    /// complex go by their numbers in the whole one. One list per degree. Throws InvalidInput
-    /// unless there is a number for each cell.
+    /// The same with other numbers for the cells in messages: cells of a relative complex are named
+    /// by their numbers in the whole complex. One list per degree. Throws InvalidInput unless there
+    /// is one number per cell.
     CellVolumes numbered(std::vector<std::vector<Index>> numbers) const;
 
-    /// The number by which messages name a k-cell of these: its own, unless others are given.
+    /// The number of a k-cell in messages: its own unless `numbered` has set another.
     Index number(int k, Index cell) const {
         return parts_->numbers.empty() ? cell : parts_->numbers[checked(k)][cell];
     }
@@ -96,7 +95,7 @@ private:
     std::shared_ptr<const Parts> parts_;
 };
 
-/// Throws InvalidInput, naming the degree, unless the volumes are those of as many cells.
+/// Throws InvalidInput, naming the degree, unless sizes of volumes match the numbers of cells.
 void check_fit(const CellComplex& complex, const CellVolumes& volumes);
 
 } // namespace polydec

@@ -6,50 +6,50 @@
 
 namespace polydec {
 
-/// Where the dual has its vertices: one point for each simplex, by barycentric coordinates. The
-/// dual of a k-simplex s is made of the simplices that the centers of s and of cofaces upon cofaces
-/// of it span. Volumes, parts and pictures of duals follow from these coordinates: by definition
-/// |s||*s| is C(n,k) times the volume of what s and its dual span together.
+/// The vertices of the dual: one point per simplex, in barycentric coordinates. The dual of a
+/// k-simplex s consists of the simplices spanned by the centers of s and of ascending chains of its
+/// cofaces. Volumes, parts and pictures of duals follow from these coordinates: by definition
+/// |s||*s| is C(n,k) times the volume that s and its dual span together.
 class Centers {
 public:
-    /// Circumcenters: duals are orthogonal to their simplices, and linear functions come out exact.
-    /// Not positive where simplices are obtuse, and without extent where they are cospherical.
+    /// Circumcenters: duals are orthogonal to their simplices, and linear functions are exact. Dual
+    /// volumes are not positive where simplices are obtuse, and zero where they are cospherical.
     Centers() = default;
 
-    /// Centroids: every dual is positive on every mesh. They are not orthogonal to their simplices,
-    /// so diagonal stars are consistent on regular simplices only.
+    /// Centroids: every dual is positive on every mesh. Duals are not orthogonal to their
+    /// simplices, so diagonal stars are consistent on regular simplices only.
     static Centers centroids();
 
-    /// Of one's own: coordinates[k] has a row of k+1 coordinates for each k-simplex, in the order
-    /// of its corners. Throws InvalidInput, naming the simplex, for a row that does not add up to
-    /// 1, of another length, or with a number that is not finite.
+    /// Custom centers: coordinates[k] has one row of k+1 coordinates per k-simplex, in the order of
+    /// its corners. Throws InvalidInput, naming the simplex, for a row that does not sum to 1, has
+    /// the wrong length, or contains a number that is not finite.
     explicit Centers(std::vector<Points> coordinates);
 
-    /// Circumcenters, but of each n-simplex a point of one's own, which several may share. Row t of
-    /// `moments` tells of it, for each corner, n times the signed volume of what it spans with the
-    /// facet without that corner: the height over the facet times the facet's volume. They add up
-    /// to n times the volume; and they are numbers, as coordinates are not, where a simplex is flat
-    /// and the point far from it. A row of `terms` goes with each simplex (see Circumsphere):
-    /// growth and shift of what is uncertain, and of rounding. Throws InvalidInput for another
-    /// number of rows or columns of these, and for numbers that are not finite.
+    /// Circumcenters, except that each n-simplex has a custom point, which several may share. Row t
+    /// of `moments` has for each corner the height of the point over the facet without that corner,
+    /// times the facet's volume: n times the signed volume that point and facet span. A row sums to
+    /// n times the volume. Moments are finite, unlike coordinates, if a simplex is flat and the
+    /// point is far away. Row t of `terms` (see Circumsphere): growth and shift of the uncertainty,
+    /// then of rounding. Throws InvalidInput for a wrong number of rows or columns, and for numbers
+    /// that are not finite.
     static Centers of_cells(Points moments, Points terms);
 
     bool are_circumcenters() const { return kind_ == Kind::circumcenters; }
 
-    /// Throws InvalidInput unless there is a center for each simplex of the complex.
+    /// Throws InvalidInput unless there is one center per simplex of the complex.
     void check_fit(const Pieces& complex) const;
 
-    /// Whether a sphere needs not look at k-simplices, which may be flat then.
+    /// Whether the centers of k-simplices are known without a sphere; such simplices may be flat.
     bool know(int k) const { return kind_ == Kind::of_cells && k == given_->front().cols() - 1; }
 
     /// Signed distance from the facet without corner i to the center of k-simplex s, positive
-    /// towards that corner, times the volume of the facet. The sphere has looked at s.
+    /// towards that corner, times the volume of the facet. The sphere must have looked at s.
     double moment(int k, Index s, int i, const Circumsphere& sphere) const {
         return know(k) ? given_->front()(s, i)
                        : coordinate(k, s, i, sphere) * (k * sphere.volume());
     }
 
-    /// The moments of all corners: these numbers, each times the factor.
+    /// The moments of all corners: these numbers times the factor.
     struct Moments {
         const double* numbers;
         double factor;
@@ -67,8 +67,9 @@ public:
         return moment(k, s, i, sphere) / facet_volume;
     }
 
-    /// Coordinate of the center of k-simplex s at corner i, the sphere having looked at s. Of an
-    /// n-simplex without volume that shares its center those of the centroid: none weighs it.
+    /// Coordinate of the center of k-simplex s at corner i; the sphere must have looked at s. For
+    /// an n-simplex without volume that shares its center: the centroid's, since it has weight
+    /// zero.
     double coordinate(int k, Index s, int i, const Circumsphere& sphere) const {
         return know(k)                    ? shared_coordinate(s, i)
                : kind_ == Kind::centroids ? (*given_)[k](0, i)
@@ -76,8 +77,8 @@ public:
                                           : sphere.barycentric(i);
     }
 
-    /// To what errors of heights in k-simplex s are in proportion, the sphere having looked at it:
-    /// given centers do not move when corners do.
+    /// Scale of the errors of heights in k-simplex s; the sphere must have looked at s. Given
+    /// centers do not move when corners do.
     HeightTerms uncertainty(int k, Index s, const Circumsphere& sphere) const {
         return terms(k, s, sphere.uncertainty(), 0);
     }
@@ -97,7 +98,7 @@ private:
     double shared_coordinate(Index s, int i) const;
 
     Kind kind_ = Kind::circumcenters;
-    // by degree, a row for all centroids; of cells: moments, terms
+    // one vector entry per degree; a single row for all centroids; for of_cells: moments, terms
     std::shared_ptr<const std::vector<Points>> given_;
 };
 
@@ -105,8 +106,8 @@ private:
 Points center_coordinates(const Pieces& complex, const SimplexMetric& metric,
                           const Centers& centers, int k);
 
-/// Rows of vertices, such as their points, at a place in each k-simplex with these coordinates.
-/// Throws InvalidInput for tables of other numbers of rows or columns, and if there is no degree k.
+/// Combines rows of vertices, such as their points, at the place in each k-simplex with these
+/// coordinates. Throws InvalidInput for tables of the wrong size, and if there is no degree k.
 Points combinations(const Pieces& complex, int k, const Points& coordinates,
                     const Points& of_vertices);
 
