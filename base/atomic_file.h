@@ -11,13 +11,13 @@
 
 namespace polydec {
 
-/// A file that appears whole or not at all: written under a temporary name beside its target and
-/// renamed by `commit`. Without commit, as when an error is thrown, nothing is left; nor is it
-/// after a signal whose handler calls remove_unfinished. All functions throw IoError, naming the
-/// target and the system's reason.
+/// A file that appears whole or not at all: written under a temporary name beside its target, and
+/// renamed by `commit`. Without commit, e.g. after an exception, nothing is left; nor after a
+/// signal whose handler calls remove_unfinished. All functions throw IoError, naming the target and
+/// the system's reason.
 class AtomicFile {
 public:
-    /// Creates the temporary file. Throws as check_replaceable does.
+    /// Creates the temporary file. Throws like check_replaceable.
     explicit AtomicFile(const std::filesystem::path& target);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
@@ -25,10 +25,10 @@ public:
 
     void write(std::string_view text);
 
-    /// Where it is until then: other processes may write parts of it there (write_part).
+    /// Path until commit: other processes may write parts of the file there (write_part).
     std::filesystem::path unfinished() const { return temporary_.path(); }
 
-    /// Flushes, checks, closes and renames. Nothing may be written afterwards.
+    /// Flushes, checks, closes and renames. No writes are allowed afterwards.
     void commit();
 
 private:
@@ -42,16 +42,16 @@ private:
     std::string buffer_;
 };
 
-/// Writes bytes at a place of a file that is there, and has them stored. Throws IoError, naming the
-/// target that they are for.
+/// Writes bytes at a position of an existing file, and flushes them to storage. Throws IoError,
+/// naming the final target.
 void write_part(const std::filesystem::path& file, std::int64_t place, std::string_view bytes,
                 const std::filesystem::path& target);
 
-/// Throws IoError if the target is there and is no regular file, or is read-only.
+/// Throws IoError if the target exists and is not a regular file, or is read-only.
 void check_replaceable(const std::filesystem::path& target);
 
-/// Whether this process may write to a file or a folder that is there; what is marked read-only
-/// stays so for a superuser as well.
+/// Whether this process may write to an existing file or folder; read-only files are not writable
+/// for a superuser either.
 bool is_writable(const std::filesystem::path& path);
 
 } // namespace polydec

@@ -10,25 +10,25 @@
 namespace polydec {
 
 /// A folder that appears whole or not at all: filled under a temporary name beside its target, and
-/// renamed by `commit`. A folder that is there already is replaced in one step if it is a result of
-/// the same kind, and stays as it is until then. Without commit nothing is left, nor is it after a
-/// signal whose handler calls remove_unfinished.
+/// renamed by `commit`. An existing folder stays unchanged until then; it is replaced in one step
+/// if it is a result of the same kind. Without commit nothing is left, nor after a signal whose
+/// handler calls remove_unfinished.
 class AtomicFolder {
 public:
-    /// Says of a file of the target by its name whether it belongs to an earlier result.
+    /// Whether a file of the target, given by name, belongs to an earlier result.
     using IsOurs = std::function<bool(std::string_view name)>;
 
-    /// Makes the temporary folder. Throws InvalidInput, naming a file, if the target holds one that
-    /// is not ours, or is the folder that the program runs in; IoError, with the system's reason.
+    /// Creates the temporary folder. Throws InvalidInput, naming the file, if the target contains a
+    /// file that is not ours, or is the working directory; IoError, with the system's reason.
     AtomicFolder(const std::filesystem::path& target, const IsOurs& is_ours);
     ~AtomicFolder();
     AtomicFolder(const AtomicFolder&) = delete;
     AtomicFolder& operator=(const AtomicFolder&) = delete;
 
-    /// Where files are written until commit.
+    /// Folder for the files until commit.
     std::filesystem::path path() const { return temporary_.path(); }
 
-    /// Renames it, and removes what was there. Throws IoError, and InvalidInput as above.
+    /// Renames the folder, and removes the previous one. Throws IoError, and InvalidInput as above.
     void commit();
 
 private:
@@ -40,10 +40,10 @@ private:
     std::filesystem::path final_;  ///< with symbolic links followed
     IsOurs is_ours_;
     Unfinished temporary_, displaced_;
-    std::filesystem::path made_; ///< the first folder on the way to the target that was not there
+    std::filesystem::path made_; ///< first folder on the way to the target that did not exist
 };
 
-/// Throws InvalidInput as AtomicFolder does. A target that is not there is fine.
+/// Throws InvalidInput like AtomicFolder. The target need not exist.
 void check_replaceable(const std::filesystem::path& target, const AtomicFolder::IsOurs& is_ours);
 
 } // namespace polydec

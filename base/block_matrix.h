@@ -5,8 +5,8 @@
 
 namespace polydec {
 
-/// [A B^T; B D], of A and D square and shapes that fit: symmetric if A and D are, the entries of
-/// each row in order. In linear time.
+/// [A B^T; B D], with A and D square and shapes that fit: symmetric if A and D are; entries of each
+/// row are in order. Linear time.
 SparseMatrix block_matrix(const SparseMatrix& A, const SparseMatrix& B, const SparseMatrix& D);
 
 } // namespace polydec

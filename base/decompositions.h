@@ -10,8 +10,8 @@
 
 #include <limits>
 
-// Eigen's decompositions of dense matrices, compiled once: each file that uses one would take
-// seconds more to compile.
+// Eigen's decompositions of dense matrices, compiled once: otherwise each file that uses one would
+// take seconds longer to compile.
 namespace Eigen {
 
 extern template class PartialPivLU<polydec::DenseMatrix>;
@@ -30,23 +30,23 @@ SelfAdjointEigenSolver<polydec::DenseMatrix>::compute(const EigenBase<polydec::D
 
 namespace polydec {
 
-/// A = Q R by Householder's reflections; A has no fewer rows than columns, and Q as many columns,
-/// orthonormal even where those of A depend on each other.
+/// Q of A = Q R by Householder reflections. A has no fewer rows than columns; Q has as many
+/// columns, orthonormal even if the columns of A are linearly dependent.
 DenseMatrix orthonormal_columns(const DenseMatrix& A);
 
-/// R of that, upper triangular; the product of its diagonal is the volume that A's columns span,
-/// but for the sign.
+/// R of A = Q R, upper triangular; the product of its diagonal is, up to sign, the volume spanned
+/// by A's columns.
 DenseMatrix triangular_factor(const DenseMatrix& A);
 
-/// The x for which |A x - b| is least: the shortest, a column for each of b, and an orthonormal
-/// basis of what may be added. Pivots below `threshold` times the largest are 0.
+/// Minimizers x of |A x - b|: the shortest one for each column of b, and an orthonormal basis of
+/// the kernel. Pivots below `threshold` times the largest are 0.
 struct LinearSolutions {
     DenseMatrix shortest, kernel;
 };
 LinearSolutions least_squares(const DenseMatrix& A, const DenseMatrix& b,
                               double threshold = std::numeric_limits<double>::epsilon());
 
-/// Moore and Penrose's, by the same pivots.
+/// The Moore-Penrose pseudoinverse, by the same pivots.
 DenseMatrix pseudo_inverse(const DenseMatrix& A);
 
 } // namespace polydec

@@ -6,7 +6,7 @@
 
 namespace polydec {
 
-/// The number of an open file, closed when it goes; -1: none.
+/// The descriptor of an open file, closed by the destructor; -1: none.
 class Descriptor {
 public:
     explicit Descriptor(int number) : number_(number) {}

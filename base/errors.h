@@ -12,17 +12,17 @@
 
 namespace polydec {
 
-/// What every error of polydec is. The text says what is wrong, where, and what to do.
+/// Base of all errors of polydec. The text says what is wrong, where, and what to do.
 class Error : public std::runtime_error {
 public:
-    /// Where it is wrong: what the text names, by the same numbers; lists are whole where it names
-    /// the first few.
+    /// Place of the error: the objects named in the text, by the same numbers; lists are complete
+    /// where the text names only the first few.
     struct Place {
-        int degree = -1; ///< of the cells; -1 if none are named
+        int degree = -1; ///< degree of the cells; -1 if none are named
         std::vector<Index> cells = {};
         std::vector<Index> vertices = {};
         std::filesystem::path path = {};
-        std::int64_t line = 0; ///< of the file, from 1; 0 if none is named
+        std::int64_t line = 0; ///< line of the file, from 1; 0 if none is named
     };
 
     explicit Error(const std::string& text) : Error(text, Place()) {}
@@ -35,13 +35,13 @@ private:
     std::shared_ptr<const Place> place_; // copies of errors must not throw
 };
 
-/// The data do not fit: the text names the cell, vertex or line, what was expected, what to do.
+/// Invalid data: the text names the cell, vertex or line, the expected value, and a remedy.
 class InvalidInput : public Error {
 public:
     using Error::Error;
 };
 
-/// An engine did not deliver: the text names engine, iterations, residual and the probable cause.
+/// An engine failed: the text names engine, iterations, residual and the probable cause.
 class SolverFailure : public Error {
 public:
     explicit SolverFailure(const std::string& text, SolveReport report = SolveReport::failed(""),
@@ -49,7 +49,7 @@ public:
         : Error(text, std::move(place)),
           report_(std::make_shared<const SolveReport>(std::move(report))) {}
 
-    /// How far the engine came, as far as the text tells.
+    /// Progress of the engine, as far as the text reports it.
     const SolveReport& report() const noexcept { return *report_; }
 
 private:
@@ -62,7 +62,7 @@ public:
     using Error::Error;
 };
 
-/// A file cannot be opened, read or written, or memory does not suffice for what it holds.
+/// A file cannot be opened, read or written, or memory does not suffice for its contents.
 class IoError : public Error {
 public:
     using Error::Error;

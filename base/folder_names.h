@@ -8,8 +8,8 @@
 
 namespace polydec {
 
-/// The names of all that a folder holds, sorted. Unlike std::filesystem::directory_iterator, which
-/// ends the program where memory is short, this throws std::bad_alloc.
+/// Names of all entries of a folder, sorted. Throws std::bad_alloc if memory runs out;
+/// std::filesystem::directory_iterator would end the program.
 std::vector<std::string> folder_names(const std::filesystem::path& folder, std::error_code& error);
 
 } // namespace polydec

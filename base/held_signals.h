@@ -5,11 +5,10 @@
 
 namespace polydec {
 
-/// While it lives, the signals that ask the program to end (ending_signals) wait, so that what was
-/// begun can be undone in plain code instead of in a handler. One that came is delivered when the
-/// object goes; signals that are ignored go on being ignored. May be nested. It holds them back
-/// from its own thread alone: in a program of several threads the others should block them too, or
-/// end in order.
+/// During its lifetime, signals that request the program's end (ending_signals) wait, so that work
+/// in progress can be undone in plain code instead of in a handler. The destructor delivers a
+/// pending signal; ignored signals stay ignored. May be nested. It blocks signals for its own
+/// thread only: other threads should block them too, or end in order.
 class HeldSignals {
 public:
     HeldSignals() noexcept;
@@ -17,7 +16,7 @@ public:
     HeldSignals(const HeldSignals&) = delete;
     HeldSignals& operator=(const HeldSignals&) = delete;
 
-    /// Whether one waits: the work should be given up.
+    /// Whether a signal is pending: the work should be abandoned.
     bool arrived() const noexcept;
 
 private:

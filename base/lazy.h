@@ -8,14 +8,14 @@
 
 namespace polydec {
 
-/// What is made when it is first asked for, and kept. Any threads may ask; where making throws, the
-/// next who asks tries again.
+/// A value computed on first use, and kept. Thread-safe; if the computation throws, the next call
+/// tries again.
 template <class T>
 class Lazy {
 public:
     Lazy() = default;
 
-    /// Made already.
+    /// Already computed.
     explicit Lazy(T value) : is_made_(true), value_(std::make_unique<const T>(std::move(value))) {}
 
     /// make() returns a T.

@@ -10,10 +10,10 @@
 
 namespace polydec {
 
-/// The first five items by name, separated by commas, and how many more there are: for messages.
+/// The first five items by name, separated by commas, and the number of others: for messages.
 std::string listed(const std::vector<Index>& items, const std::function<std::string(Index)>& name);
 
-/// The same of so many items, of which only the first ones are known, most_listed at least.
+/// The same for `count` items of which only the first are known, at least most_listed.
 constexpr std::size_t most_listed = 5;
 std::string listed(const std::vector<Index>& items, std::size_t count,
                    const std::function<std::string(Index)>& name);

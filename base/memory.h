@@ -8,28 +8,28 @@
 
 namespace polydec {
 
-/// The bytes of memory that this program may have at most, as far as the system tells: the
-/// machine's, or less where the process or one of the control groups it is in is limited.
+/// Memory available to this program, in bytes, as far as the system reports it: the machine's
+/// memory, or a lower limit on the process or on one of its control groups.
 std::uint64_t machine_memory();
 
-/// What check_memory compares with, machine_memory() at first. Holds for the whole program.
+/// Limit for check_memory, initially machine_memory(). Applies to the whole program.
 std::uint64_t memory_limit();
 void set_memory_limit(std::uint64_t bytes);
 
-/// For the main of a program that makes large arrays one after the other: what is freed stays with
-/// the program, to be used again. By default the C library gives large blocks back, and the system
-/// has to clear each new one, which on virtual machines takes seconds for each GB. Takes effect
-/// with glibc, on what is allocated from then on.
+/// For the main function of a program that allocates large arrays one after the other: freed memory
+/// stays with the program for reuse. By default the C library returns large blocks, and the system
+/// clears each new one, which on virtual machines takes seconds per GB. Requires glibc; affects
+/// later allocations.
 void keep_freed_memory();
 
-/// An engine needs more memory than it can get: the text names the engine.
+/// An engine needs more memory than is available: the text names the engine.
 class OutOfMemory : public SolverFailure {
 public:
     using SolverFailure::SolverFailure;
 };
 
-/// To be called before memory is asked for whose amount follows from a few numbers of the input.
-/// Throws IoError, naming `what` ("a complex of ..") and both amounts, if that is above the limit.
+/// Call before an allocation whose size follows from a few numbers of the input. Throws IoError,
+/// naming `what` ("a complex of ..") and both amounts, if the size exceeds the limit.
 void check_memory(double bytes, std::string_view what);
 
 } // namespace polydec

@@ -3,8 +3,8 @@
 
 namespace polydec {
 
-/// Tells the processor that this will be read soon, where it cannot guess: entries of a table in
-/// disorder. Means nothing otherwise.
+/// Hints to the processor that this address will be read soon, where it cannot guess: entries of a
+/// table in random order. No other effect.
 inline void prefetch(const void* address) {
     __builtin_prefetch(address);
 }

@@ -7,13 +7,12 @@
 
 namespace polydec {
 
-/// The text as a terminal can show it, for messages: line breaks, control characters, marks that
-/// turn the direction of writing and bytes that are no UTF-8 are escaped as \n, \t, \x1b, \u202e.
-/// At most `longest` bytes and a sign that something was left out; the end is kept, which of a
-/// path tells more.
+/// The text in a form that a terminal can show, for messages: line breaks, control characters, bidi
+/// marks and bytes that are not UTF-8 are escaped as \n, \t, \x1b, \u202e. At most `longest` bytes
+/// plus a mark of omission; the end is kept, the more informative part of a path.
 std::string printable(std::string_view text, std::size_t longest = 200);
 
-/// The same for a message, which may have several lines and is cut at its end.
+/// The same for a message, which may have several lines and is cut at the end.
 std::string printable_message(std::string_view text, std::size_t longest = 600);
 
 /// Whether the text is well-formed UTF-8.

@@ -11,7 +11,7 @@
 
 namespace polydec {
 
-/// Random numbers that are the same everywhere: std fixes the engine, not its distributions.
+/// Random numbers that are the same on every system: std fixes the engine, not its distributions.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -24,8 +24,7 @@ public:
         return Vector::NullaryExpr(n, [this](Eigen::Index) { return fraction(); });
     }
 
-    /// Uniform among the directions of R^n: a point of the unit ball, drawn until there is one, on
-    /// the unit sphere.
+    /// Uniform among the directions of R^n: rejection sampling in the unit ball, normalized.
     Vector direction(int n) {
         while (true) {
             const Vector p = 2.0 * point(n).array() - 1.0;
@@ -50,12 +49,12 @@ private:
     std::mt19937_64 engine_;
 };
 
-/// The same for vectors of which nothing matters but that they have no pattern.
+/// The same for vectors that only need to have no pattern.
 class Noise {
 public:
     explicit Noise(std::uint32_t seed) : engine_(seed) {}
 
-    /// Uniform in [-1/2, 1/2), multiples of 2^-32, for each of the entries in their order.
+    /// Uniform in [-1/2, 1/2), multiples of 2^-32, for each entry in order.
     template <class Entries>
     void fill(Entries&& entries) {
         for (double& entry : entries)

@@ -9,8 +9,8 @@
 
 namespace polydec {
 
-/// A file opened for reading, which is only done if it is a regular one: a pipe or a device may
-/// never end. Throws IoError with the system's reason alone; who opens it knows its name.
+/// A file opened for reading, only if it is a regular file: a pipe or a device may never end.
+/// Throws IoError with only the system's reason; the caller knows the name.
 class RegularFile {
 public:
     enum class Links { followed, refused };
@@ -21,10 +21,10 @@ public:
     bool is_regular() const { return is_regular_; }
     std::size_t size() const { return size_; } ///< in bytes
 
-    /// All of it; less than size() bytes if it has become shorter.
+    /// The whole content; less than size() bytes if the file has become shorter.
     std::string read() const { return read(0, size_); }
 
-    /// The bytes from one place to another; less if there are no more.
+    /// The bytes from `begin` to `end`; fewer if the file is shorter.
     std::string read(std::size_t begin, std::size_t end) const;
 
 private:
@@ -33,7 +33,7 @@ private:
     std::size_t size_ = 0;
 };
 
-/// The system's words for the current value of errno.
+/// The system's message for the current value of errno.
 std::string system_reason();
 
 } // namespace polydec

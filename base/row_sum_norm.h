@@ -5,8 +5,8 @@
 
 namespace polydec {
 
-/// Largest row sum of absolute values, the norm of A that belongs to the maximum norm of vectors:
-/// no eigenvalue of A is larger in size.
+/// Largest row sum of absolute values, the norm of A induced by the maximum norm of vectors: a
+/// bound on the absolute value of every eigenvalue.
 double row_sum_norm(const SparseMatrix& A);
 
 } // namespace polydec

@@ -7,12 +7,12 @@
 
 namespace polydec {
 
-/// A new folder that its owner alone can read, in the system's folder for temporary files (TMPDIR).
-/// It goes, with all that is in it, when the object does, which needs no memory, and where the
-/// program calls remove_unfinished before it ends.
+/// A new folder that only its owner can read, in the system's folder for temporary files (TMPDIR).
+/// The destructor removes it with all its contents, without allocating memory; so does
+/// remove_unfinished, called before the program ends.
 class TemporaryFolder {
 public:
-    /// Throws IoError, naming the folder and the system's reason, if none can be made.
+    /// Throws IoError, naming the folder and the system's reason, if it cannot be created.
     TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;

@@ -8,13 +8,12 @@
 
 namespace polydec {
 
-/// A name that this program has not used yet, for what is not whole. Short, so that every folder in
-/// which the target fits has room for it.
+/// A name that this program has not used yet, for an unfinished item. Short, so that it fits in
+/// every folder in which the target fits.
 std::string temporary_name(std::string_view extension);
 
-/// Calls make(path) with temporary names in a folder, as long as there is something of that name:
-/// it returns false then, with EEXIST in errno. Returns whether something was made; else errno
-/// tells why not.
+/// Calls make(path) with temporary names in a folder while the name is taken: make then returns
+/// false with errno EEXIST. Returns whether something was created; if not, errno has the reason.
 template <class Make>
 bool make_under_new_name(const std::filesystem::path& folder, std::string_view extension,
                          Make make) {

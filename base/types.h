@@ -26,10 +26,10 @@ concept MaybeVector =
 
 } // namespace detail
 
-/// Numbers below each other: Eigen's VectorX, and used as it is. But where that one keeps the first
-/// column of a matrix that it is made from, and does not say so, this one takes vectors alone: what
-/// by its type has several columns does not compile, and a matrix of any number of columns throws
-/// InvalidInput, naming its shape, unless it has one.
+/// A column of numbers: Eigen's VectorX, and used like it. But where VectorX silently keeps the
+/// first column of a matrix, this type accepts only vectors. A type with several columns does not
+/// compile; a matrix with a dynamic number of columns throws InvalidInput, naming its shape, unless
+/// it has one.
 template <class Scalar>
 class Column : public Eigen::VectorX<Scalar> {
     using Plain = Eigen::VectorX<Scalar>;
@@ -38,7 +38,7 @@ public:
     Column() = default;
     explicit Column(Eigen::Index size) : Plain(size) {}
 
-    /// Column{{1, 2, 3}} or Column{{1}, {2}, {3}}, as Eigen has it.
+    /// Column{{1, 2, 3}} or Column{{1}, {2}, {3}}, as in Eigen.
     Column(std::initializer_list<std::initializer_list<Scalar>> numbers)
         : Column(upright(numbers)) {}
 
@@ -81,7 +81,7 @@ private:
 using Vector = Column<double>;
 using DenseMatrix = Eigen::MatrixXd;
 
-/// Types of which a value may have any number of columns: several vectors at once.
+/// Matrix types with a dynamic number of columns: several vectors at once.
 template <class Matrix>
 concept SeveralColumns = Matrix::ColsAtCompileTime == Eigen::Dynamic;
 
@@ -99,7 +99,7 @@ using Simplices = Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 } // namespace polydec
 
-/// Lets Map<Vector> and Ref<Vector> be what they are for VectorX.
+/// Makes Map<Vector> and Ref<Vector> behave as for VectorX.
 template <class Scalar>
 struct Eigen::internal::traits<polydec::Column<Scalar>> : traits<Eigen::VectorX<Scalar>> {};
 template <class Scalar>

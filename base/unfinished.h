@@ -6,18 +6,18 @@
 
 namespace polydec {
 
-/// The signals that ask a program to end, and end it unless it says otherwise.
+/// Signals that request a program's end, and end it by default.
 inline constexpr int ending_signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
 
-/// A file, a folder or a group of processes that must not outlast the program unless it is
-/// finished. It is noted where a signal handler can read it. A file or folder is removed when the
-/// object goes; processes are forgotten then. No function allocates memory. Name a file or folder
-/// before it is made, so that there is no moment at which it would be left behind.
+/// A file, folder or process group that must not outlast the program unless it is finished. It is
+/// recorded where a signal handler can read it. The destructor removes a file or folder; it only
+/// forgets processes. No function allocates memory. Record a file or folder before creating it, so
+/// that it can never be left behind.
 class Unfinished {
 public:
     static constexpr std::size_t most = 64; ///< at the same time, in the whole program
 
-    /// Takes one of the places, if one is left.
+    /// Takes one of the places, if one is free.
     Unfinished() noexcept;
     ~Unfinished();
     Unfinished(const Unfinished&) = delete;
@@ -25,23 +25,23 @@ public:
 
     bool has_place() const noexcept { return place_ < most; }
 
-    /// Notes a path, instead of what was noted before; false, with ENAMETOOLONG in errno, if it is
-    /// too long, and with EMFILE without a place. A folder goes with all that is in it, 64 folders
-    /// deep.
+    /// Records a path in place of the previous record. Returns false, with errno ENAMETOOLONG if
+    /// the path is too long, or EMFILE without a place. A folder is removed with all its contents,
+    /// up to 64 folders deep.
     bool note_file(const char* path) noexcept;
     bool note_folder(const char* path) noexcept;
 
-    /// Notes the leader of a process group, to be killed and reaped; it is the caller who reaps it
-    /// unless the program ends. False, with EMFILE in errno, without a place.
+    /// Records the leader of a process group, to be killed and reaped; the caller reaps it unless
+    /// the program ends. Returns false, with errno EMFILE, without a place.
     bool note_process(int leader) noexcept;
 
-    /// The path that was noted, or an empty one; valid while the object lives.
+    /// The recorded path, or an empty one; valid during the object's lifetime.
     const char* path() const noexcept;
 
-    /// It is whole, or gone already: forgets it, and gives the place back.
+    /// The item is complete or already gone: forgets it and frees the place.
     void finish() noexcept;
 
-    /// Removes it now, files and folders, and gives the place back.
+    /// Removes a file or folder now, and frees the place.
     void remove() noexcept;
 
 private:
@@ -50,11 +50,11 @@ private:
     std::size_t place_;
 };
 
-/// What remove_unfinished needs of a signal handler's stack at most, in bytes.
+/// Upper bound on the stack that remove_unfinished needs in a signal handler, in bytes.
 inline constexpr std::size_t removal_stack = std::size_t{1} << 19;
 
-/// Removes all that is unfinished; processes are killed first. Safe to call in a signal handler;
-/// the program should end afterwards.
+/// Removes everything unfinished; kills processes first. Safe to call in a signal handler; the
+/// program should end afterwards.
 void remove_unfinished() noexcept;
 
 } // namespace polydec

@@ -10,36 +10,36 @@ namespace polydec {
 /// Whether the k-simplices f and g are one flat piece across their common (k-1)-face s.
 using Straightness = std::function<bool(int k, Index s, Index f, Index g)>;
 
-/// Pieces divided into open blocks, the cells of the merged complex before they are
-/// numbered. Every open simplex lies in the interior of one block, its carrier; a simplex whose
-/// carrier has its own dimension is a piece of it, any other has been removed.
+/// Pieces divided into open blocks: the cells of the merged complex before they are numbered. Every
+/// open simplex lies in the interior of one block, its carrier. A simplex is a piece of its carrier
+/// if both have the same dimension; otherwise it has been removed.
 struct Blocks {
     struct Carrier {
         int dimension; ///< of the block
-        Index piece;   ///< the block's first piece stands for the block
+        Index piece;   ///< the block's first piece, which represents it
     };
     std::vector<std::vector<Carrier>> carriers;  ///< of simplex s of degree k: carriers[k][s]
-    std::vector<std::vector<std::int8_t>> signs; ///< orientation of a piece in its block; or 0
+    std::vector<std::vector<std::int8_t>> signs; ///< orientation of a piece in its block, or 0
     std::vector<CofaceCounts> active_cofaces;    ///< numbers of cofaces of s that are not removed
-    std::vector<std::vector<Index>> twisted;     ///< first pieces of blocks with clashing signs
+    std::vector<std::vector<Index>> twisted;     ///< first pieces of blocks with inconsistent signs
 };
 
-/// Joins n-simplices across the removed facets, then downwards, k = n-1 .. 2, k-simplices across a
-/// (k-1)-simplex with exactly two active cofaces that are straight across it and have as many
-/// cofaces each. A (k-1)-simplex without active coface is removed: it lies inside a larger block.
-/// Vertices are never removed. removed_facets has one entry per (n-1)-simplex and may be true only
-/// for facets with two cofaces. Near-linear in the number of incidences. Throws InvalidInput for
-/// another number of entries.
+/// Joins n-simplices across the removed facets. Then, for k = n-1 down to 2, joins k-simplices
+/// across a (k-1)-simplex with exactly two active cofaces that are straight across it and have
+/// equally many cofaces. A (k-1)-simplex without active coface is removed: it lies inside a larger
+/// block. Vertices are never removed. removed_facets: one entry per (n-1)-simplex, true only for
+/// facets with two cofaces. Near-linear in the number of incidences. Throws InvalidInput for a
+/// wrong number of entries.
 Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facets,
                    const Straightness& straight);
 
-/// The facets that a merging by label removes: two cofaces, both with the same label. labels has
-/// one entry per n-simplex. Throws InvalidInput for another number of them.
+/// The facets that merging by label removes: two cofaces, both with the same label. `labels` has
+/// one entry per n-simplex. Throws InvalidInput for a wrong number of labels.
 std::vector<bool> facets_within_labels(const Pieces& complex, const std::vector<Index>& labels);
 
-/// A block that is no open ball, so no cell: its pieces induce clashing orientations, its Euler
-/// number (the sum of (-1)^dim over its open simplices) is not (-1)^dimension, or a vertex at it
-/// has lost all its edges.
+/// A block that is not an open ball, hence not a cell: its pieces induce inconsistent orientations,
+/// its Euler number (the sum of (-1)^dim over its open simplices) is not (-1)^dimension, or a
+/// vertex at it has lost all its edges.
 struct InadmissibleBlock {
     int dimension;
     Index piece;                   ///< first piece

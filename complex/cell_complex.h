@@ -16,25 +16,24 @@ struct Incidence {
     Index cell, face;
 };
 
-/// A finite complex of oriented cells of degrees 0..n: simplices, merged polytopes, cubes or cells
-/// made by hand. It is its tower of signed incidence matrices and knows no lengths. A handle on
-/// what never changes: copies share it and cost nothing.
-/// Where a degree is asked for that there is not, InvalidInput is thrown, by all that takes one.
-/// What refers into a complex is handed out by value where the complex is a temporary.
+/// A finite complex of oriented cells of degrees 0..n (simplices, merged polytopes, cubes or custom
+/// cells), given by its signed incidence matrices; it knows no lengths. An immutable handle: copies
+/// share the data and cost nothing. Every member with a degree throws InvalidInput for a degree out
+/// of range. Members of a temporary return values instead of references.
 class CellComplex {
 public:
-    /// For makers of complexes that satisfy d d = 0 by construction.
+    /// Tag for constructors from data that satisfy d d = 0 by construction.
     struct Unchecked {};
 
     /// The complex with coboundaries d_0, .., d_(n-1), n >= 1; d_k is size(k+1) x size(k).
-    /// canceled[k], k < n, are the (k+1)-cells and faces that d_k does not show because both sides
-    /// of the face cancel, such as a loop and its vertex; without them the loop has no end.
-    /// Throws InvalidInput, naming the cells, if shapes do not fit or d_(k+1) d_k is not zero.
+    /// canceled[k], k < n, lists the (k+1)-cells and faces that are missing in d_k because both
+    /// sides of the face cancel, such as a loop and its vertex; without them the loop would have no
+    /// end. Throws InvalidInput, naming the cells, if shapes do not fit or d_(k+1) d_k is not zero.
     explicit CellComplex(std::vector<IncidenceMatrix> coboundaries,
                          std::vector<std::vector<Incidence>> canceled = {});
 
-    /// As above without the checks. coface_counts[k][s] is the number of (k+1)-cells around
-    /// cell s of degree k < n, counting one that is glued to itself along s as often as it is.
+    /// As above without the checks. coface_counts[k][s] is the number of (k+1)-cells around cell s
+    /// of degree k < n; a cell glued to itself along s counts with its multiplicity.
     CellComplex(Unchecked, std::vector<IncidenceMatrix> coboundaries,
                 std::vector<CofaceCounts> coface_counts,
                 std::vector<std::vector<Incidence>> canceled = {});
@@ -53,8 +52,8 @@ public:
         return k < 0 || k > dimension() ? 0 : static_cast<Index>(tower_->coface_counts[k].size());
     }
 
-    /// The (k+1)-cells with the k-cells that bound them, for k = -1..n, there being no cells of
-    /// degree -1 and n+1: what d_k says, in the form in which it is kept.
+    /// The (k+1)-cells with the k-cells that bound them, for k = -1..n: the entries of d_k in their
+    /// stored form. There are no cells of degrees -1 and n+1.
     const Incidences& incidences(int k) const& {
         if (k < -1 || k > dimension())
             refuse_degree(k);
@@ -63,27 +62,26 @@ public:
     Incidences incidences(int k) && { return incidences(k); }
 
     /// d_k, size(k+1) x size(k), entries -1, 0, 1 (2 on one-sided surfaces), for k = -1..n: the
-    /// ends are 0-column and 0-row matrices. Where cells are simplices it is made when it is first
-    /// asked for, and kept.
+    /// first and last are 0-column and 0-row matrices. For simplices it is computed on first use,
+    /// and kept.
     const IncidenceMatrix& coboundary(int k) const& { return incidences(k).matrix(); }
     IncidenceMatrix coboundary(int k) && { return coboundary(k); }
 
     /// Boundary matrix of the k-cells, size(k-1) x size(k): the transpose of d_(k-1). Row s lists
-    /// the cofaces of s. Made anew at each call, in linear time.
+    /// the cofaces of s. Recomputed at each call, in linear time.
     IncidenceMatrix boundary(int k) const { return incidences(k - 1).transposed(); }
 
-    /// Number of (k+1)-cells around each k-cell; not to be read off d_k, in which a cell that lies
-    /// on both sides of s cancels. All zero for k = n.
+    /// Number of (k+1)-cells around each k-cell. It cannot be read off d_k, where a cell on both
+    /// sides of s cancels. All zero for k = n.
     const CofaceCounts& coface_counts(int k) const& {
         check_number("the number of cofaces in degree", k, 0, dimension());
         return tower_->coface_counts[k];
     }
     CofaceCounts coface_counts(int k) && { return coface_counts(k); }
 
-    /// The (k+1)-cells and k-cells on their boundary between which d_k has no entry, because both
-    /// sides of the face cancel: a loop and its vertex, a cone and the edge along which it is
-    /// closed. Whatever asks for all faces of a cell needs these beside the rows of d_k, 0 <= k <
-    /// n.
+    /// The (k+1)-cells and k-cells on their boundary without an entry in d_k, because both sides of
+    /// the face cancel: a loop and its vertex, a cone and the edge along which it is closed. To
+    /// find all faces of a cell, use these in addition to the rows of d_k, 0 <= k < n.
     const std::vector<Incidence>& canceled(int k) const& {
         check_number("the incidences that cancel in the coboundary", k, 0, dimension() - 1);
         return tower_->canceled[k];

@@ -11,13 +11,13 @@
 
 namespace polydec {
 
-/// How many cofaces each cell has: a byte for each cell, more only if one of them needs it, none if
+/// Number of cofaces of each cell: a byte per cell, more only if one cell needs it, nothing if
 /// there are no cofaces.
 class CofaceCounts {
 public:
     CofaceCounts() = default;
 
-    /// Of so many cells without any.
+    /// `size` cells without cofaces.
     explicit CofaceCounts(std::size_t size) : size_(size) {}
 
     CofaceCounts(const std::vector<Index>& counts) : size_(counts.size()) {
@@ -68,7 +68,7 @@ public:
 
 private:
     std::size_t size_ = 0;
-    std::vector<std::uint8_t> small_; // empty: large_; both empty: zeros
+    std::vector<std::uint8_t> small_; // empty: large_ holds the counts; both empty: zeros
     std::vector<Index> large_;
 };
 

@@ -5,17 +5,17 @@
 
 namespace polydec {
 
-/// Which cells of each degree 0..n belong to something: marks[k][s].
+/// Marks some cells of each degree 0..n: marks[k][s].
 using CellMarks = std::vector<std::vector<bool>>;
 
-/// Throws InvalidInput, naming the degree, unless there is a mark for each cell.
+/// Throws InvalidInput, naming the degree, unless there is one mark per cell.
 void check_marks(const CellComplex& complex, const CellMarks& marks);
 
-/// Marks with each cell all its faces, also those that cancel in its row of d. Linear time. Throws
-/// like check_marks.
+/// Marks all faces of every marked cell, including faces that cancel in its row of d. Linear time.
+/// Throws like check_marks.
 void mark_faces(const CellComplex& complex, CellMarks& marks);
 
-/// The cells of the boundary: facets with one coface, and their faces of every degree.
+/// Marks the cells of the boundary: facets with one coface, and their faces of every degree.
 CellMarks boundary_cells(const CellComplex& complex);
 
 struct Components {

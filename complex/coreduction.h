@@ -8,24 +8,23 @@
 
 namespace polydec {
 
-/// Takes a complex apart without changing its homology: a cell that is the only remaining face of
-/// another leaves together with it, starting from one vertex of each component. What is left is
-/// the core, usually a handful of cells. On a closed surface the pairs are a spanning tree of edges
+/// Simplifies a complex without changing its homology: starting from one vertex of each component,
+/// a cell that is the only remaining face of another is removed together with it. The remaining
+/// core is usually a handful of cells. On a closed surface the pairs are a spanning tree of edges
 /// and a cotree of faces. Linear time. Source: Mrozek and Batko 2009.
 class Coreduction {
 public:
     explicit Coreduction(const CellComplex& complex);
 
-    /// A pair that left: a k-cell `face` and a (k+1)-cell `coface` of which it was the only face
-    /// that remained.
+    /// A removed pair: a k-cell `face` and a (k+1)-cell `coface` whose only remaining face it was.
     struct Pair {
         Index face, coface;
     };
 
-    /// The pairs of k-cells with (k+1)-cells in the order in which they left; none for k = -1, n.
+    /// The pairs of k-cells with (k+1)-cells in the order of removal; none for k = -1, n.
     const std::vector<Pair>& pairs(int k) const { return pairs_.at(k + 1); }
 
-    /// The vertices that stand for their components, of those that have a 0-cocycle.
+    /// The starting vertices of the components that have a 0-cocycle.
     const std::vector<Index>& base_vertices() const { return base_vertices_; }
 
     /// Whether each k-cell belongs to the core.

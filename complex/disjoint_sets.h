@@ -16,7 +16,7 @@ public:
 
     struct Root {
         Index element;
-        std::int8_t sign; ///< of the element asked for, relative to the root
+        std::int8_t sign; ///< of the queried element, relative to the root
     };
 
     Root find(Index a) {
@@ -28,7 +28,7 @@ public:
         }
         const Root result{root, sign};
 
-        // path compression: everything passed on the way now hangs from the root
+        // path compression: everything passed on the way now points to the root
         while (a != root && parent_[a] != root) {
             const auto next = parent_[a];
             const auto rest = static_cast<std::int8_t>(sign * sign_[a]);
@@ -40,7 +40,7 @@ public:
         return result;
     }
 
-    /// False iff the two were joined before with the opposite relative sign; nothing changes then.
+    /// Returns false, and changes nothing, iff the two were joined before with the opposite sign.
     bool join(Index a, Index b, int relative_sign = 1) {
         Root s = find(a), t = find(b);
         const auto sign = static_cast<std::int8_t>(s.sign * t.sign * relative_sign);

@@ -14,23 +14,23 @@ constexpr std::int64_t elimination_prime = 2147483647;
 using ModularChain = std::vector<std::pair<Index, std::int64_t>>;
 
 /// Sparse elimination of what coreduction leaves of the coboundary matrices. Boundaries of cells
-/// are reduced by earlier ones with the same last face; a cell that is the last face of a reduced
-/// boundary one degree above is a boundary itself up to earlier cells, and needs no reduction.
+/// are reduced by earlier ones with the same last face. The last face of a reduced boundary one
+/// degree above is itself a boundary up to earlier cells, and needs no reduction.
 class CoreElimination {
 public:
-    /// Eliminates in every degree; in degree `cycles_of` the combinations are kept that make the
-    /// boundary vanish.
+    /// Eliminates in every degree; in degree `cycles_of` it keeps the combinations with zero
+    /// boundary.
     CoreElimination(const CellComplex& complex, const Coreduction& reduction, int cycles_of = -1);
 
     /// Rank of d_k on the core; 0 for k = -1 and n.
     Index rank(int k) const { return static_cast<Index>(pivot_columns(k).size()); }
 
-    /// k-cells and (k+1)-cells of the core between which d_k has its rank; ascending rows.
+    /// k-cells and (k+1)-cells of the core on which d_k attains its rank; ascending rows.
     const std::vector<Index>& pivot_columns(int k) const { return columns_.at(k + 1); }
     const std::vector<Index>& pivot_rows(int k) const { return rows_.at(k + 1); }
 
-    /// Cycles of the core in the degree asked for that span its homology, b_k many (for k = 0
-    /// less the base vertices).
+    /// Cycles of the core in degree `cycles_of` that span its homology, b_k in number (for k = 0,
+    /// minus the base vertices).
     const std::vector<ModularChain>& cycles() const { return cycles_; }
 
 private:

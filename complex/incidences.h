@@ -11,7 +11,7 @@
 
 namespace polydec {
 
-/// A face of a cell: 1 or -1, 2 where both are glued to themselves on a one-sided surface.
+/// A face of a cell, with sign 1 or -1; 2 if both are glued to themselves on a one-sided surface.
 struct SignedFace {
     Index face;
     int sign;
@@ -50,9 +50,9 @@ private:
     Index size_;
 };
 
-/// The (k+1)-cells of a complex with the k-cells that bound them: what d_k says. Cells with equally
-/// many faces whose signs alternate, as simplices have, take a table of faces alone; others a
-/// matrix. A handle on what never changes.
+/// The (k+1)-cells of a complex with the k-cells that bound them: the entries of d_k. Cells with
+/// equal numbers of faces and alternating signs, such as simplices, need only a table of faces;
+/// others a matrix. An immutable handle.
 class Incidences {
 public:
     using Signs = std::vector<std::int8_t>;
@@ -60,20 +60,20 @@ public:
     /// Cells of any kind: rows ascending, without zeros.
     explicit Incidences(IncidenceMatrix matrix);
 
-    /// Each row has the faces of a cell, ascending; the last one has the cell's sign, or 1 if none
-    /// are given, the one before it the opposite, and so on.
+    /// Each row lists the faces of a cell, ascending. The last face has the cell's sign (1 without
+    /// `signs`), the face before it the opposite sign, and so on.
     Incidences(std::shared_ptr<const Simplices> faces, Index cols,
                std::shared_ptr<const Signs> signs = nullptr);
 
-    /// The same with other signs of the rows, of a table of faces.
+    /// The same table of faces with other signs of the rows.
     Incidences with_signs(std::shared_ptr<const Signs> signs) const;
 
-    /// Numbers of (k+1)-cells, k-cells, and of faces of all cells.
+    /// Numbers of (k+1)-cells, of k-cells, and of faces of all cells.
     Index rows() const { return rows_; }
     Index cols() const { return cols_; }
     Index size() const { return begins_ ? begins_[rows_] : rows_ * width_; }
 
-    /// The faces of a cell. Read in inner loops, so the cell is not checked.
+    /// The faces of a cell. For inner loops: the cell is not checked.
     IncidenceRow operator[](Index cell) const {
         if (begins_)
             return {faces_ + begins_[cell], signs_ + begins_[cell],
@@ -82,27 +82,27 @@ public:
         return {faces_ + std::ptrdiff_t{width_} * cell, alternating(width_ + turned), width_};
     }
 
-    /// The sign of a face in a cell; 0 if it is none.
+    /// The sign of a face in a cell; 0 if it is not a face.
     int sign(Index cell, Index face) const;
 
-    /// d_k with entries that are bytes: made when it is first asked for, and kept.
+    /// d_k with entries of one byte; computed on first use, and kept.
     const IncidenceMatrix& matrix() const;
 
-    /// The same with doubles, and its transpose, made at each call. Linear time.
+    /// The same with doubles, and the transpose, recomputed at each call. Linear time.
     SparseMatrix real_matrix() const;
     IncidenceMatrix transposed() const;
 
-    /// The table of faces; null if cells have any number of them.
+    /// The table of faces; null if numbers of faces differ.
     const Index* table() const { return begins_ ? nullptr : faces_; }
 
-    /// Calls work(rows) with what innermost loops read: rows.for_each(cell, factor, take) calls
-    /// take(face, sign * factor) for each face, and rows.size(cell) counts them. The work is
-    /// compiled for each kind of rows.
+    /// Calls work(rows) with rows for innermost loops: rows.for_each(cell, factor, take) calls
+    /// take(face, sign * factor) for each face, and rows.size(cell) counts them. `work` is compiled
+    /// for each kind of rows.
     template <class Work>
     void visit(Work work) const;
 
 private:
-    /// Signs of which number `width` - 1 is 1.
+    /// Alternating signs with 1 at index `width` - 1.
     static const std::int8_t* alternating(Index width) {
         static constexpr std::int8_t signs[] = {-1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1,
                                                 -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1,
@@ -121,7 +121,7 @@ private:
     std::shared_ptr<const Lazy<IncidenceMatrix>> matrix_;
 };
 
-/// Rows of `width` faces with alternating signs; a width of 0 stands for that given.
+/// Rows of `width` faces with alternating signs; width 0 means `given`.
 template <int width>
 struct AlternatingRows {
     const Index* faces;
@@ -134,7 +134,7 @@ struct AlternatingRows {
     void for_each(Index cell, double factor, Take take) const {
         const Index count = size(cell);
         const Index* const face = faces + std::ptrdiff_t{count} * cell;
-        // without a branch on signs, which may be random
+        // no branch on signs, which may be random
         const double last = signs ? signs[cell] * factor : factor;
         double value = count % 2 == 1 ? last : -last;
         for (Index i = 0; i < count; ++i, value = -value)
@@ -142,7 +142,7 @@ struct AlternatingRows {
     }
 };
 
-/// Rows of any kind, as those of a sparse matrix.
+/// Rows of any kind, as in a sparse matrix.
 struct SignedRows {
     const Index *begins, *faces;
     const std::int8_t* signs;

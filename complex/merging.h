@@ -10,22 +10,22 @@
 
 namespace polydec {
 
-/// Pieces K, the complex P of the cells that they are merged into, and how they belong together.
+/// Pieces K, the complex P of the cells that they merge into, and the maps between them.
 ///
 /// Cells of P are numbered in the order of their first pieces and oriented like them.
 class Merging {
 public:
-    /// The merged complex that the blocks make; d^P d^P = 0 and dia d = d^P dia hold by
-    /// construction. Linear time.
+    /// The merged complex of the blocks; d^P d^P = 0 and dia d = d^P dia hold by construction.
+    /// Linear time.
     Merging(Pieces pieces, const Blocks& blocks);
 
-    /// Where an open simplex of K lies: in the interior of this cell of P.
+    /// The cell of P whose interior contains an open simplex of K.
     struct Carrier {
         int dimension;
         Index cell;
     };
 
-    /// The same cells made of other pieces.
+    /// The same cells with other pieces.
     Merging(Pieces pieces, CellComplex merged, std::vector<std::vector<Carrier>> carriers,
             std::vector<IncidenceMatrix> diamonds);
 
@@ -41,7 +41,7 @@ public:
     std::vector<Carrier> carriers(int k) && { return carriers(k); }
 
     /// dia_k, size of P times size of K: the orientation 1 or -1 of each piece s in its cell F, 0
-    /// for removed simplices. Primal k-forms on K are mapped to P by it; it is a cochain map.
+    /// for removed simplices. Maps primal k-forms on K to P; a cochain map.
     const IncidenceMatrix& diamond(int k) const& {
         check_number("the map to merged cells in degree", k, 0, pieces_.dimension());
         return maps().diamonds[k];
@@ -53,8 +53,8 @@ public:
     /// Whether nothing is merged, so that P is K.
     bool is_identity() const { return is_identity_; }
 
-    /// The vertices of k-cell F of P: ascending vertex numbers of the input. Throws InvalidInput
-    /// if there is no such cell.
+    /// The vertices of k-cell F of P: ascending vertex numbers of the input. Throws InvalidInput if
+    /// there is no such cell.
     std::vector<Index> vertices(int k, Index cell) const;
 
 private:
@@ -77,7 +77,7 @@ private:
     CellComplex merged_;
 };
 
-/// The merging that merges nothing: P is K, and shares its memory.
+/// The merging that merges nothing: P is K and shares its memory.
 Merging unmerged(Pieces complex);
 
 } // namespace polydec

@@ -7,7 +7,7 @@
 
 namespace polydec {
 
-/// The faces of k-simplices, as they are read in innermost loops: nothing is checked.
+/// The faces of k-simplices, for innermost loops: nothing is checked.
 class FaceTable {
 public:
     FaceTable(const Index* faces, int k, bool last_first)
@@ -23,28 +23,27 @@ private:
     int width_, step_;
 };
 
-/// Ordered simplices glued along their faces in any way: what is measured and merged. The corners
-/// of every simplex are in order, and its faces keep that order: an ordered Delta-complex. So a
-/// face that lacks corner i has the sign (-1)^i. Several simplices may have the same corners, an
-/// edge may be a loop, and a simplex may have a face twice; a simplicial complex is the case in
-/// which none of this happens. Source: Hatcher, Algebraic Topology, section 2.1.
+/// Ordered simplices glued along their faces in any way, to be measured and merged. The corners of
+/// every simplex are ordered, and faces keep the order: an ordered Delta-complex. So a face that
+/// lacks corner i has the sign (-1)^i. Several simplices may have the same corners, an edge may be
+/// a loop, and a simplex may have a face twice; in a simplicial complex none of this happens.
+/// Source: Hatcher, Algebraic Topology, section 2.1.
 ///
-/// k-simplices, k < n, are oriented by the order of their corners, n-simplices have an orientation
-/// of their own against it. Where loops can be, walk the faces and not the rows of d_k, in which
-/// a face that is met twice may cancel. A handle, as every CellComplex.
+/// k-simplices, k < n, are oriented by the order of their corners; n-simplices have their own
+/// orientation relative to it. Where loops are possible, traverse the faces, not the rows of d_k,
+/// in which a repeated face may cancel. A handle, like every CellComplex.
 class Pieces : public CellComplex {
 public:
-    /// Glues: faces[k - 1], k = 1..n, has a row for each k-simplex and in column i the face that
-    /// lacks corner i; vertices[v] is the number by which messages and files name 0-simplex v.
-    /// Orientations of the n-simplices, 1 or -1, count as coherent if they are so across every
-    /// facet with two cofaces. Linear time but for the ordering of each simplex's faces.
-    /// Throws InvalidInput, naming the simplex, for tables that do not fit or faces of faces that
-    /// do not agree.
+    /// Glues simplices. faces[k - 1], k = 1..n, has one row per k-simplex, with the face that lacks
+    /// corner i in column i; vertices[v] names 0-simplex v in messages and files. Orientations of
+    /// the n-simplices, 1 or -1, are coherent if they are so across every facet with two cofaces.
+    /// Linear time, except for ordering each simplex's faces. Throws InvalidInput, naming the
+    /// simplex, for tables that do not fit or faces of faces that disagree.
     Pieces(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
            std::vector<Index> vertices);
 
-    /// For a maker of simplices in lexicographic order, whose faces stand in the rows of d_k with
-    /// the one that lacks the last corner first. vertex_numbers are as above, or empty: 0, 1, 2, ..
+    /// From simplices in lexicographic order, with the face that lacks the last corner first in the
+    /// rows of d_k. vertex_numbers as above, or empty: 0, 1, 2, ..
     Pieces(Unchecked, CellComplex cells, std::vector<std::shared_ptr<const Simplices>> simplices,
            std::shared_ptr<const Incidences::Signs> orientations, bool orientable,
            std::vector<Index> vertex_numbers);
@@ -60,7 +59,7 @@ public:
         return parts_->simplices[k];
     }
 
-    /// The number by which messages and files name 0-simplex v. Not checked.
+    /// The number of 0-simplex v in messages and files. Not checked.
     Index vertex_number(Index v) const {
         return parts_->vertex_numbers.empty() ? v : parts_->vertex_numbers[v];
     }
@@ -69,18 +68,18 @@ public:
     std::vector<Index> vertex_numbers(std::vector<Index> vertices) const;
     std::vector<Index> vertex_numbers(int k, Index s) const;
 
-    /// The faces of the k-simplices, k >= 1; valid as long as a handle on this complex is.
+    /// The faces of the k-simplices, k >= 1; valid as long as a handle on this complex.
     FaceTable faces(int k) const {
         check_number("a face of a simplex of degree", k, 1, dimension());
         const bool own = !parts_->faces.empty();
         return {own ? parts_->faces[k].data() : incidences(k - 1).table(), k, !own};
     }
 
-    /// The face of k-simplex s, k >= 1, that lacks its corner number `omitted`, 0..k. Read in
-    /// inner loops, so s and omitted are not checked.
+    /// The face of k-simplex s, k >= 1, that lacks its corner number `omitted`, 0..k. For inner
+    /// loops: s and omitted are not checked.
     Index face(int k, Index s, int omitted) const { return faces(k)(s, omitted); }
 
-    /// Orientation of n-simplex s against the order of its corners: 1 or -1.
+    /// Orientation of n-simplex s relative to the order of its corners: 1 or -1.
     int orientation(Index s) const {
         check_number("the orientation of simplex", s, 0, size(dimension()) - 1);
         return (*parts_->orientations)[s];
@@ -93,8 +92,8 @@ public:
         return is_top ? of_position * (*parts_->orientations)[s] : of_position;
     }
 
-    /// Whether these are the simplices of a simplicial complex, so that points at their corners say
-    /// all of them.
+    /// Whether these are the simplices of a simplicial complex, so that the points at their corners
+    /// determine them.
     bool is_simplicial() const { return parts_->faces.empty(); }
 
     /// Whether the n-simplices are oriented coherently across facets with two cofaces.
@@ -103,7 +102,7 @@ public:
 private:
     struct Parts {
         std::vector<std::shared_ptr<const Simplices>> simplices; // of degree k
-        std::vector<Simplices> faces; // of degree k; empty: they are those of the incidences
+        std::vector<Simplices> faces; // of degree k; if empty, the faces are in the incidences
         std::shared_ptr<const Incidences::Signs> orientations;
         bool orientable = true;
         std::vector<Index> vertex_numbers = {}; // empty: 0, 1, 2, ..
@@ -125,7 +124,7 @@ struct Coface {
     int omitted; ///< the corner of the cell that the face lacks
 };
 
-/// The k-simplices around each (k-1)-simplex, in ascending order, and as often as they meet it.
+/// The k-simplices around each (k-1)-simplex, ascending, with multiplicity.
 class Cofaces {
 public:
     Cofaces(const Pieces& pieces, int k);

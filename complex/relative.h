@@ -5,22 +5,22 @@
 
 namespace polydec {
 
-/// A complex relative to some of its cells: those are dropped in every degree, the others keep
-/// their order and orientation. Its cochains are those of the whole complex that vanish on the
-/// dropped cells, as forms under an essential boundary condition do.
+/// A complex relative to some of its cells. These are dropped in every degree; the others keep
+/// their order and orientation. Its cochains are the cochains of the whole complex that vanish on
+/// the dropped cells, like forms under an essential boundary condition.
 struct RelativeComplex {
     CellComplex complex;
     std::vector<std::vector<Index>> cells; ///< cells[k]: the kept k-cells' numbers in the whole
     std::vector<Index> whole_sizes;        ///< numbers of cells of the whole
 
-    /// The values on the kept k-cells, of one value for every k-cell of the whole. Throws
-    /// InvalidInput for another number of values.
+    /// The values on the kept k-cells, from one value per k-cell of the whole complex. Throws
+    /// InvalidInput for a wrong number of values.
     Vector restrict(int k, const Vector& whole) const { return restrict_columns(k, whole); }
 
     /// The same values on the whole complex, 0 on the dropped cells. Throws likewise.
     Vector extend(int k, const Vector& kept) const { return extend_columns(k, kept); }
 
-    /// The same for several forms at once, a column each.
+    /// The same for several forms, one per column.
     template <SeveralColumns Matrix>
     DenseMatrix restrict(int k, const Eigen::MatrixBase<Matrix>& whole) const {
         return restrict_columns(k, whole);
@@ -35,16 +35,16 @@ private:
     DenseMatrix extend_columns(int k, const DenseMatrix& kept) const;
 };
 
-/// The columns of some of `size` cells: takes values on these to values on all, 0 at the others.
+/// Inclusion of some of `size` cells: extends values on these cells by 0 to all cells.
 SparseMatrix inclusion(const std::vector<Index>& cells, Index size);
 
 /// The complex relative to a closed set of cells (with each cell, all its faces). Linear time.
 /// Throws InvalidInput, naming the cells, if the set is not closed or does not fit the complex.
 RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& dropped);
 
-/// The same without an open set of cells too (with each cell, all its cofaces): seen from the dual
-/// cells, which have their faces and cofaces the other way around, that is a closed one. d d = 0
-/// holds on what is left. Throws like the above, and if the second set is not open.
+/// The same, also without an open set of cells (with each cell, all its cofaces). In the dual
+/// complex, where faces and cofaces are exchanged, the open set is closed. d d = 0 holds on the
+/// remaining cells. Throws like the overload above, and if the second set is not open.
 RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& closed,
                                  const CellMarks& open);
 

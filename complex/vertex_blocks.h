@@ -11,14 +11,14 @@
 
 namespace polydec {
 
-/// So many vertices are a block: what belongs to them fits into a core's cache.
+/// Number of vertices per block: a block's data fit into a core's cache.
 constexpr Index block_size = 2048;
 
 constexpr Index count_blocks(Index vertices) {
     return vertices / block_size + (vertices % block_size > 0 ? 1 : 0);
 }
 
-/// Records by blocks of the vertices that they belong to, in the order in which they came.
+/// Records by blocks of their vertices, in their original order.
 template <class Record>
 struct ByBlock {
     std::vector<Index> begins;
@@ -30,7 +30,7 @@ struct ByBlock {
 };
 
 /// Record i belongs to vertex_of(i), below `vertices`, and is make(i). Several stretches are
-/// counted, then written, at once; what comes out is the same for any of them.
+/// counted, then written, in parallel; the result does not depend on the stretches.
 template <class Record, class VertexOf, class Make>
 ByBlock<Record> by_block(Index count, Index vertices, VertexOf vertex_of, Make make) {
     constexpr Index least_stretch = 1 << 15, most_stretches = 64;

@@ -5,10 +5,10 @@
 
 namespace polydec {
 
-/// Coordinates in R^n of the corners of the n-pieces, n + 1 rows for each, in the order of its
-/// corners: the pieces of one merged cell lie beside each other as in the cell when it is laid flat
-/// (bent cells can be: what is merged is intrinsic). Each cell has coordinates of its own, but in
-/// R^n, where they are the points. Needs lengths alone. Linear time.
+/// Coordinates in R^n of the corners of the n-pieces, n + 1 rows per piece, in the order of its
+/// corners. The pieces of one merged cell lie side by side as in the cell laid flat; bent cells can
+/// be laid flat because merging is intrinsic. Each cell has its own coordinate system; in R^n the
+/// coordinates are the points. Needs only lengths. Linear time.
 Points developed_corners(const Discretization& mesh);
 
 } // namespace polydec

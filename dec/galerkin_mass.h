@@ -6,24 +6,24 @@
 
 namespace polydec {
 
-/// Inner products of Whitney forms on the cells, by the lift to their pieces; cells that have flat
-/// ones are coned instead (see cone_flat_cells). Source: Whitney 1957.
+/// Inner products of Whitney forms on the cells, by the lift to their pieces; cells with flat
+/// pieces are coned instead (see cone_flat_cells). Source: Whitney 1957.
 class GalerkinMass {
 public:
     /// Throws like cone_flat_cells.
     explicit GalerkinMass(const MergedCells& cells);
 
-    /// Those of k-forms, each n-cell's times its weight, at least 0: size(k) x size(k), units
-    /// length^(n-2k).
+    /// Inner products of k-forms, with the contribution of each n-cell times its weight, at least
+    /// 0: size(k) x size(k), units length^(n-2k).
     SparseMatrix operator()(int k, const Vector& weights) const;
 
-    /// What a symmetric matrix of the k-simplices of the pieces is for the forms on cells.
+    /// Maps a symmetric matrix on the k-simplices of the pieces to the forms on cells.
     SparseMatrix lifted(int k, const SparseMatrix& of_pieces) const;
 
     const Pieces& pieces() const { return cells_.merging().pieces(); }
     const SimplexMetric& metric() const { return cells_.geometry().metric(); }
 
-    /// The n-cell that a piece belongs to.
+    /// The n-cell that contains a piece.
     Index cell(Index piece) const {
         return cells_.merging().carriers(pieces().dimension())[piece].cell;
     }

@@ -10,12 +10,11 @@ namespace polydec {
 
 /// Galerkin's star of k-forms in a material: inner products of Whitney forms, on merged cells by
 /// the lift, with each n-cell's contribution times its weight. size(k) x size(k), units of the
-/// star. Weights are in the order of the input's cells (see CellData), as in all functions below.
-/// With conductivity as the weight of 1-forms, Laplace's equation of primal 0-forms becomes div
-/// kappa grad. With the inverse as the weight of (n-1)-forms, Laplace's equation of dual 0-forms
-/// and Darcy's equations do: mesh.with_stars(mesh.stars().with(k, material_star(mesh, k,
-/// weights))). Throws InvalidInput, naming the cell, for a weight that is not positive, and like
-/// CellData.
+/// star. Weights are in the order of the input's cells (see CellData), also below. With
+/// conductivity as the weight of 1-forms, Laplace's equation of primal 0-forms becomes div kappa
+/// grad. With its inverse as the weight of (n-1)-forms, Laplace's equation of dual 0-forms and
+/// Darcy's do: mesh.with_stars(mesh.stars().with(k, material_star(mesh, k, weights))). Throws
+/// InvalidInput, naming the cell, for a weight that is not positive, and like CellData.
 SparseMatrix material_star(const Discretization& mesh, int k, const CellData& weights);
 
 /// The same for (n-1)-forms with an anisotropic conductivity: a symmetric positive definite n x n
@@ -32,13 +31,12 @@ SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMa
 /// and like CellData.
 Vector cell_means(const Discretization& mesh, int k, const CellData& weights);
 
-/// The stars of a mesh with the star of k-forms weighted by n-cell. A diagonal star stays diagonal:
-/// the sum of the signed shares of the n-cells, each times its weight. A matrix becomes Galerkin's
-/// star of the material. So on a Delaunay mesh of triangles, primal 0-forms have the equations of
-/// linear finite elements. In Maxwell's equations with E a primal 1-form, the permittivity weights
-/// the star of degree 1, and the inverse permeability the star of degree 2. The shares of
-/// user-supplied diagonal stars are unknown; such stars are multiplied by cell_means. Throws like
-/// material_star.
+/// The stars of a mesh with the star of k-forms weighted by n-cell. A diagonal star becomes the sum
+/// of the signed shares of the n-cells, each times its weight; a matrix becomes Galerkin's star of
+/// the material. So on a Delaunay mesh of triangles, primal 0-forms have the equations of linear
+/// elements. In Maxwell's equations with E a primal 1-form, the permittivity weights star_1, the
+/// inverse permeability star_2. User-supplied diagonal stars, whose shares are unknown, are
+/// multiplied by cell_means. Throws like material_star.
 HodgeStars weighted_stars(const Discretization& mesh, int k, const CellData& weights);
 
 /// The mesh with these stars; the kind of stars is unchanged.
@@ -50,10 +48,9 @@ Discretization with_material(const Discretization& mesh, int k, const CellData& 
 /// are unknown.
 Discretization with_conductivity(const Discretization& mesh, Side side, const CellData& kappa);
 
-/// The mesh with stars for which forms of a side and degree are electric fields E in a material
-/// with energies permittivity |E|^2 and |B|^2 / permeability, both positive. Dual forms are stars
-/// of primal forms through the material, so their stars have the inverse weights. Throws like
-/// material_star.
+/// The mesh with stars for which forms of a side and degree are electric fields E, with energies
+/// permittivity |E|^2 and |B|^2 / permeability, both positive. Dual forms are stars of primal forms
+/// through the material, so their stars have the inverse weights. Throws like material_star.
 Discretization with_electric_material(const Discretization& mesh, Side side, int degree,
                                       const CellData& permittivity, const CellData& permeability);
 

@@ -7,12 +7,12 @@
 
 namespace polydec {
 
-/// Throws InvalidInput, naming the cells, if the star that is the mass of forms of that side and
-/// degree is not positive: then they have no norm and their spectrum cannot be counted.
+/// Throws InvalidInput, naming the cells, unless the star that is the mass of forms of this side
+/// and degree is positive: without a norm the spectrum cannot be counted.
 void check_positive_mass(const HodgeStar& star, Side side, int degree);
 
-/// Semidefinite if the stars of degrees k-1 and k+1 are positive, where the symmetric Laplacian of
-/// degree k is so for sure; else indefinite.
+/// Semidefinite if the stars of degrees k-1 and k+1 are positive, which guarantees a semidefinite
+/// symmetric Laplacian of degree k; else indefinite.
 Definiteness laplacian_definiteness(const HodgeStars& stars, int k);
 
 } // namespace polydec

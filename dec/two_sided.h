@@ -5,12 +5,12 @@
 
 namespace polydec {
 
-/// Whether every facet has at most two cofaces, and both agree on its sides: then n-forms are
-/// functions, and differ by what flows through the facets.
+/// Whether every facet has at most two cofaces that agree on its sides. Then n-forms are functions,
+/// and their differences are fluxes through the facets.
 bool is_two_sided(const CellComplex& complex);
 
-/// Throws InvalidInput, naming a facet with more than two cofaces: dual 0-forms have no difference
-/// along its dual.
+/// Throws InvalidInput, naming a facet with more than two cofaces: the difference of a dual 0-form
+/// along its dual is undefined.
 void check_not_branching(const Cells& cells);
 
 /// Throws InvalidInput, naming a facet, unless the cells are two-sided.

@@ -8,9 +8,9 @@ namespace polydec {
 /// An end of a half-edge.
 enum class FanEnd { tail, head };
 
-/// Visits the corners of the triangles around a vertex one after the other, from a boundary
-/// half-edge that ends there to the next one. A corner is told by the half-edge whose tail it is.
-/// Gluings may turn the orientation on the way.
+/// Visits the corners of the triangles around a vertex in order, from a boundary half-edge that
+/// ends there to the next one. A corner is given by the half-edge that starts at it. Gluings may
+/// reverse the orientation along the way.
 template <class Visit>
 void for_each_corner(const GluedSurface& surface, Index boundary_halfedge, FanEnd end,
                      Visit visit) {

@@ -9,14 +9,15 @@
 
 namespace polydec {
 
-/// Triangles, any number of them at an edge: what heat on a surface needs, also where it branches.
+/// Triangles, any number of them at an edge: the connectivity for heat on surfaces, also branching
+/// ones.
 ///
-/// Half-edge 3 t + i runs along triangle t from its corner i to the next one. Every edge has a
-/// direction; the sign of a half-edge tells whether it runs along its edge (1) or against it (-1).
-/// What is asked for by number is read in the innermost loops, so numbers are not checked.
+/// Half-edge 3 t + i runs along triangle t from its corner i to the next corner. Every edge has a
+/// direction; the sign of a half-edge is 1 along its edge and -1 against it. Accessors serve
+/// innermost loops and do not check numbers.
 class Triangles {
 public:
-    /// One side of a triangle: which edge it lies at, and the sign of the half-edge.
+    /// One side of a triangle: its edge, and the sign of the half-edge.
     struct SignedEdge {
         Index edge;
         std::int8_t sign;
@@ -24,8 +25,8 @@ public:
 
     static constexpr int dimension = 2;
 
-    /// Those of pieces; vertices, edges and triangles keep their numbers and orientations. Linear
-    /// time. Throws InvalidInput if the dimension is not 2.
+    /// The triangles of pieces; vertices, edges and triangles keep their numbers and orientations.
+    /// Linear time. Throws InvalidInput if the dimension is not 2.
     explicit Triangles(const Pieces& surface);
 
     Index vertices() const { return vertices_; }
@@ -51,24 +52,23 @@ protected:
     Index vertices_ = 0, edges_ = 0;
 };
 
-/// A surface of triangles glued along their edges, two at most at each: a Delta-complex. Unlike
-/// those of a simplicial complex its edges may be loops, several may join the same vertices, a
+/// A surface of triangles glued along their edges, at most two at each edge: a Delta-complex.
+/// Unlike in a simplicial complex, edges may be loops, several edges may join the same vertices, a
 /// triangle may be glued to itself, and the surface may be one-sided. It knows no lengths.
 class GluedSurface : public Triangles {
 public:
-    /// Whether triangles of these pieces can be glued: two at most meet at each edge.
+    /// Whether the triangles of these pieces can be glued: at most two meet at each edge.
     static bool accepts(const Pieces& surface);
 
-    /// The triangles of pieces, such as those of a simplicial surface. Vertices, edges and
-    /// triangles keep their numbers and orientations. Linear time. Throws InvalidInput, naming the
-    /// edge, if three triangles meet there, or if the dimension is not 2.
+    /// The triangles of pieces, e.g. of a simplicial surface. Vertices, edges and triangles keep
+    /// their numbers and orientations. Linear time. Throws InvalidInput, naming the edge, if three
+    /// triangles meet there, or if the dimension is not 2.
     explicit GluedSurface(const Pieces& surface);
 
-    /// Triangles whose sides are glued wherever they name the same edge: three sides for each
-    /// triangle, edges numbered from 0 without a gap. Corners that the gluing identifies are one
-    /// vertex; vertices are numbered in the order of their first corners.
-    /// Throws InvalidInput, naming the edge, if it has no side or more than two, and for signs
-    /// other than 1 and -1.
+    /// Triangles glued along sides with the same edge number: three sides per triangle, edges
+    /// numbered from 0 without gaps. Corners that the gluing identifies are one vertex; vertices
+    /// are numbered in the order of their first corners. Throws InvalidInput, naming the edge, if
+    /// it has no side or more than two, and for signs other than 1 and -1.
     explicit GluedSurface(const std::vector<std::array<SignedEdge, 3>>& triangles);
 
     /// The half-edges of an edge; the second is -1 on the boundary.
@@ -81,7 +81,7 @@ public:
         return both[0] == halfedge ? both[1] : both[0];
     }
 
-    /// The vertices that an edge runs from and to.
+    /// The start and end vertices of an edge.
     Index first_vertex(Index edge) const {
         const Index h = halfedges_[edge][0];
         return sign(h) > 0 ? tail(h) : head(h);
@@ -97,18 +97,18 @@ public:
         return g >= 0 && triangle(h) != triangle(g);
     }
 
-    /// Turns the orientation of a triangle.
+    /// Reverses the orientation of a triangle.
     void reverse(Index triangle);
 
-    /// Replaces an edge by the other diagonal of the two triangles around it, which must be
-    /// oriented alike there. With half-edges i -> j in triangle t = ijk (the first one) and j -> i
-    /// in u = jil, t becomes klj, u becomes lki, each beginning with the flipped edge, whose
-    /// direction becomes that of k -> l if it was that of i -> j.
+    /// Replaces an edge by the other diagonal of its two triangles, which must be oriented alike
+    /// there. With half-edges i -> j in the first triangle t = ijk and j -> i in u = jil, t becomes
+    /// klj and u becomes lki; each begins with the flipped edge. An edge with direction i -> j gets
+    /// direction k -> l.
     void flip(Index edge);
 
-    /// Divides a boundary edge at a new vertex m, and its triangle t = ijk with it (i -> j the
-    /// boundary half-edge). t becomes imk with its edges' numbers kept; the new triangle is mjk;
-    /// the new edges are m -> j, in the direction of the old one, and then m -> k.
+    /// Splits a boundary edge at a new vertex m, and with it its triangle t = ijk (i -> j the
+    /// boundary half-edge). t becomes imk and its edges keep their numbers; the new triangle is
+    /// mjk. The new edges are m -> j, in the direction of the old edge, and then m -> k.
     void split_boundary(Index edge);
 
     /// Whether the triangles on both sides of an edge are oriented alike; true on the boundary.
@@ -123,13 +123,13 @@ private:
     std::vector<std::array<Index, 2>> halfedges_; // of edges
 };
 
-/// The corners of the triangles, as top simplices of a simplicial complex.
-/// Throws InvalidInput, naming triangles or edges, if the surface is none: if it has loops or
-/// several edges between the same vertices.
+/// The corners of the triangles, as top simplices of a simplicial complex. Throws InvalidInput,
+/// naming triangles or edges, if the surface is not simplicial: if it has loops or several edges
+/// between the same vertices.
 Simplices simplices(const GluedSurface& surface);
 
-/// The surface as its incidence matrices, whose entries are sums of signs: 0 where a triangle lies
-/// on both sides of an edge, or for loops, and 2 or -2 where it does so on a one-sided surface.
+/// The surface as incidence matrices whose entries are sums of signs: 0 for loops and for a
+/// triangle on both sides of an edge; 2 or -2 for such a triangle on a one-sided surface.
 CellComplex cell_complex(const GluedSurface& surface);
 
 } // namespace polydec

@@ -8,15 +8,15 @@
 
 namespace polydec {
 
-/// The triangles of a glued surface as ordered pieces, which keep all numbers, and the orientations
-/// of the triangles.
+/// The triangles of a glued surface as ordered pieces, with the same numbers and the same
+/// orientations of triangles.
 struct OrderedSurface {
     Pieces pieces;
-    Vector directions; ///< 1 or -1 for each edge: whether it runs as it does in the surface
+    Vector directions; ///< per edge 1 or -1: whether it has the same direction in the surface
 };
 
-/// Edges are to run from the lower vertex to the higher one, loops such that no triangle is a
-/// circle. names[v] is what vertex v is called.
+/// Orders the corners so that edges run from the lower vertex to the higher one, and loops so that
+/// no triangle is a cycle. names[v] is the number of vertex v in messages.
 OrderedSurface in_order(const GluedSurface& surface, std::vector<Index> names);
 
 } // namespace polydec

@@ -14,27 +14,27 @@ namespace polydec {
 /// Throws InvalidInput unless 0 <= k <= largest.
 void check_degree_of_contraction(int k, int largest);
 
-/// The vectors at the vertices of the input of those at the points of a mesh, in its unit. Throws
-/// InvalidInput unless the field has a finite vector for each point, naming the vertex, and where
-/// only lengths are known.
+/// Vectors at the vertices of the input, from vectors at the points of a mesh, in its unit. Throws
+/// InvalidInput, naming the vertex, unless the field has one finite vector per point, and if only
+/// lengths are known.
 Points field_on_input(const Discretization& mesh, const Points& field);
 
-/// What a form is on the far side of an inflow boundary.
+/// Value of a form on the far side of an inflow boundary.
 enum class Beyond {
-    the_same, ///< as if the nearest simplex went on
+    the_same, ///< as if the nearest simplex continued
     nothing,
 };
 
-/// Contractions of k-forms with vector fields, k = 1..n: all that does not depend on the field,
-/// made once. Entries of the matrices are visited, so they can be collected or applied as they
-/// come.
+/// Contractions of k-forms with vector fields, k = 1..n: precomputes everything independent of the
+/// field. Visits the matrix entries, so they can be collected or applied on the fly.
 class Contraction {
 public:
     Contraction(const Pieces& complex, const PlacedSimplices& places, int k);
 
     int degree() const { return k_; }
 
-    /// Calls visit(s, c, value) for what the k-simplex c adds to the contraction at its face s.
+    /// Calls visit(s, c, value) with the contribution of k-simplex c to the contraction at its face
+    /// s.
     template <class Visit>
     void visit_entries(const Points& field, Sampling sampling, Beyond beyond, Visit visit) const {
         const bool cut = sampling == Sampling::upwind && beyond == Beyond::nothing;
@@ -50,8 +50,8 @@ public:
         });
     }
 
-    /// Calls visit(s, rate) for the boundary (k-1)-simplices at which the field flows in: at what
-    /// rate values of a (k-1)-form outside come in.
+    /// Calls visit(s, rate) for the boundary (k-1)-simplices where the field flows in, with the
+    /// rate at which outside values of a (k-1)-form come in.
     template <class Visit>
     void visit_inflow(const Points& field, Visit visit) const {
         const auto nearest = upwind_simplices(field);
@@ -67,8 +67,8 @@ public:
     }
 
 private:
-    /// The slope of the barycentric coordinate of a further vertex along the field, the coface
-    /// with this vertex, and its incidence with the face.
+    /// Slope along the field of the barycentric coordinate of a further vertex, the coface with
+    /// this vertex, and its incidence with the face.
     struct Term {
         Index coface;
         double incidence;

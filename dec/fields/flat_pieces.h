@@ -7,13 +7,13 @@
 
 namespace polydec {
 
-/// Throws InvalidInput, naming the first, if there are any: for what needs more of every piece than
-/// fill_flat_pieces can give; what says for what.
+/// Throws InvalidInput, naming the first, if there are flat n-pieces: for functions that need more
+/// than fill_flat_pieces provides; `what` names the function.
 void refuse_flat_pieces(const Discretization& mesh, std::string_view what);
 
-/// Replaces the rows of flat n-pieces (Geometry::is_flat), whose corners tell nothing of what
-/// goes across them, by the mean over the other pieces of their cells, weighted by volume. rows has
-/// one for each n-piece.
+/// Replaces the rows of flat n-pieces (Geometry::is_flat) by the mean over the other pieces of
+/// their cells, weighted by volume: corners of flat pieces do not determine the component across
+/// them. `rows` has one row per n-piece.
 void fill_flat_pieces(const Discretization& mesh, Points& rows);
 
 } // namespace polydec

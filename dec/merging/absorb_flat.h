@@ -9,11 +9,10 @@
 
 namespace polydec {
 
-/// The n-simplices on both sides of each facet with two that may vanish; -1 at others.
+/// The n-simplices on both sides of each facet that may vanish; -1 at other facets.
 using Sides = std::vector<std::array<Index, 2>>;
 
-/// What has to be known about the corners and facets of flat n-simplices; that of others does not
-/// matter.
+/// Data on the corners and facets of flat n-simplices; entries elsewhere do not matter.
 struct AroundFlat {
     Sides sides;
     Vector sizes;    ///< of facets: twice the circumradius; length
@@ -21,14 +20,13 @@ struct AroundFlat {
 };
 
 /// Joins flat n-simplices with the class of neighbors on whose sphere they lie, within the
-/// tolerance times the shortest edge at their corners. On the face between two cells they lie on
-/// both spheres: they go to the smaller cell by volume, then by radius, and between equal ones to
-/// that whose sorted corners come first in space, as far as they hang together with it; so the
-/// choice depends neither on numbers nor on rounding. Which it is decides over pieces alone, not
-/// over cells. Classes that flat simplices cut in two are joined before.
-/// `flat` has a mark for each n-simplex. Flat simplices that hang together and the classes beside
-/// them decide alone of what becomes of them, so that this may be done for a part of a complex that
-/// has all of these.
+/// tolerance times the shortest edge at their corners. A flat simplex on the face between two cells
+/// lies on both spheres: it joins the smaller cell by volume, then by radius; among equal cells,
+/// the cell whose sorted corners come first in space, as far as they are connected to it. So the
+/// choice depends neither on numbers nor on rounding. Only pieces are compared, not cells. Classes
+/// that flat simplices cut in two are joined first. `flat` has one mark per n-simplex. The result
+/// for connected flat simplices depends only on these and the classes beside them. So it can be
+/// computed on any part of a complex that contains all of them.
 void absorb_flat(const Geometry& geometry, const std::vector<bool>& flat, const AroundFlat& around,
                  double tolerance, DisjointSets& classes);
 

@@ -8,49 +8,48 @@
 
 namespace polydec {
 
-/// The spheres of classes of n-simplices in R^n: about the mean of their circumcenters, weighted
-/// by volume; flat simplices do not count. A class goes by its first member, its root.
+/// Spheres of classes of n-simplices in R^n, centered at the mean of their circumcenters weighted
+/// by volume; flat simplices do not count. A class is represented by its first member, its root.
 class MeanSpheres {
 public:
-    /// `flat` is empty or has a mark for each n-simplex. Keeps a reference to it.
+    /// `flat`: empty, or one mark per n-simplex. Keeps a reference to it.
     MeanSpheres(const Geometry& geometry, const std::vector<bool>& flat);
 
-    /// Takes the mean over other classes: roots[t] is that of n-simplex t.
+    /// Computes the means over other classes: roots[t] is the root of n-simplex t.
     void gather(const std::vector<Index>& roots);
 
-    /// What is known of a class, in the row of its root.
+    /// Data of a class, in the row of its root.
     struct Means {
         Points origins;            ///< first corner of its first simplex
-        Points centers;            ///< from there
+        Points centers;            ///< relative to the origin
         Points terms;              ///< see Centers::of_cells
         std::vector<Index> counts; ///< of simplices
-        Vector sides;              ///< sum of own_side, where simplices are flat
+        Vector sides;              ///< sum of own_side, if any simplices are flat
     };
 
-    /// The same with means that were taken elsewhere, of classes that have members elsewhere.
+    /// The same with means computed elsewhere, of classes with members elsewhere.
     void gather(const std::vector<Index>& roots, Means means);
 
-    /// What simplex t adds to the means, times its volume: its circumcenter, from its first corner,
-    /// and its terms.
+    /// Contribution of simplex t to the means, times its volume: its circumcenter, relative to its
+    /// first corner, and its terms.
     auto own_center(Index t) const { return own_.row(t); }
     auto own_terms(Index t) const { return terms_.row(t); }
 
-    /// Volume of simplex t, negative if it lies outside of its facets as its orientation goes; 0 if
-    /// it is flat.
+    /// Volume of simplex t, negative if by its orientation it lies outside its facets; 0 if flat.
     double own_side(Index t) const;
 
-    /// How far vertex v is from the sphere of a class: | |v - c|^2 - r^2 | / 2r; length.
+    /// Distance of vertex v from the sphere of a class: | |v - c|^2 - r^2 | / 2r; length.
     double distance(Index root, Index v) const;
 
-    /// Distance of the centers of two classes.
+    /// Distance between the centers of two classes.
     double between(Index root, Index other) const;
 
     double radius(Index root) const { return radii_[root]; }
 
-    /// One center for each class of several simplices, its mean; others keep their own. On which
-    /// side of a facet a flat simplex lies is told by the orientation that it shares with its
-    /// neighbors, since it has no inside. So the heights over a facet between two simplices of a
-    /// class cancel exactly.
+    /// One center for each class of several simplices, its mean; others keep their own center. A
+    /// flat simplex has no inside, so the orientation shared with its neighbors decides on which
+    /// side of a facet it lies. So the heights over a facet between two simplices of a class cancel
+    /// exactly.
     Centers shared_centers() const;
 
 private:

@@ -15,9 +15,8 @@ enum class MergeCriterion {
 
 struct MergeOptions {
     MergeCriterion criterion = MergeCriterion::dual_length;
-    /// Mesh files carry six or seven significant digits, however many they print. Merging
-    /// everything below 1e-3 moves a Poisson error by less than 0.1 %. So 1e-4 catches cells that
-    /// were meant to be cospherical.
+    /// Mesh files carry six or seven significant digits. Merging everything below 1e-3 moves a
+    /// Poisson error by less than 0.1 %. So 1e-4 catches cells that were meant to be cospherical.
     double tolerance = 1e-4;
 };
 
@@ -45,14 +44,12 @@ struct CosphericalMerging {
 /// degenerate. Facets on the boundary or with three or more cofaces never merge; vertices stay.
 ///
 /// Near-cospherical is not transitive. So unions are made in ascending order of defect, equal
-/// defects all together or not at all, and rejected when the accumulated defect exceeds 10
-/// tolerances. Every merged cell is checked to be a ball. The result does not depend on the order
-/// of the input.
+/// defects together or not at all, and rejected when the sum of defects exceeds 10 tolerances.
+/// Every merged cell is checked to be a ball. The result does not depend on the order of the input.
 ///
 /// Flat simplices have no meaningful circumcenter. In solids in space they become pieces of a
-/// neighbor on whose sphere they lie (see absorb_flat); otherwise, and in other dimensions, they
-/// stay cells. In R^n every simplex between two pieces of a cell is removed, and the pieces have
-/// one center.
+/// neighbor on whose sphere they lie (see absorb_flat); all others stay cells. In R^n every simplex
+/// between two pieces of a cell is removed, and the pieces have one center.
 ///
 /// `stays`: empty, or one mark per facet that must not merge whatever its dual. Time O(incidences +
 /// f log f), f the number of degenerate facets. Throws InvalidInput for a tolerance that is

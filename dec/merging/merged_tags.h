@@ -26,9 +26,9 @@ struct FacetTags {
     std::vector<JointTag> joint = {};
 };
 
-/// The facet tags of the complex; empty if `facets` is. A facet with several tags in the input gets
-/// a joint tag, which is unique to its set of groups. Facets of no cell are left out. Both cases
-/// give a warning. Time O(facets log(size(n-1))). Throws InvalidInput for a wrong number of tags.
+/// The facet tags of the complex; empty if `facets` is. Facets with several tags get a joint tag,
+/// one per set of groups, which no group uses. Facets of no cell are left out. Both cases give a
+/// warning. Time O(facets log(size(n-1))). Throws InvalidInput for a wrong number of tags.
 FacetTags tags_of_facets(const SimplicialComplex& complex, const TaggedSimplices& facets,
                          std::vector<std::string>& warnings);
 

@@ -6,11 +6,11 @@
 
 namespace polydec {
 
-/// Decides whether two k-simplices f and g are one flat piece across their common (k-1)-face s:
-/// their circumcenters coincide, also against their heights over s, their duals agree, and, where s
-/// lies on the boundary, they lie in one k-plane, but for an angle. Inside, the first two imply the
-/// third. On a curved complex, and where only lengths are known, there is no such plane: the angles
-/// of the n-simplices around s add up to pi, for k = n-1, and for smaller k nothing is asked.
+/// Decides whether k-simplices f and g form one flat piece across their common (k-1)-face s. Their
+/// circumcenters must coincide, also relative to their heights over s, and their duals agree. If s
+/// is on the boundary, they must lie in one k-plane up to an angle; inside, this follows. Curved
+/// complexes, and lengths alone, have no such plane: for k = n-1 the angles of the n-simplices
+/// around s must sum to pi; for smaller k there is no third condition.
 class StraightnessTest {
 public:
     StraightnessTest(const Geometry& geometry, double tolerance, double angle);
@@ -22,16 +22,16 @@ public:
     bool operator()(int k, Index s, Index f, Index g);
 
 private:
-    /// What f and g look like from s.
+    /// Geometry of f or g relative to s.
     struct Wing {
-        int apex;        ///< which of the simplex's vertices is not in s
-        double height;   ///< signed distance from the circumcenter of s to that of the simplex
-        double terms;    ///< what cancels in it
+        int apex;        ///< the simplex's vertex that is not in s
+        double height;   ///< signed distance from the circumcenter of s to the simplex's
+        double terms;    ///< terms that cancel in it
         double altitude; ///< of the apex over s
     };
     Wing look(int k, Index s, Index f);
 
-    /// What of the edge from s to the apex is orthogonal to s: its length, and a unit vector.
+    /// The component of the edge from s to the apex orthogonal to s: its length, and a unit vector.
     struct Altitude {
         double length;
         Vector direction;
@@ -43,7 +43,7 @@ private:
     const CellVolumes& volumes_;
     double tolerance_, angle_;
     SimplexLayout layout_;
-    Circumsphere sphere_; // looks at one simplex after the other
+    Circumsphere sphere_; // looks at one simplex at a time
     bool is_flat_ = false;
     std::vector<std::vector<bool>> must_be_coplanar_; // by degree of s
     Vector angles_;                                   // around (n-2)-simplices, unless it is flat

@@ -6,9 +6,9 @@
 
 namespace polydec {
 
-/// The angles of the n-simplices around each (n-2)-simplex, n >= 2, added up: 2 pi inside of what
-/// is flat, pi on a plane boundary. Simplices that are flat to the last digits have none. Size
-/// size(n-2); radians.
+/// Sums of the angles of the n-simplices around each (n-2)-simplex, n >= 2: 2 pi in the interior of
+/// a flat complex, pi on a plane boundary. Simplices that are flat to the last digits do not
+/// contribute. Size size(n-2); radians.
 Vector angle_sums(const Pieces& complex, const SimplexMetric& metric);
 
 } // namespace polydec

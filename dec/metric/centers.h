@@ -7,9 +7,9 @@
 namespace polydec {
 
 /// The vertices of the dual: one point per simplex, in barycentric coordinates. The dual of a
-/// k-simplex s consists of the simplices spanned by the centers of s and of ascending chains of its
-/// cofaces. Volumes, parts and pictures of duals follow from these coordinates: by definition
-/// |s||*s| is C(n,k) times the volume that s and its dual span together.
+/// k-simplex s consists of the simplices that the centers of s and of ascending chains of cofaces
+/// span. Volumes, parts and pictures of duals follow from the coordinates: by definition |s||*s| is
+/// C(n,k) times the volume that s and its dual span together.
 class Centers {
 public:
     /// Circumcenters: duals are orthogonal to their simplices, and linear functions are exact. Dual
@@ -26,10 +26,10 @@ public:
     explicit Centers(std::vector<Points> coordinates);
 
     /// Circumcenters, except that each n-simplex has a custom point, which several may share. Row t
-    /// of `moments` has for each corner the height of the point over the facet without that corner,
-    /// times the facet's volume: n times the signed volume that point and facet span. A row sums to
-    /// n times the volume. Moments are finite, unlike coordinates, if a simplex is flat and the
-    /// point is far away. Row t of `terms` (see Circumsphere): growth and shift of the uncertainty,
+    /// of `moments` has for each corner n times the signed volume that the point spans with the
+    /// facet without that corner: the height over the facet times the facet's volume. A row sums to
+    /// n times the volume. Moments, unlike coordinates, are finite if a simplex is flat and the
+    /// point far away. Row t of `terms` (see Circumsphere): growth and shift of the uncertainty,
     /// then of rounding. Throws InvalidInput for a wrong number of rows or columns, and for numbers
     /// that are not finite.
     static Centers of_cells(Points moments, Points terms);
@@ -67,9 +67,8 @@ public:
         return moment(k, s, i, sphere) / facet_volume;
     }
 
-    /// Coordinate of the center of k-simplex s at corner i; the sphere must have looked at s. For
-    /// an n-simplex without volume that shares its center: the centroid's, since it has weight
-    /// zero.
+    /// Coordinate of the center of k-simplex s at corner i; the sphere must have looked at s. The
+    /// centroid's for an n-simplex without volume that shares its center: it has weight zero.
     double coordinate(int k, Index s, int i, const Circumsphere& sphere) const {
         return know(k)                    ? shared_coordinate(s, i)
                : kind_ == Kind::centroids ? (*given_)[k](0, i)

@@ -14,29 +14,29 @@
 
 namespace polydec {
 
-/// What errors of a signed distance h between circumcenters are in proportion to.
+/// Scale of the rounding error of a signed circumcentric distance h.
 struct HeightTerms {
     double growth = 1, shift = 0;
 
     double of(double height) const { return growth * std::abs(height) + shift; }
 };
 
-/// Volume and circumscribed sphere of one simplex after another, of any dimension k in R^N. Works
-/// by orthogonalizing the edge vectors, of flat simplices with twice the digits of a double, so
-/// that volume, radius and barycentric coordinates (beside the largest of them) are right to the
-/// last few digits unless two heights together are 1e-16 of the edges; rounding() tells. What is
-/// asked of the sphere of a simplex without volume, or before any, throws InvalidInput.
+/// Volume and circumsphere of one simplex at a time, of any dimension k in R^N. Orthogonalizes the
+/// edge vectors, for flat simplices with twice the digits of a double. So volume, radius and all
+/// barycentric coordinates but the largest are correct to the last few digits, unless two heights
+/// together are 1e-16 of the edges; rounding() estimates the error. Members that need a sphere
+/// throw InvalidInput for a simplex without volume, and before the first look_at.
 class Circumsphere {
 public:
-    /// For simplices whose corners a SimplexLayout places.
+    /// For simplices whose corners are placed by a SimplexLayout.
     Circumsphere() = default;
 
-    /// For simplices between these points, which must outlive it.
+    /// For simplices between these points, which must outlive this object.
     explicit Circumsphere(const Points& points) : points_(&points) {}
 
-    /// Looks at the simplex with these k+1 vertex numbers, 1 to 32 of them or else InvalidInput is
-    /// thrown. False iff its edge vectors are linearly dependent to the last digit; volume() is 0
-    /// then, and there is no sphere.
+    /// Looks at the simplex with these k+1 vertex numbers; throws InvalidInput unless there are 1
+    /// to 32. Returns false iff the edge vectors are linearly dependent to the last digit: then
+    /// volume() is 0 and there is no sphere.
     [[nodiscard]] bool look_at(std::span<const Index> vertices);
     [[nodiscard]] bool look_at(const Corners& corners);
 
@@ -60,30 +60,29 @@ public:
         return barycentric_[i];
     }
 
-    /// Those of all vertices, until it looks at another simplex.
+    /// The coordinates at all vertices; valid until the next look_at.
     const double* barycentric() const {
         check_sphere();
         return barycentric_.data();
     }
 
     /// Signed distance from the circumcenter of the facet opposite to the i-th vertex to the
-    /// simplex's own, positive towards that vertex: barycentric coordinate times height.
+    /// simplex's circumcenter, positive towards that vertex: barycentric coordinate times height.
     double height(int i, double facet_volume) const {
         return barycentric(i) * dimension_ * volume_ / facet_volume;
     }
 
-    /// To what the error of such a height is in proportion (see rounding_of) if the last digits of
-    /// what is given are not known. The shift is how far the center moves, to first order, if every
-    /// corner moves by the size x of its largest coordinate: 2 R x / a, a the heights of the
-    /// corners, whose inverse squares add up. Where distances d are given: sum of d_ij^2 |b_j| /
-    /// a_i with the barycentric coordinates b of the center; heights grow by 1 + sum of d_ij^2 / (2
-    /// a_i a_j) then.
+    /// Scale of the error of such a height (see rounding_of) if the last digits of the input are
+    /// uncertain. The shift bounds, to first order, how far the center moves if every corner moves
+    /// by its largest coordinate x: 2 R x / a, with 1/a^2 the sum of the inverse squared heights of
+    /// the corners. For given distances d, the shift is the sum of d_ij^2 |b_j| / a_i, with b the
+    /// barycentric coordinates of the center, and heights grow by 1 + sum of d_ij^2 / (2 a_i a_j).
     const HeightTerms& uncertainty() const { return uncertainty_; }
 
-    /// The same for points that are exact: what computing has done. Edges of length l shift the
-    /// center by R l / a, and volumes, and heights with them, grow by 1 + l / a. Random
-    /// simplices of dimensions 1 to 5 were off by .4 times rounding_of this at most. Where
-    /// it was done with twice the digits, (l / a)^2 eps takes the place of l / a.
+    /// The same for exact points: rounding errors of the computation. Edges of length l shift the
+    /// center by R l / a; volumes and heights grow by 1 + l / a. Random simplices of dimensions 1
+    /// to 5 had errors of at most .4 times rounding_of this. With twice the digits, (l / a)^2 eps
+    /// replaces l / a.
     const HeightTerms& rounding() const { return rounding_; }
 
 private:
@@ -113,11 +112,11 @@ private:
     HeightTerms uncertainty_, rounding_;
 };
 
-/// The spheres of simplices that are asked for one after the other: several are looked at at once.
-/// Not for several threads.
+/// Circumspheres of simplices requested in ascending order; computes several at once. Not
+/// thread-safe.
 class Circumspheres {
 public:
-    /// Of the k-simplices of a complex, or those between points. Keep references.
+    /// Of the k-simplices of a complex, or of simplices between points. Keeps references.
     Circumspheres(const Pieces& complex, const SimplexMetric& metric, int k)
         : points_(metric.points()), simplices_(complex.simplices(k)) {
         if (!points_)
@@ -126,7 +125,7 @@ public:
     Circumspheres(const Points& points, const Simplices& simplices)
         : points_(&points), simplices_(simplices) {}
 
-    /// That of simplex s, until the next call; its volume is 0 where there is none.
+    /// The sphere of simplex s, valid until the next call; its volume is 0 if there is no sphere.
     const Circumsphere& operator[](Index s) {
         if (s < first_ || s >= first_ + count_)
             look_from(s);
@@ -143,15 +142,16 @@ private:
     Index first_ = 0, count_ = 0;
 };
 
-/// Circumradii of all k-simplices in the given table (rows of vertex numbers). These throw
-/// InvalidInput, naming the vertices, for a simplex without volume, and for a vertex without point.
+/// Circumradii of all k-simplices in the given table (rows of vertex numbers). These functions
+/// throw InvalidInput, naming the vertices, for a simplex without volume and for a vertex without
+/// point.
 Vector circumradii(const Points& points, const Simplices& simplices);
 
 /// Circumradii of all k-simplices of the complex.
 Vector circumradii(const Pieces& complex, const SimplexMetric& metric, int k);
 
-/// Circumcenters of all k-simplices in the given table: one row of N coordinates each. Throws
-/// likewise.
+/// Circumcenters of all k-simplices in the given table: one row of N coordinates each. Throws like
+/// circumradii.
 Points circumcenters(const Points& points, const Simplices& simplices);
 
 } // namespace polydec

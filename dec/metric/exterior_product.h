@@ -7,7 +7,7 @@
 
 namespace polydec {
 
-/// Exterior products of k vectors (or covectors) of R^N, expanded by minors in tables made once.
+/// Exterior products of k vectors (or covectors) of R^N, by minors with precomputed tables.
 class ExteriorProduct {
 public:
     ExteriorProduct(int N, int k);
@@ -15,8 +15,8 @@ public:
     /// Number of coefficients: N over k; 1 for k = 0.
     Index size() const { return static_cast<Index>(degrees_.back().size()); }
 
-    /// v_1 ^ .. ^ v_k of the rows of a k x N matrix: its coefficients at the k-subsets of the axes
-    /// in lexicographic order, each the minor of these columns.
+    /// v_1 ^ .. ^ v_k of the rows of a k x N matrix: its coefficients, minors at the k-subsets of
+    /// the axes in lexicographic order.
     Vector operator()(const DenseMatrix& vectors) const;
 
 private:

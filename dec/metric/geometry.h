@@ -8,9 +8,8 @@
 
 namespace polydec {
 
-/// Simplices and their shape: the metric, the centers between which their duals are spanned, and
-/// the volumes of both. Merging, the lift, products and stars are made of it. A handle: copies cost
-/// nothing.
+/// Simplices and their geometry: the metric, the centers that span the duals, and the volumes of
+/// both. Merging, the lift, products and stars use it. A handle: copies cost nothing.
 class Geometry {
 public:
     /// Measures the simplices. Throws like dual_volumes.
@@ -18,10 +17,10 @@ public:
              FlatSimplices flat = FlatSimplices::refused)
         : Geometry(pieces, metric, dual_volumes(pieces, metric, centers, flat), centers) {}
 
-    /// Of volumes that are known. `flat` marks n-simplices that are so flat that nothing can be
-    /// told of a field from their corners (see flat_simplices), though they are part of a cell with
-    /// others; empty if there are none. Throws InvalidInput, naming what is not, unless volumes,
-    /// centers and marks are those of as many simplices.
+    /// Of known volumes. `flat` marks n-simplices too flat to determine a field from their corners
+    /// (see flat_simplices) that belong to a cell with other simplices; empty if there are none.
+    /// Throws InvalidInput, naming the quantity, unless volumes, centers and marks match the
+    /// simplices.
     Geometry(const Pieces& pieces, const SimplexMetric& metric, const CellVolumes& volumes,
              const Centers& centers = {}, std::vector<bool> flat = {});
 
@@ -30,7 +29,7 @@ public:
     const CellVolumes& volumes() const { return volumes_; }
     const Centers& centers() const { return centers_; }
 
-    /// The marks of all n-simplices, or none; and that of one.
+    /// The marks of all n-simplices (may be empty), and the mark of one.
     const std::vector<bool>& flat() const { return *flat_; }
     bool is_flat(Index t) const { return !flat_->empty() && (*flat_)[t]; }
 

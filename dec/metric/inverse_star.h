@@ -10,23 +10,23 @@
 
 namespace polydec {
 
-/// The inverse Hodge stars of constant j-forms on R^N in the planes of m-simplices.
+/// Inverse Hodge stars of constant j-forms on R^N in the planes of m-simplices.
 class InverseStar {
 public:
     InverseStar(int N, int m, int j);
 
-    /// Looks at the simplex between m+1 points, a row each, whose orientation is 1 or -1 against
+    /// Looks at the simplex between m+1 points, one per row, with orientation 1 or -1 relative to
     /// their order.
     void look_at(const DenseMatrix& corners, int orientation);
 
     double volume() const { return volume_; }
 
-    /// The inverse star at m-j vectors, a row each, in the plane: what it is for each coefficient
-    /// of the form, at dx_I with I in lexicographic order.
+    /// The inverse star at m-j vectors in the plane, one per row: one value per coefficient of the
+    /// form, at dx_I with I in lexicographic order.
     Eigen::RowVectorXd at(const DenseMatrix& vectors) const;
 
-    /// Its integrals over the faces of degree m-j, oriented by the order of the points: a row for
-    /// each, in the order of subsets(m+1, m-j+1).
+    /// Its integrals over the faces of degree m-j, oriented by the order of the points: one row per
+    /// face, in the order of subsets(m+1, m-j+1).
     DenseMatrix over_faces() const;
 
 private:
@@ -37,9 +37,9 @@ private:
     double volume_ = 0;
 };
 
-/// The integrals over the k-simplices, k = n-j, of the inverse star of a form with the coefficients
-/// (t, s) on simplex s in the plane of n-simplex t: the means by volume over these. Size size(k).
-/// `corners` are the rows of points of the corners of each n-simplex.
+/// Integrals over the k-simplices, k = n-j, of the inverse star of a form with coefficients (t, s)
+/// on simplex s in the plane of n-simplex t: means over t by volume. Size size(k). `corners`: the
+/// rows of points of the corners of each n-simplex.
 template <class Coefficients>
 Vector inverse_star_means(const Pieces& complex, const Points& points, const Simplices& corners,
                           int j, Coefficients coefficients) {

@@ -7,25 +7,24 @@
 
 namespace polydec {
 
-/// Where a mesh of n-simplices in R^n, or in a plane of R^N on which all coordinates but n are
-/// constant, covers a place twice, so that it is no part of space: volumes
-/// and duals are still those of its cells, but not those of the region that they look like.
+/// Places that a mesh of n-simplices in R^n covers twice, also in a plane of R^N in which all but n
+/// coordinates are constant. Such a mesh is no part of space: volumes and duals are correct for its
+/// cells, but not for the region that it appears to cover.
 struct Overlaps {
-    /// n-simplices on the wrong side: of parts connected across facets with two cofaces, those that
-    /// lie on the same side of such a facet as their neighbor, the smaller number of each part; and
-    /// those on one side of a branching facet together with another. Ascending.
+    /// n-simplices on the wrong side, ascending. In a part connected across facets with two
+    /// cofaces: simplices on the same side of such a facet as their neighbor, the fewer per part.
+    /// At a branching facet: simplices on one side together with another.
     std::vector<Index> folded;
-    /// Vertices of (n-2)-simplices around which the angles of the cells add up to more than a full
-    /// turn, without a fold, as they do where cells wind around a vertex of the plane twice.
-    /// Ascending.
+    /// Vertices of (n-2)-simplices around which the cells' angles sum to more than a full turn
+    /// without a fold, e.g. cells that wind twice around a vertex of the plane. Ascending.
     std::vector<Index> wound;
 };
 
-/// Looks at every facet, and adds up the angles around every (n-2)-simplex: so neither numbers nor
-/// axes matter, and around inner vertices every overlap without folds is found. What is no more
-/// than rounding (a cell that is flat to the last digits) speaks neither for nor against. Linear
-/// time; products of n lengths must be ordinary numbers. Empty unless n coordinates vary.
-/// Throws InvalidInput unless there is a point for each vertex.
+/// Inspects every facet and sums the angles around every (n-2)-simplex. So the result depends
+/// neither on numbering nor on axes, and around inner vertices every overlap without folds is
+/// found. Anything within rounding (a cell that is flat to the last digits) is ignored. Linear
+/// time; products of n lengths must not overflow or underflow. Empty unless n coordinates vary.
+/// Throws InvalidInput unless there is one point per vertex.
 Overlaps find_overlaps(const Pieces& complex, const Points& points);
 
 } // namespace polydec

@@ -6,13 +6,13 @@
 
 namespace polydec {
 
-/// Doubles side by side, as many as registers hold everywhere. What is done to a pack is done to
-/// each of them as if it were alone, to the last bit.
+/// Doubles side by side, as many as registers of every machine hold. Operations act on each double
+/// separately, with identical bits.
 class Pack {
 public:
     static constexpr int size = 2;
 
-    Pack() = default; // any numbers
+    Pack() = default; // uninitialized
     Pack(double x) : lanes_(Lanes{} + x) {}
     Pack(double first, double second) : lanes_{first, second} {}
 

@@ -5,9 +5,9 @@
 
 namespace polydec {
 
-/// Coordinates of points in R^N in the n-plane that has them all, but for rounding: n columns, and
-/// the same distances. Where n of the coordinates vary alone they are these. Without columns if
-/// N = n, and if there is no such plane.
+/// Coordinates of points in R^N within the n-plane that contains them up to rounding: n columns,
+/// same distances. If only n coordinates vary, these. Without columns if N = n, and if there is no
+/// such plane.
 Points plane_points(const Points& points, int n);
 
 } // namespace polydec

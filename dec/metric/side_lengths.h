@@ -7,11 +7,11 @@
 
 namespace polydec {
 
-/// Throws InvalidInput, naming the edge or triangle, unless there is one positive length for each
-/// edge and every triangle has some area with them.
+/// Throws InvalidInput, naming the edge or triangle, unless there is one positive length per edge
+/// and every triangle has positive area.
 void check_lengths(const Triangles& surface, const Vector& lengths);
 
-/// The side lengths of a triangle, those of its three half-edges.
+/// The lengths of the three half-edges of a triangle.
 std::array<double, 3> side_lengths(const Triangles& surface, const Vector& lengths, Index triangle);
 
 } // namespace polydec

@@ -7,9 +7,9 @@
 
 namespace polydec {
 
-/// The k-faces of one m-simplex after another, in the order of subsets(m+1, k+1): the position of a
-/// face in the list tells which of the simplex's ascending vertices it has. Keeps a reference to
-/// the complex, which must outlive it. 0 <= k <= m.
+/// The k-faces of one m-simplex at a time, in the order of subsets(m+1, k+1): the position of a
+/// face in the list determines its vertices among the simplex's ascending vertices. Keeps a
+/// reference to the complex, which must outlive it. 0 <= k <= m.
 class SimplexFaces {
 public:
     SimplexFaces(const Pieces& complex, int m, int k);
@@ -18,7 +18,7 @@ public:
     /// O((m-k) C(m+1, k+1)).
     const std::vector<Index>& of(Index s);
 
-    /// Which vertices of the m-simplex each face has: subsets(m+1, k+1).
+    /// The vertices of the m-simplex that each face has: subsets(m+1, k+1).
     const std::vector<std::vector<int>>& positions() const { return positions_; }
 
 private:

@@ -14,19 +14,19 @@ inline std::span<const Index> vertices(const Simplices& simplices, Index s) {
     return {&simplices(s, 0), static_cast<std::size_t>(simplices.cols())};
 }
 
-/// The number of the face of m-simplex t that its vertices at these ascending positions span.
+/// The number of the face of m-simplex t spanned by its vertices at these ascending positions.
 Index face_at(const Pieces& complex, int m, Index t, std::span<const int> positions);
 
-/// The sign that an oriented k-simplex has against the ascending order of its vertices.
+/// Orientation of a k-simplex relative to the ascending order of its vertices.
 inline double orientation(const Pieces& complex, int k, Index s) {
     return k == complex.dimension() ? complex.orientation(s) : 1;
 }
 
-/// The edges as vectors from tail to head, as they are oriented: size(1) x N.
+/// The oriented edges as vectors from tail to head: size(1) x N.
 DenseMatrix edge_vectors(const Pieces& complex, const Points& points);
 
-/// The normal of an (n-1)-simplex in R^n that makes a basis of positive orientation with its edges
-/// before it, as long as its volume. Not for points of another dimension; product is that of n-1
+/// Normal of an (n-1)-simplex in R^n whose length is the simplex's volume; normal and edges, in
+/// this order, are a positively oriented basis. Only for points of dimension n; `product` is of n-1
 /// vectors.
 Eigen::RowVectorXd area_vector(const ExteriorProduct& product, const Points& points,
                                const Pieces& complex, Index facet);

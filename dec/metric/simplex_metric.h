@@ -12,30 +12,29 @@
 
 namespace polydec {
 
-/// The metric of a simplicial complex: points of its vertices, or lengths of its edges alone, which
-/// need not come from any points. All simplices are flat. Whatever is measured simplex by simplex
-/// (volumes, duals, stars, merging, lift) can be had from either. A handle: copies share what it
-/// holds.
+/// The metric of a simplicial complex: points of its vertices, or only lengths of its edges, which
+/// need not come from any points. All simplices are flat. Quantities measured per simplex (volumes,
+/// duals, stars, merging, lift) can be computed from either. A handle: copies share the data.
 class SimplexMetric {
 public:
-    /// Simplices between points, a row per vertex of the complex; implicit, so that points can be
+    /// Simplices between points, one row per vertex of the complex. Implicit, so points can be
     /// passed wherever a metric is expected.
     SimplexMetric(Points points) : points_(std::make_shared<const Points>(std::move(points))) {}
     SimplexMetric(std::shared_ptr<const Points> points) : points_(std::move(points)) {}
 
-    /// Simplices of which only the lengths of the edges are known: size(1) numbers. Whether each
-    /// simplex exists is checked by circumcentric_volumes.
-    /// Throws InvalidInput for another number of lengths and, naming the edge, for one that is not
-    /// a finite number above 0, or of a size whose square is none (below 1e-100, above 1e100).
+    /// Simplices with only edge lengths known: size(1) numbers. circumcentric_volumes checks
+    /// whether each simplex exists. Throws InvalidInput for a wrong number of lengths and, naming
+    /// the edge, for a length that is not finite and positive, or whose square overflows or
+    /// underflows (below 1e-100, above 1e100).
     SimplexMetric(const Pieces& complex, Vector lengths);
 
-    /// Null where only lengths are known. Valid as long as a copy of this is.
+    /// Null if only lengths are known. Valid as long as a copy of this metric.
     const Points* points() const { return points_.get(); }
 
-    /// Null where points are known. Valid likewise.
+    /// Null if points are known. Valid likewise.
     const Vector* lengths() const { return lengths_.get(); }
 
-    /// Number N of coordinates of the points; 0 where only lengths are known.
+    /// Number N of coordinates of the points; 0 if only lengths are known.
     Index ambient_dimension() const {
         return points_ == nullptr ? 0 : static_cast<Index>(points_->cols());
     }
@@ -45,24 +44,24 @@ private:
     std::shared_ptr<const Vector> lengths_;
 };
 
-/// Where the corners of one simplex are: rows of a table of coordinates.
+/// Positions of the corners of one simplex: rows of a table of coordinates.
 struct Corners {
     const Points& points;
     std::span<const Index> vertices; ///< the rows, in ascending order of the simplex's vertices
-    bool by_lengths = false;         ///< not points that were given: distances are what is known
+    bool by_lengths = false;         ///< the points were computed from known distances, not given
 };
 
-/// Places the corners of one simplex of a complex after the other. Not for several threads at once.
+/// Places the corners of one simplex of a complex at a time. Not thread-safe.
 class SimplexLayout {
 public:
-    /// Keeps a reference to the complex: it must outlive the layout.
+    /// Keeps a reference to the complex, which must outlive the layout.
     SimplexLayout(const Pieces& complex, const SimplexMetric& metric);
 
-    /// The corners of k-simplex s, until the next call. With points, these, as they are. With
-    /// lengths a table of its own, k coordinates for each corner: the Cholesky factor of the
-    /// products of the edges from one corner, which follow from the lengths. A simplex that does
-    /// not exist is laid out without volume, and so is one of more than three corners with a height
-    /// below 6e-8 of its edges (the rounding of squared lengths).
+    /// The corners of k-simplex s, valid until the next call. With points: these points. With
+    /// lengths: a table of k coordinates per corner, the Cholesky factor of the Gram matrix of the
+    /// edges from one corner. A simplex that does not exist is laid out without volume; so is a
+    /// simplex of more than three corners with a height below 6e-8 of its edges (the rounding error
+    /// of squared lengths).
     Corners at(int k, Index s) {
         if (metric_.points() != nullptr)
             return {*metric_.points(), vertices(complex_.simplices(k), s)};
@@ -90,24 +89,24 @@ private:
 /// Lengths of the 1-simplices between points. Size size(1). Throws like require_points.
 Vector edge_lengths(const Pieces& complex, const Points& points);
 
-/// Says why k-simplex s, whose faces all exist, cannot have the lengths that it is given.
+/// Explains why k-simplex s, whose faces all exist, cannot have its given lengths.
 std::string flaw_of_lengths(const Pieces& complex, const SimplexMetric& metric, int k, Index s);
 
-/// The points of the vertices of a complex, of a table with a row per vertex number. Throws
-/// InvalidInput if there are fewer.
+/// Points of the vertices of a complex, from a table with one row per vertex number. Throws
+/// InvalidInput if the table has too few rows.
 Points vertex_points(const Pieces& complex, const Points& by_number);
 
 /// The other rows of such a table: the points that no simplex uses, in order.
 Points isolated_points(const Pieces& complex, const Points& by_number);
 
-/// Throws InvalidInput if points have no coordinates, as those of a mesh of which only lengths are
-/// known; what says who needs them.
+/// Throws InvalidInput if `coordinates` is 0, as on a mesh where only lengths are known; `what`
+/// names the function that needs points.
 void require_points(Eigen::Index coordinates, std::string_view what);
 
-/// The same, and unless there is a point for each vertex of the complex.
+/// The same; also throws unless there is one point per vertex of the complex.
 void require_points(const Pieces& complex, const Points& points, std::string_view what);
 
-/// The same, and if the pieces are not straight simplices between points, since edges were flipped.
+/// The same; also throws if the pieces are not straight simplices between points (flipped edges).
 void require_straight(const Pieces& complex, const Points& points, std::string_view what);
 
 } // namespace polydec

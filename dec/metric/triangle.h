@@ -6,9 +6,9 @@
 
 namespace polydec {
 
-/// Area of the triangle with these side lengths, length^2; 0 if no triangle has them. Right to the
-/// last digits for needles too. Source: Kahan, Miscalculating area and angles of a needle-like
-/// triangle.
+/// Area of the triangle with these side lengths, length^2; 0 if there is no such triangle. Accurate
+/// to the last digits, also for needles. Source: Kahan, Miscalculating area and angles of a
+/// needle-like triangle.
 inline double triangle_area(double a, double b, double c) {
     if (a < b)
         std::swap(a, b);
@@ -20,7 +20,7 @@ inline double triangle_area(double a, double b, double c) {
     return product > 0 ? std::sqrt(product) / 4 : 0;
 }
 
-/// Cotangent of the angle between sides b and c of a triangle, opposite to a, of known area.
+/// Cotangent of the angle opposite side a, between sides b and c, of a triangle of known area.
 inline double corner_cotangent(double a, double b, double c, double area) {
     return (c * c + (b - a) * (b + a)) / (4 * area);
 }

@@ -5,9 +5,9 @@
 
 namespace polydec {
 
-/// A number of twice the digits of a double: the sum of two, the second below the last digit of
-/// the first. Sums and products err by a few 1e-32. For what cancels.
-/// Source: Dekker 1971.
+/// A number with twice the digits of a double: the sum of two doubles, the second below the last
+/// digit of the first. Sums and products have errors of a few 1e-32. For computations with
+/// cancellation. Source: Dekker 1971.
 class TwoDoubles {
 public:
     TwoDoubles(double x = 0) : high_(x) {}

@@ -11,7 +11,7 @@
 
 namespace polydec {
 
-/// A number for each cell, of which one is kept if all are equal. A handle on what never changes.
+/// One number per cell; stores a single number if all are equal. An immutable handle.
 class Values {
 public:
     Values() : Values(Vector()) {}
@@ -20,10 +20,10 @@ public:
     Index size() const { return size_; }
     double operator[](Index cell) const { return values_ ? values_[cell] : first_; }
 
-    /// Whether all are finite numbers above this one.
+    /// Whether all are finite numbers above `least`.
     bool are_above(double least) const;
 
-    /// All of them: made when it is first asked for, and kept.
+    /// All numbers as a vector; computed on first use, and kept.
     const Vector& vector() const;
 
 private:
@@ -33,9 +33,8 @@ private:
     std::shared_ptr<const Lazy<Vector>> vector_;
 };
 
-/// How large something is at most, for each cell: of such numbers, which are not negative, the
-/// first digits count. Two bytes each, rounded up by less than 1 %, if it is more than 1e-38 of the
-/// largest.
+/// An upper bound per cell, not negative, to a few digits. Two bytes each; rounded up by less than
+/// 1 % if above 1e-38 of the largest.
 class Bounds {
 public:
     Bounds() = default;

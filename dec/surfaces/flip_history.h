@@ -8,39 +8,39 @@
 
 namespace polydec {
 
-/// What happened to a glued surface, step by step, so that cochains can follow: flips, splits of
-/// boundary edges, turned triangles. A flip is a merge followed by a lift: both triangles share the
-/// sum of the old values, and the circulation around the quadrilateral, in proportion to area, and
-/// that fixes the value on the new edge.
+/// The steps applied to a glued surface, so that cochains can follow: flips, splits of boundary
+/// edges, reversed triangles. A flip is a merge followed by a lift: both triangles share the sum of
+/// the old values, and the circulation around the quadrilateral, in proportion to area. This fixes
+/// the value on the new edge.
 class FlipHistory {
 public:
-    /// A surface that nothing has happened to yet.
+    /// The empty history of a surface.
     explicit FlipHistory(const GluedSurface& surface);
 
-    /// To be told before the surface does it. A share is the part that the first triangle has of
+    /// Record each step before the surface takes it. A share is the first triangle's fraction of
     /// the area of both, before or after the flip.
     void flip(const GluedSurface& surface, Index edge, double share_before, double share_after);
-    /// `fraction` is where the new vertex lies, from 0 at the tail of the boundary half-edge to 1.
+    /// `fraction`: position of the new vertex, from 0 at the tail of the boundary half-edge to 1.
     void split_boundary(const GluedSurface& surface, Index edge, double fraction);
     void reverse(Index triangle);
 
-    /// The edge of the first surface on which each vertex lies that splits have made: its two ends.
+    /// For each vertex added by splits, its edge of the first surface: the two ends.
     std::vector<std::array<Index, 2>> edges_of_new_vertices() const;
 
-    /// A primal k-cochain of the first surface as one of the last. Commutes with d; vertices keep
-    /// their values, new ones lie on a line between those of their edge. Time of the order of the
-    /// steps. Throws InvalidInput, naming both sizes, if there is not one value for each k-cell.
+    /// Maps a primal k-cochain of the first surface to the last. Commutes with d; vertices keep
+    /// their values, and new vertices interpolate linearly along their edge. Time of the order of
+    /// the steps. Throws InvalidInput, naming both sizes, unless there is one value per k-cell.
     Vector carry(int k, const Vector& values) const;
 
-    /// The other way round, by the inverse steps. Commutes with d, and carry_back after carry is
-    /// the identity on vertices and on derivatives of functions.
+    /// Maps back from the last surface by the inverse steps. Commutes with d; carry_back after
+    /// carry is the identity on vertices and on derivatives of functions.
     Vector carry_back(int k, const Vector& values) const;
 
-    /// The matrix of carry: cells of the last surface times those of the first. Its rows grow where
-    /// many flips follow each other.
+    /// The matrix of carry: cells of the last surface times cells of the first. Its rows fill in
+    /// where many flips follow each other.
     SparseMatrix matrix(int k) const;
 
-    /// The matrix of carry_back: cells of the first surface times those of the last.
+    /// The matrix of carry_back: cells of the first surface times cells of the last.
     SparseMatrix matrix_back(int k) const;
 
 private:

@@ -10,15 +10,15 @@
 
 namespace polydec {
 
-/// The way from the simplices of a mesh to the pieces that are measured and merged, and back. They
-/// are the same unless the edges of a surface were flipped; nothing else knows of flips.
+/// The passage from the simplices of a mesh to the pieces that are measured and merged, and back.
+/// Both are the same unless the edges of a surface were flipped; no other class knows of flips.
 class Passage {
 public:
-    /// Where nothing was flipped: the pieces are the simplices.
+    /// The identity: the pieces are the simplices.
     explicit Passage(SimplicialComplex input);
 
-    /// From a surface to its triangles after flips and splits, which were made of
-    /// GluedSurface(input). Vertices that splits have made are numbered from first_new_vertex on.
+    /// From a surface to its triangles after flips and splits of GluedSurface(input). Vertices
+    /// added by splits are numbered from first_new_vertex on.
     Passage(SimplicialComplex input, IntrinsicDelaunay flips, Index first_new_vertex);
 
     const SimplicialComplex& input() const& { return input_; }
@@ -29,18 +29,18 @@ public:
     /// Whether the pieces are the simplices.
     bool is_identity() const { return flipped_ == nullptr; }
 
-    /// What was flipped. Throws InvalidInput where nothing was; what says who asks.
+    /// The flips. Throws InvalidInput if nothing was flipped; `what` names the caller.
     const IntrinsicDelaunay& flips(std::string_view what = "what edges were flipped") const&;
 
-    /// A primal k-cochain of the simplices as one of the pieces, a column each for several.
-    /// Commutes with d. These throw InvalidInput, naming both sizes, for another number of values.
+    /// Maps primal k-cochains (columns) from the simplices to the pieces. Commutes with d. Both
+    /// directions throw InvalidInput, naming both sizes, for a wrong number of values.
     DenseMatrix forth(int k, const DenseMatrix& values) const;
 
-    /// The other way. Commutes with d; back after forth is the identity on vertices and on
-    /// derivatives of functions.
+    /// Maps from the pieces to the simplices. Commutes with d; back after forth is the identity on
+    /// vertices and on derivatives of functions.
     DenseMatrix back(int k, const DenseMatrix& values) const;
 
-    /// The matrices of both; their rows grow where many flips follow each other.
+    /// The matrices of forth and back; rows fill in where many flips follow each other.
     SparseMatrix matrix(int k) const;
     SparseMatrix matrix_back(int k) const;
 
@@ -51,7 +51,7 @@ private:
     };
     Passage(SimplicialComplex input, OrderedSurface ordered, IntrinsicDelaunay&& flips);
 
-    /// Values on k-pieces, as flips count these, or the other way round.
+    /// Values on k-pieces in the orientation of the flips, or the other way round.
     Vector turned(int k, Vector values) const;
 
     SimplicialComplex input_;

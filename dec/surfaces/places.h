@@ -8,18 +8,18 @@
 
 namespace polydec {
 
-/// Where the pieces lie in space: places in them, told by barycentric coordinates, as combinations
-/// of the mesh's vertices. On simplices these are the coordinates. After flips a piece is laid over
-/// the triangles of the input that it crosses, and a place is a combination of the vertices of the
-/// one that it is found in; beyond an edge it is looked for in the triangles behind, laid flat one
-/// after the other, and beyond the boundary it goes on as the corners of the last one lie.
+/// Positions of the pieces in space: a place in a piece, given by barycentric coordinates, as a
+/// combination of the mesh's vertices. On simplices these are the coordinates. After flips a piece
+/// is laid over the triangles of the input that it crosses; a place combines the vertices of the
+/// triangle that contains it. Beyond an edge, the search continues in the triangles behind, laid
+/// flat one after the other; beyond the boundary, the plane of the last triangle is extended.
 class Places {
 public:
-    /// points are those of the discretization, with rows for vertices that splits have made.
+    /// `points`: of the discretization, with rows for vertices added by splits.
     Places(const Passage& passage, const Points& points);
 
-    /// Values at vertices, a row per point, continued linearly on the simplices of the input: at a
-    /// place in each k-piece with these coordinates, k+1 in a row. size(k) x the columns of values.
+    /// Values at vertices, one row per point, interpolated linearly on the simplices of the input,
+    /// at a place in each k-piece: row of k+1 coordinates. size(k) x the columns of values.
     Points at(int k, const Points& coordinates, const Points& values) const;
 
 private:
@@ -37,8 +37,8 @@ private:
 
     Passage passage_;
     Overlay overlay_;
-    std::vector<Index> begins_;      // of the parts of each piece; empty where nothing was flipped
-    std::optional<Cofaces> cofaces_; // and neither are these needed there
+    std::vector<Index> begins_;      // of the parts of each piece; empty if nothing was flipped
+    std::optional<Cofaces> cofaces_; // none if nothing was flipped
 };
 
 } // namespace polydec

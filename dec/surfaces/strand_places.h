@@ -5,9 +5,9 @@
 
 namespace polydec {
 
-/// Where strands cross the edges of a surface with these lengths: of each crossing its place along
-/// the strand, from 0 to 1, ascending. Strands are geodesics: the triangles that one passes, laid
-/// flat one behind the other, have it as a straight line.
+/// Positions at which strands cross the edges of a surface with these lengths: per crossing the
+/// position along the strand, from 0 to 1, ascending. Strands are geodesics: straight lines when
+/// the triangles along them are laid flat.
 std::vector<double> strand_places(const GluedSurface& surface, const Vector& lengths,
                                   const Strands& strands);
 
