@@ -11,26 +11,26 @@
 
 namespace polydec {
 
-/// A symmetric system A u = b in which some unknowns are prescribed and whose remaining part may be
-/// singular: on every connected component that nothing ties down, u is free up to a constant.
+/// A symmetric system A u = b with some unknowns prescribed. It may be singular: on every connected
+/// component that nothing ties down, u is free up to a constant.
 struct ConstrainedSystem {
     SparseMatrix A = {};
     std::vector<bool> fixed = {}; ///< unknowns whose value is prescribed
-    std::vector<bool> tied = {};  ///< unknowns that boundary data in A tie down without fixing them
-    Vector weights = {};          ///< positive; the mean on a free component is weighted by these
+    std::vector<bool> tied = {};  ///< unknowns tied down, but not fixed, by boundary terms in A
+    Vector weights = {};          ///< positive; weights of the mean on a free component
     Definiteness definiteness = Definiteness::indefinite; ///< of A where nothing is fixed
     int domain_dimension = 0;
     int degree = 0; ///< of the cells that carry the unknowns, for messages
 };
 
-/// How the right-hand side fared on components that are free up to a constant.
+/// Compatibility of the right-hand side on components that are free up to a constant.
 struct Compatibility {
     Index free_components = 0;
-    double worst = 0; ///< largest |sum of b| / sum |b| over them; removed before solving
+    double worst = 0; ///< largest |sum of b| / sum |b|; the sum is removed before solving
 };
 
-/// The connected components of unknowns on which a solution is free up to a constant: those of the
-/// graph of a matrix that touch no fixed or tied unknown.
+/// The connected components of unknowns on which a solution is free up to a constant: the
+/// components of a matrix graph without fixed or tied unknowns.
 class FreeComponents {
 public:
     FreeComponents() = default;
@@ -38,11 +38,11 @@ public:
                    const std::vector<bool>& tied, Vector weights);
 
     Index count() const { return static_cast<Index>(weights_of_all_.size()); }
-    /// -1 where nothing is free.
+    /// The component of an unknown; -1 if it is not free.
     Index of(Index unknown) const { return component_[unknown]; }
 
-    /// Takes from a right-hand side what no solution can give: its sum on each component, shared
-    /// out by the weights.
+    /// Projects a right-hand side onto the range: subtracts its sum on each component, distributed
+    /// by the weights.
     Compatibility balance(Vector& b) const;
 
     /// Makes the weighted mean on each component 0.
@@ -54,24 +54,24 @@ private:
     Vector weights_of_all_; // of components
 };
 
-/// Throws InvalidInput, naming the cell, where a right-hand side, that of cells of a degree, is no
-/// number: data are, but their products with volumes and weights need not be.
+/// Throws InvalidInput, naming the cell, if a right-hand side on cells of a degree is not finite,
+/// as products of finite data with volumes and weights can be.
 void check_loads(const char* what, const Vector& loads, int degree);
 
-/// A warning if a mean was removed that is more than rounding.
+/// A warning if the removed mean exceeds rounding.
 std::vector<std::string> warning_of(const Compatibility& compatibility);
 
-/// What a solve gives, and how it went.
+/// The solution of a system, with reports of how the solve went.
 struct Solution {
     Vector values;
     SolveReport report;
     Compatibility compatibility;
-    std::vector<std::string> warnings = {}; ///< why it may be another one than was asked for
+    std::vector<std::string> warnings = {}; ///< why it may differ from the requested one
 };
 
-/// Solves constrained systems with one factorization. On free components the part of b that no u
-/// can give (its sum, shared out by the weights) is removed, and the weighted mean of u is 0.
-/// An object is used by one thread at a time.
+/// Solves constrained systems with one factorization. On free components it removes the
+/// incompatible part of b (its sum, distributed by the weights), and the weighted mean of u is 0.
+/// Use an object from one thread at a time.
 class ConstrainedSolver {
 public:
     /// Throws InvalidInput for sizes that do not fit, SolverFailure if A cannot be factorized.
@@ -79,14 +79,14 @@ public:
     ConstrainedSolver(const ConstrainedSystem& system, const std::string& engine)
         : ConstrainedSolver(ConstrainedSystem(system), engine) {}
 
-    /// u with u = fixed_values on the fixed unknowns. fixed_values has an entry for every unknown.
+    /// Solves with u = fixed_values on the fixed unknowns; fixed_values has one entry per unknown.
     Solution solve(const Vector& b, const Vector& fixed_values) const;
 
     const FreeComponents& components() const { return components_; }
 
 private:
     ConstrainedSystem system_;
-    std::vector<Index> unknowns_; // those solved for
+    std::vector<Index> unknowns_; // indices of the free unknowns
     FreeComponents components_;
     std::unique_ptr<LinearSolver> solver_;
 };

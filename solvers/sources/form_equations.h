@@ -6,40 +6,40 @@
 
 namespace polydec {
 
-/// What data on the boundary make of the equations: the values that they fix, 0 elsewhere, and the
-/// right sides. All have an entry for every cell.
+/// Boundary data as they enter the equations: fixed values, 0 elsewhere, and right-hand sides. Each
+/// vector has one entry per cell.
 struct BoundaryLoads {
     Vector w, below, b, g;
-    Vector b_terms, g_terms; // the sizes of what b and g are sums of
+    Vector b_terms, g_terms; // magnitudes of the terms summed in b and g
 };
 
-/// The equations of a primal k-form w, of which a dual form is the star, and of s = delta w, with M
-/// the stars:
+/// The equations of a primal k-form w and of s = delta w; a dual form is the star of w. With M the
+/// stars:
 ///     d^T M_(k+1) d w + M_k d s = B star_dw,    d^T M_k w - M_(k-1) s = B_below star_w,
-/// star_w and star_dw over the duals within the boundary. Under conditions these are the rows of
-/// the kept cells, and the values at all others are known.
+/// where star_w and star_dw are integrals over the duals within the boundary. With conditions, only
+/// the rows of kept cells remain, and the values at all other cells are known.
 struct FormEquations {
     explicit FormEquations(const FormSpace& space);
 
-    /// In the unit of the cells. Throws InvalidInput for other numbers of values than there are
-    /// cells, and what is not finite.
+    /// In the unit of the cells. Throws InvalidInput for a wrong number of values, and for values
+    /// that are not finite.
     BoundaryLoads loads(const BoundaryForms& data) const;
 
-    /// The same with the fixed values taken to the right sides.
+    /// The same, with the fixed values moved to the right-hand sides.
     BoundaryLoads loads_of_free_values(const BoundaryForms& data) const;
 
     Side side;
     int dimension, k;
     std::vector<bool> left_out, left_out_below;
-    SparseMatrix kept, kept_below; // from the values that are free to all, which are not left out
-    Vector given, given_below;     // 1 at cells whose values data fix, else 0
-    Vector asked;                  // 1 where star w is asked for, else 0
-    SparseMatrix M, M_below;       // of all cells, as are those behind
-    SparseMatrix upper;            // d^T M_(k+1) d, but for dw that data give
+    SparseMatrix kept, kept_below; // map free values to all cells, except those left out
+    Vector given, given_below;     // 1 at cells with values fixed by data, else 0
+    Vector asked;                  // 1 where star w is needed, else 0
+    SparseMatrix M, M_below;       // on all cells, as are the matrices below
+    SparseMatrix upper;            // d^T M_(k+1) d, without the dw given by data
     SparseMatrix down;             // d^T M_k
     SparseMatrix B, B_below;
-    SparseMatrix fix, load; // where n-cells have their centers on the boundary: star w, star dw
-    SparseMatrix robin, robin_below; // what Robin's condition adds to upper, and to M_below
+    SparseMatrix fix, load;          // for n-cells with centers on the boundary: star w, star dw
+    SparseMatrix robin, robin_below; // Robin terms of upper, and of M_below
 
 private:
     FormEquations(const FormSpace& space, const CellComplex& complex, const HodgeStars& stars);

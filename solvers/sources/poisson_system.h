@@ -10,7 +10,7 @@
 
 namespace polydec {
 
-/// The equations of a space, factorized. All is in the unit of the cells.
+/// The factorized equations of a space. All values are in the unit of the cells.
 class PoissonSystem {
 public:
     virtual ~PoissonSystem() = default;
@@ -29,17 +29,17 @@ public:
     virtual DenseMatrix harmonic_forms() const = 0;
 };
 
-/// For k = 0, with the value at each 0-cell as unknowns.
+/// For k = 0, with the values at the 0-cells as unknowns.
 std::unique_ptr<const PoissonSystem> system_of_values(const FormSpace& space,
                                                       const std::string& engine);
 
-/// For k = n on cells of two sides, with the density on each n-cell as unknowns: their differences
-/// over the duals are the fluxes, where star_(n-1) is diagonal.
+/// For k = n on two-sided cells and a diagonal star_(n-1), with the density on each n-cell as
+/// unknown. Differences of densities over duals are the fluxes.
 std::unique_ptr<const PoissonSystem> system_of_densities(const FormSpace& space,
                                                          const std::string& engine);
 
-/// The same with the flux through each facet as an unknown besides, by any star_(n-1); no n-cell
-/// may be left out of the space, as none is where the star is a matrix.
+/// The same with the flux through each facet as an additional unknown, for any star_(n-1). The
+/// space must keep every n-cell, as it does if the star is a matrix.
 std::unique_ptr<const PoissonSystem> system_of_fluxes(const FormSpace& space,
                                                       const std::string& engine);
 

@@ -8,25 +8,23 @@
 
 namespace polydec {
 
-/// x and c with M x + D^T c = f and D x = g: of all x with D x = g the one whose x^T M x / 2 - f^T
-/// x is least. M is symmetric positive definite and need not be diagonal, so that D M^-1 D^T, which
-/// c alone would obey, is dense; the rows of D may depend on each other, and c is determined up to
-/// what D^T takes to 0.
+/// Solves M x + D^T c = f and D x = g: of all x with D x = g, x minimizes x^T M x / 2 - f^T x. M is
+/// symmetric positive definite and need not be diagonal; then D M^-1 D^T, the matrix of c alone, is
+/// dense. The rows of D may be dependent, and c is determined up to the kernel of D^T.
 ///
-/// The matrix of both is indefinite, and a factorization that does not exchange rows may meet zeros
-/// in it. With a small negative diagonal below M it meets none in any order (it is quasi-definite),
-/// and a few steps of refinement, the method of multipliers, lead back to the equations as they
-/// are.
+/// The matrix of both equations is indefinite, so a factorization without pivoting may meet zero
+/// pivots. With a small negative diagonal block below M it is quasi-definite and meets none in any
+/// order. A few steps of refinement (the method of multipliers) recover the solution of the
+/// original equations.
 ///
-/// With a C, symmetric and semidefinite, the second equation is D x - C c = g, and M need be no
-/// more than semidefinite: then it gets a small diagonal as well. Parts of x and c that all three
-/// take to 0 are whatever rounding makes of them, and data must not have them. Source: Vanderbei
-/// 1995 (quasi-definite); Friedlander, Orban 2012 (refinement). An object is used by one thread at
-/// a time.
+/// With a symmetric semidefinite C, the second equation is D x - C c = g, and M may be
+/// semidefinite: it then gets a small diagonal as well. Rounding determines the parts of x and c in
+/// the kernel of all three matrices; data must have no such part. Source: Vanderbei 1995
+/// (quasi-definite); Friedlander, Orban 2012 (refinement). Use an object from one thread at a time.
 class SaddleSolver {
 public:
-    /// Throws InvalidInput if M is seen to have negative eigenvalues; what the engine throws where
-    /// it fails.
+    /// Throws InvalidInput if negative eigenvalues of M are detected. Passes on the engine's
+    /// errors.
     SaddleSolver(const SparseMatrix& M, const SparseMatrix& D, const std::string& engine,
                  int domain_dimension);
     SaddleSolver(const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C,
@@ -37,9 +35,9 @@ public:
         SolveReport report;
     };
 
-    /// `terms` are the sizes of what f, and g behind it, are sums of, by default their own: what is
-    /// rounding beside them counts as 0. Throws SolverFailure if there is no such x: for a g that D
-    /// does not give.
+    /// `terms` are the magnitudes of the terms summed in f, then in g; by default |f| and |g|.
+    /// Residuals at rounding level relative to them count as 0. Throws SolverFailure if there is no
+    /// such x, because g is not in the range of D.
     Values solve(const Vector& f, const Vector& g, const Vector& terms = {}) const;
 
     int domain_dimension() const { return domain_dimension_; }
@@ -48,8 +46,8 @@ private:
     SaddleSolver(Vector scales, const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C,
                  double above, const std::string& engine, int domain_dimension);
 
-    Vector scales_;  // by which rows and columns are multiplied, so that diagonals are 1
-    SparseMatrix A_; // so scaled, without the small diagonals
+    Vector scales_;  // of rows and columns, so that diagonals are 1
+    SparseMatrix A_; // with these scales, without the small diagonals
     Index size_;     // of x
     int domain_dimension_;
     std::unique_ptr<LinearSolver> solver_;

@@ -6,17 +6,16 @@
 namespace polydec {
 
 /// Smallest eigenpairs of delta d on coexact primal k-forms, e.g. curl curl on divergence-free
-/// fields (k = 1: the modes of a cavity, whose walls are essential). delta d alone has a
-/// kernel as large as the rank of d_(k-1); so the certified spectrum of the Laplacian is computed,
-/// in which exact and coexact forms stand beside each other, and the coexact ones are taken out.
-/// Under natural conditions nothing flows through the boundary: the normal part is 0 there (for k =
-/// 0 Neumann's condition); under essential ones the tangential part is 0 (Dirichlet).
-/// The certificate is that of the Laplacian: it counts the exact and harmonic forms too.
+/// fields (k = 1: the modes of a cavity with essential walls). The kernel of delta d has at least
+/// the rank of d_(k-1), so the solver computes the certified spectrum of the Laplacian, which
+/// contains exact and coexact forms, and selects the coexact ones. Under natural conditions nothing
+/// flows through the boundary: the normal part is 0 there (for k = 0 the Neumann condition). Under
+/// essential conditions the tangential part is 0 (Dirichlet). The certificate is for the Laplacian:
+/// it also counts exact and harmonic forms.
 ///
-/// The count of the options is that of coexact pairs; found is told of vectors of the Laplacian, of
-/// which start goes on.
-/// Throws like spectrum, and InvalidInput, before any work, for dual forms, for Robin's condition
-/// and if there are fewer coexact forms than asked for; of degree n there are none.
+/// The option `count` counts coexact pairs; `found` receives vectors of the Laplacian, from which
+/// `start` resumes. Throws like spectrum, and InvalidInput, before any work, for dual forms, a
+/// Robin condition, or too few coexact forms; degree n has none.
 Spectrum coexact_spectrum(const FormSpace& space, const SpectrumOptions& options = {});
 
 } // namespace polydec

@@ -11,7 +11,7 @@ namespace polydec {
 
 enum class DistanceMethod {
     exact, ///< the length of a shortest path, up to rounding (see exact_distance)
-    heat   ///< smoothed: by two linear systems, off by some percent of the greatest distance
+    heat   ///< smoothed: by two linear systems, error a few percent of the greatest distance
 };
 
 /// "exact" or "heat".
@@ -19,47 +19,47 @@ const char* name(DistanceMethod method);
 
 struct GeodesicOptions {
     DistanceMethod method = DistanceMethod::exact;
-    double time_scale = 4; ///< the heat flows for this times the squared mean edge length
+    double time_scale = 4;              ///< diffusion time over the squared mean edge length
     std::string linear_solver = "auto"; ///< of the heat method
 };
 
-/// Distances of vertices, and how many of them were raised to 0.
+/// Distances of vertices, and the number of values raised to 0.
 struct Distance {
     Vector values;
-    Index raised;                           ///< none of exact ones
-    std::vector<std::string> warnings = {}; ///< why they may be far off
+    Index raised;                           ///< 0 for exact distances
+    std::vector<std::string> warnings = {}; ///< reasons for large errors
 };
 
-/// Distance along a surface, which may be bounded, one-sided, of several components, and branch.
+/// Distance along a surface, possibly bounded, branching, one-sided, or of several components.
 ///
-/// The exact distance is a property of the shape: it does not depend on how that is divided into
-/// triangles. The heat method gives a smooth function near it, and factorizations serve many calls:
-/// two serve all of one source on each component; several there cost two for each call. Heat flows
-/// from the sources, which are held at one temperature, for a short time; the gradient of its
-/// logarithm, made a unit vector in every triangle, points towards them; the distance is the
-/// function that is 0 at the sources and whose gradient fits the opposite best. On scans and
-/// generated surfaces it is off by 1 to 3 % of the greatest distance on average, and by 2 to 15 %
-/// at most, where shortest paths from several sides meet; near a corner of the boundary that is its
-/// source by 40 % of the distance there.
+/// The exact distance is a property of the shape: it does not depend on the triangulation. The heat
+/// method gives a smooth approximation and reuses factorizations: two serve all calls with one
+/// source per component; several sources on a component cost two per call. Heat flows for a short
+/// time from the sources, which are held at one temperature. The gradient of its logarithm,
+/// normalized in every triangle, points towards them. The distance vanishes at the sources, and its
+/// gradient is the best fit of the opposite field. On scans and generated surfaces its error is 1
+/// to 3 % of the greatest distance on average, and 2 to 15 % at most, where shortest paths from
+/// several sides meet. Near a boundary corner that is its source, the error is 40 % of the distance
+/// there.
 class GeodesicDistance {
 public:
-    /// A length for every edge. Throws InvalidInput, naming edge or triangle, for lengths that are
-    /// none of triangles with area; for options of the heat method without it, and unless the time
-    /// scale is from 1e-6 to 1e6; SolverFailure if the engine cannot factorize.
+    /// Takes one length per edge. Throws InvalidInput, naming edge or triangle, unless lengths form
+    /// triangles with area; for options of the heat method without it; unless the time scale is
+    /// from 1e-6 to 1e6; SolverFailure if the engine cannot factorize.
     GeodesicDistance(const Triangles& surface, const Vector& lengths,
                      const GeodesicOptions& options = {});
-    /// On the surface of a bundle, after intrinsic flips on the flipped triangles.
-    /// Throws InvalidInput too if it is no surface.
+    /// On the surface of a discretization, after intrinsic flips on the flipped triangles. Also
+    /// throws InvalidInput if it is not a surface.
     GeodesicDistance(const Discretization& discretization, const GeodesicOptions& options = {});
     GeodesicDistance(GeodesicDistance&&) noexcept;
     ~GeodesicDistance();
 
-    /// The distance of every vertex from the nearest of the source vertices, in the unit of the
-    /// lengths, of a mesh in that of its input. 0 at the sources. By the heat method, triangles far
-    /// from Delaunay can bring values below 0, which are raised to 0 and counted. Throws
-    /// InvalidInput for a source that is no vertex, and, naming a vertex, if a component has no
-    /// source or numbers are out of range; SolverFailure if an engine does not deliver, or if exact
-    /// distances need too many windows.
+    /// Distance of every vertex from the nearest source, in the unit of the lengths, for a mesh in
+    /// the unit of its input. 0 at the sources. With the heat method, triangles far from Delaunay
+    /// can cause negative values, which are raised to 0 and counted. Throws InvalidInput for a
+    /// source that is not a vertex, and, naming a vertex, if a component has no source or numbers
+    /// are out of range; SolverFailure if an engine fails, or if exact distances need too many
+    /// windows.
     Distance to(std::span<const Index> sources) const;
 
 private:
@@ -67,16 +67,16 @@ private:
     std::unique_ptr<Parts> parts_;
     std::vector<std::string> warnings_; // of the mesh, for the heat method
     std::string advice_;                // on negative duals
-    double unit_ = 1;                   // that the mesh is measured in
+    double unit_ = 1;                   // unit of length of the mesh
 };
 
-/// The distance by a solver made for it.
+/// The distance, with a solver made for it.
 Vector geodesic_distance(const Triangles& surface, const Vector& lengths,
                          std::span<const Index> sources, const GeodesicOptions& options = {});
 
-/// The distance on the surface of a bundle, of the 0-cells of complex() from those given; after
-/// intrinsic flips on the flipped triangles, where the heat method is more accurate if the input's
-/// are bad. Throws InvalidInput too if the bundle is no surface.
+/// The distance on the surface of a discretization, of the 0-cells of complex() from the given
+/// ones. After intrinsic flips it uses the flipped triangles, which make the heat method more
+/// accurate if the input's triangles are bad. Also throws InvalidInput if it is not a surface.
 Vector geodesic_distance(const Discretization& discretization, std::span<const Index> sources,
                          const GeodesicOptions& options = {});
 

@@ -10,12 +10,11 @@
 namespace polydec {
 
 /// Distance along a surface by the heat method, for GeodesicDistance. The surface may branch: each
-/// triangle has a plane of its own, so any number of them may meet at an edge. Where the time is so
-/// short that the heat far away is too faint for its digits to be trusted, it flows longer, on that
-/// component and for that call. With a direct engine this begins at some 500 edges from the
-/// sources; with one that iterates, at 18.
+/// triangle has its own plane, so any number of triangles may meet at an edge. If heat far away is
+/// too faint for trusted digits, the time is extended on that component for that call. With a
+/// direct engine this begins some 500 edges from the sources; with an iterative one, at 18 edges.
 /// Source: Crane, Weischedel, Wardetzky, Geodesics in Heat, ACM Trans. Graph. 32(5), 2013; the
-/// logarithm is ours.
+/// logarithm is new here.
 class HeatDistance {
 public:
     /// Throws like GeodesicDistance.
@@ -24,8 +23,8 @@ public:
     HeatDistance(HeatDistance&&) noexcept;
     ~HeatDistance();
 
-    /// In the unit of the lengths; 0 at the sources. Triangles far from Delaunay can bring values
-    /// below 0.
+    /// In the unit of the lengths; 0 at the sources. Triangles far from Delaunay can cause negative
+    /// values.
     Vector to(std::span<const Index> sources) const;
 
 private:

@@ -11,27 +11,27 @@
 
 namespace polydec {
 
-/// Heat, a column per right-hand side, and for which times it has flowed on the components.
+/// Heat, one column per right-hand side, and its diffusion time on each component.
 struct HeatFlow {
     DenseMatrix u;
     Vector times;
 };
 
-/// One step of backward Euler for the heat equation, for functions: (M + t L) u = b, with times t
-/// for each component; or u = 1 at the vertices that are held.
+/// One step of backward Euler for the heat equation on functions: solves (M + t L) u = b with one
+/// time t per component, or with u = 1 at the held vertices.
 class HeatStep {
 public:
     HeatStep(const Triangles& surface, const SurfaceMetric& metric, const Vector& times,
              const std::string& engine, std::span<const Index> held = {});
 
-    /// A column per right-hand side.
+    /// One column per right-hand side.
     DenseMatrix operator()(const DenseMatrix& b) const;
 
     const Vector& times() const { return times_; }
 
-    /// The step from b, a column per right-hand side, of which the first gives heat of size 1 at
-    /// sources: for longer times on the components where that would be too faint at some vertex for
-    /// its digits to be trusted.
+    /// The step from b, one column per right-hand side; the first gives heat of size 1 at sources.
+    /// Times are longer on components where heat would be too faint at some vertex for trusted
+    /// digits.
     HeatFlow from(const Triangles& surface, const SurfaceMetric& metric,
                   const DenseMatrix& b) const;
 
@@ -39,9 +39,9 @@ private:
     Vector longer(const SurfaceMetric& metric, const Vector& u) const;
 
     Vector times_;
-    std::string engine_; // as it was asked for
+    std::string engine_; // as requested
     std::vector<Index> held_;
-    Vector from_held_; // right side of u = 1 at the held ones
+    Vector from_held_; // right-hand side of u = 1 at the held vertices
     std::unique_ptr<LinearSolver> solver_;
 };
 

@@ -13,29 +13,29 @@ namespace polydec {
 
 class LinearSolver;
 
-/// What heat on a surface needs of its metric, also where it branches. Lengths are in a unit near
-/// the longest edge, so that nothing here overflows or gets lost, whatever unit the user has.
+/// The metric quantities that the heat equation on a surface needs, also where it branches. Lengths
+/// are in a unit near the longest edge, so that nothing overflows or underflows in any input unit.
 struct SurfaceMetric {
     double unit;                  ///< a power of 2
     Vector lengths;               ///< of edges
     Vector areas;                 ///< of triangles, above 0
-    Vector cotangents;            ///< of half-edges: of the angle opposite to each
-    Vector vertex_areas;          ///< a third of the triangles around
+    Vector cotangents;            ///< of half-edges: of the opposite angle
+    Vector vertex_areas;          ///< a third of the area of the triangles around
     std::vector<Index> component; ///< of vertices
     Vector mean_lengths;          ///< of the edges of each component
 };
 
-/// Throws InvalidInput, naming edge or triangle, for lengths that are none of triangles with area.
+/// Throws InvalidInput, naming edge or triangle, unless the lengths form triangles with area.
 SurfaceMetric surface_metric(const Triangles& surface, const Vector& lengths);
 
 /// Throws InvalidInput unless it is from 1e-6 to 1e6.
 void check_time_scale(double time_scale);
 
-/// What an engine says of its failure, and the angle that is probably its cause.
+/// An engine's failure message, with the angle that probably caused it.
 std::string explained(const Triangles& surface, const SurfaceMetric& metric,
                       const std::string& failure);
 
-/// The result of a call, whose failures are explained.
+/// The result of a call; failures get an explanation.
 template <class Call>
 auto explaining_failure(const Triangles& surface, const SurfaceMetric& metric, Call call) {
     try {
@@ -48,8 +48,8 @@ auto explaining_failure(const Triangles& surface, const SurfaceMetric& metric, C
     }
 }
 
-/// The cotangent Laplacian, positive semidefinite, with the part of each component multiplied by
-/// its factor.
+/// The cotangent Laplacian, positive semidefinite, with each component's block multiplied by its
+/// factor.
 SparseMatrix surface_laplacian(const Triangles& surface, const SurfaceMetric& metric,
                                const Vector& factors);
 

@@ -7,37 +7,36 @@
 
 namespace polydec {
 
-/// Polar coordinates for tangent vectors at the vertices of a surface of which the lengths alone
-/// are known: a vector is a complex number, whose argument is its angle from a reference half-edge
-/// of the vertex, in the direction in which the triangles are oriented. Around an inner vertex
-/// angles are stretched so that their sum is 2 pi; around a boundary vertex they are as they are,
-/// so that flat surfaces stay flat up to their boundary.
+/// Polar coordinates for tangent vectors at the vertices of a surface given by lengths alone. A
+/// vector is a complex number; its argument is its angle from a reference half-edge of the vertex,
+/// positive in the orientation of the triangles. Around an interior vertex, angles are scaled so
+/// that their sum is 2 pi; around a boundary vertex they are not scaled, so that flat surfaces stay
+/// flat up to their boundary.
 struct TangentFrames {
-    std::vector<Index> reference; ///< of vertices: a half-edge from it, which has angle 0. On the
-                                  ///< boundary the one that has the surface to its side of angles
-                                  ///< above 0; inside the one of least number
-    Vector at_tail; ///< of half-edges: the angle at its tail of the direction along it
-    Vector at_head; ///< of half-edges: the angle at its head of the direction back along it
-    Vector sums;    ///< of vertices: the sum of the angles around it, not stretched. What an inner
-                    ///< vertex lacks to 2 pi is its curvature
+    std::vector<Index> reference; ///< of vertices: the outgoing half-edge of angle 0; on the
+                                  ///< boundary, the one with the surface on the side of positive
+                                  ///< angles; inside, the one with the least number
+    Vector at_tail;               ///< of half-edges: the angle of its direction at its tail
+    Vector at_head; ///< of half-edges: the angle at its head of the reversed direction
+    Vector sums;    ///< of vertices: the unscaled sum of the angles around; 2 pi minus it is the
+                    ///< curvature of an interior vertex
 
-    /// The vector of length 1 along a half-edge, at its tail.
+    /// The unit vector along a half-edge, at its tail.
     std::complex<double> direction(Index halfedge) const {
         return std::polar(1.0, at_tail[halfedge]);
     }
 
-    /// The factor of absolute value 1 that carries vectors along a half-edge from tail to head.
+    /// The unit complex factor that transports vectors along a half-edge from tail to head.
     std::complex<double> carried(Index halfedge) const {
         return -std::polar(1.0, at_head[halfedge] - at_tail[halfedge]);
     }
 };
 
-/// The frames of a surface with a length for every edge.
-/// Source: Knoeppel, Crane, Pinkall, Schroeder, Globally Optimal Direction Fields, ACM Trans.
-/// Graph. 32(4), 2013, sec. 6.
-/// Throws InvalidInput, naming edge or triangle, for lengths that are none of triangles with area;
-/// naming the edge, if triangles at an edge are not oriented alike; and, naming the vertex, if the
-/// triangles around it are several fans.
+/// The frames of a surface with one length per edge. Source: Knoeppel, Crane, Pinkall, Schroeder,
+/// Globally Optimal Direction Fields, ACM Trans. Graph. 32(4), 2013, sec. 6. Throws InvalidInput,
+/// naming edge or triangle, unless the lengths form triangles with area; naming the edge, if
+/// adjacent triangles are not consistently oriented; naming the vertex, if the triangles around it
+/// form several fans.
 TangentFrames tangent_frames(const GluedSurface& surface, const Vector& lengths);
 
 } // namespace polydec

@@ -12,22 +12,22 @@
 
 namespace polydec {
 
-/// A form of a space that changes in time, and what of its rate is stiff: diffusion, -nu Delta u.
-/// Without a stiff part the conditions of the space fix nothing.
+/// A time-dependent form of a space, and the stiff part of its rate: diffusion, -nu Delta u.
+/// Without a stiff part, the conditions of the space fix nothing.
 struct Unknown {
     FormSpace space;
-    Vector start;         ///< a value for each cell
-    double diffusion = 0; ///< nu, at least 0; length squared over time, of a mesh's input
+    Vector start;         ///< one value per cell
+    double diffusion = 0; ///< nu, at least 0; length squared over time, in the input's units
 
-    /// What is known on the boundary at a time, as PoissonSolver takes it; none: 0.
+    /// Boundary data at a time, as PoissonSolver takes them; none: 0.
     std::function<BoundaryForms(double time)> boundary = {};
 
-    /// Another stiff part, in place of diffusion.
+    /// Another stiff part, which replaces diffusion.
     std::shared_ptr<Diffusion> stiff = {};
 };
 
-/// What is not stiff: of each unknown the rate at all its cells, at a time of these forms; an empty
-/// one is 0.
+/// The non-stiff part: the rate of each unknown at all its cells, for these forms at a time. An
+/// empty vector means 0.
 using Reaction = std::function<std::vector<Vector>(double time, const std::vector<Cochain>& forms)>;
 
 struct EvolutionOptions {
@@ -35,39 +35,37 @@ struct EvolutionOptions {
     std::string integrator = "runge-kutta";
     IntegratorOptions steps = {};
     std::string linear_solver = "auto";
-    /// A march stops where this goes through 0.
+    /// A march stops at a zero of this function.
     std::function<double(double time, const std::vector<Cochain>& forms)> event = {};
-    std::string label = {}; ///< of what the functions compute, for checkpoints
+    std::string label = {}; ///< names what the functions compute, for checkpoints
 };
 
-/// The largest coefficient of a form: of its values over the sizes of cells, by which Evolution
-/// measures the errors of steps, in the units of the input. Throws InvalidInput for a form of other
-/// cells.
+/// The largest coefficient of a form: values over cell sizes, in the units of the input. Evolution
+/// measures step errors in this norm. Throws InvalidInput for a form of other cells.
 double largest_coefficient(const Cells& cells, const Cochain& form);
 
-/// Forms that change in time: u_i' = -nu_i Delta u_i + f_i(t, u_1, u_2, ..), for primal and dual
-/// forms of any degrees. The steps are what the tolerances ask for, however fine the
-/// mesh is, since diffusion is solved for; or fixed ones, as "backward-euler" and
-/// "implicit-midpoint" take them alone. A step's error is measured in values over the sizes of
-/// cells, so that the absolute tolerance is one of coefficients. Times and rates are those of the
-/// caller, of lengths of a mesh's input.
+/// Integrates u_i' = -nu_i Delta u_i + f_i(t, u_1, u_2, ..), for primal and dual forms of any
+/// degrees. Diffusion is implicit, so the tolerances alone determine the steps, however fine the
+/// mesh. "backward-euler" and "implicit-midpoint" take fixed steps instead. The error of a step is
+/// measured in values over cell sizes, so the absolute tolerance applies to coefficients. Times and
+/// rates are in the caller's units, lengths in the input's.
 class Evolution final : public Run {
 public:
-    /// Throws InvalidInput like FormSpace::check and Diffusion, and, numbering the unknown from 0,
-    /// for a stiff part of other forms; BackendUnavailable or InvalidInput for an integrator that
-    /// is not there.
+    /// Throws InvalidInput like FormSpace::check and Diffusion, and, with the number of the unknown
+    /// from 0, for a stiff part of other forms; BackendUnavailable or InvalidInput for an
+    /// integrator that does not exist.
     Evolution(std::vector<Unknown> unknowns, Reaction reaction = {}, EvolutionOptions options = {});
 
     double time() const override;
     std::vector<Cochain> forms() const override;
 
-    /// Progress is told at each evaluation on the way. Throws like Integrator::advance.
+    /// Reports progress at each evaluation on the way. Throws like Integrator::advance.
     Arrival march(double until, const TimeListener& progress = {}) override;
     std::vector<Vector> state() const override;
     void resume(double time, const std::vector<Vector>& state) override;
     bool resumes_anywhere() const override;
 
-    /// What the reaction and the data on the boundary give at the start is part of it as well.
+    /// Includes the values of the reaction and of the boundary data at the start.
     std::optional<Fingerprint> fingerprint() const override;
 
     IntegratorReport report() const;

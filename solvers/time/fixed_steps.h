@@ -5,14 +5,13 @@
 
 namespace polydec {
 
-/// A run by steps of one length from the time 0: at a time that is marched to it is after the step
-/// that ends nearest to it.
+/// A run with fixed steps from time 0. A march to a time ends after the step that is nearest to it.
 class FixedSteps : public Run {
 public:
     double time() const final { return static_cast<double>(steps_) * time_step_; }
     double time_step() const { return time_step_; }
 
-    /// Takes so many steps. Throws like march.
+    /// Takes this many steps. Throws like march.
     void advance(std::int64_t steps = 1, const TimeListener& progress = {});
 
     Arrival march(double until, const TimeListener& progress = {}) final;
@@ -24,7 +23,7 @@ protected:
     /// Throws InvalidInput unless the step is finite and above 0.
     FixedSteps(double time_step, std::vector<Vector> state);
 
-    /// Takes a state at time() to the next one. Where it throws, the state is as it was.
+    /// Advances a state at time() by one step. If it throws, the state is unchanged.
     virtual void step(std::vector<Vector>& state) const = 0;
 
     const std::vector<Vector>& now() const { return state_; }
