@@ -5,8 +5,8 @@
 
 namespace polydec {
 
-/// Unknowns of facets, so many of each: those of simplex s at facet lacking corner i are the
-/// entries (width s + each i) and those behind it, width = each (n+1).
+/// Unknowns of facets, a fixed number `each` per facet. Simplex s has width = each (n+1) entries;
+/// those of its facet opposite corner i start at width s + each i.
 struct FacetUnknowns {
     Index count;
     std::vector<Index> unknowns; ///< -1 where functions are 0

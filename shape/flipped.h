@@ -5,16 +5,16 @@
 
 namespace polydec {
 
-/// A shape, and how many edges were flipped to make its triangles Delaunay.
+/// A shape with Delaunay triangles, and the number of edges flipped to make them.
 struct FlippedShape {
     Shape shape;
     Index flips = 0;
 };
 
-/// The same surface by its intrinsic Delaunay triangulation, whose small angles make enclosures of
-/// eigenvalues narrow: vertices and edges of the boundary keep their numbers, and conditions hold.
-/// What has nothing to flip is returned as it is: shapes of another dimension than 2, or with
-/// branching edges, and weights that are not the same everywhere. Throws like intrinsic_delaunay.
+/// The intrinsic Delaunay triangulation of a surface. Its larger angles make eigenvalue enclosures
+/// narrower. Vertices and edges of the boundary keep their numbers and conditions. Returns other
+/// shapes unchanged: those of another dimension than 2, with branching edges, or with nonuniform
+/// weights. Throws like intrinsic_delaunay.
 FlippedShape flipped(const Shape& shape);
 
 } // namespace polydec

@@ -14,44 +14,44 @@
 
 namespace polydec {
 
-/// What one simplex adds to a family of quadratic forms Q(s): the positive semidefinite `parts`,
-/// with factors that depend on s, and `robin`, in unknowns of the simplex.
+/// The contribution of one simplex to a family of quadratic forms Q(s), in the unknowns of the
+/// simplex: the positive semidefinite `parts`, with factors that depend on s, and `robin`.
 struct LocalForms {
     std::vector<LongMatrix> parts;
-    LongMatrix robin; ///< 0 x 0: nothing
-    LongMatrix cell;  ///< a column, see FormFamily; 0 x 0: there is no unknown of the cell
+    LongMatrix robin; ///< 0 x 0: none
+    LongMatrix cell;  ///< a column, see FormFamily; 0 x 0: no unknown of the cell
     double mass = 0;  ///< of the cell
-    double reach = 0; ///< C^2 rho / kappa: factors are asked for with s reach
-    double error = 0; ///< of these matrices in long numbers, as a share of their diagonal
+    double reach = 0; ///< C^2 rho / kappa: factors take s reach
+    double error = 0; ///< of these long double matrices, relative to their diagonal
 };
 
-/// A symmetric matrix that counts, and how far it may be from the one meant.
+/// A symmetric matrix for an inertia count, and a bound on its error.
 struct CountedMatrix {
     std::shared_ptr<const SparseMatrix> matrix;
     Doubt doubt;
-    Index eliminated = 0; ///< negative eigenvalues of what was eliminated
+    Index eliminated = 0; ///< negative eigenvalues of the eliminated block
 };
 
-/// Quadratic forms Q(s) = sum over simplices of sum_p factor_p(s, s reach) P_p, which decrease as s
-/// grows, on unknowns that simplices share. The number of negative eigenvalues of Q(s) bounds the
-/// number of eigenvalues of a shape below s. With an unknown u of each cell the parts take
-/// y = m - u cell for the other unknowns m, so that constants are in the kernel, and - s mass u^2
-/// is added; u is eliminated.
+/// Quadratic forms Q(s) = sum over simplices of sum_p factor_p(s, s reach) P_p on unknowns shared
+/// by simplices. Q(s) decreases as s grows; its number of negative eigenvalues bounds the number of
+/// eigenvalues of a shape below s. With an unknown u of each cell, the parts apply to y = m - u
+/// cell for the other unknowns m, so that constants are in the kernel, and - s mass u^2 is added; u
+/// is eliminated.
 class FormFamily {
 public:
     using Factors = std::function<std::vector<double>(double s, double s_reach)>;
 
-    /// `unknowns` and `signs` list those of each simplex, -1 where they are 0.
+    /// `unknowns` and `signs` list the unknowns of each simplex; unknown -1 stands for 0.
     FormFamily(Index count, std::vector<Index> unknowns, std::vector<std::int8_t> signs,
                Factors factors, Index simplices,
                const std::function<LocalForms(Index simplex)>& local);
 
     Index size() const { return count_; }
 
-    /// Forms are bounds for s below this; infinite where there is no limit.
+    /// The forms are bounds for s below this limit; infinite if there is no limit.
     double limit() const { return limit_; }
 
-    /// The simplices that have a limit below s.
+    /// The simplices with a limit below s.
     std::vector<Index> beyond(double s) const;
 
     /// Q(s), in time linear in its size.
@@ -60,8 +60,8 @@ public:
     /// The same with other factors.
     CountedMatrix sum(const Factors& factors, double s) const;
 
-    /// What each simplex has of the sum of parts with these factors, summed over the columns of X;
-    /// unknowns of cells are those that make Q(s) stationary.
+    /// The sum of parts with these factors in each simplex, summed over the columns of X. The
+    /// unknowns of cells make Q(s) stationary.
     Vector local_values(const Factors& factors, double s, const DenseMatrix& X) const;
 
 private:
@@ -79,13 +79,13 @@ private:
     std::vector<std::int8_t> signs_;
     Factors factors_;
     std::vector<double> values_; // of parts, simplex by simplex
-    std::vector<Cell> cells_;    // empty: there are no unknowns of cells
+    std::vector<Cell> cells_;    // empty: no unknowns of cells
     std::vector<double> reach_, errors_;
     std::vector<std::pair<Index, DenseMatrix>> robin_; // by simplex
     std::vector<Index> first_robin_;
     double limit_;
     SparseMatrix pattern_;
-    std::vector<Index> slots_; // of local entries in the values of the pattern, -1: none
+    std::vector<Index> slots_; // of local entries in the values of the pattern, or -1
     double most_summands_ = 0;
 };
 

@@ -7,8 +7,8 @@
 namespace polydec {
 
 /// The forms a - s b on conforming piecewise polynomials of degree 1 or 2, with exact inner
-/// products: at least as many eigenvalues of the shape lie below s as Q(s) has negative ones
-/// (Rayleigh, Ritz). Unknowns are the values at vertices, and at midpoints of edges.
+/// products. At least as many eigenvalues of the shape lie below s as Q(s) has negative ones
+/// (Rayleigh, Ritz). The unknowns are values at vertices and, for degree 2, at midpoints of edges.
 class ConformingForm {
 public:
     ConformingForm(const Shape& shape, int degree);
@@ -23,19 +23,19 @@ private:
     FormFamily family_;
 };
 
-/// Forms on means over facets: at most as many eigenvalues of the shape lie below s as Q(s) has
-/// negative ones, for s below the limit. Each simplex has n^2 kappa (grad lambda_i, grad lambda_j)
-/// less s times the mass of Crouzeix and Raviart's functions, enlarged by what functions with these
-/// means can have besides. Proof: docs/what-is-proved.md. Source: Crouzeix, Raviart 1973;
-/// Carstensen, Gedicke 2014; Liu 2015.
+/// The forms on means over facets. For s below the limit, at most as many eigenvalues of the shape
+/// lie below s as Q(s) has negative ones. Each simplex has n^2 kappa (grad lambda_i, grad lambda_j)
+/// minus s times the mass of the Crouzeix-Raviart functions, enlarged for other functions with the
+/// same means. Proof: docs/what-is-proved.md. Source: Crouzeix, Raviart 1973; Carstensen, Gedicke
+/// 2014; Liu 2015.
 FormFamily crouzeix_raviart_form(const Shape& shape);
 
 /// The same on means over cells, which are eliminated, and on moments over facets against linear
-/// functions, with reconstructed gradients of degree 1 and functions of degree 2: bounds of order
-/// 4. Proof: docs/what-is-proved.md. Source: Carstensen, Ern, Puttkammer 2021.
+/// functions. Gradients are reconstructed with degree 1 and functions with degree 2: bounds of
+/// order 4. Proof: docs/what-is-proved.md. Source: Carstensen, Ern, Puttkammer 2021.
 FormFamily hybrid_form(const Shape& shape);
 
-/// The lower form of a degree, 1 or 2, and what takes values of conforming functions of degree 1 or
+/// The lower form of degree 1 or 2, and the map from values of conforming functions of degree 1 or
 /// 2 to its unknowns.
 FormFamily lower_form(const Shape& shape, int degree);
 DenseMatrix facet_moments(const Shape& shape, int degree, const ConformingForm& from,

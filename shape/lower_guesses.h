@@ -10,11 +10,11 @@ struct LowerGuesses {
     DenseMatrix vectors;
 };
 
-/// Numbers s, one for each column of X, with the vectors, at which eigenvalues of Q(s) come to 0,
-/// the j-th one for the j-th smallest: nearly the best lower bounds that counts can prove. X has
-/// unknowns of nearly such functions, values are about theirs. By the method of Rayleigh and Ritz
-/// for s-dependent matrices and a step of residual inverse iteration (Neumaier 1985); what comes
-/// out is a guess, and proves nothing.
+/// Numbers s at which eigenvalues of Q(s) vanish, one per column of X, with their vectors; the j-th
+/// one belongs to the j-th smallest eigenvalue. They are nearly the best lower bounds that counts
+/// can prove. X has the unknowns of approximate eigenfunctions, `values` their approximate
+/// eigenvalues. Uses the Rayleigh-Ritz method for s-dependent matrices and a step of residual
+/// inverse iteration (Neumaier 1985). The results are guesses and prove nothing.
 LowerGuesses lower_guesses(const FormFamily& family, DenseMatrix X, const Vector& values,
                            const std::string& engine, int domain_dimension);
 

@@ -10,22 +10,22 @@
 
 namespace polydec {
 
-/// What is given on the simplices, by their numbers: means of f, less those over components where
-/// constants are free, and what the rest of f adds to errors at most.
+/// Data on the simplices, in their order: means of f, minus the means over components where
+/// constants are free, and bounds on the error that the rest of f adds.
 struct LocalData {
     Vector means;
-    DenseMatrix corners;    ///< f at the corners, less the same
+    DenseMatrix corners;    ///< f at the corners, minus the same means
     Vector oscillation;     ///< C_P |f - mean| / kappa^(1/2)
-    DenseMatrix facet_flow; ///< what flows in by the facet lacking each corner
+    DenseMatrix facet_flow; ///< inflow through the facet opposite each corner
 };
 
-/// Functions that are linear on simplices, and one with continuous means over facets, whose
-/// gradient and f make a flux in equilibrium.
+/// A function that is linear on simplices, and one with continuous means over facets, which with f
+/// determines an equilibrated flux.
 struct PoissonPair {
     DenseMatrix corners; ///< values of the first: simplices x (n+1)
-    DenseMatrix means;   ///< of the second, over the facet lacking each corner
+    DenseMatrix means;   ///< of the second, over the facet opposite each corner
     Vector source;       ///< means of f
-    double rounding;     ///< what the second may be off by, in the norm of energy
+    double rounding;     ///< bound on the rounding error of the second, in the energy norm
 };
 
 /// The equations of both, on one shape.
@@ -41,33 +41,33 @@ public:
     double poincare(Index s) const { return poincare_[s]; } ///< C_P^2 / kappa
     const std::vector<Index>& components() const { return components_; }
 
-    /// One row of a table for each simplex: of values at vertices.
+    /// Values at vertices as a table with one row per simplex.
     DenseMatrix at_corners(const Vector& values) const;
     LocalData local(const DenseMatrix& source, const Vector& flow) const;
 
-    /// What must be added to a continuous function to have Galerkin's.
+    /// The correction from a continuous function to the Galerkin solution.
     DenseMatrix to_galerkin(const DenseMatrix& corners, const LocalData& data) const;
     /// The pair of a continuous function.
     PoissonPair pair(const DenseMatrix& corners, const LocalData& data) const;
 
-    /// The inner products of the differences of the two gradients of two pairs, with Robin's parts,
-    /// by simplices.
+    /// Inner products of the differences of both gradients of two pairs, with Robin terms, per
+    /// simplex.
     Vector products(const PoissonPair& a, const PoissonPair& b) const;
 
-    /// a(u, v) and (f, v) with what flows in.
+    /// a(u, v), and (f, v) with the inflow.
     double energy(const DenseMatrix& u, const DenseMatrix& v) const;
     double load(const LocalData& data, const DenseMatrix& v) const;
     /// The integral of u v over a simplex.
     double mass(Index s, const DenseMatrix& u, const DenseMatrix& v) const;
 
-    /// One of the two systems: facets, or vertices.
+    /// One of the two systems, on facets or on vertices.
     struct System {
         SparseMatrix K;
         std::vector<Index> unknowns; ///< simplex by simplex
         DenseMatrix kernel;          ///< constants of free components
         std::unique_ptr<LinearSolver> solver;
-        double doubt; ///< of entries of K, as CountedMatrix has it
-        /// Of what is orthogonal to the kernel.
+        double doubt; ///< of entries of K, as in CountedMatrix
+        /// The solution orthogonal to the kernel.
         Vector solve(Vector b) const;
     };
     const System& facets() const { return facets_; }
@@ -87,12 +87,12 @@ private:
     std::vector<Index> components_;
     Vector volumes_, bubbles_, poincare_, kappa_;
     std::vector<DenseMatrix> gradients_; // kappa |T| times products of gradients
-    DenseMatrix areas_;                  // of the facet lacking each corner
+    DenseMatrix areas_;                  // of the facet opposite each corner
     System facets_, vertices_;
 };
 
-/// A bound of |u - u_h| over the error in energy of Galerkin's u_h, squared, for every f in L2; or
-/// none, where no count can be trusted.
+/// A bound on the square of |u - u_h| over the energy error, for the Galerkin u_h and every f in
+/// L2; none if no count can be trusted.
 std::optional<double> l2_constant_squared(const PoissonForms& forms, const std::string& engine);
 
 } // namespace polydec

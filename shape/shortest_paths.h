@@ -11,7 +11,7 @@
 
 namespace polydec {
 
-/// A point on a side of a triangle, at a fraction of the half-edge from its tail.
+/// A point on a side of a triangle; the fraction runs from the tail of the half-edge.
 struct SidePoint {
     Index halfedge;
     double fraction;
@@ -30,8 +30,7 @@ struct ShortestPath {
 };
 
 /// Exact distances from some vertices along a surface of flat triangles (see exact_distance), at
-/// every point, and the paths that have these lengths. All windows are kept: 48 bytes each, some
-/// 20 to 200 for each triangle.
+/// every point, and shortest paths. Keeps all windows: 48 bytes each, some 20 to 200 per triangle.
 class ShortestPaths {
 public:
     /// Throws like exact_distance.
@@ -39,15 +38,15 @@ public:
     ShortestPaths(ShortestPaths&&) noexcept;
     ~ShortestPaths();
 
-    /// Of the vertices.
+    /// At the vertices.
     const Vector& distances() const;
 
-    /// The distance of a point of a triangle with these barycentric coordinates, those of the tails
-    /// of its half-edges: not negative, of sum 1.
+    /// The distance at a point of a triangle, given by barycentric coordinates with respect to the
+    /// tails of its half-edges: not negative, of sum 1.
     double at(Index triangle, const Eigen::Vector3d& coordinates) const;
 
-    /// The path from a vertex, straight in every triangle and across edges, along edges where it
-    /// bends. Without pieces from a source. Throws InvalidInput for a vertex that is none.
+    /// The path from a vertex: straight in every triangle and across edges, along edges where it
+    /// bends. Empty from a source. Throws InvalidInput if the vertex does not exist.
     ShortestPath from(Index vertex) const;
 
 private:

@@ -8,8 +8,8 @@
 
 namespace polydec {
 
-/// A surface as straight lines see it that run from triangle to triangle: each triangle in a plane
-/// of its own, by lengths alone.
+/// A surface for tracing straight lines from triangle to triangle: each triangle lies in its own
+/// plane, given by lengths alone.
 class UnfoldedTriangles {
 public:
     /// A side of a triangle, with the angle at its tail.
@@ -19,33 +19,32 @@ public:
         int sign;
     };
 
-    /// Throws InvalidInput, naming edge or triangle, for lengths that are none of triangles with
-    /// area.
+    /// Throws InvalidInput, naming edge or triangle, unless the lengths form triangles with area.
     UnfoldedTriangles(const Triangles& surface, const Vector& lengths);
 
     Index vertices() const { return static_cast<Index>(may_bend_.size()); }
     Index triangles() const { return static_cast<Index>(sides_.size() / 3); }
     Index edges() const { return static_cast<Index>(side_begins_.size()) - 1; }
 
-    /// Lengths here times 2 to this power are those given. The longest edge is near 2^400, so that
-    /// squares of lengths are numbers down to 1e-270 of it.
+    /// Input lengths are the lengths here times 2^exponent. The longest edge is near 2^400, so that
+    /// squares of lengths do not underflow down to 1e-270 of it.
     int exponent() const { return exponent_; }
 
     const Side& side(Index halfedge) const { return sides_[halfedge]; }
 
-    /// The half-edges of an edge, one for each triangle there.
+    /// The half-edges of an edge, one per triangle at it.
     std::span<const Index> sides_of(Index edge) const {
         return {sides_of_.data() + side_begins_[edge], sides_of_.data() + side_begins_[edge + 1]};
     }
 
-    /// The corners at a vertex, each as the half-edge whose tail it is.
+    /// The corners at a vertex, each given by its outgoing half-edge.
     std::span<const Index> corners_of(Index vertex) const {
         return {corners_of_.data() + corner_begins_[vertex],
                 corners_of_.data() + corner_begins_[vertex + 1]};
     }
 
-    /// Whether a shortest path may bend at a vertex: unless the triangles around it are one circle
-    /// with angles of 2 pi at most, or one fan with pi at most.
+    /// Whether a shortest path may bend at a vertex: true unless the triangles around it form one
+    /// closed fan with total angle at most 2 pi, or one open fan with at most pi.
     bool may_bend(Index vertex) const { return may_bend_[vertex]; }
 
 private:

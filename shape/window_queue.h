@@ -11,23 +11,23 @@
 
 namespace polydec {
 
-/// The points of a side of a triangle that one place sees along straight lines, through the
-/// triangles that these cross, and the triangle behind the side. The side runs along the first axis
-/// of a plane from its tail at 0, the triangle is above it and the place below.
+/// The points of a triangle side that are visible from one place along straight lines through the
+/// crossed triangles, and the triangle behind the side. The side runs along the first axis of a
+/// plane from its tail at 0; the triangle is above it, the place below.
 struct Window {
     double begin, end;   ///< along the side
     double along, below; ///< the place is at (along, -below)
-    double offset;       ///< distance of the place
+    double offset;       ///< distance from the source to the place
     Index side;          ///< half-edge of the triangle behind; or -1 - v, for vertex v itself
-    Index turns;         ///< how often in a row it turned around the tail, or minus: the head
-    Index before;        ///< where its lines come from, see PassedWindow
+    Index turns;         ///< consecutive turns around the tail, or, negative, around the head
+    Index before;        ///< the preceding window, see PassedWindow
     std::uint32_t has_branched : 1; ///< whether it crossed an edge of three or more triangles
-    std::uint32_t key : 31;         ///< of the queue
+    std::uint32_t key : 31;         ///< key in the queue
 };
 
-/// Windows, taken by ascending distance, as far as 12 binary digits tell: the order matters for
-/// speed alone, and a coarser one is faster. A window that comes too late counts as one of the
-/// last distance taken.
+/// Windows in ascending order of distance, up to 12 binary digits. The order affects only speed,
+/// and a coarser order is faster. A window that comes too late is treated as if at the last
+/// distance taken.
 /// Source: Ahuja, Mehlhorn, Orlin, Tarjan, Faster algorithms for the shortest path problem, J. ACM
 /// 37, 1990 (radix heap).
 class WindowQueue {
@@ -35,7 +35,7 @@ public:
     bool is_empty() const { return size_ == 0; }
     std::size_t size() const { return size_; }
 
-    /// The distance is not negative.
+    /// The distance must not be negative.
     void push(Window window, double distance) {
         const auto digits = std::bit_cast<std::uint64_t>(distance) >> dropped_digits;
         window.key = std::max(static_cast<std::uint32_t>(digits), last_) & 0x7fffffff;
@@ -43,7 +43,7 @@ public:
         ++size_;
     }
 
-    /// There must be one.
+    /// The queue must not be empty.
     Window pop() {
         if (shelves_[0].empty())
             sort_next();
@@ -58,7 +58,7 @@ private:
 
     std::vector<Window>& shelf(std::uint32_t key) { return shelves_[std::bit_width(key ^ last_)]; }
 
-    /// Moves the windows of the first shelf that has some to those before it.
+    /// Moves the windows of the first nonempty shelf to the shelves before it.
     void sort_next() {
         const auto first = std::find_if(shelves_.begin(), shelves_.end(),
                                         [](const auto& some) { return !some.empty(); });
@@ -69,7 +69,7 @@ private:
         first->clear();
     }
 
-    std::array<std::vector<Window>, 24> shelves_; // by the highest bit that differs from the last
+    std::array<std::vector<Window>, 24> shelves_; // by the highest bit that differs from last_
     std::uint32_t last_ = 0;
     std::size_t size_ = 0;
 };

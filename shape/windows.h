@@ -10,25 +10,25 @@
 
 namespace polydec {
 
-/// What windows found, in units of the lengths of the unfolded triangles.
+/// The result of window propagation, in the unit of the unfolded triangles.
 struct WindowDistances {
-    Vector distances;    ///< of vertices; infinite where none came
-    std::size_t windows; ///< how many were followed
+    Vector distances;    ///< of vertices; infinite if not reached
+    std::size_t windows; ///< number of windows followed
 };
 
-/// A window that was followed: from (along, -below), `offset` away from the source, it sees the
-/// part from `begin` to `end` of a side, and the triangle behind that. See Window.
+/// A window that was followed. From (along, -below), at distance `offset` from the source, it sees
+/// the part of a side from `begin` to `end`, and the triangle behind the side. See Window.
 struct PassedWindow {
     double begin, end, along, below, offset;
     Index side;
-    Index before; ///< the window that its lines passed before, or -1 - the corner they start from
+    Index before; ///< the previous window of its lines, or -1 - the corner where they start
 };
 
-/// How the shortest path found to a vertex ends: at this corner, of a triangle that its last
-/// straight line is in. A corner is the half-edge that begins there.
+/// The end of the shortest path to a vertex: at this corner of the triangle that contains its last
+/// straight segment. A corner is given by its outgoing half-edge.
 struct WindowArrival {
     Index corner = -1; ///< -1: the vertex is a source
-    Index before = -1; ///< as of a window
+    Index before = -1; ///< as in PassedWindow
 };
 
 /// All windows, and the arrivals at vertices.
@@ -37,12 +37,12 @@ struct WindowTrace {
     std::vector<WindowArrival> arrivals;
 };
 
-/// The windows that are followed at most: 50 times what a surface of well-shaped triangles needs,
+/// The limit on the number of windows: 50 times the need of a surface of well-shaped triangles,
 /// which grows with their number to the power 3/2.
 std::size_t most_windows(Index triangles);
 
-/// The distance of every vertex from the nearest of the sources, by windows.
-/// Keeps them in a trace that is given. Throws SolverFailure if it takes more than `most` of them.
+/// The distance of every vertex from the nearest source, by windows, which are stored in `trace` if
+/// given. Throws SolverFailure if there are more than `most` windows.
 WindowDistances distances_by_windows(const UnfoldedTriangles& surface,
                                      std::span<const Index> sources, std::size_t most,
                                      WindowTrace* trace = nullptr);
