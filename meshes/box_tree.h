@@ -7,29 +7,29 @@
 
 namespace polydec {
 
-/// Boxes in R^N, in a tree of boxes around them: each is halved where the middles along its longest
-/// side have their median (Bentley 1975). Any number, also none; time O(n log n).
+/// Boxes in R^N in a tree of bounding boxes: each node is split at the median of the centers along
+/// its longest side (Bentley 1975). Any number, also 0; time O(n log n).
 class BoxTree {
 public:
-    /// Each box by its least and its largest coordinates, a row of both.
+    /// Each box is a row of its least and a row of its largest coordinates.
     BoxTree(const Points& least, const Points& largest);
 
-    /// The boxes that meet this one, and some beside them, ascending.
+    /// All boxes that meet this one, and possibly some others, ascending.
     std::vector<Index> around(const Eigen::RowVectorXd& least,
                               const Eigen::RowVectorXd& largest) const;
 
     struct Node {
-        Index begin, end;      ///< of its boxes in order()
+        Index begin, end;      ///< range of its boxes in order()
         Index left, right = 0; ///< 0 for a leaf
     };
 
-    const std::vector<Node>& nodes() const { return nodes_; } ///< the first is around all
+    const std::vector<Node>& nodes() const { return nodes_; } ///< the first bounds all boxes
     const std::vector<Index>& order() const { return order_; }
 
-    /// N least coordinates of a node, then N largest.
+    /// The N least, then the N largest coordinates of a node.
     const double* box(Index node) const { return boxes_.data() + 2 * N_ * node; }
 
-    /// Between two boxes, and from one corner to the other of the box around both.
+    /// The squared distance between two boxes, and the squared diagonal of the box around both.
     double squared_gap(const double* a, const double* b) const;
     double squared_span(const double* a, const double* b) const;
 

@@ -5,8 +5,8 @@
 
 namespace polydec {
 
-/// How far apart two points are, also where the squares of that would overflow or vanish: 0 for
-/// equal points alone. Throws InvalidInput, naming both, if it is no finite number.
+/// Distance between two points, safe against overflow and underflow of squares: 0 for equal points
+/// alone. Throws InvalidInput, naming both points, if it is not finite.
 double distance(const Points& points, Index a, Index b);
 
 } // namespace polydec

@@ -15,7 +15,7 @@ using Triangle = std::array<Index, 3>;
 /// A triangle and one of its parts.
 using TrianglePart = std::pair<Triangle, Triangle>;
 
-/// Vertices in the interior of edges, on each edge in their order from its lesser end.
+/// Vertices in the interior of edges, ordered on each edge from its lesser end.
 class DividedEdges {
 public:
     struct Entry {
@@ -26,12 +26,12 @@ public:
         auto operator<=>(const Entry&) const = default;
     };
 
-    /// In any order, and several times each.
+    /// Entries in any order, possibly repeated.
     explicit DividedEdges(std::vector<Entry> entries);
 
     bool contains(Index a, Index b) const;
 
-    /// Appends a, and the vertices on the way to b.
+    /// Appends a, then the vertices on the edge from a to b.
     void append(Index a, Index b, std::vector<Index>& corners) const;
 
 private:
@@ -41,8 +41,7 @@ private:
     std::vector<Entry> entries_;
 };
 
-/// Triangles that are divided, those that are tiled in the way that is given, others by the
-/// vertices on their edges.
+/// Triangles that are divided: by a given tiling, or else by the vertices on their edges.
 class DividedTriangles {
 public:
     /// Tiled triangles have ascending corners.
@@ -50,7 +49,7 @@ public:
 
     bool is_divided(const Triangle& corners) const;
 
-    /// Divides triangles that need it. Their parts are found by the corners in this order.
+    /// Divides triangles that need it. Their parts are stored under the corners in this order.
     void divide(std::vector<Triangle> triangles, const Points& points);
 
     /// The triangle itself if it was not divided.

@@ -14,32 +14,32 @@ struct Crossing {
     double s, t;
 };
 
-/// Triangles in space that lie on each other, divided so that both sides agree: into what pairs of
-/// them have in common, and what remains of each.
+/// Overlapping triangles in space, divided so that both sides agree: into the common part of each
+/// pair, and the rest of each triangle.
 class FacetOverlay {
 public:
-    /// Triangles by ascending corners, with the vertices that lie in each of them but are none of
-    /// its corners; what is at most this far apart is at one place.
+    /// Takes triangles by ascending corners, with the non-corner vertices in each. Points at most
+    /// `length` apart coincide.
     FacetOverlay(const Simplices& triangles, const std::vector<std::vector<Index>>& inside,
                  const Points& points, double length);
 
-    /// New vertices, with the numbers that follow those of the points.
+    /// New vertices, numbered after the points.
     const std::vector<Crossing>& crossings() const { return crossings_; }
     std::vector<DividedEdges::Entry> on_edges() const;
     const Points& points() const { return points_; } ///< of all vertices
 
-    /// These points and, behind them, those of the crossings, by the means of both edges.
+    /// These points followed by the crossings; a crossing is the mean of its places on both edges.
     static Points with_crossings(const Points& points, const std::vector<Crossing>& crossings);
 
-    /// Parts of the triangles that lie on others; the edges are divided at all vertices, new ones
-    /// too. Where what remains of a triangle is not simply connected, the parts are a fan around a
-    /// vertex in it, which lie on others again.
+    /// Parts of the overlapping triangles; the edges are divided at all vertices, including new
+    /// ones. If the rest of a triangle is not simply connected, its parts form a fan around a
+    /// vertex in it and overlap again.
     std::vector<TrianglePart> parts(const DividedEdges& edges) const;
 
 private:
     struct Common {
         Index f, g;                 // triangles
-        std::vector<Index> corners; // around what they have in common, as those of f run
+        std::vector<Index> corners; // around the common part, in the direction of f
     };
 
     Triangle corners(Index f) const {

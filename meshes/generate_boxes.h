@@ -15,13 +15,13 @@ namespace polydec {
 /// Throws InvalidInput unless every count is >= 1, every length positive, sizes fit into 32 bits.
 Mesh kuhn(const std::vector<int>& cells, const std::vector<double>& lengths = {});
 
-/// The same of the unit cube of R^n with equally many cells along every axis.
+/// The same for the unit cube of R^n, with equally many cells along every axis.
 Mesh kuhn(int n, int cells_per_side);
 
-/// The same boxes, each split at random into n! simplices: every face of a box is a cone over those
-/// of its facets that miss one of its corners, and which corner is told by a random order of all
-/// vertices; so neighbors agree on what they share. Merged, it is the same grid of boxes as kuhn.
-/// The same seed gives the same mesh on every machine. Throws like kuhn.
+/// The same boxes, each split at random into n! simplices. Every face of a box is a cone over its
+/// facets that miss one of its corners; a random order of all vertices selects that corner, so
+/// neighbors agree on shared faces. Merging gives the same grid of boxes as kuhn. The same seed
+/// gives the same mesh on every machine. Throws like kuhn.
 Mesh split_boxes(const std::vector<int>& cells, const std::vector<double>& lengths = {},
                  std::uint64_t seed = 1);
 

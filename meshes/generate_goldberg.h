@@ -10,11 +10,11 @@ namespace polydec {
 /// fanned into triangles that are oriented outward. 20 frequency^2 vertices. Frequency 1 is the
 /// dodecahedron. Planes hold to about 1e-15.
 ///
-/// Corners start over the middles of the icosphere's triangles and are moved on the sphere by
-/// Gauss-Newton steps of least norm until every face is planar; this keeps the icosahedral symmetry
-/// (to rounding). Takes about a second for frequency 32,
-/// ten for 64.
-/// Throws InvalidInput unless frequency is 1 .. 64; SolverFailure if planes are not reached.
+/// Corners start over the midpoints of the icosphere's triangles. Gauss-Newton steps of least norm
+/// move them on the sphere until every face is planar; this keeps the icosahedral symmetry (to
+/// rounding). Takes about a second for frequency 32, ten for 64.
+/// Throws InvalidInput unless frequency is 1 .. 64; SolverFailure if the iteration does not
+/// converge.
 Mesh goldberg(int frequency);
 
 } // namespace polydec

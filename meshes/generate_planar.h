@@ -12,11 +12,11 @@ namespace polydec {
 Mesh grid(int nx, int ny, double width = 1.0, double height = 1.0);
 
 /// The unit square in rows of hexagons, `columns` >= 2 to a row, cut at the boundary and fanned
-/// into counterclockwise triangles. The number of rows is the odd one that lets the hexagons be
-/// nearly regular; their heights are such that the corners of every polygon, also of the half
-/// hexagons and of the pentagons at the boundary, lie on a circle. The half hexagons at the left
-/// and right boundary have their circumcenters on it, so boundary edges of zero dual length. Throws
-/// InvalidInput unless columns >= 2 and sizes fit into 32 bits.
+/// into counterclockwise triangles. The number of rows is the odd one that makes the hexagons
+/// nearly regular. The row heights put the corners of every polygon on a circle, including the half
+/// hexagons and pentagons at the boundary. Half hexagons at the left and right boundary have their
+/// circumcenters on it, so their boundary edges have zero dual length. Throws InvalidInput unless
+/// columns >= 2 and sizes fit into 32 bits.
 Mesh hexagons(int columns);
 
 /// The unit square in 2 `rows` rows of acute triangles, all counterclockwise: every circumcenter

@@ -12,10 +12,10 @@ namespace polydec {
 Mesh uv_sphere(int meridians, int bands);
 
 /// Unit sphere from the icosahedron, class I: every face is cut into frequency^2 equal triangles,
-/// whose corners are then moved to the sphere along their rays. 10 frequency^2 + 2 vertices,
-/// 20 frequency^2 triangles, outward orientation. Frequency 2^s is s times subdivided in counts,
-/// with slightly different places. Reflections in the coordinate planes and cyclic exchanges of the
-/// axes map the points to each other to the last bit.
+/// and their corners are projected radially to the sphere. 10 frequency^2 + 2 vertices, 20
+/// frequency^2 triangles, outward orientation. Frequency 2^s has the counts of s subdivisions, but
+/// slightly different points. Reflections in the coordinate planes and cyclic exchanges of the axes
+/// map the points to each other to the last bit.
 /// Throws InvalidInput unless frequency >= 1 and sizes fit into 32 bits.
 Mesh icosphere(int frequency);
 

@@ -10,30 +10,30 @@
 
 namespace polydec {
 
-/// Finite points in units of their own: moved to begin at 0, the largest coordinate is of the order
-/// of 1, so that no square overflows or vanishes that matters. Equal points stay equal.
+/// Finite points, translated and scaled: coordinates begin at 0 and the largest is of order 1, so
+/// that no relevant square overflows or underflows. Equal points stay equal.
 struct OwnUnits {
     explicit OwnUnits(const Points& given);
 
-    /// A length in these units.
+    /// A length in the scaled unit.
     double scaled(double length) const { return length / 2 / half; }
 
     Points points;
-    double half; ///< of the unit, a power of 2
+    double half; ///< half the unit, a power of 2
 };
 
-/// Joins points that are at most this far apart, and so also those between which others form a
-/// chain of such steps. Coordinates are as of OwnUnits. Time O(n log n) however many points are
-/// near each other, but for clusters just beyond the length.
+/// Joins points at most `length` apart, and points connected by chains of such steps. Coordinates
+/// are as in OwnUnits. Time O(n log n) for any density of points, except for clusters just beyond
+/// the length.
 void join_near(const Points& points, double length, DisjointSets& sets);
 
-/// Points of R^N in a BoxTree; coordinates are as of OwnUnits. Any number of points, also none.
+/// Points of R^N in a BoxTree; coordinates are as in OwnUnits. Any number of points, also 0.
 class PointTree {
 public:
     explicit PointTree(const Points& points);
 
-    /// The points at most this far from a simplex, given by its k+1 corners, k >= 0, ascending;
-    /// without some that are none of the question.
+    /// The points at most `length` from a simplex, given by its k+1 corners, k >= 0; ascending,
+    /// excluding the points in `without`.
     std::vector<Index> near(const Points& simplex, double length,
                             const std::vector<Index>& without = {}) const;
 
@@ -53,8 +53,8 @@ private:
     Points points_; // in its order
 };
 
-/// Squared distance from a point to a simplex of any dimension k <= N, which may be flat; where
-/// that is larger than `most`, some number that is too.
+/// Squared distance from a point to a simplex of any dimension k <= N, which may be flat. If it
+/// exceeds `most`, the result is some number above `most`.
 double squared_distance(const Eigen::RowVectorXd& point, const Points& simplex,
                         double most = std::numeric_limits<double>::infinity());
 

@@ -16,43 +16,42 @@ using EdgeEnds = std::array<Index, 2>;
 /// A diagonal that divides a polygon.
 struct PolygonDiagonal {
     EdgeEnds ends;
-    double margin = 0; ///< by how much the angles opposite to it sum up to less than those opposite
-                       ///< to the diagonal that could replace it, in radians
+    double margin = 0; ///< the opposite angles sum to this much less than at the diagonal that
+                       ///< could replace it, in radians
 };
 
-/// The corners of a polygon in an order that does not depend on the corner and on the direction
-/// that they are given in: of all such orders the first in lexicographic order. True if that turns
-/// the polygon around.
+/// Reorders the corners of a polygon to the lexicographically first order, independent of the
+/// starting corner and direction. Returns true if the direction changes.
 bool make_canonical(std::span<Index> corners);
 
-/// Splits one polygon after the other into triangles.
+/// Splits polygons into triangles, one at a time.
 ///
-/// A fan, or ears where no fan fits, becomes Delaunay by flips of diagonals. A flip is made if it
-/// is the first of these that decides: both triangles have area and are not flipped against the
-/// polygon's area vector, the sum of p_i wedge p_(i+1), which in R^3 is Newell's normal and exists
-/// in every R^N; the diagonal is not one to avoid; the opposite angles have the smaller sum; the
-/// diagonal is shorter; it has the smallest vertex number. Angles and lengths within the rounding
-/// of the coordinates are equal.
+/// A fan, or ears if no fan fits, becomes Delaunay by flips of diagonals. The first criterion that
+/// decides makes the flip: both triangles have area and are not inverted relative to the polygon's
+/// area vector, the sum of p_i wedge p_(i+1), which is Newell's normal in R^3 and exists in every
+/// R^N; the diagonal is not in `avoided`; the opposite angles have the smaller sum; the diagonal is
+/// shorter; it has the smallest vertex number. Angles and lengths within rounding of the
+/// coordinates are equal.
 ///
 /// Source: Lawson, Software for C1 surface interpolation, 1977.
 class PolygonSplitter {
 public:
     explicit PolygonSplitter(const Points& points) : points_(points) {}
 
-    /// Larger polygons are fans from their first corner.
+    /// A larger polygon becomes a fan from its first corner.
     static constexpr std::size_t most_corners_without_fan = 5000;
 
-    /// Splits a polygon of canonical corners; `avoided` is sorted. False if the polygon is larger
-    /// than that and the fan does not fit.
+    /// Splits a polygon with canonical corners; `avoided` is sorted. Returns false if the polygon
+    /// exceeds that limit and the fan does not fit.
     bool split(std::span<const Index> corners, std::span<const EdgeEnds> avoided);
 
-    /// Of the last polygon, by vertex numbers: n - 2 triangles, oriented like it, and n - 3
-    /// diagonals.
+    /// Results for the last polygon, by vertex numbers: n - 2 triangles, oriented like it, and n -
+    /// 3 diagonals.
     const std::vector<std::array<Index, 3>>& triangles() const { return triangles_; }
     const std::vector<PolygonDiagonal>& diagonals() const { return diagonals_; }
 
 private:
-    using Places = std::array<std::size_t, 3>; ///< of the corners of a triangle in the polygon
+    using Places = std::array<std::size_t, 3>; ///< of a triangle's corners in the polygon
 
     double coordinate(std::size_t corner, Eigen::Index axis) const {
         return scaled_(static_cast<Index>(corner), axis);
@@ -87,7 +86,7 @@ private:
     const Points& points_;
     std::span<const Index> corners_;
     std::span<const EdgeEnds> avoided_;
-    Points scaled_; ///< of the corners, by a power of 2: the largest coordinate is near 1
+    Points scaled_; ///< corners times a power of 2: the largest coordinate is near 1
     std::vector<double> area_vector_;
     double length_ = 0.0;
     std::vector<std::size_t> next_, previous_;

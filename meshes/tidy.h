@@ -8,48 +8,47 @@
 
 namespace polydec {
 
-/// What becomes of cells without volume.
+/// The treatment of cells without volume.
 enum class CellsWithoutVolume {
-    leave_out, ///< where no slit opens; else they are refused
-    keep,      ///< left out where no slit opens, too; the others stay, for who can do with them
+    leave_out, ///< omitted if no slit opens; otherwise an error
+    keep,      ///< also omitted if no slit opens; the others stay, for callers that accept them
 };
 
-/// The mesh without what makes no sense to a complex: cells with a repeated corner, cells on the
+/// The mesh without cells that a complex cannot have: cells with a repeated corner, cells on the
 /// vertices of an earlier one, cells without volume (n! times the volume at most 1e-12 times the
-/// longest edge to the n). What is left out is named in the mesh's warnings, as are vertices that
-/// belong to no cell; those stay, so that no vertex number changes. Cells keep their order and
-/// tags, facets theirs. Numbers in all messages are those of the given mesh, from 0. Any n >= 0 and
-/// N >= n.
+/// longest edge to the n). The mesh's warnings name omitted cells and isolated vertices; these
+/// vertices stay, so that no vertex number changes. Cells keep their order and tags, facets theirs.
+/// Messages use the numbers of the given mesh, from 0. Any n >= 0 and N >= n.
 ///
-/// A cell without volume is left out only if at most one of its facets belongs to another cell that
-/// stays: otherwise a slit would open between cells that were neighbors.
-/// Throws InvalidInput, naming cell and vertices, for one that cannot be left out; for coordinates
-/// that are not finite, vertex numbers out of range, n > N, tags of another number than the cells;
-/// for facets with tags that are none (check_facet_tags); and if nothing is left.
+/// A cell without volume is omitted only if at most one of its facets belongs to another remaining
+/// cell: otherwise a slit would open between former neighbors. Throws InvalidInput, naming cell and
+/// vertices, for a cell without volume that must stay; for coordinates that are not finite, vertex
+/// numbers out of range, n > N, a wrong number of tags; like check_facet_tags; and if no cell
+/// remains.
 Mesh tidy(Mesh mesh, CellsWithoutVolume flat = CellsWithoutVolume::leave_out);
 
-/// Cells without volume that are kept.
+/// The cells without volume that stay.
 struct FlatCellsKept {
     std::vector<Index> rows;    ///< of the tidied mesh, ascending
     std::vector<Index> numbers; ///< in the given one
 };
 
-/// The same, keeping cells without volume, and telling which.
+/// The same, keeping cells without volume and listing them in `kept`.
 Mesh tidy(Mesh mesh, FlatCellsKept& kept);
 
-/// Throws the InvalidInput for these cells of the tidied mesh that tidy throws if it keeps none.
+/// Throws the InvalidInput of tidy for these kept cells of the tidied mesh.
 [[noreturn]] void refuse(const Mesh& mesh, const FlatCellsKept& cells);
 
 /// Throws InvalidInput, naming cell, vertex or facet, for coordinates that are not finite, vertex
-/// numbers out of range, cells of a higher dimension than the space, tags of another number than
-/// the cells, and like check_facet_tags.
+/// numbers out of range, cells of a higher dimension than the space, a wrong number of tags, and
+/// like check_facet_tags.
 void check_mesh(const Mesh& mesh);
 
-/// Names in the mesh's warnings the vertices that belong to no cell. Of the points only their
-/// number matters.
+/// Adds a warning to the mesh that names the vertices of no cell. Uses only the number of points,
+/// not their coordinates.
 void warn_of_isolated_vertices(Mesh& mesh);
 
-/// What that says of so many vertices, of which these are the first, most_listed if there are.
+/// The text of that warning for `count` vertices, given the first ones, up to most_listed.
 std::string isolated_vertices(const std::vector<Index>& first, std::size_t count);
 
 } // namespace polydec

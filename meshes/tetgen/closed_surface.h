@@ -8,27 +8,27 @@
 
 namespace polydec {
 
-/// Triangles in R^3 with every edge in two of them. Its parts consist of triangles that meet at
-/// edges; two parts meet in vertices at most.
+/// Triangles in R^3 with two triangles at every edge. A part consists of triangles connected
+/// through edges; two parts share at most vertices.
 struct ClosedSurface {
     struct OddEdge {
         Index low, high; ///< its ends
-        Index triangles; ///< how many have it
-        Index first;     ///< the first one of them
+        Index triangles; ///< number of triangles at it
+        Index first;     ///< first triangle at it
     };
-    std::vector<OddEdge> odd_edges; ///< those not in two triangles; if any, the rest means nothing
-    Index twisted = -1; ///< a triangle of a part without inside and outside; then the same
+    std::vector<OddEdge> odd_edges; ///< edges not in two triangles; if any, the rest is invalid
+    Index twisted = -1;             ///< a triangle of a one-sided part; if any, the rest is invalid
 
     Simplices across;               ///< the neighbors of a triangle at its edges 01, 12 and 20
-    std::vector<Index> part;        ///< of each triangle; parts are ordered by first triangles
-    std::vector<std::int8_t> sense; ///< 1 if it turns left seen from outside, else -1
-    std::vector<double> volumes;    ///< that each part encloses, positive
-    double reach = 0.0;             ///< what errors of the volumes are relative to, length^3
+    std::vector<Index> part;        ///< of each triangle; parts in order of their first triangles
+    std::vector<std::int8_t> sense; ///< 1 if counterclockwise seen from outside, else -1
+    std::vector<double> volumes;    ///< enclosed by each part, positive
+    double reach = 0.0;             ///< scale of the rounding errors of the volumes, length^3
 };
 
 ClosedSurface closed_surface(const Points& points, const Simplices& triangles);
 
-/// How often each part turns around a place: 1 inside, 0 outside, one half on it.
+/// The winding number of each part around a point: 1 inside, 0 outside, one half on it.
 std::vector<double> windings(const Points& points, const Simplices& triangles,
                              const ClosedSurface& surface, const Eigen::Vector3d& place);
 

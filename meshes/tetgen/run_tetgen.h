@@ -7,10 +7,10 @@
 
 namespace polydec {
 
-/// What TetGen makes of a surface. It is under the AGPL, and ends its process in a crash on much of
-/// what it cannot do, so it is not linked but run as a program, with limits of time and memory, in
-/// a temporary folder that is gone afterwards, also after Ctrl-C (held_signals.h). Throws as
-/// tetrahedralize says, of a surface that is fine.
+/// TetGen's result for a surface. TetGen is under the AGPL, and crashes on much invalid input. So
+/// it is not linked but runs as a program, with limits of time and memory, in a temporary folder
+/// that is removed afterwards, also after Ctrl-C (held_signals.h). Throws like tetrahedralize, for
+/// a valid surface.
 TetgenOutput run_tetgen(const TetgenInput& input, const MesherOptions& options);
 
 } // namespace polydec
