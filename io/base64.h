@@ -14,7 +14,7 @@
 
 namespace polydec {
 
-/// Turns numbers, lowest byte first, into base64 text and hands it on piece by piece.
+/// Encodes numbers, lowest byte first, as base64 text and passes it to the sink in chunks.
 template <typename Sink>
 class Base64Writer {
 public:
@@ -50,7 +50,7 @@ private:
     static constexpr std::string_view alphabet =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-    /// Hands the first bytes on, and keeps the others.
+    /// Passes on the first bytes, and keeps the others.
     void encode(std::size_t count) {
         char* next = text_.data();
         for (std::size_t i = 0; i < count; i += 3) {
@@ -70,19 +70,19 @@ private:
     Sink sink_;
     std::array<unsigned char, piece + 3> bytes_;
     std::array<char, piece / 3 * 4> text_;
-    std::size_t size_ = 0; // bytes that wait
+    std::size_t size_ = 0; // pending bytes
 };
 
-/// Turns base64 text into bytes, as many at a time as are asked for. White space is passed over,
-/// and texts may follow one another, each completed by its own =.
+/// Decodes base64 text, any number of bytes at a time. Skips white space; texts may follow one
+/// another, each completed by its own =.
 class Base64Reader {
 public:
     explicit Base64Reader(std::string_view text) : text_(text) {}
 
-    /// How many bytes the rest of the text can hold at most.
+    /// Upper bound on the bytes in the rest of the text.
     std::size_t remaining() const { return waiting_.size() + text_.size(); }
 
-    /// Appends the next bytes; false if the text ends before, or holds what is not base64.
+    /// Appends the next bytes; returns false if the text ends too early or is not base64.
     bool read(std::size_t bytes, std::string& result) {
         if (bytes > remaining())
             return false;
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    /// Four digits make three bytes, or fewer where the last ones are =.
+    /// Decodes four digits to three bytes, or to fewer if the last ones are =.
     bool read_group() {
         std::uint32_t group = 0;
         int digits = 0;
@@ -128,7 +128,7 @@ private:
     }
 
     std::string_view text_;
-    std::string waiting_; ///< bytes that were read but not asked for: at most two, between calls
+    std::string waiting_; ///< bytes decoded but not yet read: at most two, between calls
 };
 
 } // namespace polydec

@@ -9,7 +9,7 @@
 
 namespace polydec {
 
-/// The number that is stored at `place` in the given order of bytes.
+/// The number stored at `place` in the given byte order.
 template <typename Number>
 Number number_at(const char* place, std::endian order) {
     std::array<char, sizeof(Number)> bytes;

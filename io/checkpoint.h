@@ -10,26 +10,26 @@
 
 namespace polydec {
 
-/// How far a computation in time got.
+/// The saved state of a computation in time.
 struct Checkpoint {
-    std::uint64_t problem = 0; ///< of what it belongs to: mesh, equation, options
+    std::uint64_t problem = 0; ///< fingerprint of mesh, equation and options
     std::uint64_t step = 0;
     double time = 0;
     std::vector<Vector> state = {}; ///< in the order of cells
 };
 
-/// Writes a checkpoint piece by piece, for who does not have all of it in one place.
+/// Writes a checkpoint in parts.
 class CheckpointWriter {
 public:
-    /// sizes are those of the vectors of the state. Throws IoError if nothing can be written there.
+    /// `sizes` are the lengths of the state vectors. Throws IoError if the path is not writable.
     CheckpointWriter(const std::filesystem::path& path, const Checkpoint& without_state,
                      const std::vector<std::int64_t>& sizes);
     ~CheckpointWriter();
 
-    /// The next numbers of the state.
+    /// Appends the next numbers of the state.
     void add(const Vector& values);
 
-    /// Ends it, when all have come. Throws IoError if writing fails.
+    /// Finishes the file after all numbers are added. Throws IoError if writing fails.
     void commit();
 
 private:
@@ -37,11 +37,11 @@ private:
     std::unique_ptr<Words> words_;
 };
 
-/// Writes it, whole or not at all, 8 bytes a number. Throws IoError if writing fails.
+/// Writes a checkpoint, whole or not at all, 8 bytes a number. Throws IoError if writing fails.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-/// Reads it, to the same bits. Throws InvalidInput for a file that is none, is damaged, or belongs
-/// to another problem; IoError if it cannot be read.
+/// Reads a checkpoint, to the same bits. Throws InvalidInput for a file that is not a checkpoint,
+/// is damaged, or belongs to another problem; IoError if it cannot be read.
 Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t problem);
 
 } // namespace polydec

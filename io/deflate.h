@@ -6,8 +6,8 @@
 
 namespace polydec {
 
-/// The bytes as a raw deflate stream (RFC 1951), without the head and sum of zlib's: the same for
-/// the same bytes. By zlib. Throws std::bad_alloc where memory ends.
+/// Compresses bytes to a raw deflate stream (RFC 1951), without zlib's header and checksum.
+/// Deterministic. Uses zlib. Throws std::bad_alloc if memory runs out.
 std::string deflate(std::string_view bytes);
 
 } // namespace polydec

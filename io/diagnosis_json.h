@@ -10,7 +10,7 @@
 
 namespace polydec {
 
-/// The verdicts on one operator, on primal and on dual forms; for some there is only one of them.
+/// The verdicts on one operator, on primal and on dual forms; null for a side without verdict.
 struct OperatorRow {
     using Sides = std::array<const OperatorVerdict*, 2>;
     std::string name;
@@ -18,20 +18,20 @@ struct OperatorRow {
     BeforeAndAfter<Sides> sides = {};
 };
 
-/// Those of all operators, in the order of the diagnosis.
+/// The rows of all operators, in the order of the diagnosis.
 std::vector<OperatorRow> operator_rows(const Diagnosis& facts);
 
-/// How many of the triangles were merged: with flips and splits, of those that they have made.
+/// Percentage of triangles that were merged; after flips and splits, of the resulting triangles.
 double percent_of_pairs(const Diagnosis& facts);
 
-/// Writes the members of the JSON object that tells of a mesh; the advice is already in words.
+/// Writes the JSON members that describe a mesh; `advice` is already in words.
 void write_diagnosis(JsonWriter& json, const Diagnosis& facts,
                      const std::vector<std::string>& advice);
 
-/// The member that has numbers of the stars of all degrees.
+/// Writes the member with numbers of the stars of all degrees.
 void write_star_numbers(JsonWriter& json, const char* name, const std::vector<StarNumbers>& stars);
 
-/// And the member that tells of its stars.
+/// Writes the member that describes the chosen stars.
 void write_stars(JsonWriter& json, const ChosenStars& stars);
 
 } // namespace polydec

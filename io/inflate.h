@@ -8,12 +8,11 @@
 
 namespace polydec {
 
-/// To how many bytes each byte of a zlib stream inflates at most.
+/// The largest ratio of inflated bytes to bytes of a zlib stream.
 inline constexpr std::size_t most_inflated_per_byte = 1032;
 
-/// The bytes that a zlib stream (RFC 1950, 1951) holds; nothing if it is damaged, or if they are
-/// not exactly `size`. Allocates no more than such a stream can hold.
-/// By zlib.
+/// Decompresses a zlib stream (RFC 1950, 1951); none if it is damaged, or does not give exactly
+/// `size` bytes. Allocates no more than such a stream can hold. Uses zlib.
 std::optional<std::string> inflate(std::string_view stream, std::size_t size);
 
 } // namespace polydec

@@ -11,9 +11,9 @@
 
 namespace polydec {
 
-/// Makes one JSON text in memory, in the order of the calls and without a tree of values: whoever
-/// wants it out writes it at once, or not at all if it could not be finished. Numbers read back
-/// exactly. Text that is no UTF-8 is made printable. Throws std::bad_alloc where memory ends.
+/// Builds a JSON text in memory, in the order of calls and without a tree of values. The caller
+/// outputs it whole, or not at all after an error. Numbers read back exactly. Text that is not
+/// UTF-8 is made printable. Throws std::bad_alloc if memory runs out.
 class JsonWriter {
 public:
     JsonWriter();
@@ -21,7 +21,7 @@ public:
     JsonWriter(const JsonWriter&) = delete;
     JsonWriter& operator=(const JsonWriter&) = delete;
 
-    /// An object whose members `fill` writes; as a value, or as a member of the one around it.
+    /// An object with members written by `fill`; as a value, or as a member of its parent.
     template <std::invocable Fill>
     void object(Fill fill) {
         begin_object();
@@ -34,7 +34,7 @@ public:
         object(fill);
     }
 
-    /// An array whose values `fill` writes.
+    /// An array with values written by `fill`.
     template <std::invocable Fill>
     void array(Fill fill) {
         begin_array();
@@ -47,7 +47,7 @@ public:
         array(fill);
     }
 
-    /// A member: truth, number, text, null for an empty optional, or a range of such values.
+    /// A member: boolean, number, text, null for an empty optional, or a range of such values.
     /// Throws SolverFailure, naming the member, for a number that is NaN or infinite.
     template <class Value>
     void member(std::string_view name, const Value& content) {
@@ -79,8 +79,8 @@ public:
         }
     }
 
-    /// What was written so far, which is a JSON text once the outermost object has ended. Valid
-    /// until the next call.
+    /// The text so far, which is valid JSON once the outermost object has ended. Valid until the
+    /// next call.
     std::string_view view() const;
 
 private:

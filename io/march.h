@@ -12,16 +12,16 @@
 namespace polydec {
 
 struct MarchOptions {
-    /// Kept after each time, once shown; of a run that resumes anywhere also every minute and when
-    /// it is stopped. Empty: none.
+    /// Written after each time, once shown. A run that resumes anywhere also saves every minute and
+    /// when it is stopped. Empty: no checkpoint.
     std::filesystem::path checkpoint = {};
-    bool resume = true;                        ///< goes on from the checkpoint, if there is one
+    bool resume = true;                        ///< resumes from the checkpoint, if there is one
     std::function<void(const Run&)> show = {}; ///< called at each time, and at an event
     TimeListener progress = {};
-    std::function<bool()> stop = {}; ///< asked as often as progress is told; true: ends the march
+    std::function<bool()> stop = {}; ///< called after each progress report; true: ends the march
 };
 
-/// A march to ascending times, from one to the next.
+/// A march through ascending times, one at a time.
 class Frames {
 public:
     /// Resumes from the checkpoint, if there is one. Throws InvalidInput if it belongs to another
@@ -29,12 +29,12 @@ public:
     /// read.
     Frames(Run& run, std::vector<double> times, MarchOptions options = {});
 
-    /// How many of the times are behind.
+    /// The number of times already reached.
     std::size_t passed() const { return passed_; }
 
-    /// Keeps what is there and marches to the next time or the first event; false where there is
-    /// none more: behind the last time, an event, or a stop. Throws like Run::march; IoError if
-    /// the checkpoint cannot be written, which then stays as it was.
+    /// Saves the current state and marches to the next time or the first event. Returns false at
+    /// the end: after the last time, an event, or a stop. Throws like Run::march; IoError if the
+    /// checkpoint cannot be written; the old one then stays.
     bool next();
 
     Arrival arrival() const { return arrival_; }
@@ -50,14 +50,13 @@ private:
     std::uint64_t problem_ = 0;
     std::size_t passed_ = 0;
     Arrival arrival_ = Arrival::at_time;
-    bool is_new_ = false; ///< what is there, and shown, is not kept yet
+    bool is_new_ = false; ///< the current state was shown but not saved
     std::chrono::steady_clock::time_point kept_ = std::chrono::steady_clock::now();
 };
 
-/// Marches to each of these ascending times, shows what is there and then keeps it. If it is killed
-/// and started again with the same run and times, or with more behind them, it goes on from the
-/// checkpoint, to the same bits if the run can; what was killed between showing and keeping is
-/// shown again. Throws like Frames.
+/// Marches through ascending times; shows and then saves the state at each. After an interruption,
+/// the same run with the same times, or with more appended, resumes from the checkpoint, bit for
+/// bit if the run can. A state that was shown but not saved is shown again. Throws like Frames.
 Arrival march(Run& run, const std::vector<double>& times, const MarchOptions& options = {});
 
 } // namespace polydec

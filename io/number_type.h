@@ -9,7 +9,7 @@
 
 namespace polydec {
 
-/// What the numbers of a binary array can be.
+/// The number types of a binary array.
 enum class NumberType {
     int8,
     uint8,
@@ -29,8 +29,8 @@ inline std::size_t size_of(NumberType type) {
     return sizes[static_cast<std::size_t>(type)];
 }
 
-/// The number that is stored at `place`. A double holds all but whole numbers beyond 2^53, which
-/// become others of that size: too large for an Index all the same.
+/// The number stored at `place`. A double is exact except for integers beyond 2^53, which are
+/// rounded: they exceed an Index in any case.
 inline double value_at(const char* place, NumberType type, std::endian order) {
     switch (type) {
     case NumberType::int8:

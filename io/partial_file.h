@@ -7,12 +7,12 @@
 
 namespace polydec {
 
-/// A file that need not be in memory as a whole: the name is for messages.
+/// A file that need not fit in memory; the name is for messages.
 struct PartialFile {
     std::string name;
     std::int64_t size = 0; ///< in bytes
 
-    /// The bytes from one place to another; less if there are no more.
+    /// The bytes in [begin, end); fewer at the end of the file.
     std::function<std::string(std::int64_t begin, std::int64_t end)> read;
 };
 

@@ -10,14 +10,14 @@
 
 namespace polydec {
 
-/// Reads words and numbers from a text, never beyond its end, and knows the line for messages.
-/// Lines end with LF, CR LF or CR. A copy is a bookmark: it goes on from the same place.
-/// Every function that reads throws InvalidInput "name:line: ..." where the text does not fit.
+/// Reads words and numbers from a text, never beyond its end, and tracks the line for messages.
+/// Lines end with LF, CR LF or CR. A copy is a bookmark: it resumes at the same place. Every
+/// reading function throws InvalidInput "name:line: ..." for malformed text.
 class Scanner {
 public:
-    /// What differs from format to format; '\0' for what a format does not have.
+    /// Format-dependent characters; '\0' if the format has none.
     struct Syntax {
-        char comment = '\0';      ///< from here, at the beginning of a word, to the end of the line
+        char comment = '\0';      ///< at the start of a word: comments out the rest of the line
         char continuation = '\0'; ///< at the end of a line: the next line belongs to it
     };
 
@@ -25,61 +25,61 @@ public:
     Scanner(std::string_view name, std::string_view text, Syntax syntax);
     Scanner(std::string_view name, std::string_view text) : Scanner(name, text, Syntax{}) {}
 
-    /// Goes to the next word on any line; true where there is none.
+    /// Moves to the next word on any line; true if there is none.
     bool at_end();
 
-    /// Goes to the next word on this line; true where there is none.
+    /// Moves to the next word on this line; true if there is none.
     bool at_line_end();
 
-    /// Goes behind the end of this line.
+    /// Moves past the end of this line.
     void next_line();
 
-    /// The next word on any line; `expected` says what it should be, for the message at the end.
+    /// The next word on any line; `expected` describes it in the message at the end of the text.
     std::string_view word(std::string_view expected);
 
-    /// The next word on any line as a number, which may be infinite or NaN. Its exponent may stand
-    /// behind a D, as Fortran writes it.
+    /// The next word on any line as a number, which may be infinite or NaN. The exponent may follow
+    /// a D, as in Fortran.
     double number(std::string_view expected);
 
-    /// The next word on any line as a whole number. It may also end before `end_mark`.
+    /// The next word on any line as an integer. It may also end before `end_mark`.
     std::int64_t integer(std::string_view expected, char end_mark = '\0');
 
     /// The next word as a finite coordinate of the vertex with this number.
     double coordinate(Index vertex);
 
-    /// The next word as a number of records of which each takes at least `least_bytes` bytes:
-    /// refuses more than the rest of the text can hold, so that it is safe to allocate. With 0
-    /// bytes the caller has to find out.
+    /// The next word as a number of records of at least `least_bytes` bytes each. Throws if the
+    /// rest of the text cannot hold them, so that allocation is safe. With 0 bytes the caller must
+    /// check.
     Index count(std::string_view plural, std::size_t least_bytes);
 
     /// The next word as a vertex number from `first` to `first + vertices - 1`; minus `first`.
     Index vertex(Index vertices, Index first);
 
-    /// The same checks for numbers that were read already.
+    /// The same checks for numbers that were already read.
     double as_coordinate(double value, Index vertex) const;
     Index as_count(std::int64_t value, std::string_view plural, std::size_t least_bytes) const;
     Index as_vertex(std::int64_t value, Index vertices, Index first) const;
 
-    /// The next bytes, whatever they are; LF among them counts as the end of a line.
+    /// The next bytes, unrestricted; LF among them counts as the end of a line.
     std::string_view bytes(std::size_t count, std::string_view expected);
 
-    /// Refuses the end of the line where `record` goes on.
+    /// Throws at the end of the line, within a record.
     void stay_on_line(std::string_view record);
 
-    /// Refuses further words on this line, and goes behind its end.
+    /// Throws for further words on this line, and moves past its end.
     void end_line(std::string_view record);
 
-    /// Goes behind the next `bytes` bytes, which must be there and hold no line break.
+    /// Moves past the next `bytes` bytes, which must exist and hold no line break.
     void skip(std::size_t bytes) { position_ += bytes; }
 
-    /// Throws InvalidInput "name:line: text"; the text says what is, what should be, what to do.
+    /// Throws InvalidInput "name:line: text"; the text gives the fault, the expectation and advice.
     [[noreturn]] void fail(const std::string& text) const;
 
     /// For a text that is the later part of a file.
     void set_line(std::size_t line) { line_ = line; }
 
-    /// For a text that is the first part of a file: so many bytes stand behind it, which may hold
-    /// records too.
+    /// For a text that is the first part of a file: this many bytes follow it, which may also hold
+    /// records.
     void set_bytes_behind(std::size_t bytes) { behind_ = bytes; }
     std::size_t line() const { return line_; }
     std::size_t remaining() const { return static_cast<std::size_t>(end_ - position_); }
@@ -107,7 +107,7 @@ private:
     Syntax syntax_;
 };
 
-/// A word of a file for a message: in quotes, printable and of bounded length.
+/// A word of a file, quoted for a message: printable and of bounded length.
 std::string quote_word(std::string_view word);
 
 } // namespace polydec

@@ -7,7 +7,7 @@
 
 namespace polydec {
 
-/// A file as it was read: the name is for messages.
+/// The contents of a file; the name is for messages.
 struct SourceFile {
     std::string name;
     std::string text;
@@ -16,7 +16,7 @@ struct SourceFile {
 /// Reads a whole regular file. Throws IoError, naming path and reason.
 SourceFile read_source_file(const std::filesystem::path& path);
 
-/// The extension with its dot, in small letters.
+/// The extension with its dot, in lower case.
 std::string lower_extension(const std::filesystem::path& path);
 
 } // namespace polydec

@@ -19,29 +19,29 @@ struct XmlTag {
     bool closes = false;
     std::size_t line = 1;
 
-    /// The value of the attribute, or what is given for a missing one.
+    /// The value of the attribute, or `missing` if it is absent.
     std::string attribute(std::string_view key, std::string_view missing = "") const;
 };
 
-/// Goes through a text of XML tag by tag and checks that tags close what was opened. Comments and
-/// declarations are passed over; CDATA and DOCTYPE are refused.
-/// Every function that reads throws InvalidInput "name:line: ..." where the text does not fit.
+/// Reads XML tag by tag and checks that tags match. Skips comments and declarations; CDATA and
+/// DOCTYPE are errors. Every reading function throws InvalidInput "name:line: ..." for malformed
+/// text.
 class XmlReader {
 public:
     /// The file must outlive the reader.
     explicit XmlReader(const SourceFile& file) : file_(file) {}
 
-    /// Goes behind the next tag; false at the end of the text.
+    /// Moves past the next tag; false at the end of the text.
     bool next(XmlTag& tag);
 
-    /// The text in front of the last tag, as it stands, and its first line.
+    /// The text before the last tag, verbatim, and its first line.
     std::string_view text() const { return text_; }
     std::size_t text_line() const { return text_line_; }
 
-    /// What follows the last tag.
+    /// The text after the last tag.
     std::string_view rest() const { return std::string_view(file_.text).substr(position_); }
 
-    /// The names of the elements that are open here, from outside in.
+    /// The names of the open elements, from outside in.
     const std::vector<std::string_view>& path() const { return path_; }
 
     [[noreturn]] void fail(const std::string& text) const;

@@ -6,8 +6,8 @@
 
 namespace polydec {
 
-/// Text as it stands in XML, between tags or quotes. What XML does not allow at all, control
-/// characters, becomes a replacement character.
+/// Text escaped for XML, between tags or quotes. Control characters, which XML forbids, become a
+/// replacement character.
 inline std::string xml_escaped(std::string_view text) {
     std::string result;
     for (const char c : text) {

@@ -12,7 +12,7 @@ namespace polydec {
 /// Throws InvalidInput, naming the entry, at NaN or infinity; IoError if writing fails.
 void write_matrix_market(const std::filesystem::path& path, const SparseMatrix& matrix);
 
-/// The same for incidences, of the field `integer`.
+/// The same for incidences, with the field `integer`.
 void write_matrix_market(const std::filesystem::path& path, const IncidenceMatrix& matrix);
 
 /// Writes a matrix, or a vector as one column, as a Matrix Market array. Throws likewise.
@@ -20,8 +20,8 @@ void write_matrix_market(const std::filesystem::path& path,
                          const Eigen::Ref<const DenseMatrix>& matrix);
 
 /// Reads a Matrix Market coordinate file: real or integer; general, symmetric or skew-symmetric,
-/// which gives both triangles. Throws IoError if the file cannot be read; InvalidInput, naming the
-/// line, if it is malformed, names an entry twice, or has NaN or infinity.
+/// expanded to both triangles. Throws IoError if the file cannot be read; InvalidInput, naming the
+/// line, if it is malformed, repeats an entry, or has NaN or infinity.
 SparseMatrix read_matrix_market(const std::filesystem::path& path);
 
 /// Reads a Matrix Market array file: real or integer, general. Throws like `read_matrix_market`.

@@ -6,7 +6,7 @@
 
 namespace polydec {
 
-/// The readers of Matrix Market files, after the file was read.
+/// Parse Matrix Market files that are already in memory.
 SparseMatrix parse_matrix_market(const SourceFile& file);
 DenseMatrix parse_matrix_market_array(const SourceFile& file);
 

@@ -7,8 +7,8 @@
 
 namespace polydec {
 
-/// What a file is by the way it begins, and what to do with it, if that is another format than its
-/// extension stands for, such as "a pointer of Git LFS; run git lfs pull"; else an empty text.
+/// Describes a file whose first bytes show another format than its extension, with advice, such as
+/// "a pointer of Git LFS; run git lfs pull"; empty otherwise.
 std::string foreign_format(const SourceFile& file);
 
 } // namespace polydec

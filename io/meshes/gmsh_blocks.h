@@ -8,21 +8,21 @@
 
 namespace polydec {
 
-/// The cells that are read, by Gmsh's number of their type.
+/// The supported cells, by Gmsh's type number.
 struct GmshKind {
     int type = 0;
     int dimension = 0;
     int corners = 0;
-    int nodes = 0; ///< the corners and, of cells of higher order, others behind them
+    int nodes = 0; ///< the corners, then for higher-order cells the other nodes
 };
 
-/// Throws InvalidInput for cells of other types: leaving them out would silently make a hole.
+/// Throws InvalidInput for other cell types: omitting them would silently leave a hole.
 const GmshKind& gmsh_kind(std::int64_t type, const GmshSource& source);
 
-/// Whether a word begins a section, or ends one: a dollar sign and a name.
+/// Whether a word begins or ends a section: a dollar sign and a name.
 bool is_gmsh_keyword(std::string_view word);
 
-/// What the first numbers of Nodes and Elements promise, in version 4.
+/// The counts at the start of the sections Nodes and Elements, in version 4.
 struct GmshSection {
     std::int64_t blocks = 0;
     Index records = 0;
@@ -30,14 +30,14 @@ struct GmshSection {
 GmshSection read_gmsh_nodes(GmshSource& source);
 GmshSection read_gmsh_elements(GmshSource& source);
 
-/// Throws InvalidInput if the blocks had fewer records than promised.
+/// Throws InvalidInput if the blocks had fewer records than announced.
 void check_all_there(const GmshSource& source, const GmshSection& section, Index records,
                      std::string_view plural);
 
-/// What stands in front of a block. All throw InvalidInput where it has more records than are left.
+/// The header of a block. All readers throw InvalidInput if a block has more records than are left.
 struct GmshNodeBlock {
     Index count = 0;
-    int parameters = 0; ///< behind the coordinates of each node
+    int parameters = 0; ///< after the coordinates of each node
 };
 GmshNodeBlock read_gmsh_node_block(GmshSource& source, Index before, Index promised);
 
@@ -49,7 +49,7 @@ struct GmshElementBlock {
 };
 GmshElementBlock read_gmsh_element_block(GmshSource& source, Index left);
 
-/// The same of versions 1 and 2, where a text file has blocks of one element, and nodes have no
+/// The same for versions 1 and 2. In text files each element is its own block; nodes have no
 /// blocks.
 Index read_old_gmsh_node_count(GmshSource& source);
 Index read_old_gmsh_element_count(GmshSource& source);
@@ -57,7 +57,7 @@ Index read_old_gmsh_element_count(GmshSource& source);
 struct OldGmshElementBlock {
     GmshKind kind;
     Index count = 1;
-    std::int64_t tags = 0; ///< in front of the corners of each
+    std::int64_t tags = 0; ///< before the corners of each
 };
 OldGmshElementBlock read_old_gmsh_element_block(GmshSource& source, Index left);
 

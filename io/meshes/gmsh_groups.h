@@ -14,14 +14,14 @@
 
 namespace polydec {
 
-/// To which physical group each entity of the model belongs, that is each of its points, curves,
-/// surfaces and volumes. In version 4 the cells have their group from the entity they lie on.
+/// The physical groups of each entity of the model, i.e. of its points, curves, surfaces and
+/// volumes. In version 4, cells inherit the group of their entity.
 class GmshGroups {
 public:
     /// Reads the section Entities, or PartitionedEntities, of version 4.
     void read(GmshSource& source, bool is_partitioned);
 
-    /// The groups of the entity, or 0 for none.
+    /// The groups of the entity; {0} if it has none.
     std::span<const Index> tags_of(std::size_t dimension, std::int64_t entity) const;
 
 private:
@@ -31,12 +31,12 @@ private:
     std::vector<std::vector<Index>> tags_{{0}};
 };
 
-/// Reads the section PhysicalNames up to its end, which is text even where all else is bytes:
-/// dimension, which the oldest files lack, number, and name in quotes. Throws InvalidInput.
+/// Reads the section PhysicalNames up to its end; it is text even in binary files: dimension
+/// (absent in the oldest files), number, and name in quotes. Throws InvalidInput.
 std::vector<GroupName> read_gmsh_names(Scanner& scanner, const GmshFormat& format);
 
-/// The number of a physical group as a tag. A sign says that the group turns its cells around, not
-/// that it is another group. Throws InvalidInput for one that is too large.
+/// The number of a physical group as a tag. A negative sign reverses the group's cells; it does not
+/// make another group. Throws InvalidInput for a number that is too large.
 Index group_tag(std::int64_t number, const GmshSource& source);
 
 } // namespace polydec

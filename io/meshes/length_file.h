@@ -7,7 +7,7 @@
 
 namespace polydec {
 
-/// Whether the extension is .nsl, in any case of its letters: the file holds lengths, no points.
+/// Whether the extension is .nsl, in any case: the file holds lengths, no points.
 bool is_length_file(const std::filesystem::path& path);
 
 /// Reads simplices of any dimension and the lengths of their edges, in the text format .nsl:
@@ -16,7 +16,7 @@ bool is_length_file(const std::filesystem::path& path);
 ///     v0 .. vn       S lines: a simplex by its n+1 vertices, numbered from 0; order orients it
 ///     a b length     E lines: every edge of the simplices exactly once, in any order
 ///
-/// with # before comments. Whether simplices of these lengths exist is not asked; see
+/// Comments begin with #. Does not check that simplices with these lengths exist; see
 /// circumcentric_volumes.
 /// Throws IoError if the file cannot be read, InvalidInput "path:line: what; expected; advice" if
 /// it is malformed, a length is not a finite number above 0, an edge is repeated or belongs to no

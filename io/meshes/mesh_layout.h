@@ -9,39 +9,39 @@
 
 namespace polydec {
 
-/// Records of which number i has to be first + i * step, or else the layout is none.
+/// Records that must have number i equal to first + i * step; otherwise there is no layout.
 struct Expectation {
     RecordTable table; ///< of one field
     double first = 0, step = 0;
 };
 
-/// Where the points and simplices of a binary file stand whose records have fixed widths, so that
-/// any stretch of them can be read by itself. All of it is found without reading records.
+/// The places of points and simplices in a binary file with fixed-width records, so that any range
+/// can be read on its own. Found without reading records.
 struct MeshLayout {
     std::endian order = std::endian::little;
     RecordTable points;                     ///< three coordinates each
     RecordTable cells;                      ///< n + 1 vertices each
-    std::optional<RecordTable> nodes = {};  ///< what cells call each point, if not 0, 1, 2 ..
-    std::vector<RecordTable> others = {};   ///< cells that are not of the mesh: their vertices
-    std::vector<Expectation> expected = {}; ///< what has to be so in the records
+    std::optional<RecordTable> nodes = {};  ///< the cells' number of each point, if not 0, 1, 2 ..
+    std::vector<RecordTable> others = {};   ///< the vertices of cells outside the mesh
+    std::vector<Expectation> expected = {}; ///< conditions on the records
     std::vector<std::string> warnings = {};
 
     int dimension() const { return static_cast<int>(cells.fields.size()) - 1; }
 };
 
-/// The layout of a binary .ply of triangles, of a binary .msh or a .vtu with appended raw arrays,
-/// both of simplices; nothing for other formats and for text. Throws InvalidInput where records
-/// have no fixed width, cells are none of one kind, or the file is damaged: then read_mesh, which
-/// reads it as a whole, knows what to make of it, or what to say.
+/// The layout of a binary .ply of triangles, or of a binary .msh or a .vtu with appended raw
+/// arrays, both of simplices; none for other formats and for text. Throws InvalidInput if records
+/// have no fixed width, cells are of several kinds, or the file is damaged: read_mesh, which reads
+/// the whole file, can then read it or report the error.
 std::optional<MeshLayout> mesh_layout(const PartialFile& file);
 
-/// One for each format. They look at no more than the first MiB for a header.
+/// One for each format. They search at most the first MiB for a header.
 constexpr std::int64_t longest_header = 1 << 20;
 std::optional<MeshLayout> ply_layout(const PartialFile& file);
 std::optional<MeshLayout> gmsh_layout(const PartialFile& file);
 std::optional<MeshLayout> vtu_layout(const PartialFile& file);
 
-/// For the readers of layouts: why there is none.
+/// For layout readers: throws with the reason why there is no layout.
 [[noreturn]] void refuse_layout(const PartialFile& file, const std::string& why);
 
 } // namespace polydec

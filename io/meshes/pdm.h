@@ -12,10 +12,10 @@
 
 namespace polydec {
 
-/// Where what stands in a .pdm file, polydec's own format of meshes that are read in parts: a
-/// header of 128 bytes, the points as doubles, the cells' vertices from 0 in 4 bytes, or 8 where
-/// there are 2^31 or more, if there are tags these in 4, and a checksum (CRC-32, 4 bytes) of every
-/// MiB between header and sums. Lowest bytes first. All places are in bytes.
+/// The layout of .pdm, polydec's own mesh format for reading in parts: a header of 128 bytes; the
+/// points as doubles; the vertices of cells from 0 in 4 bytes, or 8 if there are 2^31 or more; the
+/// tags, if any, in 4; and a CRC-32 (4 bytes) of every MiB between header and checksums.
+/// Little-endian. All places are in bytes.
 struct PdmLayout {
     static constexpr std::int64_t header_bytes = 128, block_bytes = 1 << 20, sum_bytes = 4;
 
@@ -33,34 +33,35 @@ struct PdmLayout {
     }
     std::int64_t file_bytes() const { return sums_begin() + sum_bytes * blocks(); }
 
-    /// Where a block begins and ends.
+    /// The begin of a block; the next one is its end.
     std::int64_t block_begin(std::int64_t block) const {
         return std::min(sums_begin(), header_bytes + block * block_bytes);
     }
 };
 
-/// The first bytes of a file with this layout.
+/// The header bytes of a file with this layout.
 std::string header_of(const PdmLayout& layout);
 
-/// The checksum of a block, as it stands in the file.
+/// The checksum of a block, as stored in the file.
 std::string checksum_of(std::string_view block);
 
-/// Numbers as a file has them. Coordinates, tags, and vertices in 4 or 8 bytes.
+/// Numbers as stored in the file: coordinates, tags, and vertices in 4 or 8 bytes.
 std::string pdm_bytes(const Eigen::Ref<const Points>& points);
 std::string pdm_bytes(const std::vector<Index>& tags);
 std::string pdm_bytes(const std::vector<std::int64_t>& vertices, std::int64_t bytes_each);
 
-/// Reads any part of a .pdm file, and checks what it reads.
+/// Reads any part of a .pdm file, with checks.
 class PdmReader {
 public:
-    /// Throws InvalidInput, naming the file, if it is none or has another length than it tells.
+    /// Throws InvalidInput, naming the file, if it is not .pdm or its length contradicts its
+    /// header.
     explicit PdmReader(PartialFile file);
 
     const PdmLayout& layout() const { return layout_; }
 
-    /// Those from `begin` to before `end`; of cells the vertices, one after the other. Throw
-    /// InvalidInput, naming the file, where a checksum is not that of what it stands for, for
-    /// coordinates that are not finite, and vertices that there are not.
+    /// The items in [begin, end); for cells their vertices, one after the other. Throw
+    /// InvalidInput, naming the file, for a wrong checksum, coordinates that are not finite, and
+    /// vertices out of range.
     Points points(std::int64_t begin, std::int64_t end) const;
     std::vector<std::int64_t> cells(std::int64_t begin, std::int64_t end) const;
     std::vector<Index> tags(std::int64_t begin, std::int64_t end) const;

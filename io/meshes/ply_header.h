@@ -13,7 +13,7 @@ namespace polydec {
 
 enum class PlyEncoding { ascii, little_endian, big_endian };
 
-/// A number, or a list of numbers with its length in front.
+/// A number, or a list of numbers preceded by its length.
 struct PlyProperty {
     std::string name;
     NumberType type = NumberType::float32;
@@ -26,22 +26,22 @@ struct PlyElement {
     Index count = 0;
     std::vector<PlyProperty> properties;
 
-    /// The place of the property in the list, or the number of properties.
+    /// The index of the property in the list, or the number of properties.
     std::size_t find(const std::string& property) const;
 
-    /// That of the corners of faces, by either of its names.
+    /// The index of the property with the corners of faces, under either of its names.
     std::size_t corners() const;
 };
 
 struct PlyHeader {
     PlyEncoding encoding = PlyEncoding::ascii;
     std::vector<PlyElement> elements;
-    std::size_t body_begin = 0; ///< byte behind the header
+    std::size_t body_begin = 0; ///< first byte after the header
     std::size_t body_line = 1;  ///< its line
 };
 
-/// Reads the header. Element counts are refused where the rest of the file, of which so many bytes
-/// stand behind this text, cannot hold them. Throws InvalidInput, naming the line.
+/// Reads the header. `bytes_behind` is the size of the file after this text. Throws InvalidInput,
+/// naming the line, also for element counts that the rest of the file cannot hold.
 PlyHeader read_ply_header(const SourceFile& file, std::size_t bytes_behind = 0);
 
 } // namespace polydec

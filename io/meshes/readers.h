@@ -13,14 +13,14 @@ namespace polydec {
 
 class Scanner;
 
-/// `read_mesh`, after the file was read.
+/// `read_mesh` for a file in memory.
 Mesh parse_mesh(const SourceFile& file);
 
-/// `read_lengths`, after the file was read.
+/// `read_lengths` for a file in memory.
 LengthMesh parse_lengths(const SourceFile& file);
 
-/// One reader per format. They throw InvalidInput, with the line, where the file does not fit; that
-/// there are vertices and cells at all is left to `parse_mesh`.
+/// One reader per format. They throw InvalidInput, with the line, for malformed files; `parse_mesh`
+/// checks that there are vertices and cells.
 Mesh read_off(const SourceFile& file);
 Mesh read_obj(const SourceFile& file);
 Mesh read_ply(const SourceFile& file);
@@ -32,29 +32,29 @@ Mesh read_vtk(const SourceFile& file);
 Mesh read_vtu(const SourceFile& file);
 Mesh read_pdm(const SourceFile& file);
 
-/// `write_mesh` of what has been checked.
+/// `write_mesh` of a checked mesh.
 void write_pdm(const std::filesystem::path& path, const Mesh& mesh);
 
-/// The lines of .nsc and .nsl that hold simplices of this dimension, numbered from 0.
+/// Reads lines of .nsc and .nsl with simplices of this dimension, numbered from 0.
 Simplices read_simplices(Scanner& scanner, Index count, Index dimension, Index vertices);
 
-/// TetGen's meshes are two files: reads the other one too, which must be beside this one.
+/// TetGen's meshes are pairs of files: also reads the other one, which must be beside this one.
 Mesh read_tetgen(const SourceFile& file);
 
-/// The same from a .node file and an .ele or .face file that were read.
+/// The same from a .node file and an .ele or .face file in memory.
 Mesh parse_tetgen(const SourceFile& nodes, const SourceFile& cells);
 
-/// Makes room for faces, mostly triangles, but not for more than `remaining` bytes can hold.
+/// Reserves memory for faces, mostly triangles, but for no more than `remaining` bytes can hold.
 void reserve_faces(PolygonMesh& polygons, Index faces, std::size_t remaining);
 
-/// Ends the face whose corners were appended last. Throws InvalidInput if they are too many.
+/// Ends the face that was appended last. Throws InvalidInput if there are too many corners.
 void close_face(PolygonMesh& polygons, const SourceFile& file);
 
-/// A number of cells or vertices that was found rather than promised, as an Index.
-/// Throws InvalidInput, with the plural, where it does not fit.
+/// A counted number of cells or vertices as an Index. Throws InvalidInput, with the plural, if it
+/// does not fit.
 Index checked_count(std::size_t count, const char* plural, const SourceFile& file);
 
-/// The coordinates, three of each vertex, as points.
+/// The coordinates, three per vertex, as points.
 Points points_from(const std::vector<double>& coordinates);
 
 } // namespace polydec

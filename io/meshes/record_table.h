@@ -11,7 +11,7 @@
 
 namespace polydec {
 
-/// Records of a binary file that all have the same numbers, in runs of one width each.
+/// Records of a binary file with the same fields, in runs of constant stride.
 struct RecordTable {
     struct Field {
         std::int64_t offset = 0; ///< in the record
@@ -28,15 +28,15 @@ struct RecordTable {
 
     std::int64_t count() const;
 
-    /// The bytes that its fields reach into a record.
+    /// The last byte of its fields within a record, plus one.
     std::int64_t reach() const;
 };
 
-/// Fields of one type, one behind the other.
+/// Contiguous fields of one type.
 RecordTable table_of(NumberType type, int fields);
 
-/// The records from `begin` to before `end`, a row each. Reads a few MiB at once. Throws IoError,
-/// naming the file, if that has become shorter.
+/// The records in [begin, end), one per row. Reads a few MiB at a time. Throws IoError, naming the
+/// file, if it has become shorter.
 DenseMatrix rows_of(const RecordTable& table, const PartialFile& file, std::endian order,
                     std::int64_t begin, std::int64_t end);
 

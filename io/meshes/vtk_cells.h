@@ -10,23 +10,23 @@
 
 namespace polydec {
 
-/// The arrays that describe a grid in VTK's files, old and XML, as they were read: whether they
-/// are whole numbers that fit together is not known before `vtk_mesh`.
+/// The arrays that describe a grid in VTK's files, legacy and XML, as they were read. `vtk_mesh`
+/// checks that they are integers and consistent.
 struct VtkArrays {
     std::vector<double> points;  ///< three coordinates each
     std::vector<double> corners; ///< of the cells, one after the other
-    std::vector<double> ends;    ///< of each cell: where its corners end
-    std::vector<double> types;   ///< of each cell
-    std::vector<double> tags;    ///< of each cell, or empty; no tags unless all are whole numbers
+    std::vector<double> ends;    ///< for each cell, the end of its corners
+    std::vector<double> types;   ///< one per cell
+    std::vector<double> tags;    ///< one per cell, or empty; ignored unless all are integers
 };
 
-/// The cells of the largest dimension, as a mesh; `place` is where the cells begin, for messages.
-/// Strips become triangles, and polylines edges; of cells of higher order the corners are taken.
-/// Throws InvalidInput, naming vertex or cell, if arrays do not fit together, coordinates are not
-/// finite, or cells have another type than lines, polygons and solids with listed shapes.
+/// The cells of the largest dimension, as a mesh; `place` is the start of the cells, for messages.
+/// Strips become triangles, and polylines edges; higher-order cells are read by their corners.
+/// Throws InvalidInput, naming vertex or cell, if arrays are inconsistent, coordinates are not
+/// finite, or cells are not lines, polygons or solids with listed shapes.
 Mesh vtk_mesh(const VtkArrays& arrays, const Scanner& place, const SourceFile& file);
 
-/// Whether cell data of this name tells to which physical group or region a cell belongs.
+/// Whether cell data of this name hold the physical group or region of each cell.
 bool is_tag_name(std::string_view name);
 
 } // namespace polydec

@@ -9,18 +9,18 @@
 
 namespace polydec {
 
-/// A grid whose cells follow from the numbers of its points along three axes; the first axis goes
-/// fastest. Axes with one point are none, so that it may also be of pixels or edges.
+/// A grid with cells implied by the numbers of its points along three axes; the first axis varies
+/// fastest. Axes with one point do not count, so it may also consist of pixels or edges.
 struct VtkGrid {
     std::array<std::size_t, 3> points{1, 1, 1};
-    std::array<std::vector<double>, 3> places = {}; ///< along each axis, or none of all
+    std::array<std::vector<double>, 3> places = {}; ///< along each axis, or empty for all axes
 };
 
-/// Throws InvalidInput if the grid has more than 2^31 - 1 points, IoError if memory does not
-/// suffice.
+/// Throws InvalidInput if the grid has more than 2^31 - 1 points, IoError if memory is
+/// insufficient.
 void check_grid(const VtkGrid& grid, const Scanner& place);
 
-/// Points at the places along the axes, which are as many as promised. Throws like check_grid.
+/// Points at the places along the axes; their numbers must match. Throws like check_grid.
 std::vector<double> grid_points(const VtkGrid& grid, const Scanner& place);
 
 /// Appends the cells, as voxels, pixels or lines. Throws like check_grid, and InvalidInput if the

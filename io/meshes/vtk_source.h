@@ -11,32 +11,32 @@
 
 namespace polydec {
 
-/// The words and numbers of a legacy VTK file. Behind the header, text is a stream of words whose
-/// lines mean nothing; bytes begin behind a line.
+/// The words and numbers of a legacy VTK file. After the header, text is a stream of words without
+/// line structure; bytes begin after a line.
 class VtkSource {
 public:
     explicit VtkSource(const Scanner& scanner) : scanner_(scanner) {}
 
-    /// The first lines up to ASCII or BINARY. The version.
+    /// Reads the first lines up to ASCII or BINARY; returns the version.
     double read_header();
 
-    /// The next word in small letters, since keywords may be written in any case.
+    /// The next word in lower case, since keywords are case-insensitive.
     std::string keyword(std::string_view expected);
 
-    /// A number of things; how many bytes these take is checked by `values`.
+    /// A count; `values` checks that the file can hold that many bytes.
     std::size_t size(const char* plural);
 
-    /// A type of numbers by its name; nothing if there is none.
+    /// The type of numbers with this name; none for other words.
     static std::optional<NumberType> type_of(std::string_view word);
     NumberType read_type();
 
-    /// So many numbers; nothing is allocated that the file cannot hold.
+    /// Reads `count` numbers; allocates no more than the file can hold.
     std::vector<double> values(NumberType type, std::size_t count);
 
-    /// Passes over strings and over bits, which stand for no numbers. False for other types.
+    /// Skips strings and bits, which are not numbers. Returns false for other types.
     bool skip(std::string_view type, std::size_t count);
 
-    /// Lines of text up to an empty one.
+    /// Skips lines of text up to an empty one.
     void skip_metadata();
 
     bool is_binary() const { return is_binary_; }
@@ -50,7 +50,7 @@ private:
     bool is_binary_ = false;
 };
 
-/// A word in small letters.
+/// A word in lower case.
 std::string lower_case(std::string_view word);
 
 } // namespace polydec

@@ -11,8 +11,8 @@
 
 namespace polydec {
 
-/// The arrays of a .vtu file, where they stand; read when asked for. Pieces without cells are left
-/// out. Throws InvalidInput, with the line, where the file does not fit. The file must outlive it.
+/// The arrays of a .vtu file, located but read only on request, without empty pieces. Throws
+/// InvalidInput, with the line, for a malformed file. The file must outlive this object.
 class VtuFile {
 public:
     struct Array {
@@ -32,18 +32,18 @@ public:
     /// The first array of a section with this name, or any name; null if there is none.
     const VtuText* find(std::string_view section, std::string_view name = "", int piece = 0) const;
 
-    /// The array of this name in the section Cells, or that of points, three coordinates each.
+    /// The array of this name in the section Cells, and the points, three coordinates each.
     const VtuText& cells(const char* name, int piece = 0) const;
     const VtuText& points(int piece = 0) const;
 
-    /// Compares what all arrays of points and cells promise with what the piece says, with what the
-    /// file can hold and with memory, before any is read. Throws like vtu_values.
+    /// Checks the sizes of all point and cell arrays against their piece, file and memory, before
+    /// reading. Throws like vtu_values.
     void check(int piece = 0) const;
 
-    /// The numbers of an array with as many for each point, or each cell.
+    /// The numbers of an array with a fixed count per point, or per cell.
     std::vector<double> values(const VtuText& array) const;
 
-    /// The lists of all cells, one behind the other, which end at these places.
+    /// The lists of all cells, one after the other, with these ends.
     std::vector<double> lists(const VtuText& array, const std::vector<double>& ends) const;
 
     const VtuEncoding& encoding() const { return encoding_; }
@@ -53,7 +53,7 @@ public:
 private:
     const VtuText& needed(const VtuText* array, const char* name) const;
     void read_tag(XmlTag tag);
-    /// The element around the one that this tag opened, and may have closed.
+    /// The element around the one that this tag opened, and perhaps closed.
     std::string_view outer_element(const XmlTag& tag) const;
     void read_file_tag(const XmlTag& tag);
     void read_piece(const XmlTag& tag);

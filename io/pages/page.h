@@ -12,68 +12,68 @@
 
 namespace polydec {
 
-/// Numbers that belong to a picture, as text.
+/// A table beside a picture, as text.
 struct PageTable {
     std::vector<std::string> columns = {};
     std::vector<std::vector<std::string>> rows = {};
-    std::vector<std::string> fields = {}; ///< of each row the array that choosing it shows; or none
-    std::string below = {};               ///< what holds for all rows, e.g. a certificate
+    std::vector<std::string> fields = {}; ///< for each row, the array that it selects; or empty
+    std::string below = {};               ///< a note on all rows, e.g. a certificate
 };
 
-/// What is said beside a picture. Any text is shown as it is; nothing in it is a mark.
+/// The text beside a picture. It is shown literally; markup has no effect.
 struct PageText {
     std::string title = {};
-    std::string command = {};            ///< what made the page
+    std::string command = {};            ///< the command that made the page
     std::vector<std::string> facts = {}; ///< paragraphs
     std::vector<std::string> warnings = {};
     PageTable table = {};
 };
 
-/// Vectors at places, which are shown with an array of the grid: those of a 1-form, say. Without
-/// any, lines stand for themselves, and are seen first: paths.
+/// Vectors at points, shown together with an array of the grid, e.g. the vectors of a 1-form.
+/// Without vectors, the lines are shown by themselves, and first: paths.
 struct PageArrows {
     std::string field;   ///< name of the array
-    Points sites = {};   ///< a row for each
-    Points vectors = {}; ///< the same rows
-    /// Segments that run along them, as streamlines gives them; or none.
+    Points sites = {};   ///< one row per vector
+    Points vectors = {}; ///< one row per site
+    /// Segments along the vectors, e.g. from streamlines; or empty.
     Mesh lines = {};
 };
 
-/// Arrays at another time, of the names and sizes that the grid has.
+/// Arrays at another time, with the names and sizes of the grid's.
 struct PageStep {
     std::string time;
     std::vector<VtuArray> point_data = {};
     std::vector<VtuArray> cell_data = {};
 };
 
-/// What a page shows: the grid that write_vtu would write, and what is known besides.
+/// The contents of a page: a grid as for write_vtu, and more.
 struct Page {
     PageText text = {};
     VtuGrid grid = {};      ///< cells, and fields on them or on their corners
-    std::string shown = {}; ///< name of the array that is seen first; empty: cells without values
-    /// Whose cells the grid has, in any degree, as draw_cells makes them; adds edges that were
-    /// merged away and the dual mesh. Without it the grid is shown by itself.
+    std::string shown = {}; ///< name of the array shown first; empty: cells without values
+    /// The mesh whose cells, of any degree, the grid shows, as made by draw_cells. It adds merged
+    /// edges and the dual mesh. Without it, the grid alone is shown.
     std::optional<Discretization> mesh = {};
-    std::vector<Index> groups = {}; ///< of each polygon, without mesh: the cell that it is part of
+    std::vector<Index> groups = {}; ///< without mesh: for each polygon, the cell that contains it
     std::vector<PageArrows> arrows = {};
-    std::vector<PageStep> steps = {}; ///< instead of the grid's arrays, one after the other
+    std::vector<PageStep> steps = {}; ///< replace the grid's arrays, one after the other
 };
 
-/// Adds the vectors that a 1-form, primal or dual, is the work of, for the array of this name: by
-/// sharp_pd and flux_sharp; on surfaces also lines along them. Nothing for other forms, and where a
-/// sharp cannot be had.
+/// Adds the proxy vectors of a primal or dual 1-form, by sharp_pd and flux_sharp, for the array of
+/// this name; on surfaces also lines along them. Does nothing for other forms, and where no sharp
+/// exists.
 void add_arrows(Page& page, const std::string& field, const Discretization& mesh,
                 const Cochain& form);
 
-/// The page: one HTML file that needs nothing else, no network and no time; the same for the same
-/// page. Where there is no script or no WebGL, it has a still picture and all text. Coordinates
-/// are good to 7 digits of the extent (5 above 100 000 points), values to 7 digits, but above
-/// 600 000 values to 1/65535 of their range, which the page says.
-/// Throws InvalidInput like write_vtu for a grid that does not fit, for arrows or steps that do not
-/// fit to it, and for what makes more than 64 MB.
+/// The page as one self-contained HTML file without network access or timestamps; equal pages give
+/// equal files. Without script or WebGL, it shows a still picture and all text. Coordinates have 7
+/// digits of the extent (5 above 100 000 points), values 7 digits; above 600 000 values, they are
+/// rounded to 1/65535 of their range, and the page says so. Throws InvalidInput like write_vtu for
+/// an invalid grid, for arrows or steps that do not fit it, and above 64 MB.
 std::string to_html(const Page& page);
 
-/// Writes it; the file appears whole or not at all. Throws like to_html; IoError if writing fails.
+/// Writes the page; the file appears whole or not at all. Throws like to_html; IoError if writing
+/// fails.
 void write_page(const std::filesystem::path& path, const Page& page);
 
 } // namespace polydec

@@ -8,13 +8,13 @@
 
 namespace polydec {
 
-/// What the script of a page reads: a header in JSON, and the data that it speaks of.
+/// The input of a page's script: a header in JSON, and the data that it describes.
 struct PageHeader {
     std::string json;
     std::string data;
     std::string still;                   ///< an SVG picture
-    std::string caption = {};            ///< what its colors are; may be empty
-    std::vector<std::string> notes = {}; ///< what was left out or rounded
+    std::string caption = {};            ///< meaning of its colors; may be empty
+    std::vector<std::string> notes = {}; ///< omissions and rounding
 };
 
 /// Throws like to_html.

@@ -5,8 +5,8 @@
 
 namespace polydec {
 
-/// The parts of a page that are the same for all: page.html, album.html, page.css, and page.js,
-/// which are the scripts of this folder one after the other. CMake makes them from these files.
+/// The fixed parts of every page: page.html, album.html, page.css, and page.js, the scripts of this
+/// folder one after the other. CMake generates them from these files.
 std::string_view page_template(std::string_view name);
 
 } // namespace polydec

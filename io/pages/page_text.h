@@ -8,22 +8,22 @@
 
 namespace polydec {
 
-/// Text as it stands in HTML, between tags or in quotes: what marks do in it, and what would turn
-/// the direction of writing, is shown and not done.
+/// Text escaped for HTML, between tags or in quotes: markup, and characters that change the writing
+/// direction, are shown literally.
 std::string html_text(std::string_view text);
 
-/// Text as JSON that may stand in an element `script`: in quotes, without < > &.
+/// Text as JSON for use in an element `script`: in quotes, without < > &.
 std::string json_text(std::string_view text);
 
-/// A finite number as JSON, which reads back as the same.
+/// A finite number as JSON that reads back exactly.
 std::string json_number(double value);
 
-/// A template with each mark {{name}} replaced by that part, in which no mark is looked for. Throws
-/// InvalidInput if it becomes larger than 64 MB, which browsers do not open well.
+/// A template with each mark {{name}} replaced by its part; marks inside parts are not replaced.
+/// Throws InvalidInput above 64 MB, which browsers do not open well.
 std::string filled_page(std::string_view text,
                         const std::map<std::string_view, std::string>& parts);
 
-/// A JSON array of values that are JSON.
+/// A JSON array of values in JSON.
 std::string json_array(const std::vector<std::string>& values);
 
 } // namespace polydec

@@ -12,44 +12,44 @@
 
 namespace polydec {
 
-/// Pictures of one mesh at ascending times, as a file by its extension: .pvd, a list of .vtu files
-/// in a folder beside it that has its name, as ParaView reads them; or .html, a page in which the
-/// time can be chosen and played. Every file appears whole or not at all. The files of a .pvd are
-/// written while steps are added: what a killed program leaves can be read, and lacks at most the
-/// last 1 of 32 steps, whose files are there. A page is written at the end, in place of an old one.
+/// Pictures of one mesh at ascending times, in the format of the extension. .pvd lists .vtu files
+/// in a folder of the same name beside it, for ParaView; .html is a page with a time slider and
+/// playback. Every file appears whole or not at all. A .pvd series is written as steps are added.
+/// After a crash it is readable, and its list lacks at most the last 1 of 32 steps, whose files
+/// exist. A page is written at the end, and replaces an old one.
 class Series {
 public:
     /// Removes an earlier series of this name: the list, then its steps. Throws InvalidInput for
-    /// another extension; IoError if nothing can be written there.
+    /// another extension; IoError if the path is not writable.
     Series(std::filesystem::path path, const Discretization& mesh, std::string title = {});
 
-    /// With more text than a title, behind which a page tells what the mesh is. With times, goes on
-    /// with a .pvd file to which steps at these times were added before, of which any may
-    /// not be listed yet: their files stay, all later ones go. Throws likewise; InvalidInput too
-    /// for a page, which holds all its steps in memory, and where one of the files is not there.
-    /// `run`, if not 0, is kept in the .pvd file: what is gone on with must have the same, or
-    /// InvalidInput is thrown, since its steps are another run's.
+    /// With more text than a title, to which a page appends a description of the mesh. With
+    /// `times`, resumes a .pvd file that has steps at these times, some possibly not listed yet:
+    /// their files stay, all later ones are removed. Throws like the other constructor;
+    /// InvalidInput also for a page, which holds all its steps in memory, and if one of the files
+    /// is missing. The .pvd file stores `run`, if not 0; resuming with another run throws
+    /// InvalidInput.
     Series(std::filesystem::path path, const Discretization& mesh, PageText text,
            const std::vector<double>& times = {}, std::uint64_t run = 0);
 
-    /// The same for cells as write_vtu writes them, in the grid of this page; its arrays and steps
-    /// are replaced by those that are added, arrows are left out.
+    /// The same for cells as written by write_vtu, from the grid of this page. Added arrays and
+    /// steps replace its own; arrows are omitted.
     Series(std::filesystem::path path, Page page);
 
-    /// Closes it, but tells of no error; a page is not written where an exception ends it.
+    /// Closes the series, ignoring errors; does not write a page during stack unwinding.
     ~Series();
     Series(const Series&) = delete;
     Series& operator=(const Series&) = delete;
 
-    /// Forms as draw_page takes them, with the same names, sides and degrees at every time. Throws
-    /// InvalidInput, naming the step, if a form is another one than before or a time is not above
-    /// the last one, and like draw_page; IoError if writing fails. Then the step is not there.
+    /// Adds forms as for draw_page, with the same names, sides and degrees at every time. Throws
+    /// InvalidInput, naming the step, if a form differs from those before or a time is not above
+    /// the last one, and like draw_page; IoError if writing fails. A failed step is not added.
     void add(double time, const std::vector<NamedForm>& forms);
 
     /// The same for arrays of points and of cells.
     void add(double time, std::vector<VtuArray> point_data, std::vector<VtuArray> cell_data);
 
-    /// Writes what is not written yet. Throws like add. Nothing can be added afterwards.
+    /// Writes everything not yet written. Throws like add. Nothing can be added afterwards.
     void close();
 
     std::size_t size() const { return steps_.size(); }
@@ -73,13 +73,13 @@ private:
 
     std::filesystem::path path_;
     std::uint64_t run_ = 0;
-    int exceptions_; ///< in flight as it was begun
+    int exceptions_; ///< in flight at construction
     bool is_page_ = false, is_closed_ = false;
-    std::optional<Discretization> mesh_ = {}; ///< whose cells are not drawn yet
+    std::optional<Discretization> mesh_ = {}; ///< its cells are not drawn yet
     Page page_;
     double last_ = 0;
     std::vector<Step> steps_ = {};
-    std::size_t written_ = 0; ///< steps that the list or the page has
+    std::size_t written_ = 0; ///< steps in the list or the page
     std::size_t begun_ = 0;   ///< steps of an earlier run
 };
 

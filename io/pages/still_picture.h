@@ -7,9 +7,9 @@
 
 namespace polydec {
 
-/// An SVG picture of cells for who has no WebGL: of the surface of solids, and coarse where there
-/// are more than some thousand polygons. `shown` is an array of the points or of the top cells, by
-/// which they are painted, or null. The grid has the points, and the top cells.
+/// An SVG picture of cells for browsers without WebGL: the surface of solids, coarse above some
+/// thousand polygons. `shown` is an array on the points or the top cells that gives the colors, or
+/// null. The grid has the points and the top cells.
 std::string still_picture(const VtuGrid& grid, const PageFaces& faces, const VtuArray* shown);
 
 } // namespace polydec

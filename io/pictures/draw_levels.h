@@ -10,14 +10,14 @@
 
 namespace polydec {
 
-/// The level sets of a primal 0-form, linear on the simplices of the input, by the numbers of these
-/// and at the places of the input; not turned to any side. Throws like level_sets, and InvalidInput
-/// for other forms: their values are not at vertices.
+/// The level sets of a primal 0-form, linear on the input's simplices, with their numbers and at
+/// the places of the input; without orientation. Throws like level_sets, and InvalidInput for other
+/// forms, which have no values at vertices.
 LevelSets level_sets(const Discretization& discretization, const Cochain& form,
                      const Vector& levels);
 
-/// As points, lines, triangles or tetrahedra, with their levels as cell data of this name, and
-/// `simplex`, which each of them lies in. Throws InvalidInput above three dimensions.
+/// Draws level sets as points, lines, triangles or tetrahedra. Cell data are the levels, under this
+/// name, and `simplex`, the simplex that contains each. Throws InvalidInput above three dimensions.
 VtuGrid draw_levels(const LevelSets& sets, const Vector& levels, std::string name);
 
 } // namespace polydec

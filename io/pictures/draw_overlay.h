@@ -6,14 +6,13 @@
 
 namespace polydec {
 
-/// The input's triangles cut along the edges that intrinsic flips have made, as polygons; of each
-/// piece the array `cell` holds the merged cell, `triangle` the triangle of the input, numbered as
-/// in the complex. Points are the vertices, then where edges cross. Throws like overlay and
-/// check_drawable.
+/// The input's triangles cut along the flipped edges, as polygons. For each piece the array `cell`
+/// holds the merged cell, `triangle` the input triangle, numbered as in the complex. Points are the
+/// vertices, then the crossings of edges. Throws like overlay and check_drawable.
 VtuGrid draw_overlay(const Discretization& discretization);
 
-/// The merged cells of largest dimension, with their tags as the array `tag` where there are any;
-/// after intrinsic flips draw_overlay's pieces, each with the tag of its cell. Throws like both.
+/// The merged cells of largest dimension, with the array `tag` if they have tags; after intrinsic
+/// flips the pieces of draw_overlay, each with the tag of its cell. Throws like both.
 VtuGrid draw_mesh(const Discretization& discretization);
 
 } // namespace polydec

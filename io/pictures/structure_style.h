@@ -8,7 +8,7 @@
 
 namespace polydec {
 
-/// How drawings for lessons show what, by colors that differ for all eyes.
+/// Styles of annotated drawings, in colors that are safe for color blindness.
 inline constexpr const char* edge_color = "#222222";
 inline constexpr const char* turn_color = "#6F4E9C";
 inline constexpr const char* number_color = "#B34700";
@@ -32,14 +32,14 @@ inline SvgStyle turn_style() {
     return {.stroke = turn_color, .width = 1.3};
 }
 
-/// What a line of this style means.
+/// The meaning of a line style.
 struct LineInWords {
     SvgStyle style;
     std::string words;
 };
 
-/// A row for each below a drawing whose left lower corner this is, with as many world units to the
-/// pixel.
+/// Adds one legend row per line below a drawing with this lower left corner; `pixel` is in world
+/// units.
 void tell_lines(SvgDrawing& drawing, const std::vector<LineInWords>& lines, SvgPoint corner,
                 double pixel);
 

@@ -15,11 +15,11 @@ struct SvgLabel {
     double size = 14;
     SvgAnchor anchor = SvgAnchor::middle;
     std::string color = "#000000";
-    std::optional<int> exponent = {}; ///< raised behind the text
+    std::optional<int> exponent = {}; ///< superscript after the text
     double turned = 0;                ///< degrees, clockwise
 };
 
-/// SVG elements in pixels, y down, one after the other on white ground.
+/// SVG elements in pixels, y down, in order, on a white background.
 class SvgCanvas {
 public:
     SvgCanvas(double width, double height);
@@ -29,8 +29,8 @@ public:
     void circle(SvgPoint center, double radius, const SvgStyle& style);
     void text(SvgPoint at, std::string_view text, const SvgLabel& label = {});
 
-    /// What is drawn from here on, until the next opening or closing, belongs to a group with this
-    /// name, which viewers show as a tooltip.
+    /// Elements from here to the next open or close form a group with this name, which viewers show
+    /// as a tooltip.
     void open_group(std::string_view name);
     void close_group();
 
@@ -41,7 +41,7 @@ private:
     std::string text_;
 };
 
-/// About how wide a text is in the common sans-serif fonts, pixels.
+/// Approximate width of a text in common sans-serif fonts, in pixels.
 double svg_text_width(std::string_view text, double size);
 
 } // namespace polydec

@@ -8,10 +8,10 @@
 
 namespace polydec {
 
-/// A place in a drawing, in world coordinates: x to the right, y up.
+/// A point in a drawing, in world coordinates: x to the right, y up.
 using SvgPoint = std::array<double, 2>;
 
-/// How the line of a shape and what it encloses are painted.
+/// The style of the line and the inside of a shape.
 struct SvgStyle {
     std::string stroke = "#000000";  ///< color of the line; none: no line
     std::string fill = "none";       ///< color of the inside; none: nothing
@@ -32,14 +32,14 @@ struct SvgPolygon {
     SvgStyle style = {};
 };
 
-/// A circle of the world, such as a circumcircle.
+/// A circle in world coordinates, such as a circumcircle.
 struct SvgCircle {
     SvgPoint center;
     double radius; ///< world coordinates
     SvgStyle style = {};
 };
 
-/// A mark at a point, which is as large in every drawing.
+/// A mark at a point, of fixed size in pixels.
 struct SvgDot {
     SvgPoint center;
     double radius = 3; ///< pixels
@@ -54,7 +54,7 @@ struct SvgArrow {
 
 enum class SvgAnchor { start, middle, end };
 
-/// A line of text, on whose baseline the point lies.
+/// A line of text with its baseline at the point.
 struct SvgText {
     SvgPoint at;
     std::string text;
@@ -65,7 +65,7 @@ struct SvgText {
 
 using SvgShape = std::variant<SvgPolyline, SvgPolygon, SvgCircle, SvgDot, SvgArrow, SvgText>;
 
-/// A list of shapes, each of which lies over those before it.
+/// A list of shapes, drawn in order.
 struct SvgDrawing {
     std::string title = {}; ///< above the shapes; empty: none
     std::vector<SvgShape> shapes = {};
@@ -73,15 +73,15 @@ struct SvgDrawing {
     double margin = 16; ///< around the shapes, pixels
 };
 
-/// The drawing as an SVG file on white ground: the shapes are scaled alike in x and y and fill the
-/// width, or stand in its middle if they are more than twice as high. Of text, dots and lines the
-/// points alone count in the extent; what reaches further needs a margin.
-/// Throws InvalidInput, naming the shape, if there is none, if one has no points, a coordinate or
-/// radius that is not finite, if all lie at one point, or if the margins leave no room.
+/// The drawing as an SVG file on white background. Shapes are scaled equally in x and y; they fill
+/// the width, or are centered if more than twice as high. Text, dots and lines enter the extent by
+/// their points alone; the margin must hold the rest. Throws InvalidInput, naming the shape, if
+/// there is none, if one has no points, if a coordinate or radius is not finite, if all lie at one
+/// point, or if the margins leave no room.
 std::string to_svg(const SvgDrawing& drawing);
 
-/// One drawing of several in a row, each as large as it is alone: their middles are at one height,
-/// their titles above at another. Throws InvalidInput if there is none, and like to_svg.
+/// Combines drawings in a row, each at its own size, with their centers at one height and their
+/// titles above at another. Throws InvalidInput if there is none, and like to_svg.
 SvgDrawing side_by_side(const std::vector<SvgDrawing>& drawings);
 
 } // namespace polydec

@@ -24,29 +24,29 @@ struct SvgBox {
     }
 };
 
-/// What is in the way of triangles and legends: small boxes along lines, and whole ones.
+/// Obstacles for triangles and legends: small boxes along lines, and larger boxes.
 using SvgObstacles = std::vector<SvgBox>;
 
 void add_line(SvgObstacles& obstacles, const std::vector<SvgPoint>& points);
 
-/// How much of a box is in the way: the number of obstacles it meets.
+/// The number of obstacles that meet a box.
 std::size_t meetings(const SvgObstacles& obstacles, const SvgBox& box);
 
-/// A right triangle beside a line: the long side from first to second, and where both legs meet.
+/// A right triangle beside a line: hypotenuse from first to second, right angle at corner.
 struct SvgSlopeTriangle {
     SvgPoint first, second, corner;
 
-    /// What it covers: strips between the long side and a leg, and room for the numbers at the
+    /// The area it covers: strips between the hypotenuse and a leg, and room for the numbers at the
     /// legs.
     std::vector<SvgBox> boxes() const;
 };
 
-/// A triangle whose long side rises `rise` pixels over `width`, beside the lower end of the line
-/// through these points; where it meets no obstacle within the frame, or else as few as can be.
+/// A triangle whose hypotenuse rises `rise` pixels over `width`, beside the lower end of the line
+/// through these points. It meets as few obstacles as possible, within the frame.
 SvgSlopeTriangle place_triangle(const std::vector<SvgPoint>& line, double width, double rise,
                                 const SvgObstacles& obstacles, const SvgBox& frame);
 
-/// A box of this size in a corner of the frame that no obstacle meets, if there is one.
+/// A box of this size in a corner of the frame that meets no obstacle, if there is one.
 std::optional<SvgBox> free_corner(double width, double height, const SvgObstacles& obstacles,
                                   const SvgBox& frame);
 

@@ -12,7 +12,7 @@
 
 namespace polydec {
 
-/// The cells of VTK that polydec writes, with VTK's numbers.
+/// The VTK cell types that polydec writes, with VTK's numbers.
 enum class VtuCell : std::uint8_t {
     vertex = 1,
     line = 3,
@@ -24,34 +24,34 @@ enum class VtuCell : std::uint8_t {
     polyhedron = 42,
 };
 
-/// Named values, entry by entry: of each point or of each cell `components` numbers.
+/// A named array with `components` numbers for each point or each cell.
 struct VtuArray {
     std::string name;
     std::variant<std::vector<double>, std::vector<Index>> values;
     int components = 1;     ///< 1, or 3 for vectors
-    std::string about = {}; ///< what they are, in words with units, for who reads a page
+    std::string about = {}; ///< description in words with units, for readers of a page
 
-    /// Numbers of all components together.
+    /// Total count over all components.
     std::size_t size() const {
         return std::visit([](const auto& all) { return all.size(); }, values);
     }
 };
 
-/// What a VTU file holds. Cells are appended with `add_cell` and `add_polyhedron`.
+/// The contents of a VTU file. Append cells with `add_cell` and `add_polyhedron`.
 struct VtuGrid {
-    Points points; ///< N <= 3 columns; the file has zeros for the missing ones
+    Points points; ///< N <= 3 columns; missing ones are written as zeros
     std::vector<VtuCell> types;
     std::vector<Index> corners;        ///< point numbers of the cells, one after the other
-    std::vector<std::int64_t> offsets; ///< of each cell: where its corners end
-    std::vector<Index> faces;          ///< of each polyhedron: number of faces, then of each face
-                                       ///< its number of corners and these
-    std::vector<std::int64_t> face_offsets; ///< of each cell: where its faces end; -1 without faces
+    std::vector<std::int64_t> offsets; ///< for each cell, end of its corners
+    std::vector<Index> faces; ///< for each polyhedron the number of faces, then for each face its
+                              ///< number of corners and its corners
+    std::vector<std::int64_t> face_offsets; ///< for each cell, end of its faces; -1 without faces
     std::vector<VtuArray> point_data;
     std::vector<VtuArray> cell_data;
-    std::vector<VtuArray> field_data; ///< of the whole, of any length: eigenvalues, a residual, ..
+    std::vector<VtuArray> field_data; ///< global data of any length: eigenvalues, a residual, ..
 };
 
-/// In how many digits coordinates and the values of points and cells are written.
+/// The precision of coordinates and of point and cell values in the file.
 enum class VtuNumbers { float64, float32 };
 
 struct VtuOptions {
@@ -61,27 +61,26 @@ struct VtuOptions {
 /// Appends a cell of a type with a fixed number of corners, or a polygon, corners in cyclic order.
 void add_cell(VtuGrid& grid, VtuCell type, std::span<const Index> corners);
 
-/// Appends a polygon, corners in cyclic order, as the triangle or quadrangle that it is, or else as
-/// a polygon.
+/// Appends a polygon, corners in cyclic order, as a triangle or quadrangle if it is one, else as a
+/// polygon.
 void add_polygon(VtuGrid& grid, std::span<const Index> corners);
 
 /// Appends a polyhedron by its faces, each a list of points in cyclic order.
 void add_polyhedron(VtuGrid& grid, const std::vector<std::vector<Index>>& faces);
 
-/// A point or cell array of one number each, or of a vector each: a row of two or three numbers, of
-/// which two get a third that is 0. Throws InvalidInput, naming the array, for other rows.
+/// A point or cell array of scalars, or of vectors: rows of two or three numbers; two are padded
+/// with 0. Throws InvalidInput, naming the array, for other rows.
 VtuArray vtu_array(std::string name, const Eigen::Ref<const DenseMatrix>& values);
 
-/// Throws InvalidInput as write_vtu does, before anything is written to that path.
+/// Throws InvalidInput like write_vtu, without writing to the path.
 void check_grid(const std::filesystem::path& path, const VtuGrid& grid,
                 const VtuOptions& options = {});
 
-/// Writes the grid as VTK's XML UnstructuredGrid (.vtu): binary arrays in base64, inline.
-/// Whole numbers are Int32 where they fit. Data of the whole keep all digits.
-/// The file appears whole or not at all, and is the same for the same grid.
-/// Throws InvalidInput, naming cell, array or entry, if corners are out of range or of the wrong
-/// number, an array has the wrong size or a name that is empty or used twice, or anything is NaN,
-/// infinite or larger than the numbers can be; IoError if writing fails.
+/// Writes the grid as VTK's XML UnstructuredGrid (.vtu): binary arrays in base64, inline. Integers
+/// are Int32 where they fit. Field data keep all digits. The file appears whole or not at all, and
+/// is the same for the same grid. Throws InvalidInput, naming cell, array or entry, if corners are
+/// out of range or of the wrong number, an array has the wrong size or a name that is empty or
+/// repeated, or a value is NaN, infinite or too large for its type; IoError if writing fails.
 void write_vtu(const std::filesystem::path& path, const VtuGrid& grid,
                const VtuOptions& options = {});
 

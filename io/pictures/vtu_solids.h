@@ -8,14 +8,14 @@
 
 namespace polydec {
 
-/// The faces of VTK's tetrahedra and hexahedra, by their corners, turned outward.
+/// The faces of VTK's tetrahedra and hexahedra, by their corners, oriented outward.
 inline constexpr std::array<std::array<int, 3>, 4> tetra_faces{
     {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 inline constexpr std::array<std::array<int, 4>, 6> hexahedron_faces{
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
-/// Appends a solid, given by its faces turned outward, as a tetrahedron or hexahedron, whichever it
-/// is; false, and nothing is appended, if it is neither.
+/// Appends a solid, given by its outward faces, as a tetrahedron or hexahedron; returns false and
+/// appends nothing if it is neither.
 bool add_simple_solid(VtuGrid& grid, const std::vector<std::vector<Index>>& faces);
 
 } // namespace polydec
