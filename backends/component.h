@@ -3,8 +3,8 @@
 
 #include "backends/engine_module.h"
 
-/// What each optional component hands over its engines by. The same objects make the module, whose
-/// entry points are component_module.cpp, and the target to link, by component_linked.cpp.
+/// Registration functions of the optional components. The same objects form the module, with entry
+/// points in component_module.cpp, and the linkable target, through component_linked.cpp.
 namespace polydec::component {
 
 void add_cholmod(EngineRegistrar& registrar);

@@ -9,13 +9,13 @@
 
 namespace polydec {
 
-/// A symmetric matrix given by what it does: apply(x, y) writes A x to y, both of `size` entries.
+/// A symmetric matrix as an operator: apply(x, y) writes A x to y, both of `size` entries.
 struct SymmetricOperator {
     Index size = 0;
     std::function<void(const Vector& x, Vector& y)> apply = {};
 
-    /// Writes A X to Y, for as many columns as X has, where several at once cost less than one by
-    /// one, as solves with a factorization do. Empty: apply() is called for each column.
+    /// Writes A X to Y for several columns at once, where that is cheaper, as in solves with a
+    /// factorization. Empty: apply() is called for each column.
     std::function<void(const DenseMatrix& X, DenseMatrix& Y)> apply_to_columns = {};
 };
 
@@ -30,13 +30,13 @@ struct EigenOptions {
 struct EigenPairs {
     Vector values = {};       ///< descending
     DenseMatrix vectors = {}; ///< orthonormal columns, one per value
-    Index converged = 0;      ///< how many there are; fewer than asked for if iterations ran out
+    Index converged = 0;      ///< number found; smaller than requested if iterations ran out
     Index operations = 0;     ///< products with the operator
 };
 
-/// Finds eigenpairs of symmetric operators. Copies of multiple eigenvalues may be missed, and
-/// eigenvalues in invariant subspaces the start vector has no part in: who needs all of them has to
-/// count by inertia and to deflate.
+/// Finds eigenpairs of symmetric operators. It may miss copies of multiple eigenvalues, and
+/// eigenvalues in invariant subspaces orthogonal to the start vector. To find all, count by inertia
+/// and deflate.
 class EigenSolver {
 public:
     EigenSolver() = default;
@@ -46,20 +46,19 @@ public:
 
     virtual std::string name() const = 0;
 
-    /// The `count` pairs of (algebraically) largest eigenvalue, 0 <= count <= size. Running into
-    /// the limit of restarts is no failure: what has converged is returned. Throws InvalidInput for
-    /// impossible counts, options or start vectors; SolverFailure if the operator gives NaN or
-    /// infinity or the iteration breaks down. Errors of polydec that apply() throws pass through.
+    /// The `count` (algebraically) largest eigenpairs, 0 <= count <= size. At the limit of restarts
+    /// it returns the converged pairs. Throws InvalidInput for impossible counts, options or start
+    /// vectors; SolverFailure if the operator gives NaN or infinity or the iteration breaks down.
+    /// Passes on errors of polydec thrown by apply().
     EigenPairs largest(const SymmetricOperator& A, Index count,
                        const EigenOptions& options = {}) const;
 
 protected:
-    /// The dimension of the subspace that suits this engine.
+    /// The default dimension of this engine's subspace.
     virtual std::int64_t usual_dimension(Index count) const;
 
-    /// The same for 1 <= count <= size and options that are filled in: krylov_dimension lies
-    /// between count and size, start is not zero; apply() and apply_to_columns(), which are both
-    /// there, refuse to give NaN.
+    /// The same for 1 <= count <= size and complete options: krylov_dimension lies between count
+    /// and size, start is not zero. Both apply() and apply_to_columns() are set and throw on NaN.
     virtual EigenPairs compute(const SymmetricOperator& A, Index count,
                                const EigenOptions& options) const = 0;
 };

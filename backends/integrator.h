@@ -9,85 +9,85 @@
 
 namespace polydec {
 
-/// The rate of change of a state at a time: as many entries as the state.
+/// The rate of change of a state at a time: one entry per entry of the state.
 using Rate = std::function<Vector(double time, const Vector& state)>;
 
-/// Whether a rate is a matrix times the state that never changes, the same and a term that the time
-/// alone changes, or anything.
+/// Form of a rate: linear, a constant matrix times the state; affine, the same plus a term that
+/// depends on time alone; general, any function.
 enum class Linearity { linear, affine, general };
 
-/// The stiff part g(t, y) of a rate, and how to solve with its derivative g' by y, so that steps
-/// need not be as short as the fastest decay.
+/// The stiff part g(t, y) of a rate, with a solver for its derivative g' by y, so that the fastest
+/// decay does not limit the steps.
 struct StiffPart {
     Rate rate = {};
 
-    /// Gets ready for solving with this gamma > 0 where g' is that at this time and state: by a
-    /// factorization, say. Called as seldom as can be.
+    /// Prepares solves with this gamma > 0 and g' at this time and state, e.g. by a factorization.
+    /// Called as rarely as possible.
     std::function<void(double time, const Vector& state, double gamma)> prepare = {};
 
-    /// x with x - gamma g' x = b, for what was prepared last.
+    /// Solves x - gamma g' x = b, with the last preparation.
     std::function<Vector(const Vector& b)> solve = {};
 
     Linearity linearity = Linearity::affine;
 };
 
-/// y' = f(t, y) + g(t, y), of which one may be missing. What the functions throw passes through the
-/// integrator that calls them.
+/// The problem y' = f(t, y) + g(t, y); f or g may be missing. Exceptions from the functions pass
+/// through the integrator.
 struct InitialValueProblem {
-    Rate rate = {};                      ///< f, which is not stiff
+    Rate rate = {};                      ///< f, the non-stiff part
     std::optional<StiffPart> stiff = {}; ///< g
 
-    /// A march stops where this goes through 0.
+    /// A march stops at a zero of this function.
     std::function<double(double time, const Vector& state)> event = {};
 
     /// Called with the time at each evaluation of a rate and at each solve. An exception from it
     /// ends the march.
     std::function<void(double time)> progress = {};
 
-    /// What an entry of the state is measured in: the absolute tolerance is multiplied by it, as
-    /// values of forms are by the volumes of cells. Empty: 1.
+    /// The scale of each entry of the state, which multiplies the absolute tolerance; for values of
+    /// forms, the volumes of cells. Empty: 1.
     Vector scale = {};
 };
 
 struct IntegratorOptions {
-    /// A step may be wrong by relative |y_i| + absolute scale_i in each entry, in the mean of
-    /// squares.
+    /// The error of a step may be relative |y_i| + absolute scale_i in each entry, in the root mean
+    /// square.
     double relative_tolerance = 1e-5;
     double absolute_tolerance = 1e-8;
-    double first_step = 0;   ///< 0: chosen
-    double largest_step = 0; ///< 0: any
-    /// Steps of this length, made equal between the times that are marched to, instead of those
-    /// that the tolerances ask for; 0: the latter.
+    double first_step = 0;   ///< 0: automatic
+    double largest_step = 0; ///< 0: no limit
+    /// Steps of this length, adjusted to equal parts between the end times of marches; 0: the
+    /// tolerances determine the steps.
     double fixed_step = 0;
     Index most_steps = 1'000'000; ///< in one march
 };
 
-/// What an integrator can do; asking for more is refused with InvalidInput.
+/// The capabilities of an integrator; more is an InvalidInput.
 struct IntegratorTraits {
-    int explicit_order = 0; ///< of accuracy, where nothing is stiff; 0: varies
+    int explicit_order = 0; ///< of accuracy, for non-stiff problems; 0: varies
     int implicit_order = 0; ///< with a stiff part
     bool has_fixed_steps = true;
-    bool resumes_exactly = true;   ///< memory() makes a march go on in the same bits
-    bool resumes_anywhere = false; ///< and does so between the times that are marched to
+    bool resumes_exactly = true;   ///< with memory(), a march resumes bit for bit
+    bool resumes_anywhere = false; ///< also between the end times of marches
 };
 
-/// What it took, since begin().
+/// Work counts since begin().
 struct IntegratorReport {
     std::string engine = {};
     Index steps = 0;
-    Index rejected = 0;          ///< steps tried, and taken again shorter
+    Index rejected = 0;          ///< steps repeated with a shorter length
     Index evaluations = 0;       ///< of the rate f
     Index stiff_evaluations = 0; ///< of g
-    Index preparations = 0;      ///< for solving with a gamma
+    Index preparations = 0;      ///< for solves with a gamma
     Index solves = 0;
     double last_step = 0;
 };
 
-/// Where a march has ended.
+/// The reason why a march ended.
 enum class Arrival { at_time, at_event };
 
-/// Solves initial value problems. One interface for every engine. An object is used by one thread
-/// at a time; two objects are independent.
+/// Solves initial value problems: one interface for every engine. Use an object from one thread at
+/// a time; two objects are independent.
 class Integrator {
 public:
     virtual ~Integrator() = default;
@@ -97,36 +97,36 @@ public:
     const std::string& name() const { return report_.engine; }
     virtual IntegratorTraits traits() const = 0;
 
-    /// Begins with this state at this time. With what memory() was there and then, goes on with
-    /// the same steps. Throws InvalidInput for a problem without a rate, a stiff part without one
-    /// of its functions, scales other than one above 0 for each entry, what is not finite, options
-    /// that the engine has not, and memory that is not of this engine.
+    /// Starts from this state at this time; with the memory() from then, resumes with the same
+    /// steps. Throws InvalidInput for a problem without a rate, a stiff part with a missing
+    /// function, scales that are not one positive number per entry, values that are not finite,
+    /// options that the engine does not support, and memory from another engine.
     void begin(InitialValueProblem problem, double time, Vector state, const Vector& memory = {});
 
-    /// Marches to this time, and there exactly, or to the first event: to the end of the smallest
-    /// interval of times that it is known to be in. An event at the beginning does not count.
-    /// Throws InvalidInput for a time before now or without begin(); SolverFailure, naming the
-    /// time, where a rate is not finite however short the step, where steps become too short to
-    /// change the time, and after most_steps. Then time() and state() are those after a good step:
-    /// the last one, or, where an engine does not tell, the last one before this march.
+    /// Marches to exactly this time, or to the first event: to the end of the smallest known time
+    /// interval that contains it. An event at the beginning does not count. Throws InvalidInput for
+    /// a time in the past or without begin(); SolverFailure, naming the time, if a rate is not
+    /// finite however short the step, if steps become too short to change the time, and after
+    /// most_steps. Then time() and state() are from a completed step: the last one, or, if the
+    /// engine does not report it, the last one before this march.
     Arrival advance(double time);
 
     double time() const { return time_; }
     const Vector& state() const { return state_; }
     const IntegratorReport& report() const { return report_; }
 
-    /// What begin() needs beside time and state to go on in the same bits; empty if it needs
-    /// nothing, or cannot.
+    /// The input of begin(), besides time and state, that resumes bit for bit; empty if the engine
+    /// needs none, or cannot resume.
     virtual Vector memory() const { return {}; }
 
 protected:
-    /// Throws InvalidInput for options that make no sense.
+    /// Throws InvalidInput for invalid options.
     Integrator(const std::string& name, const IntegratorOptions& options);
 
-    /// Begins; for a state with entries, after all has been checked.
+    /// Starts, with a nonempty state, after all checks.
     virtual void start(const Vector& memory) = 0;
 
-    /// Marches to a time behind now, as advance() says; keeps time and state by accept().
+    /// Marches to a later time, as in advance(); updates time and state by accept().
     virtual Arrival march(double until) = 0;
 
     const IntegratorOptions& options() const { return options_; }
@@ -134,27 +134,27 @@ protected:
     bool is_stiff() const { return problem_.stiff.has_value(); }
     bool has_events() const { return static_cast<bool>(problem_.event); }
 
-    /// Rates and solutions, counted, of the right size; maybe not finite.
+    /// Counted rates and solutions, of the right size; possibly not finite.
     Vector rate(double time, const Vector& state);
     Vector stiff_rate(double time, const Vector& state);
     void prepare(double time, const Vector& state, double gamma);
     Vector solve(const Vector& b);
 
-    /// Throws SolverFailure unless it is finite.
+    /// Throws SolverFailure if the value is not finite.
     double event(double time, const Vector& state) const;
 
-    /// The steps of the end of a march, which is no failure of a shorter one.
+    /// Records a step. The end of a march may shorten its last step, which is no rejection.
     void accept(double time, Vector state, double step);
     IntegratorReport& counts() { return report_; }
 
-    /// How much an error is of what the tolerances allow, beside states: 1 is just allowed.
+    /// The allowed errors at a state, and the norm of an error relative to them: 1 is just allowed.
     Vector allowed(const Vector& state) const;
     double size(const Vector& error, const Vector& allowed) const;
 
     /// Throws SolverFailure, naming the engine and the time.
     [[noreturn]] void fail(const std::string& reason) const;
 
-    /// The same, naming the first entry of the rate that is not finite now.
+    /// The same, naming the first non-finite entry of the current rate.
     [[noreturn]] void fail_of_rate();
 
 private:

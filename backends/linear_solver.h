@@ -13,68 +13,69 @@ namespace polydec {
 
 enum class Symmetry { symmetric, general };
 
-/// What the maker of a matrix knows of its spectrum; indefinite promises nothing.
+/// What the caller knows of a matrix's spectrum; indefinite promises nothing.
 enum class Definiteness { positive, semidefinite, indefinite };
 
-/// Whether the number of negative eigenvalues is asked for besides solutions.
+/// Whether the caller needs the number of negative eigenvalues besides solutions.
 enum class Inertia { unneeded, wanted };
 
-/// What the maker of a matrix knows of it. Engines believe it; the defaults promise nothing.
+/// Known properties of a matrix. Engines trust them; the defaults promise nothing.
 struct MatrixFacts {
     Symmetry symmetry = Symmetry::general;
     Definiteness definiteness = Definiteness::indefinite; ///< of a symmetric matrix
     Inertia inertia = Inertia::unneeded;
 
-    /// Columns spanning the whole kernel of a symmetric matrix; no columns: none is known.
-    /// Right-hand sides must then be orthogonal to it, and solutions are made so.
+    /// Columns spanning the whole kernel of a symmetric matrix; no columns: unknown. Right-hand
+    /// sides must then be orthogonal to it, and solutions are made orthogonal.
     DenseMatrix kernel = {};
 
-    /// Dimension of the domain behind the matrix (2 for surfaces, 3 for solids ...): it decides on
-    /// the ordering and on when iterating pays. 0: guessed from the number of entries in a row.
+    /// Dimension of the domain behind the matrix (2 for surfaces, 3 for solids ...). It determines
+    /// the ordering and the choice between direct and iterative methods. 0: guessed from the number
+    /// of entries in a row.
     int domain_dimension = 0;
 
-    /// Whether dozens of solves will follow one factorization, as in time steps or an iteration for
-    /// eigenvalues: then a factorization pays for longer.
+    /// Whether dozens of solves will follow one factorization, as in time steps or eigenvalue
+    /// iterations: a factorization is then preferred up to larger sizes.
     bool many_solves = false;
 };
 
-/// The dimension of the domain behind a matrix: from the facts, else guessed from the pattern, 2
+/// The dimension of the domain behind a matrix: from the facts, else guessed from the pattern as 2
 /// or 3.
 int domain_dimension(const SparseMatrix& A, const MatrixFacts& facts);
 
-/// How an engine works.
+/// The type of an engine's method.
 enum class Method { direct, iterative };
 
-/// What is done with a known kernel: an engine gets the matrix without as many rows and columns as
-/// make it regular, or the matrix as it is, with right-hand sides orthogonal to the kernel.
+/// The treatment of a known kernel. Grounding removes rows and columns to make the matrix regular;
+/// projection keeps the matrix, with right-hand sides orthogonal to the kernel.
 enum class KernelTreatment { grounding, projection };
 
-/// What an engine can do; asking for more is refused with InvalidInput.
+/// The capabilities of an engine; more is an InvalidInput.
 struct EngineTraits {
     Method method = Method::direct;
-    Symmetry symmetry = Symmetry::general; ///< symmetric: takes symmetric matrices only
-    /// The least definite symmetric matrix it takes.
+    Symmetry symmetry = Symmetry::general; ///< symmetric: only symmetric matrices
+    /// The least definite symmetric matrices that it accepts.
     Definiteness definiteness = Definiteness::indefinite;
     Inertia inertia = Inertia::unneeded; ///< wanted: it can count negative eigenvalues
     KernelTreatment kernel = KernelTreatment::grounding;
 };
 
-/// Options of every linear engine; each reads those that concern it.
+/// Options of every linear engine; each reads the ones that apply to it.
 struct LinearSolverOptions {
-    double tolerance = 1e-12; ///< iterative engines: |b - A x| / |b| to be reached
+    double tolerance = 1e-12; ///< iterative engines: target for |b - A x| / |b|
     Index max_iterations = 0; ///< iterative engines; 0: min(10 n + 1000, 50000)
-    int blas_threads = 1;     ///< engines that call the BLAS; 0: leave it as it is
+    int blas_threads = 1;     ///< engines that call the BLAS; 0: no change
 
-    /// Options in the engine's own words, for engines that have some; the others pass it over.
-    /// For those of PETSc: "-ksp_type fcg -pc_hypre_boomeramg_strong_threshold 0.7".
+    /// Engine-specific options; engines without any ignore them. For PETSc's: "-ksp_type fcg
+    /// -pc_hypre_boomeramg_strong_threshold 0.7".
     std::string engine_options = {};
 };
 
-/// Iterations that an iterative engine is allowed for that many unknowns.
+/// The iteration limit of an iterative engine for this many unknowns.
 Index iteration_limit(const LinearSolverOptions& options, Eigen::Index unknowns);
 
-/// Solves A X = B: factorize once, solve often. One interface for every engine.
-/// An object is used by one thread at a time; two objects are independent.
+/// Solves A X = B: factorize once, solve often. One interface for every engine. Use an object from
+/// one thread at a time; two objects are independent.
 class LinearSolver {
 public:
     LinearSolver() = default;
@@ -85,10 +86,10 @@ public:
     virtual std::string name() const = 0;
     virtual EngineTraits traits() const = 0;
 
-    /// Prepares for solving with A (square, symmetric ones with both triangles), sharing it: the
-    /// caller must not change it. May be called again; the analysis is kept if the pattern is
-    /// equal. Throws InvalidInput if A is not square, holds NaN or infinity (naming the entry), or
-    /// if the facts ask for what the engine cannot do; SolverFailure if A cannot be factorized.
+    /// Prepares solves with A (square; symmetric ones with both triangles), sharing it: the caller
+    /// must not change it. May be called again; an equal pattern reuses the analysis. Throws
+    /// InvalidInput if A is not square, holds NaN or infinity (naming the entry), or if the facts
+    /// need more than the engine's capabilities; SolverFailure if A cannot be factorized.
     virtual void factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) = 0;
 
     /// The same with a copy of A.
@@ -96,24 +97,23 @@ public:
         factorize(std::make_shared<const SparseMatrix>(A), facts);
     }
 
-    /// X with A X = B: as many rows as A, one column per right-hand side; a Vector for a vector.
-    /// The true residual is checked: what an engine returns has |b - A x| <= 1e-6 |b| and
-    /// |b - A x| <= 1e-10 (|A| |x| + |b|), or 10 times a looser tolerance asked for. Where inertia
-    /// is wanted the caller judges by report().backward_error instead: near an eigenvalue large
-    /// residuals are what tells of a count not to be trusted.
-    /// Throws InvalidInput for NaN, a wrong number of rows, a right-hand side not orthogonal to the
-    /// kernel, or without a factorization; SolverFailure if there is no such X to be had.
+    /// Solves A X = B: as many rows as A, one column per right-hand side; a Vector for a vector.
+    /// The true residual is checked: results have |b - A x| <= 1e-6 |b| and |b - A x| <= 1e-10 (|A|
+    /// |x| + |b|), or 10 times a looser requested tolerance. If inertia is wanted, the caller
+    /// judges by report().backward_error instead: near an eigenvalue, large residuals reveal an
+    /// untrusted count. Throws InvalidInput for NaN, a wrong number of rows, a right-hand side not
+    /// orthogonal to the kernel, or without a factorization; SolverFailure if no such X is found.
     template <typename Derived>
     auto solve(const Eigen::MatrixBase<Derived>& B) {
         using Result = Eigen::Matrix<double, Eigen::Dynamic, Derived::ColsAtCompileTime>;
         return Result(solve_columns(B.derived()));
     }
 
-    /// Number of negative eigenvalues of the last matrix factorized (Sylvester's law of inertia);
-    /// nullopt if the engine does not know.
+    /// Number of negative eigenvalues of the last factorized matrix (Sylvester's law of inertia);
+    /// nullopt if the engine does not count.
     virtual std::optional<Index> negative_pivots() const = 0;
 
-    /// How the last solve went.
+    /// The report of the last solve.
     virtual const SolveReport& report() const = 0;
 
 protected:

@@ -14,13 +14,13 @@ namespace polydec {
 
 enum class EngineKind { linear, eigen, integrator, mesher };
 
-/// What `polydec backends` tells of an engine.
+/// The entry of an engine in `polydec backends`.
 struct EngineInfo {
     std::string name = {};
     EngineKind kind = EngineKind::linear;
     bool available = true;
     std::string description = {};
-    std::string how_to_get = {}; ///< package and build option; empty for what is always there
+    std::string how_to_get = {}; ///< package and build option; empty for built-in engines
 };
 
 using LinearSolverFactory =
@@ -28,23 +28,22 @@ using LinearSolverFactory =
 using EigenSolverFactory = std::function<std::unique_ptr<EigenSolver>()>;
 using IntegratorFactory = std::function<std::unique_ptr<Integrator>(const IntegratorOptions&)>;
 
-/// A new solver of that name: auto, eigen.ldlt, eigen.lu, eigen.cg, eigen.bicgstab, one of a module
-/// that is there (the optional engines' are loaded when one is first asked for), or what was
-/// registered. Throws InvalidInput, listing the known names, if there is none of that name or an
-/// option makes no sense; BackendUnavailable, naming package and build option, if the engine is
-/// known but not to be had in this program.
+/// A new solver with this name: auto, eigen.ldlt, eigen.lu, eigen.cg, eigen.bicgstab, an engine of
+/// an installed module (loaded at the first request), or a registered one. Throws InvalidInput,
+/// listing the known names, for an unknown name or an invalid option; BackendUnavailable, naming
+/// package and build option, if the engine is known but missing in this program.
 std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name,
                                                  const LinearSolverOptions& options = {});
 
-/// The same for eigensolvers: block-lanczos, spectra, or what there is else.
+/// The same for eigensolvers: block-lanczos, spectra, or others available.
 std::unique_ptr<EigenSolver> make_eigen_solver(const std::string& name);
 
-/// The same for integrators in time: runge-kutta, or what there is else.
+/// The same for time integrators: runge-kutta, or others available.
 std::unique_ptr<Integrator> make_integrator(const std::string& name,
                                             const IntegratorOptions& options = {});
 
-/// Makes an engine known under a name; `available` is set by the registry.
-/// Throws InvalidInput if the name is empty or taken, or the factory is empty.
+/// Registers an engine under a name; the registry sets `available`. Throws InvalidInput if the name
+/// is empty or taken, or the factory is empty.
 void register_linear_solver(const EngineInfo& info, LinearSolverFactory factory);
 void register_linear_solver(const std::string& name, LinearSolverFactory factory);
 void register_eigen_solver(const EngineInfo& info, EigenSolverFactory factory);
@@ -52,13 +51,13 @@ void register_eigen_solver(const std::string& name, EigenSolverFactory factory);
 void register_integrator(const EngineInfo& info, IntegratorFactory factory);
 void register_integrator(const std::string& name, IntegratorFactory factory);
 
-/// Every engine that is known, the missing ones too; linear first, then eigensolvers, integrators
-/// and the mesher, TetGen, which tetrahedralize runs; each kind ordered by name; of a module that
-/// cannot be loaded, how_to_get says why. Loads every module there is. TetGen is available if the
-/// program is on PATH now.
+/// All known engines, including missing ones: linear first, then eigensolvers, integrators and the
+/// mesher, TetGen, which tetrahedralize runs; each kind ordered by name. If a module cannot be
+/// loaded, how_to_get gives the reason. Loads all modules. TetGen is available if the program is
+/// currently on PATH.
 std::vector<EngineInfo> engines();
 
-/// The same for one kind only; modules, which bring no mesher, are loaded for the other kinds.
+/// The same for one kind only; loads modules except for the kind mesher, which has none.
 std::vector<EngineInfo> engines(EngineKind kind);
 
 /// Whether make_linear_solver(name) would find an engine.

@@ -10,8 +10,8 @@ namespace polydec::builtin {
 /// Below this size all eigenpairs of a dense matrix cost less than any iteration.
 constexpr Index dense_size = 40;
 
-/// The `count` largest eigenpairs of an operator as EigenSolver hands it to its engines, by all
-/// entries of its matrix. Throws SolverFailure in the name of the engine if there are none.
+/// The `count` largest eigenpairs of an operator, as EigenSolver passes it to engines, from all
+/// entries of its matrix. Throws SolverFailure in the name of the engine if it fails.
 EigenPairs dense_pairs(const SymmetricOperator& A, Index count, const std::string& engine);
 
 } // namespace polydec::builtin

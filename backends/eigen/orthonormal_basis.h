@@ -6,11 +6,12 @@
 
 namespace polydec {
 
-/// Orthonormal columns that grow by blocks, for block Krylov methods. Everything is done by matrix
-/// products on whole blocks; memory for all columns is taken at once.
+/// Orthonormal columns that grow by blocks, for block Krylov methods. Works by matrix products on
+/// whole blocks; allocates memory for all columns at once.
 class OrthonormalBasis {
 public:
-    /// Room for `capacity` columns of `rows` entries, capacity <= rows; there are none at first.
+    /// Reserves `capacity` columns of `rows` entries, capacity <= rows; the basis is empty at
+    /// first.
     OrthonormalBasis(Eigen::Index rows, Eigen::Index capacity);
 
     Eigen::Index size() const { return size_; }
@@ -20,15 +21,14 @@ public:
         return columns_.middleCols(first, count);
     }
 
-    /// Appends as many columns as W has, an orthonormal basis N of what W has outside of the span:
-    /// the part of W there is N R, and R is returned. What is not longer than `floor` counts as
-    /// zero. Where W so has too few directions, pseudo-random ones fill up and the rows of R that
-    /// belong to them are zero. W is used as working space.
-    /// Throws InvalidInput if there is no room, SolverFailure if W holds NaN or infinity.
+    /// Appends as many columns as W has: an orthonormal basis N of the part of W outside the span.
+    /// This part is N R; returns R. Vectors of length at most `floor` count as zero. If W has too
+    /// few new directions, pseudo-random ones fill up, with zero rows in R. W is overwritten.
+    /// Throws InvalidInput if the capacity is exceeded, SolverFailure if W holds NaN or infinity.
     DenseMatrix append(DenseMatrix& W, double floor);
 
-    /// The first S.rows() columns make way for the columns of their product with S, which must be
-    /// orthonormal itself; the columns behind them follow.
+    /// Replaces the first S.rows() columns by their product with S, which must be orthonormal
+    /// itself; the later columns move up.
     void combine(const DenseMatrix& S);
 
 private:

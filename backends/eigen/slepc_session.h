@@ -12,7 +12,7 @@ inline void end_slepc() {
         SlepcFinalize();
 }
 
-/// Starts SLEPc where nobody has; it is ended when the program exits, before PETSc.
+/// Starts SLEPc unless it is running; it ends at program exit, before PETSc.
 inline void start_slepc(const Session& session) {
     if (SlepcInitializeCalled)
         return;

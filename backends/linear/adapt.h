@@ -79,13 +79,13 @@ private:
 
 } // namespace detail
 
-/// Makes an engine of any type that has Eigen's compute(A) and solve(B), and perhaps info() and
-/// iterations(). A is given as Solver::MatrixType if there is such a type, else as SparseMatrix.
+/// Makes an engine from any type with Eigen's compute(A) and solve(B), and optionally info() and
+/// iterations(). A is passed as Solver::MatrixType if that type exists, else as SparseMatrix.
 ///     register_linear_solver("mine", adapt<Eigen::SparseQR<...>>("mine"));
 ///     auto solver = adapt<MySolver>("mine", {.symmetry = Symmetry::symmetric})({});
-/// traits: what it can do, by default everything but inertia. Tolerance and iteration limit are
-/// handed on where it has Eigen's setters; configure is called once on each new solver after that.
-/// Solutions are checked as those of every engine.
+/// traits: its capabilities, by default everything but inertia. Tolerance and iteration limit are
+/// passed on if it has Eigen's setters; configure is then called once on each new solver. Solutions
+/// are checked as for every engine.
 template <typename Solver>
 LinearSolverFactory adapt(std::string name, const EngineTraits& traits = {},
                           std::function<void(Solver&)> configure = {}) {

@@ -9,18 +9,17 @@
 
 namespace polydec {
 
-/// The names of the engines that suit a matrix, best first; those not in this program are left out.
-/// Symmetric and definite, or semidefinite with known kernel: cholmod, eigen.ldlt, eigen.lu,
-/// eigen.cg; above a size where factors outgrow memory, in three and more dimensions, eigen.cg
-/// first and no LU. Semidefinite without known kernel: eigen.cg, which needs none, then the others.
-/// Indefinite: L D L^T, then LU. General: eigen.lu, eigen.bicgstab. With inertia wanted: those
-/// alone that count.
+/// The engines that suit a matrix, best first, among those in this program. Symmetric and definite,
+/// or semidefinite with known kernel: cholmod, eigen.ldlt, eigen.lu, eigen.cg; in three and more
+/// dimensions, above a size where factors exceed memory, eigen.cg first and no LU. Semidefinite
+/// without known kernel: eigen.cg, which needs none, then the others. Indefinite: L D L^T, then LU.
+/// General: eigen.lu, eigen.bicgstab. If inertia is wanted: only engines that count.
 std::vector<std::string> suitable_engines(const SparseMatrix& A, const MatrixFacts& facts);
 
-/// The engine `auto`: takes the first of suitable_engines() whose factorization and whose solves
-/// are good, and goes on to the next where one fails; report().tried tells the story.
-/// Throws SolverFailure with all of it if none is left, OutOfMemory if one of them needed more
-/// memory; bad input is refused as by every engine.
+/// The engine `auto`: uses the first of suitable_engines() with a good factorization and good
+/// solves, and switches to the next after a failure; report().tried lists the attempts. Throws
+/// SolverFailure with all failures if none is left, OutOfMemory if one of them needed more memory;
+/// bad input throws as in every engine.
 class AutoSolver final : public LinearSolver {
 public:
     explicit AutoSolver(const LinearSolverOptions& options = {}) : options_(options) {}
@@ -46,10 +45,10 @@ private:
     std::shared_ptr<const SparseMatrix> matrix_;
     MatrixFacts facts_;
     std::vector<std::string> candidates_;
-    std::size_t next_ = 0;                 // the candidate to be tried when the engine fails
-    std::unique_ptr<LinearSolver> engine_; // null: nothing is factorized
+    std::size_t next_ = 0;                 // the candidate to try when the engine fails
+    std::unique_ptr<LinearSolver> engine_; // null: not factorized
     std::vector<std::string> failures_;
-    bool lacks_memory_ = false; // whether that is one of the failures
+    bool lacks_memory_ = false; // whether one of the failures is lack of memory
     SolveReport report_;
 };
 

@@ -7,10 +7,10 @@
 
 namespace polydec {
 
-/// What every engine has in common: derive from it and write compute() and apply_inverse().
-/// It refuses bad input, takes known kernels out, and checks the true residual of every solve, with
-/// one step of iterative refinement where that is too large. Engines see numbers whose squares are
-/// numbers too: matrices and right-hand sides of extreme size are scaled by powers of two.
+/// The common base of all engines: derive from it and write compute() and apply_inverse(). It
+/// rejects bad input, removes known kernels, and checks the true residual of every solve, with one
+/// step of iterative refinement if that is too large. Powers of two scale matrices and right-hand
+/// sides of extreme size, so that squares stay in range in engines.
 class CheckedSolver : public LinearSolver {
 public:
     std::string name() const final { return name_; }
@@ -32,8 +32,8 @@ protected:
         : name_(std::move(name)), traits_(traits), options_(options) {}
 
     /// Prepares for A: square, finite, compressed, at least 1 x 1, alive until the next call.
-    /// pattern: same, if the last call succeeded with entries in the same places.
-    /// Throws SolverFailure, made by fail(), and std::bad_alloc where memory does not suffice.
+    /// pattern: same, if the last call succeeded with the same sparsity pattern. Throws
+    /// SolverFailure, made by fail(), and std::bad_alloc if memory is insufficient.
     virtual void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) = 0;
 
     /// X with A X = B, for finite B with at least one column. Throws like compute().
@@ -70,8 +70,8 @@ private:
     LinearSolverOptions options_;
 
     std::shared_ptr<const SparseMatrix> matrix_;  // as given, or scaled; null until factorized
-    std::shared_ptr<const SparseMatrix> treated_; // what the engine holds: grounded or as given
-    int exponent_ = 0;                            // matrix_ is the one given times 2^-exponent_
+    std::shared_ptr<const SparseMatrix> treated_; // the engine's matrix: grounded or as given
+    int exponent_ = 0;                            // matrix_ is the given one times 2^-exponent_
     std::optional<Kernel> kernel_;
     Inertia inertia_ = Inertia::unneeded;
     double matrix_norm_ = 0.0;

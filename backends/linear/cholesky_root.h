@@ -7,12 +7,12 @@
 
 namespace polydec {
 
-/// R with M = R^T R, of a symmetric positive definite matrix: sparse, with its columns in an order
-/// that keeps it so.
+/// The sparse factor R in M = R^T R of a symmetric positive definite matrix, with fill-reducing
+/// column order.
 class CholeskyRoot {
 public:
-    /// Throws InvalidInput if M is not positive definite; SolverFailure if R has more entries than
-    /// can be counted.
+    /// Throws InvalidInput if M is not positive definite; SolverFailure if the number of entries of
+    /// R overflows.
     explicit CholeskyRoot(const SparseMatrix& M);
     ~CholeskyRoot();
 

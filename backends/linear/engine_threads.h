@@ -6,17 +6,17 @@
 
 namespace polydec {
 
-/// The small dense blocks of sparse factors are slower on many threads than on one. OpenBLAS, where
-/// it is what stands behind the BLAS, can be told so, and for one thread OpenMP too, of which
-/// CHOLMOD takes four threads whatever else is said; others are left as they are. Compiled with
-/// each engine, since a module sees what it has brought along, and the program does not.
+/// Sets the number of BLAS threads during its lifetime: small dense blocks of sparse factors are
+/// slower on many threads than on one. Works for OpenBLAS; for one thread also for OpenMP, of which
+/// CHOLMOD otherwise takes four threads. Other BLAS keep their setting. Compiled with each engine,
+/// since a module sees its own libraries, and the program does not.
 class EngineThreads {
 public:
-    /// 0: leaves all as it is.
+    /// Threads to set; with 0 nothing changes.
     explicit EngineThreads(int wished) {
         if (wished > 0)
             settings_[0].take("openblas_get_num_threads", "openblas_set_num_threads", wished);
-        if (wished == 1) // parallel regions within no region are of one thread then
+        if (wished == 1) // with no active levels allowed, parallel regions have one thread
             settings_[1].take("omp_get_max_active_levels", "omp_set_max_active_levels", 0);
     }
     ~EngineThreads() {

@@ -7,19 +7,19 @@
 
 namespace polydec {
 
-/// The kernel of a symmetric matrix A, and how to get around it: as many unknowns as it has
-/// dimensions are set to zero (grounded), chosen such that the rest of A is regular, with the
-/// inertia of A: the rows left out depend on those left.
+/// Regularizes a symmetric matrix A with known kernel: as many unknowns as the kernel's dimension
+/// are set to zero (grounded). The choice leaves A regular, with its inertia: the omitted rows
+/// depend on the others.
 class Kernel {
 public:
-    /// basis: n rows, columns spanning the kernel. Throws InvalidInput if it does not fit to A, is
-    /// not finite, has dependent columns, or if A times a column is not zero (to 1e-8 |A|).
+    /// basis: n rows, columns spanning the kernel. Throws InvalidInput if it does not fit A, is not
+    /// finite, has dependent columns, or if A times a column is not zero (to 1e-8 |A|).
     Kernel(const SparseMatrix& A, const DenseMatrix& basis);
 
     /// A without the rows and columns of the grounded unknowns.
     SparseMatrix grounded(const SparseMatrix& A) const;
 
-    /// The rows of B that are not grounded; and back, with zeros in the others.
+    /// The rows of B that are not grounded; the reverse, with zeros in the others.
     DenseMatrix restrict(const DenseMatrix& B) const;
     DenseMatrix extend(const DenseMatrix& X) const;
 
@@ -33,7 +33,7 @@ private:
 
     DenseMatrix basis_;        // orthonormal columns
     std::vector<Index> kept_;  // ascending
-    std::vector<Index> place_; // of an unknown among those kept; -1 if grounded
+    std::vector<Index> place_; // of an unknown in kept_; -1 if grounded
 };
 
 } // namespace polydec

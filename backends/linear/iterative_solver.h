@@ -10,27 +10,27 @@
 
 namespace polydec {
 
-/// What iterative engines have in common: they solve column by column, and see right-hand sides
-/// whose largest entry is 1 alone, since squares of tiny numbers vanish. The solution for zero is
-/// zero; the iterations of a solution are the most that a column took.
+/// The common base of iterative engines. They solve column by column, with right-hand sides scaled
+/// to a largest entry of 1, since squares of tiny numbers underflow. A zero right-hand side has the
+/// solution zero. The reported iterations are the maximum over the columns.
 class IterativeSolver : public CheckedSolver {
 protected:
     using CheckedSolver::CheckedSolver;
 
-    /// Writes x with A x = b to x, which is zero before, and tells the iterations that it took.
-    /// Throws SolverFailure, made by fail(), where they lead nowhere.
+    /// Solves A x = b, with x zero at first; returns the number of iterations. Throws
+    /// SolverFailure, made by fail(), if it does not converge.
     virtual Index iterate(const Vector& b, Eigen::Ref<Vector> x) = 0;
 
     Solution apply_inverse(const DenseMatrix& B) final;
 };
 
-/// What conjugate gradients can do.
+/// The capabilities of conjugate gradients.
 constexpr EngineTraits of_conjugate_gradients{.method = Method::iterative,
                                               .symmetry = Symmetry::symmetric,
                                               .definiteness = Definiteness::semidefinite,
                                               .kernel = KernelTreatment::projection};
 
-/// An engine by one of Eigen's iterations; advice: what to do where it does not converge.
+/// An engine from one of Eigen's iterations; advice: shown if it does not converge.
 template <class Iteration>
 class EigenIteration : public IterativeSolver {
 protected:

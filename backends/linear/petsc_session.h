@@ -5,24 +5,23 @@
 #include <petscsys.h>
 #include <string>
 
-/// The use of PETSc by the engines; installed nowhere.
+/// The engines' access to PETSc; not installed.
 namespace polydec::petsc {
 
-/// PETSc for one thread at a time, with its errors recorded instead of printed. Sessions of one
-/// thread may nest: an eigensolver calls what may be a linear solver of PETSc.
+/// Exclusive use of PETSc by one thread, with errors recorded instead of printed. Sessions of one
+/// thread may nest: an eigensolver may call a linear solver of PETSc.
 class Session {
 public:
-    /// Starts PETSc, and MPI below it, where nobody has; what was started here is ended when the
-    /// program exits. No command line and no file of options is read, and no signal handler stays
-    /// behind. engine: named in errors. Throws BackendUnavailable if PETSc or MPI cannot be
-    /// started, or has been ended already.
+    /// Starts PETSc, and MPI below it, unless they are running; they then end at program exit.
+    /// Reads no command line and no option files, and leaves no signal handler. engine: named in
+    /// errors. Throws BackendUnavailable if PETSc or MPI cannot be started, or has already ended.
     explicit Session(std::string engine);
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
-    /// Throws SolverFailure with the engine, what was tried and PETSc's reason where `error` is
-    /// one.
+    /// If `error` is one, throws SolverFailure with the engine, the attempted action and PETSc's
+    /// reason.
     void require(PetscErrorCode error, const char* what) const;
 
 private:
@@ -34,14 +33,14 @@ private:
     std::string reason_;
 };
 
-/// Whether objects of PETSc can be used: false before the first session and after its end.
+/// Whether PETSc objects are usable: false before the first session and after its end.
 bool is_running();
 
-/// Has `end` called when the program exits, before PETSc ends if it was started here.
+/// Calls `end` at program exit, before PETSc ends if it was started here.
 void at_exit(void (*end)());
 
-/// Owns an object of PETSc, such as Owned<KSP, KSPDestroy>. Objects that outlive PETSc, as those in
-/// static variables may, are left to the end of the program. Destroyed within a session.
+/// Owns a PETSc object, such as Owned<KSP, KSPDestroy>. Objects that outlive PETSc, such as those
+/// in static variables, are not destroyed. Destroy within a session.
 template <typename Object, PetscErrorCode (*destroy)(Object*)>
 class Owned {
 public:
@@ -52,7 +51,7 @@ public:
 
     Object get() const { return object_; }
 
-    /// Where a function of PETSc puts a new object.
+    /// The address where a PETSc function stores a new object.
     Object* put() {
         reset();
         return &object_;

@@ -5,16 +5,16 @@
 
 namespace polydec {
 
-/// How well x solves A x = b, in one process or over ranks; 0 for b = 0 and x = 0.
+/// The residual and backward error of x in A x = b, in one process or over ranks; 0 for b = x = 0.
 struct SolutionQuality {
     double residual = 0;       ///< |b - A x| / |b|, 2-norm
     double backward_error = 0; ///< |b - A x| / (|A| |x| + |b|), maximum norm
 
-    /// To be trusted: a residual of at most 1e-6 and a backward error of at most 1e-10, or either
-    /// as large as was wished for.
+    /// True for a residual of at most 1e-6 and a backward error of at most 1e-10, or at most
+    /// `wished` if that is larger.
     bool is_good(double wished = 0) const;
 
-    /// What to say of a solution that is not.
+    /// The message for a solution that is not good.
     std::string failure() const;
 };
 

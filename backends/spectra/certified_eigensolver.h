@@ -13,7 +13,7 @@
 
 namespace polydec {
 
-/// Whether answers must be proved complete.
+/// Whether completeness must be proved.
 enum class Certification { required, waived };
 
 struct EigensolverOptions {
@@ -22,23 +22,23 @@ struct EigensolverOptions {
     std::string eigen_solver = "auto";
     Certification certification = Certification::required;
     int domain_dimension = 0; ///< hint for orderings; 0: unknown
-    /// Whether A is known to be positive semidefinite; if not, its inertia is looked at first.
+    /// Whether A is known to be positive semidefinite; if not, its inertia is checked first.
     Definiteness definiteness = Definiteness::indefinite;
-    Index zeros = 0; ///< hint: as many eigenvalues are known to be zero
-    /// Independent vectors, orthogonal in M, that are known to have the eigenvalue zero.
+    Index zeros = 0; ///< hint: number of eigenvalues known to be zero
+    /// Independent M-orthogonal vectors, known to have the eigenvalue zero.
     DenseMatrix kernel = {};
-    std::function<void(std::string_view)> progress = {}; ///< told what is being done, at each step
-    /// Told of the eigenvectors found so far, as columns in the solver's own scale, whenever there
-    /// are more; they are asked for in parts then.
+    std::function<void(std::string_view)> progress = {}; ///< called with a description at each step
+    /// Called whenever there are more eigenvectors, with all found so far as columns in the
+    /// solver's own scale; the solver then computes them in parts.
     std::function<void(const DenseMatrix&)> found = {};
-    /// Some that were told of before, of the same pencil. They are taken for what they prove to be
-    /// here, like all others: those that prove nothing are left out.
+    /// Vectors from `found` in an earlier run with the same pencil. Each is verified here like all
+    /// others; vectors that prove nothing are dropped.
     DenseMatrix start = {};
 };
 
-/// Proof that no eigenvalue is missing: by Sylvester's law of inertia `below_shift` eigenvalues lie
-/// below `shift`, which lies in a gap of the spectrum behind all values returned, and
-/// `returned_below_shift` were computed.
+/// Proof that no eigenvalue is missing. By Sylvester's law of inertia `below_shift` eigenvalues lie
+/// below `shift`, in a gap of the spectrum above all returned values, and `returned_below_shift`
+/// were computed.
 struct Certificate {
     double shift = 0;
     Index below_shift = 0;
@@ -49,35 +49,34 @@ struct Certificate {
 struct CertifiedEigenpairs {
     Vector values;       ///< ascending, with multiplicity
     DenseMatrix vectors; ///< columns x with x^T M y = 0 or 1
-    /// Each eigenvalue that belongs to a value is within its radius of it, matched one to one.
+    /// Radii of the values: each matched eigenvalue, one to one, is within its radius of the value.
     Vector radii;
     Vector residuals; ///< |A x - lambda M x| / |M x|, 2-norms
     Certificate certificate;
-    std::string linear_solver; ///< the engines that did it
+    std::string linear_solver; ///< the engines used
     std::string eigen_solver;
-    /// Values whose radius is above 1e-6 of them and of the distance to the next ones: rounding
-    /// beside the largest eigenvalue hides them.
+    /// Values hidden by rounding relative to the largest eigenvalue: their radius exceeds 1e-6 of
+    /// the value and of the distance to the next ones.
     std::vector<Index> rough = {};
 };
 
-/// Smallest eigenpairs of A x = lambda M x, A symmetric, M positive definite, with the proof that
-/// none is missing and with the distances within which the exact ones lie.
+/// Smallest eigenpairs of A x = lambda M x, A symmetric, M positive definite, with a proof of
+/// completeness and with error radii.
 ///
-/// That none is missing: shift-invert Lanczos, then the inertia of A - tau M (of a larger matrix
-/// where A is not sparse, see ShiftedMatrices) with tau in a gap
-/// behind the values found; while it counts more, those found are projected out and the missing
-/// ones asked for. The shift moves where eigenvalues far from it come out inaccurately.
+/// Completeness: shift-invert Lanczos, then the inertia of A - tau M (of a larger matrix if A is
+/// not sparse, see ShiftedMatrices) with tau in a gap above the values found. While it counts more,
+/// the found vectors are projected out and the missing ones computed. The shift moves if
+/// eigenvalues far from it are inaccurate.
 ///
-/// The distances: the eigenvalue of x is its Rayleigh quotient theta, and |A x - theta M x| in the
-/// norm of M^-1 over |x| in that of M a radius within which an eigenvalue lies; for values nearer
-/// to each other than their radii the norm of all their residuals (Kahan 1967), so that values and
-/// eigenvalues correspond one to one. Residuals are evaluated from the parts of A, in the longest
-/// floating-point format there is, and the radii include their rounding and what the uncertainties
-/// of weights and masses can do. With the proof that none is missing they hold for the i-th
-/// smallest eigenvalue and the i-th value. Not covered: the inertia is counted in floating-point
-/// numbers; InertiaCounter says where it is trusted.
+/// Radii: the value of x is its Rayleigh quotient theta. An eigenvalue lies within |A x - theta M
+/// x| in the M^-1-norm over |x| in the M-norm. Values nearer to each other than their radii get the
+/// norm of all their residuals (Kahan 1967), so that values and eigenvalues correspond one to one.
+/// Residuals are evaluated from the parts of A in the longest native floating-point format; the
+/// radii include their rounding and the uncertainties of weights and masses. With the proof of
+/// completeness, they hold for the i-th smallest eigenvalue and the i-th value. Not covered:
+/// rounding in the inertia count; InertiaCounter states when it is trusted.
 ///
-/// Scale-free. Keeps what it has found for further calls.
+/// Scale-free. Reuses earlier results in further calls.
 class CertifiedEigensolver {
 public:
     /// Throws InvalidInput for sizes that do not fit, a mass that is not positive, numbers that are
@@ -87,10 +86,10 @@ public:
     CertifiedEigensolver(CertifiedEigensolver&&) noexcept;
     ~CertifiedEigensolver();
 
-    /// The `count` (algebraically) smallest eigenpairs, 1 <= count <= size.
-    /// Throws InvalidInput for an impossible count, and for vectors to start with of another size
-    /// or that are not finite; SolverFailure if they cannot be had or proved,
-    /// or a radius does not tell one of them from the next ones.
+    /// The `count` (algebraically) smallest eigenpairs, 1 <= count <= size. Throws InvalidInput for
+    /// an impossible count, and for start vectors of wrong size or that are not finite;
+    /// SolverFailure if pairs cannot be found or certified, or if a radius does not separate a
+    /// value from the next ones.
     CertifiedEigenpairs smallest(Index count);
 
 private:

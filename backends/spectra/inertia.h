@@ -9,44 +9,44 @@
 
 namespace polydec {
 
-/// How far a symmetric matrix B may be from that which is meant.
+/// Error bounds of a symmetric matrix B relative to the exact one.
 struct Doubt {
-    Vector sizes;        ///< at least |B_ij| <= sqrt(sizes_i sizes_j); what is added up in B_ii
+    Vector sizes;        ///< |B_ij| <= sqrt(sizes_i sizes_j); magnitudes of the terms in B_ii
     double share = 0;    ///< errors of B_ij / sqrt(sizes_i sizes_j): largest row sum
-    double relative = 0; ///< share by which each eigenvalue may be off besides
+    double relative = 0; ///< additional relative error of each eigenvalue
 };
 
-/// The symmetric matrices A - shift M, for all shifts. Eigenvalues of a symmetric matrix B may be
-/// asked of a larger one that is sparse where B is not: B - shift I is what remains of the last
-/// rows where the first `hidden` ones, a negative definite block without shift, are eliminated. The
-/// larger one has as many more negative eigenvalues (Haynsworth 1968).
+/// The symmetric matrices A - shift M, for all shifts. If a symmetric matrix B is not sparse, a
+/// larger sparse matrix represents it: B - shift I is the Schur complement after eliminating the
+/// first `hidden` rows, a negative definite block without shift. The larger one has `hidden`
+/// additional negative eigenvalues (Haynsworth 1968).
 struct ShiftedMatrices {
     std::shared_ptr<const SparseMatrix> A;
     SparseMatrix M; ///< positive semidefinite
     Index hidden = 0;
 
-    /// B - shift I itself.
+    /// Represents B - shift I directly.
     ShiftedMatrices(std::shared_ptr<const SparseMatrix> B);
     ShiftedMatrices(SparseMatrix A, SparseMatrix M, Index hidden);
 
     SparseMatrix at(double shift) const { return *A - shift * M; }
 };
 
-/// Counts eigenvalues of a symmetric matrix below a shift, by the inertia of A - shift M. It is
-/// that of D (A - shift M) D with any diagonal D > 0, which is chosen so that no entry is above 1:
-/// on graded meshes the norm of A says nothing of the accuracy of its small entries.
+/// Counts eigenvalues of a symmetric matrix below a shift, by the inertia of A - shift M. D (A -
+/// shift M) D has the same inertia for any diagonal D > 0; D is chosen so that no entry exceeds 1.
+/// On graded meshes the norm of A says nothing about the accuracy of its small entries.
 class InertiaCounter {
 public:
-    /// The doubt is of A. The engine must be one that counts.
+    /// The doubt is for A. The engine must count negative eigenvalues.
     InertiaCounter(ShiftedMatrices matrices, const std::string& engine, int domain_dimension,
                    Doubt doubt);
     ~InertiaCounter();
 
-    /// The number of those meant that lie below the shift, if it can be trusted: what is in doubt,
-    /// and by far the backward error of solves, must be below the smallest eigenvalue of the scaled
-    /// matrix, as inverse iteration tells it, and what is in doubt relatively below `gap`, the
-    /// distance of the shift from the nearest eigenvalue; nullopt if not, or if the factorization
-    /// broke down.
+    /// The number of eigenvalues of the exact matrix below the shift, if it can be trusted. The
+    /// doubt, and by far the backward error of solves, must be below the smallest eigenvalue of the
+    /// scaled matrix, from inverse iteration. The relative doubt must be below `gap`, the distance
+    /// of the shift from the nearest eigenvalue. nullopt if not, or if the factorization breaks
+    /// down.
     std::optional<Index> below(double shift, double gap);
 
     struct Counted {
@@ -54,13 +54,13 @@ public:
         Index below;
     };
 
-    /// A count that can be trusted at some place in the gap from `low` to `high`, below which at
-    /// least so many eigenvalues are known; nullopt if there is none.
+    /// A trusted count somewhere in the gap from `low` to `high`, with at least `known` eigenvalues
+    /// below; nullopt if there is none.
     std::optional<Counted> between(double low, double high, Index known);
 
-    /// A shift in (low, high) with `done` eigenvalues below it, as low has, from which the next is
-    /// not half as far as all but `wanted` others: iterations about it converge where those about
-    /// low would not. Bisection, of lengths above `length` by their exponents.
+    /// A shift in (low, high) with `done` eigenvalues below it, as at low; the next eigenvalue is
+    /// at most half as far from it as all others except `wanted`. Iterations about it converge
+    /// where iterations about low would not. Bisects lengths above `length` by their exponents.
     double shift_close_to(Index done, Index wanted, double low, double high, double length);
 
 private:
@@ -72,8 +72,8 @@ private:
     Doubt doubt_;
 };
 
-/// A length on the axis below eigenvalues that are not zero, but not so small that a shift by it
-/// is next to singular. On graded meshes the coarse cells decide.
+/// A length below the nonzero eigenvalues, but not so small that a shift by it is nearly singular.
+/// On graded meshes the coarse cells determine it.
 double small_length(const SparseMatrix& B);
 
 } // namespace polydec

@@ -10,13 +10,13 @@ namespace polydec {
 
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
-/// A step of the numbers in LongVector behind 1.
+/// The machine epsilon of the numbers in LongVector.
 double unit_roundoff();
 
 /// The largest number of entries in a row.
 Index longest_row(const SparseMatrix& A);
 
-/// A positive definite matrix M = R^T R, R diagonal or sparse, by what it does to vectors.
+/// A positive definite matrix M = R^T R, R diagonal or sparse, as an operator.
 class Mass {
 public:
     Mass(const Mass&) = delete;
@@ -26,20 +26,20 @@ public:
     Index size() const { return static_cast<Index>(diagonal_.size()); }
     const Vector& diagonal() const { return diagonal_; }
 
-    /// Some a <= 1 with M >= a diag(M). That of a matrix comes from inverse iteration, with
-    /// room.
+    /// Some a <= 1 with M >= a diag(M). For a matrix it comes from inverse iteration, with a
+    /// margin.
     double dominance() const { return dominance_; }
 
     virtual bool is_diagonal() const = 0;
     virtual SparseMatrix matrix() const = 0;
 
-    /// M x, and how far it may be from exact.
+    /// M x, and a bound on its error.
     virtual LongVector times(const LongVector& x, Vector& error) const = 0;
 
-    /// At least |M x|, entry by entry, for every x with |x_i| <= sizes_i.
+    /// An upper bound on |M x|, entry by entry, for all x with |x_i| <= sizes_i.
     virtual Vector spread(const Vector& sizes) const = 0;
 
-    /// M^-1 z, to nearly as many digits, and how far M times it may be from z.
+    /// M^-1 z, to nearly full accuracy, and a bound on the residual of M times it.
     virtual LongVector solve(const LongVector& z, Vector& error) const = 0;
 
     /// R X, R^-1 X, R^T X and R^-T x.
@@ -48,7 +48,7 @@ public:
     virtual DenseMatrix transposed_root(const DenseMatrix& X) const = 0;
     virtual Vector transposed_unroot(const LongVector& x) const = 0;
 
-    /// x^T M^-1 x, and at least that for every x with |x_i| <= sizes_i.
+    /// x^T M^-1 x, and an upper bound on it for all x with |x_i| <= sizes_i.
     virtual long double inverse_square(const LongVector& x) const = 0;
     long double inverse_square_bound(const Vector& sizes) const;
 
@@ -67,7 +67,7 @@ Vector diagonal(const Weights& weights);
 Weights congruent(const Weights& W, const Vector& D);
 
 /// Throws InvalidInput for numbers that are not positive and matrices that are not positive
-/// definite; SolverFailure if the root of one takes more memory than there is.
+/// definite; SolverFailure if the root of a matrix exceeds memory.
 std::unique_ptr<const Mass> make_mass(const Weights& weights);
 
 } // namespace polydec

@@ -8,14 +8,14 @@
 
 namespace polydec {
 
-/// A x of a pencil, and what is known of its accuracy.
+/// A x of a pencil, with error bounds.
 struct Image {
     LongVector Ax;
-    Vector rounding;   ///< what this has done to Ax at most, entry by entry
-    Vector doubt;      ///< and with it the uncertainties of weights
-    double energy = 0; ///< above x^T A x
-    /// What solving with inverse weights W^-1 has lost, in their norm: times the root of the
-    /// largest eigenvalue it is what Ax has lost in the norm of M^-1.
+    Vector rounding;   ///< rounding error bound of Ax, entry by entry
+    Vector doubt;      ///< the same, with the uncertainties of weights
+    double energy = 0; ///< upper bound on x^T A x
+    /// The error of solves with inverse weights W^-1, in their norm. Times the root of the largest
+    /// eigenvalue, it bounds the error of Ax in the M^-1-norm.
     double lost = 0;
 };
 
@@ -31,31 +31,30 @@ public:
     /// F 2^exponent.
     void scale(int exponent);
 
-    /// Adds what it makes of x.
+    /// Adds the contribution of this part to A x.
     void add_to(Image& image, const Vector& x) const;
 
-    /// F^T W F; with the diagonal of W alone where that is an inverse, larger by as much as makes
-    /// it an upper bound.
+    /// F^T W F; for inverse weights with only the diagonal of W, enlarged to an upper bound.
     SparseMatrix lumped() const;
 
-    /// Where W is an inverse: what of, and how far F may be off; else null and 0 x 0.
+    /// For inverse weights: the mass W, and the error bounds of F; else null and 0 x 0.
     virtual const Mass* inverse_of() const { return nullptr; }
     const SparseMatrix& F_error() const { return F_error_; }
 
-    /// |F|^T E |F| x, E what the weights in the sum F^T W F are off by, where that is formed: by
-    /// rounding, and by their uncertainty if that is asked for; and what F itself is.
+    /// |F|^T E |F| x, where E bounds the errors of the weights in the sum F^T W F if that is
+    /// formed: from rounding and, if requested, from uncertainty; and from the errors of F itself.
     Vector doubts(const Vector& x, bool with_uncertainty) const;
 
-    /// At least the diagonal of F^T |W| F.
+    /// An upper bound on the diagonal of F^T |W| F.
     Vector sizes() const;
 
-    /// The largest part of a weight that is uncertain; infinity where one may not be positive.
+    /// The largest relative uncertainty of a weight; infinity if one may not be positive.
     virtual double largest_share() const { return 0; }
 
 protected:
     ScaledPart(const GramPart& part, const Vector& rows, const Vector& columns);
 
-    /// Wy, and what is to be told of it: error, that of y, becomes that of Wy.
+    /// W y with its error bounds: on input `error` is for y, on output for W y.
     virtual LongVector weigh(const LongVector& y, Vector& error, Vector& unknown,
                              Image& image) const = 0;
     virtual SparseMatrix weights() const = 0;
@@ -66,7 +65,7 @@ protected:
 
 private:
     SparseMatrix F_, transposed_, F_error_;
-    bool exact_products_ = false; // with entries of F
+    bool exact_products_ = false; // when multiplying entries of F
     double rounding_ = 0;         // of a sum F^T (W F x), relative to its terms
 };
 
@@ -76,13 +75,13 @@ std::unique_ptr<ScaledPart> make_scaled_part(const GramPart& part, const Vector&
 /// 2^(sign e) with 1/2 <= |x| 2^-2e < 2; 1 for 0.
 Vector powers_of_two(const Vector& x, int sign);
 
-/// A 2^exponent. Throws InvalidInput where an entry does not remain a normal number.
+/// A 2^exponent. Throws InvalidInput if an entry leaves the normal range.
 void scale_entries(SparseMatrix& A, int exponent);
 
 double largest_entry(const SparseMatrix& A);
 
-/// A x, and how far it may be from exact. Differences of neighboring values are exact, so it is the
-/// partial sums that count.
+/// A x, and a bound on its error. Differences of neighboring values are exact, so the partial sums
+/// dominate.
 template <class Result>
 void multiply(const SparseMatrix& A, bool exact_products, const Vector& x, Result& y,
               Vector& error) {

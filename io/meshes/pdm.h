@@ -53,15 +53,14 @@ std::string pdm_bytes(const std::vector<std::int64_t>& vertices, std::int64_t by
 /// Reads any part of a .pdm file, with checks.
 class PdmReader {
 public:
-    /// Throws InvalidInput, naming the file, if it is not .pdm or its length contradicts its
-    /// header.
+    /// Throws InvalidInput, naming the file, for another format or length.
     explicit PdmReader(PartialFile file);
 
     const PdmLayout& layout() const { return layout_; }
 
     /// The items in [begin, end); for cells their vertices, one after the other. Throw
-    /// InvalidInput, naming the file, for a wrong checksum, coordinates that are not finite, and
-    /// vertices out of range.
+    /// InvalidInput, naming the file, for a wrong checksum, non-finite coordinates, and vertices
+    /// out of range.
     Points points(std::int64_t begin, std::int64_t end) const;
     std::vector<std::int64_t> cells(std::int64_t begin, std::int64_t end) const;
     std::vector<Index> tags(std::int64_t begin, std::int64_t end) const;
