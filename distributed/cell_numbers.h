@@ -5,10 +5,10 @@
 
 namespace polydec {
 
-/// A cell of the merged complex, as ranks speak of it.
+/// The number of a cell of the merged complex, common to all ranks.
 struct CellNumber {
-    GlobalIndex number = -1; ///< among all of its degree, by first pieces: that of one process
-    GlobalIndex row = -1;    ///< in matrices and vectors, where those of one rank stand together
+    GlobalIndex number = -1; ///< among all of its degree, by first pieces, as in one process
+    GlobalIndex row = -1;    ///< in matrices and vectors, where each rank's rows are contiguous
 };
 
 /// The merged complex over all ranks: each rank owns the cells whose first pieces it owns.
@@ -16,13 +16,12 @@ struct DistributedCells {
     /// The cells of one degree.
     struct Degree {
         GlobalIndex count = 0;           ///< on all ranks
-        GlobalIndex first_row = 0;       ///< of this rank's own
+        GlobalIndex first_row = 0;       ///< of own cells
         std::vector<Index> first;        ///< own cells: their first pieces here, ascending
-        std::vector<GlobalIndex> number; ///< of these
+        std::vector<GlobalIndex> number; ///< of these cells
         std::vector<CellNumber> others;  ///< cells of other ranks with pieces here, by rows
-        std::vector<Index> of_simplex;   ///< the cell of each piece here; -1 where it is removed
-        /// Own k-cells with their cofaces, cells of degree k + 1, and the signs of these: rows of
-        /// d_k^T.
+        std::vector<Index> of_simplex;   ///< the cell of each piece here; -1 if it is removed
+        /// Own k-cells with their cofaces, cells of degree k + 1, and their signs: rows of d_k^T.
         std::vector<Index> begins = {0};
         std::vector<Index> cofaces;
         std::vector<std::int8_t> signs;
@@ -30,13 +29,13 @@ struct DistributedCells {
         /// Number of own cells.
         Index own() const { return static_cast<Index>(first.size()); }
 
-        /// What ranks call a cell that this one knows: its own from 0 on, then others.
+        /// The number of a cell known here: own cells first, then others.
         CellNumber cell(Index i) const {
             return i < own() ? CellNumber{number[i], first_row + i} : others[i - own()];
         }
     };
     std::vector<Degree> degrees;
-    CellVolumes volumes; ///< of own cells, as merged_volumes has them, bit by bit
+    CellVolumes volumes; ///< of own cells, bit by bit as from merged_volumes
 
     int dimension() const { return static_cast<int>(degrees.size()) - 1; }
     const Degree& degree(int k) const { return degrees[static_cast<std::size_t>(k)]; }

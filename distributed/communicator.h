@@ -9,7 +9,7 @@ namespace polydec {
 
 struct Ranks::State {
     MPI_Comm communicator;
-    MPI_Comm after_errors; ///< on which nobody waits for what an error has left out
+    MPI_Comm after_errors; ///< free of pending operations that an error has skipped
     int rank, size;
     std::int64_t bytes_sent = 0;
     std::function<void(std::string_view)> listener = {};

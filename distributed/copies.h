@@ -5,14 +5,14 @@
 
 namespace polydec {
 
-/// Which cells of one degree several ranks have: each has one owner, the others have copies.
+/// Cells of one degree shared by several ranks: each has one owner, the others have copies.
 struct Copies {
-    Parcels<Index> out; ///< own cells, by the rank that has a copy of them
-    Parcels<Index> in;  ///< copies, by the rank that owns them; in the order of its list for us
+    Parcels<Index> out; ///< own cells, by the rank that has a copy
+    Parcels<Index> in;  ///< copies, by owner; in the order of the owner's list for this rank
 };
 
-/// Collective: calls take(cell here, value) for what the other ranks send of `to`, which have as
-/// many as `from` here: value_of(cell).
+/// Collective: sends value_of(cell) for `from`, and calls take(local cell, value) for `to`, which
+/// has as many cells on each rank as the sender's `from`.
 template <class ValueOf, class Take>
 void exchange_values(const Ranks& ranks, const Parcels<Index>& from, const Parcels<Index>& to,
                      ValueOf value_of, Take take) {
@@ -26,20 +26,19 @@ void exchange_values(const Ranks& ranks, const Parcels<Index>& from, const Parce
             take(to[r][i], arrived[r][i]);
 }
 
-/// Collective: calls take(copy, value) with the value that its owner has.
+/// Collective: calls take(copy, value) with the owner's value.
 template <class ValueOf, class Take>
 void tell_copies(const Ranks& ranks, const Copies& copies, ValueOf value_of, Take take) {
     exchange_values(ranks, copies.out, copies.in, value_of, take);
 }
 
-/// Collective: calls take(own cell, value) for the value of every copy of it, in the order of
-/// ranks.
+/// Collective: calls take(own cell, value) for the value of every copy, in the order of ranks.
 template <class ValueOf, class Take>
 void collect(const Ranks& ranks, const Copies& copies, ValueOf value_of, Take take) {
     exchange_values(ranks, copies.in, copies.out, value_of, take);
 }
 
-/// Collective: gives every copy the value of its owner.
+/// Collective: updates every copy with its owner's value.
 template <class Value>
 void refresh(const Ranks& ranks, const Copies& copies, std::vector<Value>& values) {
     tell_copies(

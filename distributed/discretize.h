@@ -10,29 +10,29 @@
 
 namespace polydec {
 
-/// A mesh over all ranks, ready for calculus: what each of them has of the Discretization that one
-/// process would have.
+/// A mesh over all ranks, ready for calculus: each rank's part of the Discretization of one
+/// process.
 struct DistributedMesh {
     LocalComplex local; ///< with points in units
     DistributedMerging merged;
     DistributedCells cells;
     MergeOptions options;
     double unit = 1;                        ///< see unit_of_length
-    std::vector<std::string> warnings = {}; ///< of the whole, on rank 0
-    /// That solvers are to take, see DiscretizeOptions::star: automatic or circumcentric ones.
+    std::vector<std::string> warnings = {}; ///< of the whole mesh, on rank 0
+    /// The requested stars for solvers, see DiscretizeOptions::star: automatic or circumcentric.
     StarKind star = StarKind::automatic;
 
     int dimension() const { return local.dimension(); }
 };
 
-/// Collective, for solvers: throws InvalidInput, which says how many cells call for others, unless
-/// the stars that mesh.star asks for are circumcentric ones. Several ranks have no others.
+/// Collective, for solvers: throws InvalidInput, with the number of cells that need others, unless
+/// mesh.star selects circumcentric stars. Several ranks support only these.
 void check_stars(const Ranks& ranks, const DistributedMesh& mesh);
 
-/// Collective: complex, volumes and merged cells of a mesh of which each rank has a slice, whose
-/// memory is given back as soon as may be. `owners`
-/// are those of the slice's vertices. Throws like local_complex and merge_cospherical, and where a
-/// cell has no volume. stage, if any, is told what begins.
+/// Collective: complex, volumes and merged cells of a mesh given by slices, which are freed as
+/// early as possible. `owners` belong to the slice's vertices. Throws like local_complex and
+/// merge_cospherical, and if a cell has no volume. `stage`, if any, is called at the start of each
+/// stage.
 DistributedMesh discretize(const Ranks& ranks, MeshSlice slice, const std::vector<int>& owners,
                            const MergeOptions& options = {},
                            const std::function<void(std::string_view)>& stage = {});

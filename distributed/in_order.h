@@ -5,9 +5,9 @@
 
 namespace polydec {
 
-/// Collective: the places of different lists of numbers in the lexicographic order of those of all
-/// ranks. `lists` are rows of `width` numbers each, ascending; the first ones below `below`. Each
-/// rank orders the lists that begin in its stretch. Memory (width + 2) * 8 bytes a list.
+/// Collective: the places of distinct lists of numbers in the lexicographic order over all ranks.
+/// `lists` are ascending rows of `width` numbers each; first numbers are below `below`. Each rank
+/// sorts the lists whose first number is in its range. Memory (width + 2) * 8 bytes a list.
 struct Ordered {
     std::vector<GlobalIndex> places;
     GlobalIndex count = 0; ///< of all ranks

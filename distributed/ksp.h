@@ -5,24 +5,24 @@
 
 namespace polydec {
 
-/// One engine of PETSc with a matrix that it can solve with.
+/// A PETSc engine with the matrix that it solves.
 class Ksp {
 public:
     /// The names of engines, in the order in which `auto` tries them.
     static std::vector<std::string> engines(Definiteness definiteness);
 
-    /// Collective. Takes the matrix as symmetric. Throws InvalidInput for an unknown engine and
-    /// options that cannot be read or that nobody reads, SolverFailure if the setup fails.
+    /// Collective. Treats the matrix as symmetric. Throws InvalidInput for an unknown engine and
+    /// invalid or unused options, SolverFailure if the setup fails.
     Ksp(const Ranks& ranks, Mat matrix, const SharedEngine& engine, Definiteness definiteness);
     ~Ksp();
     Ksp(const Ksp&) = delete;
     Ksp& operator=(const Ksp&) = delete;
 
-    /// Collective: x with A x = b, as exactly as the engine gives it.
+    /// Collective: solves A x = b, to the engine's accuracy.
     Vector solve(const Vector& b, Index& iterations);
 
     /// Collective: the number of negative eigenvalues of the matrix, by the inertia of its factor.
-    /// Of petsc.mumps alone.
+    /// Only for petsc.mumps.
     GlobalIndex negative_pivots() const;
 
 private:

@@ -7,36 +7,35 @@
 
 namespace polydec {
 
-/// What one rank has of a simplicial complex: all n-simplices that touch a vertex that it owns,
-/// with their faces. A simplex belongs to the owner of its first vertex. Local vertices ascend with
-/// those of the file, so the order of simplices, their signs and all sums over cofaces are those of
-/// the whole, as one process would have them: results are the same bit by bit for any number of
-/// ranks.
+/// The part of a simplicial complex on one rank: all n-simplices at a vertex that the rank owns,
+/// with their faces. A simplex belongs to the owner of its first vertex. Local vertices are in file
+/// order, so the order of simplices, their signs and all sums over cofaces agree with one process:
+/// results are identical bit by bit for any number of ranks.
 struct LocalComplex {
     /// The simplices of one degree.
     struct Degree {
         GlobalIndex count = 0;           ///< on all ranks
         GlobalIndex first_row = 0;       ///< own ones before this rank
-        std::vector<GlobalIndex> number; ///< place among all in lexicographic order; ascends
+        std::vector<GlobalIndex> number; ///< place in the lexicographic order of all; ascends
         std::vector<int> owner;          ///< rank
-        std::vector<bool> complete;      ///< all cofaces are here, since a vertex is owned here
+        std::vector<bool> complete;      ///< all cofaces are here, since an own vertex is in it
         Copies copies;
 
         Index size() const { return static_cast<Index>(number.size()); }
 
-        /// Number of own ones.
+        /// Number of own simplices.
         Index own() const;
 
-        /// The simplex of that number; -1 if this rank does not have it.
+        /// The simplex with that number; -1 if it is not on this rank.
         Index find(GlobalIndex of_number) const;
     };
 
-    SimplicialComplex complex;         ///< oriented like the whole
+    SimplicialComplex complex;         ///< oriented like the whole complex
     Points points;                     ///< of the vertices here
-    std::vector<GlobalIndex> vertices; ///< what the file calls them
+    std::vector<GlobalIndex> vertices; ///< their numbers in the file
     std::vector<Degree> degrees;
     bool orientable = true;
-    GlobalIndex turned = 0; ///< see SimplicialComplex, for the whole
+    GlobalIndex turned = 0; ///< see SimplicialComplex, for the whole complex
 
     int dimension() const { return static_cast<int>(degrees.size()) - 1; }
     const Degree& degree(int k) const { return degrees[static_cast<std::size_t>(k)]; }
@@ -45,15 +44,15 @@ struct LocalComplex {
     }
 };
 
-/// Collective: the complex of a mesh of which each rank has a slice. `owners` are those of the
-/// slice's vertices. Throws InvalidInput, by the numbers of the file, for vertex numbers out of
-/// range, points that are not finite, and as SimplicialComplex does.
+/// Collective: the complex of a mesh given by slices. `owners` belong to the slice's vertices.
+/// Throws InvalidInput, with numbers of the file, for vertex numbers out of range, points that are
+/// not finite, and like SimplicialComplex.
 LocalComplex local_complex(const Ranks& ranks, const MeshSlice& slice,
                            const std::vector<int>& owners);
 
-/// Some n-simplices of a mesh, and who owns their vertices.
+/// Some n-simplices of a mesh, with the owners of their vertices.
 struct Stars {
-    std::vector<GlobalIndex> vertices; ///< ascending, without others than those of the cells
+    std::vector<GlobalIndex> vertices; ///< ascending; only vertices of the cells
     std::vector<int> owners;
     Points points;
     GlobalSimplices cells;                ///< vertex numbers, in the order of the file
@@ -63,7 +62,7 @@ struct Stars {
 /// Collective: the stars of the vertices that this rank owns.
 Stars own_stars(const Ranks& ranks, const MeshSlice& slice, const std::vector<int>& owners);
 
-/// Collective: the complex of these.
+/// Collective: the complex of these stars.
 LocalComplex local_complex(const Ranks& ranks, const Stars& stars, GlobalIndex vertices);
 
 } // namespace polydec

@@ -5,12 +5,11 @@
 
 namespace polydec {
 
-/// Different numbers in ascending order, and the place of each of them. Linear time and memory
-/// where they lie close together, as those of one part of a mesh do; without a table where none is
-/// left out.
+/// Distinct numbers in ascending order, and the place of each. Linear time and memory for dense
+/// numbers, such as numbers of one part of a mesh; without a table for contiguous ones.
 class NumberPlaces {
 public:
-    /// Of those in a list, in any order and any number of times.
+    /// From a list in any order, possibly with repetitions.
     explicit NumberPlaces(std::span<const GlobalIndex> list) {
         if (list.empty())
             return;
@@ -43,7 +42,7 @@ public:
 
     const std::vector<GlobalIndex>& numbers() const { return numbers_; }
 
-    /// Of a number that is among them.
+    /// The place of a listed number.
     Index operator()(GlobalIndex number) const {
         if (is_stretch_)
             return static_cast<Index>(number - first_);
@@ -57,7 +56,7 @@ private:
     std::vector<GlobalIndex> numbers_;
     GlobalIndex first_ = 0;
     bool is_stretch_ = false;
-    std::vector<Index> table_; // by number from the first on; empty where they lie far apart
+    std::vector<Index> table_; // by number from the first on; empty for sparse numbers
 };
 
 } // namespace polydec

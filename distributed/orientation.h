@@ -5,9 +5,9 @@
 
 namespace polydec {
 
-/// Collective: orients the n-simplices like SimplicialComplex does on one rank: coherently in each
-/// part, over all ranks, that is orientable, by turning the fewest of them; ties are decided by the
-/// part's first simplex.
+/// Collective: orients the n-simplices like SimplicialComplex on one rank: coherently in each
+/// orientable part, over all ranks, by reversing as few as possible; the part's first simplex
+/// decides ties.
 void orient(const Ranks& ranks, const Stars& stars, LocalComplex& local);
 
 } // namespace polydec

@@ -9,7 +9,7 @@
 
 namespace polydec {
 
-/// PETSc's objects, destroyed with their owners.
+/// PETSc objects, destroyed with their owners.
 struct PetscDestroy {
     void operator()(_p_Mat* matrix) const { MatDestroy(&matrix); }
     void operator()(_p_Vec* vector) const { VecDestroy(&vector); }
@@ -17,15 +17,15 @@ struct PetscDestroy {
 using OwnedMat = std::unique_ptr<_p_Mat, PetscDestroy>;
 using OwnedVec = std::unique_ptr<_p_Vec, PetscDestroy>;
 
-/// Collective: the vector of which each rank has these entries.
+/// Collective: the vector with these own entries on each rank.
 OwnedVec vector_of(const Ranks& ranks, const Vector& own);
 
 /// The own entries of a vector.
 Vector own_entries(Vec vector);
 
-// Operators over all ranks. Row i belongs to the cell whose CellNumber::row is i. All of them are
-// collective, throw InvalidInput for a degree that there is not, and for more cells than PETSc's
-// numbers can count; an error of PETSc itself ends the program.
+// Operators over all ranks. Row i belongs to the cell with CellNumber::row i. All are collective,
+// and throw InvalidInput for a degree that does not exist and for more cells than PETSc's numbers
+// can count; an error inside PETSc ends the program.
 
 /// d_k, from k-cells to (k+1)-cells, for k = 0..n-1.
 OwnedMat coboundary(const Ranks& ranks, const DistributedCells& cells, int k);
@@ -34,7 +34,7 @@ OwnedMat coboundary(const Ranks& ranks, const DistributedCells& cells, int k);
 OwnedVec star(const Ranks& ranks, const DistributedCells& cells, int k);
 
 /// d_k^T diag(weights) d_k, with a weight for every own (k+1)-cell, and d_k diag(weights) d_k^T,
-/// with one for every own k-cell.
+/// with a weight for every own k-cell.
 OwnedMat gram_of_columns(const Ranks& ranks, const DistributedCells& cells, int k,
                          const Vector& weights);
 OwnedMat gram_of_rows(const Ranks& ranks, const DistributedCells& cells, int k,

@@ -10,14 +10,14 @@ inline MPI_Comm communicator(const Ranks& ranks) {
     return ranks.state().communicator;
 }
 
-/// An error of one rank within a collective of PETSc cannot be voted on, since the others wait for
-/// it: ends the program, on all ranks.
+/// Ends the program on all ranks if `error` is one: inside a PETSc collective the other ranks wait,
+/// so they cannot vote on it.
 void require(PetscErrorCode error, const char* what);
 
-/// Throws InvalidInput for more than PETSc can count.
+/// Throws InvalidInput for numbers beyond PETSc's range.
 PetscInt petsc_number(GlobalIndex number);
 
-/// What a function makes, such as MatTranspose.
+/// The result of a PETSc function such as MatTranspose.
 template <class Make>
 OwnedMat made(const char* what, Make make) {
     Mat matrix = nullptr;
@@ -25,7 +25,7 @@ OwnedMat made(const char* what, Make make) {
     return OwnedMat(matrix);
 }
 
-/// Collective: A x, of own rows.
+/// Collective: A x, own rows.
 Vector product(const Ranks& ranks, Mat A, const Vector& x);
 
 } // namespace polydec

@@ -5,18 +5,18 @@
 
 namespace polydec {
 
-/// The pieces of each own k-cell, wherever they are, in ascending order.
+/// The pieces of each own k-cell, on any rank, in ascending order.
 class OwnPieces {
 public:
     /// Collective.
     OwnPieces(const Ranks& ranks, const LocalComplex& local, const DistributedCells::Degree& cells,
               int k);
 
-    /// Those of cell i have the places from begins()[i] on.
+    /// The pieces of cell i have the places from begins()[i] on.
     const std::vector<Index>& begins() const { return begins_; }
 
-    /// Collective: calls take(cell, row) for every piece, in the order of their places. A row has
-    /// so many items, which write(simplex, row) has written where the piece is.
+    /// Collective: calls take(cell, row) for every piece, in the order of places. A row has `width`
+    /// items, written by write(simplex, row) on the piece's rank.
     template <class Item, class Write, class Take>
     void visit(Eigen::Index width, Write write, Take take) const {
         std::vector<Item> row(static_cast<std::size_t>(width));
@@ -41,30 +41,30 @@ public:
 
 private:
     Ranks ranks_;
-    Parcels<Index> away_; // own simplices that are pieces of cells of others
+    Parcels<Index> away_; // own simplices that are pieces of other ranks' cells
     std::vector<Index> begins_;
-    std::vector<Index> pieces_; // simplices here, or -1 - i: row i of those that come
+    std::vector<Index> pieces_; // simplices here, or -1 - i for received row i
 };
 
-/// Rows of numbers of all pieces of each own k-cell, in ascending order of pieces: those of cell i
-/// stand from begins[i] on.
+/// Rows of numbers for all pieces of each own k-cell, in ascending order of pieces: the rows of
+/// cell i begin at begins[i].
 struct PieceRows {
     std::vector<Index> begins;
     Points rows;
 };
 
-/// Collective: `of_simplices` has a row for every local k-simplex; those that are no pieces, or
-/// another rank's, do not matter.
+/// Collective: `of_simplices` has a row for every local k-simplex; rows of other ranks' simplices
+/// and of simplices that are not pieces are ignored.
 PieceRows gather_pieces(const Ranks& ranks, const LocalComplex& local,
                         const DistributedCells::Degree& cells, int k, const Points& of_simplices);
 
-/// Collective: the rows of the pieces of every own k-cell added up, in ascending order of pieces,
-/// as one process would.
+/// Collective: sums the rows of the pieces of every own k-cell, in ascending order of pieces, as in
+/// one process.
 Points add_pieces(const Ranks& ranks, const LocalComplex& local,
                   const DistributedCells::Degree& cells, int k, const Points& of_simplices);
 
-/// Collective: the row of its cell for every local k-simplex that is a piece, 0 for the others;
-/// `of_cells` has one for every own k-cell.
+/// Collective: for every local k-simplex the row of its cell, 0 if it is not a piece; `of_cells`
+/// has a row for every own k-cell.
 Points spread_to_pieces(const Ranks& ranks, const DistributedCells::Degree& cells,
                         const Points& of_cells);
 

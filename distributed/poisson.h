@@ -9,19 +9,18 @@
 
 namespace polydec {
 
-/// Of own cells where their forms have values, in units of the mesh: see cell_centers. Collective.
+/// Collective: the sites of form values on own cells, in units of the mesh: see cell_centers.
 Points cell_centers(const Ranks& ranks, const DistributedMesh& mesh, int k);
 
 struct SharedPoissonOptions {
     Side side = Side::primal;
-    /// As of a FormSpace; where facets have conditions of their own, one for every own
-    /// (n-1)-cell.
+    /// As for a FormSpace; conditions per facet need one for every own (n-1)-cell.
     BoundaryConditions boundary = {};
     SharedEngine engine = {};
 };
 
-/// PoissonSolver over all ranks, by circumcentric stars (see check_stars): the same problem, whose
-/// solution is the same but for what the engine leaves. Vectors and tables have the entries of own
+/// PoissonSolver over all ranks, with circumcentric stars (see check_stars): the same problem and
+/// the same solution, up to the engine's accuracy. Vectors and tables have the entries of own
 /// cells. Every function is collective.
 class SharedPoissonSolver {
 public:
@@ -49,7 +48,7 @@ private:
     Side side_;
     Points sites_, flux_sites_;
     Vector mass_;        // of own unknowns
-    FromFacets load_;    // data on the boundary to right-hand side
+    FromFacets load_;    // boundary data to right-hand side
     FromBoundary fixed_; // boundary values to fixed unknowns
     SharedSolver solver_;
 };

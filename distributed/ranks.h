@@ -18,15 +18,14 @@
 
 namespace polydec {
 
-/// Number of a cell, vertex or record among those of all ranks.
+/// Number of a cell, vertex or record over all ranks.
 using GlobalIndex = std::int64_t;
 
-/// What goes to or came from each rank.
+/// Items sent to, or received from, each rank.
 template <class Item>
 using Parcels = std::vector<std::vector<Item>>;
 
-/// Items 0 .. count - 1 divided into one stretch for each rank, of equal lengths but for the last
-/// ones.
+/// Divides items 0 .. count - 1 into one range per rank, of equal lengths except for the last ones.
 class EqualStretches {
 public:
     EqualStretches(GlobalIndex count, int ranks)
@@ -40,23 +39,23 @@ private:
     GlobalIndex count_, length_;
 };
 
-/// The processes that work on one mesh together, each with memory of its own. What is called below
-/// a collective is called by all ranks, in the same order. A handle: copies are the same ranks.
+/// The processes that work together on one mesh, each with its own memory. All ranks must call
+/// every collective, in the same order. A handle: copies refer to the same ranks.
 ///
-/// What may throw on one rank alone stands in `together`, and no collective stands in there; so an
-/// error on one rank is the same error on all of them, and none waits for another in vain. An error
-/// of MPI itself ends the program.
+/// Code that may throw on one rank must run in `together`, without collectives inside. Then an
+/// error on one rank becomes the same error on all, and no rank waits for another in vain. An error
+/// inside MPI ends the program.
 class Ranks {
 public:
-    /// All processes that mpirun has started; one if it was not used. Starts MPI and PETSc where
-    /// nobody has, and ends them with the program. Throws BackendUnavailable if they have ended.
+    /// All processes started by mpirun; one without mpirun. Starts MPI and PETSc unless they are
+    /// running, and ends them with the program. Throws BackendUnavailable if they have ended.
     static Ranks all();
 
     int rank() const;
     int size() const;
 
-    /// Does local work, then throws on every rank what the first of those threw on which it failed.
-    /// Collective. Gives what work gives. `what` names it for a listener.
+    /// Collective: does local work and returns its result. If it fails, all ranks throw the error
+    /// of the first failing rank. `what` names the work for a listener.
     template <class Work>
     auto together(std::string_view what, Work&& work) const {
         using Result = std::invoke_result_t<Work>;
@@ -78,12 +77,12 @@ public:
         }
     }
 
-    /// Calls listener(what) at the beginning of every local work; what it throws counts as thrown
-    /// there. For progress, and for tests of errors.
+    /// Calls listener(what) at the start of every local work; its exceptions count as thrown there.
+    /// For progress, and for tests of errors.
     void listen(std::function<void(std::string_view)> listener) const;
 
-    /// Collectives over one number of each rank: sum, largest and least, the sum over the ranks
-    /// before this one, and whether any rank says so.
+    /// Collectives over one number per rank: sum, largest and least, the sum over the ranks before
+    /// this one, and whether the flag is set on any rank.
     GlobalIndex sum(GlobalIndex own) const;
     double sum(double own) const;
     GlobalIndex sum(Index own) const { return sum(GlobalIndex{own}); }
@@ -93,14 +92,15 @@ public:
     GlobalIndex sum_before(GlobalIndex own) const;
     bool any(bool own) const;
 
-    /// Collective: of as many numbers on each rank the largest ones.
+    /// Collective: the entrywise maxima over the ranks.
     void take_largest(std::span<double> own) const;
 
-    /// Collective: the sums of as many numbers on each rank, the same on all of them.
+    /// Collective: the entrywise sums over the ranks, identical on all.
     void add_up(std::span<double> own) const;
 
-    /// Collective: sends parcel r to rank r, and gives what came from each rank. Memory and time in
-    /// proportion to what is sent; what a rank has for itself is not copied. Items are plain data.
+    /// Collective: sends parcel r to rank r, and returns the parcel received from each rank. Memory
+    /// and time are proportional to the data sent; a rank's own parcel is not copied. Items are
+    /// plain data.
     template <class Item>
     Parcels<Item> deliver(Parcels<Item> parcels) const {
         static_assert(std::is_trivially_copyable_v<Item>);
@@ -115,7 +115,7 @@ public:
         const auto arriving = exchange_counts(counts);
         Parcels<Item> result(parcels.size());
         std::vector<void*> to;
-        [&]() noexcept { // without memory for what arrives the program ends: others are waiting
+        [&]() noexcept { // if memory runs out, the program ends: others are waiting
             for (std::size_t r = 0; r < result.size(); ++r) {
                 result[r].resize(static_cast<std::size_t>(arriving[r]));
                 to.push_back(result[r].data());
@@ -126,8 +126,8 @@ public:
         return result;
     }
 
-    /// Collective: asks rank whom[i] question i. answer(question) is local work that is done there.
-    /// The answers come in the order of the questions.
+    /// Collective: asks rank whom[i] question i. That rank computes answer(question) as local work.
+    /// The answers are in the order of the questions.
     template <class Answer, class Question, class Work>
     std::vector<Answer> ask(std::string_view what, const std::vector<int>& whom,
                             const std::vector<Question>& questions, Work answer) const {
@@ -150,7 +150,7 @@ public:
         return result;
     }
 
-    /// Collective: the items of all ranks, in the order of these.
+    /// Collective: the items of all ranks, in the order of ranks.
     template <class Item>
     std::vector<Item> of_all(const std::vector<Item>& own) const {
         std::vector<Item> result;
@@ -159,18 +159,17 @@ public:
         return result;
     }
 
-    /// One for each rank, with nothing in it.
+    /// An empty parcel for each rank.
     template <class Item>
     Parcels<Item> empty_parcels() const {
         return Parcels<Item>(static_cast<std::size_t>(size()));
     }
 
-    /// Bytes that this rank has sent to others so far by deliver and ask.
+    /// Bytes sent by this rank to others so far, through deliver and ask.
     std::int64_t bytes_sent() const;
 
-    /// Whether all ranks call this within so many seconds of each other: after an error that was
-    /// not voted on, ranks that do not have it wait for those that do, somewhere else. It may be
-    /// infinity.
+    /// Whether all ranks call this within this many seconds, possibly infinity, of each other.
+    /// After an error without a vote, the ranks without the error wait elsewhere for the others.
     bool all_come(double seconds) const;
 
     /// Ends the program on all ranks.

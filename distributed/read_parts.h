@@ -9,9 +9,9 @@
 
 namespace polydec {
 
-/// Collective: the slices of a binary file with a MeshLayout, of which each rank reads its part of
-/// the bytes: the very slices that scatter makes of tidy(read_mesh(file)). Nothing where one rank
-/// has to read all of it, and `why`, which is empty for text.
+/// Collective: the slices of a binary file with a MeshLayout, each rank reading its part of the
+/// bytes; identical to scatter of tidy(read_mesh(file)). None if one rank must read the whole file;
+/// then `why` gives the reason, empty for text.
 std::optional<MeshSlice> read_parts(const Ranks& ranks, const PartialFile& file, std::string& why);
 
 } // namespace polydec

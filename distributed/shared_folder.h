@@ -9,7 +9,7 @@
 
 namespace polydec {
 
-/// Collective: a text of rank 0, on all ranks.
+/// Collective: sends a text of rank 0 to all ranks.
 inline std::string told_by_first(const Ranks& ranks, const std::string& text) {
     const auto own =
         ranks.rank() == 0 ? std::vector<char>(text.begin(), text.end()) : std::vector<char>();
@@ -17,7 +17,7 @@ inline std::string told_by_first(const Ranks& ranks, const std::string& text) {
     return {told.begin(), told.end()};
 }
 
-/// AtomicFolder of rank 0, which all ranks fill. Every function is collective, and throws likewise.
+/// AtomicFolder of rank 0, filled by all ranks. Every function is collective, and throws likewise.
 class SharedFolder {
 public:
     SharedFolder(const Ranks& ranks, const std::filesystem::path& target,

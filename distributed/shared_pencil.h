@@ -7,8 +7,8 @@
 namespace polydec {
 
 /// The eigenproblem of a Laplacian over all ranks, A x = lambda M x with A = star_k Delta_k and M =
-/// star_k. Vectors have own entries, in the scale in which the mass is 1: y = M^(1/2) x. Every
-/// function is collective.
+/// star_k. Vectors have own entries, in the scale of unit mass: y = M^(1/2) x. Every function is
+/// collective.
 class SharedPencil {
 public:
     /// Throws InvalidInput, naming the cells, if star_k or star_(k+1) is not positive, or
@@ -21,18 +21,18 @@ public:
     /// M^(-1/2) A M^(-1/2).
     Mat matrix() const { return B_.get(); }
 
-    /// No eigenvalue is larger.
+    /// An upper bound on the eigenvalues.
     double norm() const { return norm_; }
 
-    /// A length on the axis below eigenvalues that are not zero: see small_length.
+    /// A length below the nonzero eigenvalues: see small_length.
     double small() const { return small_; }
 
-    /// What the columns of Y prove: see ScaledPencil. Residuals are evaluated in double precision
-    /// from the parts of A; the radii include the rounding of that, and what the uncertainties of
-    /// volumes can do.
+    /// The enclosures from the columns of Y: see ScaledPencil. Residuals are evaluated in double
+    /// precision from the parts of A; the radii include their rounding and the uncertainties of
+    /// volumes.
     std::vector<Enclosure> enclose(const DenseMatrix& Y) const;
 
-    /// x for the columns y.
+    /// The columns x for columns y.
     DenseMatrix eigenvectors(const DenseMatrix& Y) const;
 
     /// X^T Y over all ranks.
@@ -57,7 +57,7 @@ private:
     GlobalIndex size_ = 0;
     std::vector<Part> parts_;
     Vector mass_;
-    double mass_share_ = 0, // by which masses off by as much as may be move an eigenvalue
+    double mass_share_ = 0, // bound on the shift of eigenvalues by errors of masses
         roundoff_ = 0;
     OwnedMat B_;
     double norm_ = 0, small_ = 0;

@@ -10,18 +10,18 @@
 
 namespace polydec {
 
-/// Numbers to be seen: of own vertices, degree 0, or of own n-cells, degree n.
+/// Values to be drawn: on own vertices, degree 0, or on own n-cells, degree n.
 struct SharedValues {
     std::string name;
     int degree;
     Vector values;
 };
 
-/// Collective: writes the merged n-cells with these numbers, and of each cell the rank that owns
-/// it, as .pvtu: a list of .vtu files in a folder beside it that has its name, which each rank
-/// writes one of; ranks without cells have none. Folder and list appear whole or not at all, the
-/// list last. A folder of that name must hold an earlier result or nothing. Throws like
-/// check_drawable and write_vtu, IoError if writing fails on any rank.
+/// Collective: writes the merged n-cells with these values, and each cell's owner rank, as .pvtu: a
+/// list of .vtu files in a folder of the same name beside it, one per rank with cells. Folder and
+/// list appear whole or not at all, the list last. An existing folder of that name must be empty or
+/// hold an earlier result. Throws like check_drawable and write_vtu, IoError if writing fails on
+/// any rank.
 void write_pvtu(const Ranks& ranks, const std::filesystem::path& path, const DistributedMesh& mesh,
                 const std::vector<SharedValues>& values, const VtuOptions& options = {});
 

@@ -9,16 +9,14 @@
 
 namespace polydec {
 
-/// What solves systems over all ranks, by PETSc.
+/// A PETSc engine for systems over all ranks.
 struct SharedEngine {
-    /// petsc.cg-hypre, petsc.cg-gamg, petsc.mumps, or auto: the first of them, and the last where
-    /// that is not possible.
+    /// petsc.cg-hypre, petsc.cg-gamg, petsc.mumps, or auto: the first of them, or else the last.
     std::string name = "auto";
-    std::string options = {}; ///< PETSc's own, such as "-ksp_type fcg"; one that nobody reads is
-                              ///< refused
+    std::string options = {}; ///< PETSc's own, such as "-ksp_type fcg"; unused options throw
 };
 
-/// ConstrainedSystem over all ranks; flags and weights are those of own unknowns.
+/// ConstrainedSystem over all ranks; flags and weights are for own unknowns.
 struct SharedSystem {
     OwnedMat A = {};
     HeldUnknowns held = {};
@@ -26,11 +24,11 @@ struct SharedSystem {
     Definiteness definiteness = Definiteness::indefinite;
 };
 
-/// ConstrainedSolver over all ranks. Every function is collective, vectors have the own entries.
+/// ConstrainedSolver over all ranks. Every function is collective; vectors have own entries.
 class SharedSolver {
 public:
-    /// Throws InvalidInput for an engine or option that there is not, SolverFailure if none of
-    /// those tried can be set up.
+    /// Throws InvalidInput for an unknown engine or option, SolverFailure if no engine can be set
+    /// up.
     SharedSolver(const Ranks& ranks, SharedSystem system, const SharedEngine& engine);
     SharedSolver(SharedSolver&&) noexcept;
     ~SharedSolver();

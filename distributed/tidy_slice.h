@@ -5,10 +5,9 @@
 
 namespace polydec {
 
-/// Collective: throws InvalidInput where tidy would leave cells out of the mesh, or refuse it:
-/// cells with a repeated corner, on the vertices of another one, or without volume. Appends to the
-/// slice's warnings, as tidy does, which vertices belong to no cell. Coordinates are finite, and
-/// vertices are there.
+/// Collective: throws InvalidInput where tidy would omit cells or throw: cells with a repeated
+/// corner, on the vertices of another cell, or without volume. Appends a warning about isolated
+/// vertices to the slice, as tidy does. Coordinates must be finite, and vertices must exist.
 void check_tidy(const Ranks& ranks, MeshSlice& slice);
 
 } // namespace polydec

@@ -16,8 +16,8 @@
 
 namespace polydec::tools {
 
-/// Seconds per stage, in the order the stages began. A stage lasts until the next one begins; one
-/// that begins again goes on.
+/// Seconds per stage, in the order the stages began. A stage lasts until the next one begins; a
+/// stage that begins again resumes.
 class Timing {
 public:
     void begin(std::string_view stage);
@@ -31,12 +31,12 @@ private:
     Clock::time_point since_;
 };
 
-/// What is told on the way to every answer, and in its JSON object too.
+/// Timing and warnings, part of every answer and of its JSON object.
 struct Log {
     Timing timing = {};
     std::vector<std::string> warnings = {};
 
-    /// Writes "polydec: warning: ..." to stderr, and keeps it.
+    /// Writes "polydec: warning: ..." to stderr, and records it.
     void warn(const std::string& text);
     void warn(const std::vector<std::string>& texts) {
         for (const auto& text : texts)
@@ -44,7 +44,7 @@ struct Log {
     }
 };
 
-/// Text that is made whole before it is printed.
+/// Text that is completed before it is printed.
 class Text {
 public:
     template <class... Values>
@@ -57,14 +57,14 @@ private:
     fmt::memory_buffer buffer_;
 };
 
-/// A number that double precision may not have in the units of the file.
+/// A number in the units of the file; none if it exceeds double precision.
 std::string in_digits(const std::optional<double>& number, int digits = 10);
 
-/// What a command has found, to be told in one of two ways.
+/// The result of a command, for output as JSON or text.
 class Answer {
 public:
     virtual ~Answer() = default;
-    /// The members of the JSON object; warnings and timing are added behind them.
+    /// The members of the JSON object; the caller appends warnings and timing.
     virtual void write(JsonWriter& json) const = 0;
     virtual void write(Text& text) const = 0;
 
@@ -74,14 +74,14 @@ protected:
     Answer& operator=(const Answer&) = default;
 };
 
-/// How it is to be told.
+/// The output format.
 struct TellOptions {
     bool json = false;
     bool timing = false;
 };
 
-/// Prints the answer, whole or not at all: one JSON object, or text. Throws SolverFailure,
-/// whichever is asked for, if one of its numbers is NaN or infinite.
+/// Prints the answer, whole or not at all: one JSON object, or text. Throws SolverFailure, in both
+/// formats, if one of its numbers is NaN or infinite.
 void tell(const Answer& answer, Log& log, const TellOptions& options);
 
 } // namespace polydec::tools

@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-/// One function per subcommand: it adds itself to the command line and does the work when called.
+/// One function per subcommand: it adds the subcommand, which does its work when parsed.
 namespace polydec::tools {
 
 void add_info(CLI::App& app);

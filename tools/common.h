@@ -16,7 +16,7 @@
 
 namespace polydec::tools {
 
-/// What every command that reads a mesh is told.
+/// Arguments of every command that reads a mesh.
 struct MeshArguments {
     std::filesystem::path mesh;
     double tolerance = DiscretizeOptions{}.tolerance;
@@ -36,12 +36,11 @@ struct MeshArguments {
 /// Adds MESH and the options of MeshArguments to a subcommand.
 void add_mesh_arguments(CLI::App& command, MeshArguments& arguments);
 
-/// Those of them that say how cells are merged and what is told, and MESH with this help; returns
-/// --angle-tolerance.
+/// Adds the arguments for merging and output, and MESH with this help; returns --angle-tolerance.
 CLI::Option* add_merge_arguments(CLI::App& command, MeshArguments& arguments,
                                  const std::string& mesh_help);
 
-/// How cells are merged by these.
+/// The merge options in these arguments.
 MergeOptions merge_options(const MeshArguments& arguments);
 
 /// The option --star, with this kind as the default.
@@ -50,17 +49,17 @@ void add_star(CLI::App& command, MeshArguments& arguments, StarKind kind);
 /// The option --side primal|dual.
 CLI::Option* add_side(CLI::App& command, Side& side);
 
-/// What --star names.
+/// The kind of star with this name.
 StarKind star_kind(const std::string& text);
 
-/// Of which kind the stars of a mesh are, for answers: "hybrid stars, Galerkin's on 12.3 % of the
+/// A description of the stars of a mesh, for answers: "hybrid stars, Galerkin's on 12.3 % of the
 /// cells", and a member "star" with kind and share.
 std::string in_words(const ChosenStars& stars);
 
-/// Reads, merges and measures the mesh; tells its warnings.
+/// Reads, merges and measures the mesh; reports its warnings.
 Discretization load(const MeshArguments& arguments, Log& log);
 
-/// A line on stderr that tells what is being done; on a terminal only, and wiped at the end.
+/// A progress line on stderr; on a terminal only, and erased at the end.
 class Progress {
 public:
     Progress();

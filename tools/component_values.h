@@ -8,10 +8,10 @@
 
 namespace polydec::tools {
 
-/// The parts of a text between semicolons.
+/// The parts of a text separated by semicolons.
 std::vector<std::string> divided(const std::string& text);
 
-/// Values of one or several expressions with semicolons between them, or none.
+/// Values of one or several expressions separated by semicolons, or none.
 class ComponentValues {
 public:
     /// Throws like SiteValues.
@@ -20,7 +20,7 @@ public:
     bool given() const { return !components_.empty(); }
     Eigen::Index size() const { return static_cast<Eigen::Index>(components_.size()); }
 
-    /// A column each; as many as wanted. Throws InvalidInput for another number.
+    /// One column per component. Throws InvalidInput unless there are `wanted` components.
     Points at(const Points& sites, Eigen::Index wanted) const;
 
     Vector at(const Points& sites) const { return at(sites, 1).col(0); }

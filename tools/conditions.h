@@ -13,43 +13,42 @@
 
 namespace polydec::tools {
 
-/// What a command is told of the conditions on the boundary.
+/// A command's arguments for boundary conditions.
 struct ConditionArguments {
     bool natural = false;
     std::string essential_where;
     std::vector<std::string> essential_on;
     std::string fixed_where;
-    double robin = 0; ///< coefficient of Robin's condition in place of the natural one; 0: none
+    double robin = 0; ///< Robin coefficient, replaces the natural condition; 0: none
 };
 
-/// The options --natural and --essential-where, which exclude each other. Returns --natural.
+/// Adds the mutually exclusive options --natural and --essential-where. Returns --natural.
 CLI::Option* add_conditions(CLI::App& command, ConditionArguments& arguments,
                             const std::string& natural_help, const std::string& essential_help);
 
-/// The option --essential-on, which excludes both of these: physical groups or other tags of the
-/// file.
+/// Adds the option --essential-on, which excludes both: physical groups or other tags of the file.
 void add_essential_on(CLI::App& command, ConditionArguments& arguments);
 
-/// The option --fixed-where, of primal 0-forms; `values` is the option that gives them.
+/// Adds the option --fixed-where, for primal 0-forms; `values` is the option with their values.
 void add_fixed(CLI::App& command, ConditionArguments& arguments, const std::string& values);
 
-/// The option --robin, by which these data are the outward derivative plus ALPHA u.
+/// Adds the option --robin; `data` then give the outward derivative plus ALPHA u.
 void add_robin(CLI::App& command, ConditionArguments& arguments, const std::string& data);
 
-/// The conditions asked for, on any mesh. Made before any work, like SiteValues.
+/// The requested conditions, for any mesh. Construct before any work, like SiteValues.
 class ConditionValues {
 public:
     /// Throws like SiteValues.
     explicit ConditionValues(const ConditionArguments& arguments);
 
-    /// On the facets of this mesh; none if none were asked for. Throws like SiteValues::at,
-    /// polydec::essential_on and require_essential.
+    /// On the facets of this mesh; none if no conditions were requested. Throws like
+    /// SiteValues::at, polydec::essential_on and require_essential.
     std::optional<BoundaryConditions> on(const Discretization& mesh) const;
 
-    /// The forms of this side and degree under them, or under the built-in ones.
+    /// The forms of this side and degree under these conditions, or under the default ones.
     FormSpace space(const Discretization& mesh, Side side, int degree) const;
 
-    /// The file that says where, if one does; of facets, and of vertices.
+    /// The file with the facets, and the file with the vertices, if any.
     std::optional<std::filesystem::path> file() const;
     std::optional<std::filesystem::path> fixed_file() const;
 

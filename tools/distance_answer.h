@@ -19,15 +19,15 @@ struct Distances : Answer {
     DistanceMethod method = DistanceMethod::exact;
     std::vector<Index> from;
     Index farthest = 0;
-    Index raised = 0; ///< values below 0 that were raised to it
+    Index raised = 0; ///< negative values, raised to 0
     double max = 0, mean = 0;
-    std::vector<ToldPath> paths; ///< with the numbers that sources have in the file
+    std::vector<ToldPath> paths; ///< with the sources' numbers in the file
 
     void write(JsonWriter& json) const override;
     void write(Text& text) const override;
 };
 
-/// "exact up to rounding", or else.
+/// "exact up to rounding", or the accuracy of the other method.
 const char* accuracy(DistanceMethod method);
 
 } // namespace polydec::tools

@@ -6,9 +6,9 @@
 
 namespace polydec::tools {
 
-/// What is wrong with a text that the parser would take, but for something else than was meant:
-/// assignments, commas that separate no arguments, decimal commas, comparisons of comparisons; or
-/// that is longer or nested deeper than any formula. Empty if nothing is.
+/// Describes syntax that the parser would accept with an unintended meaning: assignments, commas
+/// outside argument lists, decimal commas, chained comparisons; also texts that are too long or
+/// nested too deeply. Empty if there is none.
 std::string misread_syntax(std::string_view text);
 
 } // namespace polydec::tools

@@ -12,18 +12,18 @@
 /// The parts of `polydec generate`.
 namespace polydec::tools {
 
-/// A subcommand with --out and --json that writes what `make` gives.
+/// A subcommand with --out and --json that writes the mesh from `make`.
 CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
                         std::function<Mesh()> make);
 
-/// Writes the mesh and tells its size.
+/// Writes the mesh and reports its size.
 void write_generated(const std::filesystem::path& out, const Mesh& mesh, Log& log,
                      const TellOptions& options);
 
 /// Boxes and lattices in any dimension, and clusters of cospherical points.
 void add_lattices(CLI::App& generate);
 
-/// The command itself, without the name of a mesh, fills a surface with tetrahedra.
+/// The command without a mesh name, which fills a surface with tetrahedra.
 void add_fill(CLI::App& generate);
 
 } // namespace polydec::tools

@@ -11,22 +11,22 @@
 
 namespace polydec::tools {
 
-/// What is joined in a mesh that is read.
+/// Arguments for joining a mesh that is read.
 struct JoiningArguments {
-    std::string weld; ///< empty, or up to which length: a number, or else as weld_length says
+    std::string weld; ///< empty; or the length, a number, or else weld_length
     bool hanging = false;
 
     bool are_given() const { return !weld.empty() || hanging; }
 };
 
-/// The options --weld and --join-hanging of a command that reads a mesh.
+/// Adds the options --weld and --join-hanging to a command that reads a mesh.
 void add_joining(CLI::App& command, JoiningArguments& arguments);
 
-/// The mesh of a file, joined as these say.
+/// The mesh of a file, joined by these arguments.
 Mesh read_joined(const std::filesystem::path& file, const JoiningArguments& arguments);
 
-/// The words of a command line without the program's name, in which a number after --weld belongs
-/// to it, as in --weld=1e-6: a flag may have a value, but the parser takes the next word for MESH.
+/// The words of a command line without the program's name. A number after --weld is attached, as in
+/// --weld=1e-6: a flag may have a value, but the parser takes the next word for MESH.
 std::vector<std::string> words_of(int argc, char** argv);
 
 } // namespace polydec::tools

@@ -10,7 +10,7 @@
 
 namespace polydec::tools {
 
-/// A file as it was read: its SHA-256, in hexadecimal digits, tells whether it is still the same.
+/// An input file: its SHA-256, in hexadecimal digits, detects changes.
 struct Fingerprint {
     std::filesystem::path file;
     std::uintmax_t bytes = 0;
@@ -19,13 +19,13 @@ struct Fingerprint {
     bool operator==(const Fingerprint&) const = default;
 };
 
-/// Those of the files of a mesh that are there. Throws IoError.
+/// The fingerprints of a mesh's existing files. Throws IoError.
 std::vector<Fingerprint> fingerprints(const std::filesystem::path& mesh);
 
-/// Throws IoError, naming a file, if the files of a mesh are no longer what they were.
+/// Throws IoError, naming a file, if the files of a mesh have changed.
 void check_unchanged(const std::filesystem::path& mesh, const std::vector<Fingerprint>& before);
 
-/// What a folder of results is made from.
+/// The inputs of a folder of results.
 struct Manifest {
     std::string command;
     std::vector<Fingerprint> mesh;
@@ -34,12 +34,12 @@ struct Manifest {
     std::vector<std::string> warnings;
 };
 
-/// Writes manifest.json into the folder: the manifest, and name and size of each file that is
-/// there. To be written last: a folder without it is not whole.
+/// Writes manifest.json into the folder: the manifest, and name and size of each file there. Write
+/// it last: a folder without it is incomplete.
 void write_manifest(const std::filesystem::path& folder, const Manifest& manifest);
 
-/// The names of the files that belong to the result in a folder: those that its manifest lists, and
-/// manifest.json. None if there is no manifest, or not as write_manifest writes it.
+/// The names of the result files in a folder: the files listed in its manifest, and manifest.json.
+/// Empty without a manifest from write_manifest.
 std::vector<std::string> files_of_result(const std::filesystem::path& folder);
 
 } // namespace polydec::tools

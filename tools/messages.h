@@ -8,8 +8,8 @@
 
 namespace polydec::tools {
 
-/// Calls work(); the messages of errors that it throws are put as `reword` says, and where their
-/// places name no file, it is this one.
+/// Calls work() and rewords the messages of its errors by `reword`; places without a file get this
+/// one.
 template <class Work, class Reword>
 auto reworded(Reword reword, Work work, const std::filesystem::path& file = {}) {
     const auto place = [&](const Error& error) {
@@ -33,14 +33,14 @@ auto reworded(Reword reword, Work work, const std::filesystem::path& file = {}) 
     }
 }
 
-/// A message of the library as the command tells it: with its options where the library names what
-/// stands for them in C++, printable, and at most a few hundred characters long.
+/// A library message for command-line users: C++ names are replaced by options, and the text is
+/// printable and at most a few hundred characters long.
 std::string told(std::string message);
 
-/// The message with the file in front, unless it is named already; its name is printable then.
+/// The message with the file in front, in printable form, unless it already names the file.
 std::string naming(const std::filesystem::path& file, std::string message);
 
-/// Calls work(), which computes on the mesh of a file; its errors name the file.
+/// Calls work(), a computation on a file's mesh; its errors name the file.
 template <class Work>
 auto computed_on(const std::filesystem::path& file, Work work) {
     return reworded([&](const char* message) { return naming(file, message); }, work, file);

@@ -10,43 +10,43 @@
 #include <string>
 #include <vector>
 
-/// What a command shows of what it found, as a file by its extension: .vtu or .html.
+/// Results of a command as a file in the format of the extension: .vtu or .html.
 namespace polydec::tools {
 
-/// Where, and in which numbers.
+/// The path and the number format.
 struct PictureArguments {
     std::filesystem::path out = {}; ///< or empty
     VtuOptions vtu = {};
-    Index isolines = 0; ///< how many level sets to write in place of the function
+    Index isolines = 0; ///< number of level sets to write instead of the function
 };
 
-/// Adds -o to a subcommand, which says that it is `what` that is written, and --float32.
+/// Adds -o, with `what` as a description of the output, and --float32 to a subcommand.
 void add_picture(CLI::App& command, PictureArguments& picture, const std::string& what);
 
-/// Adds --float32 alone, behind -o.
+/// Adds only --float32, after -o.
 void add_float32(CLI::App& command, PictureArguments& picture);
 
-/// Adds --isolines, for commands that find a function.
+/// Adds --isolines, for commands that compute a function.
 void add_isolines(CLI::App& command, PictureArguments& picture);
 
-/// Refuses --float32 for files that are no .vtu.
+/// Throws for --float32 with files other than .vtu.
 void check_float32(const PictureArguments& picture);
 
-/// Both checks of the file that is asked for, if one is: this one, and check_output_file; inputs
-/// are the files of the mesh, and others.
+/// Checks the requested file, if any, by check_float32 and check_output_file; inputs are the mesh's
+/// files and `others`.
 void check_picture(const PictureArguments& picture, const std::filesystem::path& mesh,
                    const std::vector<std::filesystem::path>& others = {});
 
-/// What the command line says, for pages; set once, by main.
+/// The command line as text, for pages; main sets it once.
 void set_command_text(int argc, const char* const* argv);
 const std::string& command_text();
 
-/// Whether a path is that of a page.
+/// Whether a path has the extension of a page.
 bool is_page(const std::filesystem::path& out);
 
-/// Writes these forms: in a page with the text beside them, the log's warnings and the command
-/// line, and with segments along the surface, if any are given; in a .vtu file with these numbers
-/// of the whole. Or the level sets of the first one.
+/// Writes these forms. A page has the text, the log's warnings, the command line and segments along
+/// the surface, if given; a .vtu file has these numbers as field data. With isolines, writes the
+/// level sets of the first form.
 void write_picture(const PictureArguments& to, const Discretization& mesh,
                    const std::vector<NamedForm>& forms, PageText text,
                    std::vector<VtuArray> numbers, const Log& log, const Mesh& lines = {});

@@ -11,13 +11,13 @@
 
 namespace polydec::tools {
 
-/// Errors against the exact solution: L2 with the cells' volumes as weights, and the largest.
+/// Errors against the exact solution: L2 norm weighted by cell volumes, and maximum.
 struct Errors {
-    std::optional<double> l2; ///< none if it is no number in the units of the file
+    std::optional<double> l2; ///< none if it overflows in the units of the file
     double max;
 };
 
-/// What is told of the solution of a Poisson problem, wherever it was computed.
+/// The reported solution of a Poisson problem, from one process or several.
 struct Solved : Answer {
     Side side = Side::primal;
     const char* boundary = "";
@@ -28,7 +28,7 @@ struct Solved : Answer {
     Index free_components = 0;
     std::optional<Errors> errors;
     std::optional<PoissonError> bound;
-    std::string without_bound; ///< why there is none, or none of L2
+    std::string without_bound; ///< why there is no bound, or none in L2
     ChosenStars stars;
 
     explicit Solved(const ChosenStars& chosen) : stars(chosen) {}

@@ -9,7 +9,7 @@
 
 namespace polydec::tools {
 
-/// What is told of the spectrum of a shape.
+/// The reported spectrum of a shape.
 struct ShapeEigenvalues : Answer {
     const ShapeSpectrum& spectrum;
     int degree, level;
@@ -31,10 +31,10 @@ struct ShapeEigenvalues : Answer {
     void write(Text& text) const override;
 };
 
-/// What is told of counts of a shape's eigenvalues.
+/// The reported counts of a shape's eigenvalues.
 struct ShapeCounts : Answer {
     std::vector<double> below;
-    std::vector<CountBelow> counts; ///< one for each
+    std::vector<CountBelow> counts; ///< one per bound
     CountOptions options = {};
     Index simplices = 0, flips = 0;
     int dimension = 0;
@@ -45,12 +45,12 @@ struct ShapeCounts : Answer {
     void write(Text& text) const override;
 };
 
-/// About how far apart the bounds of level 1 are for this eigenvalue, over it: by the mean of what
-/// enlarges the mass of triangles, and six times as much, which squares have. Not a bound.
+/// Estimated relative gap between the bounds of level 1 for this eigenvalue: from the mean
+/// enlargement of the mass of triangles, six times as much for squares. Not a bound.
 double coarseness(const Discretization& mesh, double eigenvalue);
 
-/// That --of-shape can tell more than eigenvalues of a mesh, and whether that is coarse for them;
-/// or nothing, where it cannot. Side, degree and conditions are those of the forms.
+/// Advice that --of-shape gives more than eigenvalues of a mesh, and whether the mesh is coarse for
+/// them; empty if --of-shape does not apply. Side, degree and conditions are those of the forms.
 std::string advice_of_shape(const Discretization& mesh, const BoundaryConditions& conditions,
                             int degree, double coarse);
 

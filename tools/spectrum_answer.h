@@ -10,15 +10,15 @@
 
 namespace polydec::tools {
 
-/// What is told of a spectrum, wherever it was computed.
+/// The reported spectrum, from one process or several.
 struct Eigenvalues : Answer {
     const Spectrum& spectrum;
     std::string conditions; ///< on the boundary, in words
     ChosenStars stars;
     double seconds;
     double coarse = 0;                 ///< see coarseness
-    std::string advice = {};           ///< on eigenvalues of the shape; or nothing
-    std::optional<Index> resumed = {}; ///< how many vectors it went on with, of a checkpoint
+    std::string advice = {};           ///< on eigenvalues of the shape; may be empty
+    std::optional<Index> resumed = {}; ///< number of vectors resumed from a checkpoint
 
     Eigenvalues(const Spectrum& found, std::string words, const ChosenStars& chosen, double took)
         : spectrum(found), conditions(std::move(words)), stars(chosen), seconds(took) {}

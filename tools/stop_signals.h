@@ -6,8 +6,8 @@
 
 namespace polydec::tools {
 
-/// While it lives, SIGINT (Ctrl-C) and SIGTERM do not end the program but ask it to: for work that
-/// has something to keep first. Given again, they end it. There is one at a time.
+/// During its lifetime, SIGINT (Ctrl-C) and SIGTERM request a stop instead of ending the program,
+/// so that work can be saved first. A second signal ends it. Only one object may exist at a time.
 class StopSignals {
 public:
     StopSignals();
@@ -15,10 +15,10 @@ public:
     StopSignals(const StopSignals&) = delete;
     StopSignals& operator=(const StopSignals&) = delete;
 
-    /// Whether one has come.
+    /// Whether a signal has arrived.
     bool asked() const;
 
-    /// Ends the program by it, as it would have.
+    /// Ends the program by this signal, as by default.
     void end() const;
 
 private:

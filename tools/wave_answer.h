@@ -7,17 +7,17 @@
 
 #include <string>
 
-/// What the commands wave and maxwell have in common.
+/// Common parts of the commands wave and maxwell.
 namespace polydec::tools {
 
-/// What a wave is called.
+/// The names of a wave in output.
 struct WaveWords {
     std::string what; ///< wave or maxwell
     std::string title, equation;
     std::string form, form_words; ///< of the form
 };
 
-/// Marches a wave of a space on a mesh, and answers. Of the options all but the step are given.
+/// Marches a wave of a space on a mesh, and answers. Sets only the step of the options.
 void answer_waves(const WaveWords& words, const Discretization& mesh, const FormSpace& space,
                   const Vector& start, WaveOptions options, const MeshArguments& arguments,
                   const TimeArguments& time, Log& log);

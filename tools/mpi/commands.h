@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-/// One function per subcommand over several ranks: as those of polydec.
+/// One function per subcommand over several ranks, as for polydec.
 namespace polydec::tools {
 
 void add_shared_info(CLI::App& app, const Ranks& ranks);

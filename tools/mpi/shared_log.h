@@ -6,27 +6,27 @@
 
 namespace polydec::tools {
 
-/// What a rank took for a stage, or the busiest rank.
+/// The effort of a rank, or of the busiest rank, for a stage.
 struct StageEffort {
     std::string stage;
     double cpu = 0;               ///< seconds
-    std::int64_t sent = 0;        ///< bytes to other ranks, without those of solvers
-    std::int64_t peak_memory = 0; ///< bytes, until the stage ended
+    std::int64_t sent = 0;        ///< bytes to other ranks, without solvers
+    std::int64_t peak_memory = 0; ///< bytes, at the end of the stage
 };
 
-/// What a process has held at its peak so far; bytes.
+/// The peak memory of this process so far; bytes.
 std::int64_t peak_memory();
 
-/// A log that knows besides what each stage takes this rank.
+/// A log that also records this rank's effort per stage.
 class SharedLog : public Log {
 public:
     explicit SharedLog(const Ranks& ranks) : ranks_(ranks) {}
 
-    /// A stage lasts until the next one begins, and goes on if it begins again.
+    /// A stage lasts until the next one begins, and resumes if it begins again.
     void begin(std::string_view stage);
     void end();
 
-    /// Collective: the most that any rank took for each stage so far, which are the same on all.
+    /// Collective: the largest effort of any rank for each stage so far, identical on all ranks.
     std::vector<StageEffort> busiest() const;
 
 private:
