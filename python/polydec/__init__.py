@@ -9,8 +9,8 @@
     >>> bool((abs(modes.eigenvalues - [0, 2, 2, 2]) < 0.02).all())
     True
 
-Matrices are ``scipy.sparse.csr_matrix``, forms are arrays or `Cochain` objects, and errors are
-those of this module, which are Python's own too. See `discretize` and `Complex` first.
+Matrices are ``scipy.sparse.csr_matrix``, and forms are arrays or `Cochain` objects. The exceptions
+of this module also derive from Python's built-in ones. Start with `discretize` and `Complex`.
 """
 import os as _os
 
@@ -68,6 +68,6 @@ __all__ = [
     "write_lengths", "write_mesh", "write_vtu",
 ]
 
-# a child that is forked has the parent's threads in its memory, but not running
+# a forked child inherits the memory of the parent's threads, but not the running threads
 if hasattr(_os, "register_at_fork"):
     _os.register_at_fork(after_in_child=_core.use_one_thread)

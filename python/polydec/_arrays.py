@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What comes in: arrays of any layout become those that C++ reads, or are refused by name."""
+"""Input conversion: arrays of any layout become arrays for C++, or raise an error by name."""
 from __future__ import annotations
 
 from typing import Any, Callable, Tuple, Union
@@ -13,7 +13,7 @@ from ._errors import InvalidInput
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int32]
 MatrixParts = Tuple[Floats, Integers, Integers, int]
-#: What may stand for values at places: one for all, one for each, or a function of the places.
+#: Values at points: one for all, one for each, or a function of the points.
 Values = Union[float, npt.ArrayLike, Callable[[Floats], Any]]
 
 
@@ -38,7 +38,7 @@ def _shape(array: npt.NDArray[Any], name: str, dimensions: int) -> None:
 
 
 def floats(values: npt.ArrayLike, name: str, dimensions: int = 1) -> Floats:
-    """Real numbers in rows, as C has them; complex ones and other shapes are refused."""
+    """C-contiguous real numbers. Raises InvalidInput for complex numbers and other shapes."""
     array = _array(values, name)
     if array.dtype.kind not in "fiub":
         raise InvalidInput(f"{name} are of the type {array.dtype}: expected real numbers")
@@ -49,7 +49,7 @@ def floats(values: npt.ArrayLike, name: str, dimensions: int = 1) -> Floats:
 
 
 def integers(values: npt.ArrayLike, name: str, dimensions: int = 1) -> Integers:
-    """Whole numbers of 32 bits; others are refused, and so is what has a fraction."""
+    """Whole numbers of 32 bits. Raises InvalidInput for other values, fractions included."""
     array = _array(values, name)
     if array.size == 0 and array.ndim < dimensions:
         array = array.reshape((0,) * dimensions)
@@ -67,7 +67,7 @@ def integers(values: npt.ArrayLike, name: str, dimensions: int = 1) -> Integers:
 
 
 def at_places(values: Values, places: Floats, name: str, columns: int = 1) -> Floats:
-    """One value, or one row, for each place: those given, or those of a function of all places."""
+    """One value or one row per point, given directly or by a function of all points."""
     if callable(values):
         values = values(places)
     array = _array(values, name)
@@ -80,7 +80,7 @@ def at_places(values: Values, places: Floats, name: str, columns: int = 1) -> Fl
 
 
 def matrix_parts(matrix: Any, name: str) -> MatrixParts:
-    """The arrays of a sparse matrix of any format, or of a dense one: sorted rows, no entry twice."""
+    """CSR arrays of a sparse or dense matrix: sorted rows, no duplicate entries."""
     if not scipy.sparse.issparse(matrix):
         matrix = scipy.sparse.csr_matrix(floats(matrix, name, 2))
     if np.dtype(matrix.dtype).kind not in "fiub":
@@ -94,7 +94,7 @@ def matrix_parts(matrix: Any, name: str) -> MatrixParts:
 
 
 def marks(essential: Any, places: Floats, count: int, name: str = "essential") -> list[bool]:
-    """Conditions for C++: one mark for all facets, or one for each of them."""
+    """Facet marks for C++: one mark for all facets, or one per facet."""
     if callable(essential):
         essential = essential(places)
     array = _array(essential, name)

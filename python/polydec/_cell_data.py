@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Numbers for cells, such as conductivities."""
+"""Data on cells, such as conductivities."""
 from __future__ import annotations
 
 from typing import Any, Callable, Union
@@ -13,13 +13,13 @@ from ._cells import Cells
 from ._cochain import Cochain
 from ._errors import InvalidInput
 
-#: Numbers of cells: one for all; one for each cell of the input, in its order; a dual 0-form; or a
+#: Data on cells: one number for all; one for each input cell, in input order; a dual 0-form; or a
 #: function of all centroids of the n-cells.
 CellNumbers = Union[float, npt.ArrayLike, Cochain, Callable[[Floats], Any]]
 
 
 def cell_data(cells: Cells, given: CellNumbers | None, name: str) -> _core.CellData:
-    """The same for C++."""
+    """Data on cells in the form that C++ takes."""
     if given is None:
         return _core.CellData(np.zeros(0), False)
     if isinstance(given, Cochain):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Cells and the operators on them."""
+"""Cells and their operators."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Sequence, Union
@@ -15,16 +15,16 @@ from ._errors import InvalidInput
 if TYPE_CHECKING:
     from ._cochain import Cochain
 
-#: An array of values, or a form that knows its side and degree.
+#: An array of values, or a `Cochain`, which stores its side and degree.
 Form = Union["Cochain", npt.ArrayLike]
 
 
 class Cells:
-    """Oriented cells of degrees 0 to n with their Hodge stars, and the operators on forms on them.
+    """Oriented cells of degrees 0 to n, their Hodge stars, and the operators on their forms.
 
-    A primal k-form has a number for each k-cell, a dual j-form one for the dual of each (n-j)-cell.
-    The cells of a mesh are a `Complex`; `Cells.of` takes cells of one's own. Matrices are
-    ``scipy.sparse.csr_matrix``. Arrays that are stored are handed out as views of them, read-only.
+    A primal k-form has one value per k-cell. A dual j-form has one value per dual of an (n-j)-cell.
+    The cells of a mesh are a `Complex`; `Cells.of` takes user-defined cells. Matrices are
+    ``scipy.sparse.csr_matrix``. Stored arrays are returned as read-only views.
     """
 
     def __init__(self, cells: _core.Cells) -> None:
@@ -33,15 +33,14 @@ class Cells:
     @classmethod
     def of(cls, incidences: Sequence[Any], volumes: Sequence[npt.ArrayLike],
            dual_volumes: Sequence[npt.ArrayLike]) -> Cells:
-        """Cells of one's own, of any kind.
+        """User-defined cells of any shape.
 
         Parameters
         ----------
         incidences : sequence of n sparse matrices
-            The coboundaries d_0 .. d_(n-1), of integer entries, d_k of as many rows as there are
-            (k+1)-cells.
+            The coboundaries d_0 .. d_(n-1) with integer entries; d_k has one row per (k+1)-cell.
         volumes, dual_volumes : sequences of n + 1 arrays
-            A number for each cell of each degree.
+            One number per cell of each degree.
 
         Examples
         --------
@@ -71,11 +70,11 @@ class Cells:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Numbers of cells of degrees 0 to n."""
+        """Number of cells of each degree, 0 to n."""
         return tuple(self._cells.size(k) for k in range(self.dim + 1))
 
     def size(self, k: int, side: str = "primal") -> int:
-        """Number of values of a k-form of that side; 0 if there is no such degree."""
+        """Number of values of a k-form on this side; 0 if the degree does not exist."""
         return self._cells.size(k if side == "primal" else self.dim - k)
 
     def __len__(self) -> int:
@@ -89,15 +88,15 @@ class Cells:
     # ---- topology
 
     def incidence(self, k: int) -> Any:
-        """d_k with entries -1, 0, 1 of type int8: a view of what is stored.
+        """d_k with entries -1, 0, 1 of type int8: a view of the stored matrix.
 
-        Products of such matrices overflow beyond 127; to calculate take `d`.
+        Products of such matrices overflow beyond 127; use `d` for arithmetic.
         """
         return self._cells.incidence(k)
 
     def d(self, k: int, side: str = "primal") -> Any:
-        """Exterior derivative of k-forms, size(k+1) x size(k); of dual ones ``(-1)**i d_(i-1)^T``
-        with i = n - k. Needs no metric; ``d(k+1) @ d(k)`` is exactly zero.
+        """Exterior derivative of k-forms, size(k+1) x size(k). On dual forms it is
+        ``(-1)**i d_(i-1)^T`` with i = n - k. Needs no metric; ``d(k+1) @ d(k)`` is exactly zero.
 
         >>> import polydec
         >>> square = polydec.discretize(polydec.meshes.grid(1, 1))
@@ -123,37 +122,37 @@ class Cells:
         return self._cells.betti_numbers()
 
     def homology_generators(self, k: int) -> Any:
-        """A basis of the k-th homology: b_k columns of integers, each a cycle."""
+        """A basis of the k-th homology: b_k integer columns, each a cycle."""
         return self._cells.homology_generators(k)
 
     # ---- metric
 
     def volumes(self, k: int) -> Floats:
-        """k-volumes of the k-cells, 1 for vertices: a view of what is stored."""
+        """k-volumes of the k-cells, 1 for vertices: a view of the stored array."""
         return self._cells.volumes(k)
 
     def dual_volumes(self, k: int) -> Floats:
-        """Signed (n-k)-volumes of the duals of the k-cells: a view of what is stored."""
+        """Signed (n-k)-volumes of the duals of the k-cells: a view of the stored array."""
         return self._cells.dual_volumes(k)
 
     def star(self, k: int) -> Any:
-        """Hodge star of primal k-forms: its diagonal, or a matrix where it is none.
+        """Hodge star of primal k-forms: its diagonal, or a matrix if the star is not diagonal.
 
-        Diagonal stars are dual over primal volumes, ``dual_volumes(k) / volumes(k)``. Those of
-        kind galerkin and hybrid are sparse matrices.
+        Diagonal stars are ratios of dual to primal volumes, ``dual_volumes(k) / volumes(k)``.
+        Galerkin and hybrid stars are sparse matrices.
         """
         return self._cells.star(k)
 
     def inverse_star(self, k: int) -> Any:
-        """Its inverse, from dual (n-k)-forms to primal k-forms.
+        """Inverse Hodge star, from dual (n-k)-forms to primal k-forms.
 
-        The diagonal; or, where the star is a matrix, a ``scipy.sparse.linalg.LinearOperator`` that
-        solves with it, since the matrix would be dense.
+        Returns the diagonal. If the star is a matrix, its inverse would be dense; a
+        ``scipy.sparse.linalg.LinearOperator`` that solves with the star is returned instead.
 
         Raises
         ------
         InvalidInput
-            If the star of a cell is zero; ``degree`` and ``cells`` say of which.
+            If the star of a cell is zero; ``degree`` and ``cells`` name it.
         """
         if self._cells.is_diagonal(k):
             return self._cells.inverse_star(k)
@@ -169,9 +168,9 @@ class Cells:
         return self._cells.negatives(k)
 
     def codifferential(self, k: int, side: str = "primal") -> Any:
-        """Codifferential of k-forms, to (k-1)-forms: the adjoint of d in the inner products.
+        """Codifferential, from k-forms to (k-1)-forms: the adjoint of d in the inner products.
 
-        Where a star that must be inverted is a matrix, a ``LinearOperator`` in its place.
+        Returns a ``LinearOperator`` if it needs the inverse of a star that is a matrix.
         """
         if self._inverts(side, k, laplacian=False):
             return self._applied("codifferential", side, k, k - 1)
@@ -180,7 +179,7 @@ class Cells:
     def laplacian(self, k: int, side: str = "primal") -> Any:
         """Laplace-de Rham operator on k-forms, d delta + delta d.
 
-        Where a star that must be inverted is a matrix, a ``LinearOperator`` in its place.
+        Returns a ``LinearOperator`` if it needs the inverse of a star that is a matrix.
 
         >>> import polydec
         >>> c = polydec.discretize(polydec.meshes.well_centered(4))
@@ -192,18 +191,18 @@ class Cells:
         return self._cells.laplacian(side, k)
 
     def stiffness(self, k: int) -> Any:
-        """The symmetric ``star(k) * laplacian(k)`` of primal k-forms, a sparse matrix."""
+        """Stiffness matrix ``star(k) * laplacian(k)`` of primal k-forms: symmetric and sparse."""
         return self._cells.stiffness(k)
 
     def dual_boundary_derivative(self, j: int) -> Any:
-        """What values on the boundary add to the derivative of a dual j-form."""
+        """Matrix of the boundary values' contribution to the derivative of a dual j-form."""
         return self._cells.dual_boundary_derivative(j)
 
     def inner_product(self, a: Form, b: Form, k: int | None = None,
                       side: str = "primal") -> float:
-        """L2 product of two forms of one kind.
+        """L2 product of two forms of the same side and degree.
 
-        Arrays `a` and `b` need their degree and side; `Cochain` objects bring theirs.
+        Arrays `a` and `b` need a degree and a side; a `Cochain` stores both.
         """
         a_side, a_degree, a_values = as_form(self, a, k, side)
         b_side, b_degree, b_values = as_form(self, b, k, side)
@@ -229,10 +228,10 @@ class Cells:
         Parameters
         ----------
         essential : bool or array of bool, shape (size(n-1),)
-            Where the form itself is 0 (for 0-forms Dirichlet's condition); elsewhere nothing flows
-            through the boundary (Neumann's).
+            Facets where the form is 0 (Dirichlet's condition for 0-forms). On the other facets the
+            flux through the boundary is 0 (Neumann's condition).
         degree, side
-            Of the forms.
+            Degree and side of the forms.
 
         Examples
         --------
@@ -248,9 +247,9 @@ class Cells:
         return ConditionedCells(inside, numbers, self.shape)
 
     def _inverts(self, side: str, k: int, laplacian: bool) -> bool:
-        """Whether the matrix is dense, since the inverse of a star that is a matrix is in it."""
+        """Whether the operator is dense because it contains the inverse of a star matrix."""
         if side not in ("primal", "dual"):
-            return False # C++ says so
+            return False # C++ reports the error
         cells = k if side == "primal" else self.dim - k
         inverted = [cells - 1] if side == "primal" else [cells]
         if laplacian:
@@ -271,7 +270,7 @@ class ConditionedCells(Cells):
     Attributes
     ----------
     cells : list of numpy.ndarray
-        Of each degree the numbers that these cells have in the whole.
+        For each degree, the numbers of these cells among all cells.
     """
 
     def __init__(self, inside: _core.Cells, cells: list[Integers],
@@ -281,11 +280,11 @@ class ConditionedCells(Cells):
         self._whole = whole
 
     def restrict(self, k: int, values: npt.ArrayLike) -> Floats:
-        """The values on these k-cells, of values on all k-cells."""
+        """Restricts values on all k-cells to these k-cells."""
         return np.asarray(values, dtype=np.float64)[self.cells[k]]
 
     def extend(self, k: int, values: npt.ArrayLike) -> Floats:
-        """The values on all k-cells, 0 on those that were left out."""
+        """Extends values to all k-cells, by 0 on the cells left out."""
         array = np.asarray(values, dtype=np.float64)
         result = np.zeros((self._whole[k],) + array.shape[1:])
         result[self.cells[k]] = array
@@ -293,7 +292,7 @@ class ConditionedCells(Cells):
 
 
 class Degree:
-    """The cells of one degree under the names of PyDEC.
+    """The cells of one degree, with the attribute names of PyDEC.
 
     Attributes
     ----------
@@ -342,7 +341,7 @@ def _matrix(star: Any) -> Any:
 
 
 class _Operator(scipy.sparse.linalg.LinearOperator):  # type: ignore[misc]
-    """An operator in which a matrix is solved with, that becomes an array as sparse ones do."""
+    """An operator that contains a linear solve. Has `toarray`, as sparse matrices do."""
 
     def __init__(self, rows: int, columns: int, apply: Any) -> None:
         super().__init__(np.dtype(np.float64), (rows, columns))
@@ -352,15 +351,15 @@ class _Operator(scipy.sparse.linalg.LinearOperator):  # type: ignore[misc]
         return self._apply(np.ascontiguousarray(x, np.float64).ravel())
 
     def toarray(self) -> Floats:
-        """Its matrix, which is dense: one product for each column."""
+        """The dense matrix of the operator: one product per column."""
         columns = [self.matvec(column) for column in np.eye(self.shape[1])]
         return np.array(columns).reshape(self.shape[::-1]).T
 
 
 def as_form(cells: Cells, form: Form, degree: int | None,
             side: str = "primal") -> tuple[str, int, Floats]:
-    """Side, degree and values of a `Cochain`, or of an array with what is said of it, which may have
-    a number for each vertex that was given."""
+    """Side, degree and values of a `Cochain`, or of an array with its degree and side. An array may
+    have one value per input vertex."""
     from ._cochain import Cochain
     from ._vertices import form_at_cells
     if isinstance(form, Cochain):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Forms as values that know what they are."""
+"""Discrete forms with their degree and side."""
 from __future__ import annotations
 
 from typing import Any
@@ -14,16 +14,16 @@ from ._vertices import form_at_cells
 
 
 class Cochain:
-    """A discrete k-form: its integral over each oriented cell of degree k, primal or dual.
+    """A discrete k-form: its integrals over the oriented k-cells, primal or dual.
 
     Parameters
     ----------
     values : array_like
-        A number for each cell; of a primal 0-form also one for each vertex that was given.
+        One number per cell. A primal 0-form may also have one per input vertex.
     degree : int
     side : {"primal", "dual"}
     complex : Cells
-        What it lives on.
+        The cells that carry the form.
 
     Examples
     --------
@@ -36,7 +36,7 @@ class Cochain:
     Cochain(primal 2-form, 96 values)
     """
 
-    __array_priority__ = 20.0 # numpy's numbers times a form are forms
+    __array_priority__ = 20.0 # numpy scalars times a form are forms
 
     def __init__(self, values: npt.ArrayLike, degree: int, side: str = "primal",
                  complex: Cells | None = None) -> None:
@@ -54,7 +54,7 @@ class Cochain:
 
     @property
     def complex(self) -> Cells:
-        """What it lives on; `InvalidInput` if that was not said."""
+        """The cells that carry the form. Raises `InvalidInput` if none were given."""
         if self._complex is None:
             raise InvalidInput("the form does not say on which complex it lives")
         return self._complex
@@ -65,15 +65,15 @@ class Cochain:
         return Cochain(values, degree, side, self.complex if len(values) else None)
 
     def d(self) -> Cochain:
-        """Exterior derivative, of degree k+1."""
+        """Exterior derivative, a (k+1)-form."""
         return self._made("d")
 
     def star(self) -> Cochain:
-        """Hodge star: of the other side, of degree n-k."""
+        """Hodge star, an (n-k)-form on the other side."""
         return self._made("star")
 
     def delta(self) -> Cochain:
-        """Codifferential, of degree k-1."""
+        """Codifferential, a (k-1)-form."""
         return self._made("codifferential")
 
     def laplacian(self) -> Cochain:

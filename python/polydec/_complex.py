@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A mesh made ready for calculus."""
+"""Discretized meshes."""
 from __future__ import annotations
 
 import json
@@ -22,27 +22,27 @@ from ._periodic import PeriodicMesh
 from ._vertices import points_of
 
 Progress = Callable[[str], object]
-#: Cells, or a mesh that they are made of.
+#: Cells, or a mesh to make them from.
 CellsLike = Union[Cells, MeshLike]
 
 
 class Complex(Cells):
-    """A mesh made ready for calculus by `discretize`: its cells, merged where they are cospherical.
+    """A mesh discretized by `discretize`: its cells, merged where they are cospherical.
 
-    All that is said of `Cells` is said of the merged cells. Places of values are `points` for
-    primal 0-forms and `centers` for others.
+    All members of `Cells` refer to the merged cells. Values of primal 0-forms are at `points`,
+    values of other forms at `centers`.
 
     Attributes
     ----------
     points : numpy.ndarray, shape (vertices, N)
-        Of all vertices that were given; without columns if only lengths are known. Of a mesh that
-        `periodic` or `glue` made, their first places in its box.
+        All input vertices; no columns if only edge lengths are known. For a mesh made by `periodic`
+        or `glue`, the first position of each vertex in the box.
     vertices : numpy.ndarray of int, shape (size(0),)
-        Which of them are 0-cells, as matrices and cochains have them: those that cells use.
+        The input vertices that cells use: the 0-cells, in the order of matrices and cochains.
     input : Cells
-        The simplices that were given, by themselves.
+        The input simplices, not merged.
     merging : Merging
-        What the cells are made of.
+        The simplices in each cell, and the maps between both.
     """
 
     def __init__(self, mesh: _core.Discretization, given: Mesh | LengthMesh | None,
@@ -62,12 +62,12 @@ class Complex(Cells):
 
     @property
     def box(self) -> Complex:
-        """Of a mesh that `periodic` or `glue` made the box, with cells cut along the seams, as
-        pictures show it; of any other the mesh itself."""
+        """The box of a mesh made by `periodic` or `glue`, with cells cut along the seams, for
+        pictures. For any other mesh, the mesh itself."""
         return Complex(self._mesh.placed(), None, self._options) if self._mesh.is_glued else self
 
     def _on_box(self, k: int, values: Floats) -> Floats:
-        """A number for each k-cell of `box`; nan inside of larger cells that a seam has cut."""
+        """One number per k-cell of `box`; nan inside larger cells that a seam cuts."""
         if not self._mesh.is_glued:
             return values
         numbers = self._mesh.cells_of_places(k)
@@ -79,7 +79,7 @@ class Complex(Cells):
 
     @property
     def pieces(self) -> Cells:
-        """What was merged: the simplices that were given, or the triangles after flips."""
+        """The simplices before merging: the input, or the triangles after flips."""
         return Cells(self._mesh.pieces_cells)
 
     @property
@@ -88,59 +88,59 @@ class Complex(Cells):
 
     @property
     def options(self) -> dict[str, Any]:
-        """Those of `discretize` that it was made with."""
+        """The options that were given to `discretize`."""
         return dict(self._options)
 
     @property
     def warnings(self) -> list[str]:
-        """What was untidy in the input, and what was done about it."""
+        """Defects of the input, and how they were handled."""
         return [told(text) for text in self._mesh.warnings]
 
     @property
     def tags(self) -> Integers:
-        """Of each n-cell the tag of its simplices, 0 where they have different ones; or empty."""
+        """The tag of each n-cell, 0 where the tags of its simplices differ; or empty."""
         return self._mesh.tags
 
     @property
     def facet_tags(self) -> Integers:
-        """Of each (n-1)-cell the tag of its facets; or empty."""
+        """The tag of each (n-1)-cell; or empty."""
         return self._mesh.facet_tags
 
     def facets_in(self, *groups: str | int) -> npt.NDArray[np.bool_]:
-        """Of each (n-1)-cell whether it is in one of these groups of the file, which are given by
-        their names or tags; say ``essential=plate.facets_in("wall", "lid")``.
+        """Marks the (n-1)-cells in these groups of the file, given by names or tags; for example
+        ``essential=plate.facets_in("wall", "lid")``.
 
         Raises
         ------
         InvalidInput
-            For a group that there is not, with the names of those there are.
+            For an unknown group; the text lists the groups of the file.
         """
         return np.array(self._mesh.facets_in([str(group) for group in groups]), dtype=bool)
 
     @property
     def unit(self) -> float:
-        """The length, in those of the input, that points and volumes are measured in: mostly 1."""
+        """Unit of length of points and volumes, in units of the input: mostly 1."""
         return self._mesh.unit
 
     @property
     def star_kind(self) -> str:
-        """Which stars it has: "circumcentric", "galerkin", "hybrid", "barycentric" or "own"."""
+        """Kind of the stars: "circumcentric", "galerkin", "hybrid", "barycentric" or "own"."""
         return self._mesh.star_kind
 
     def boundary_vertices(self) -> Integers:
-        """The vertices on the boundary, ascending. Raises InvalidInput if there is none."""
+        """The vertices on the boundary, ascending. Raises InvalidInput if there is no boundary."""
         return self.vertices[self._mesh.boundary_vertices()]
 
     def vertices_in(self, *groups: str | int) -> Integers:
         """The vertices of n-cells, or else of facets, in these groups of the file, ascending.
 
-        Groups are given by names or tags. Raises InvalidInput for one that there is not.
+        Groups are given by names or tags. Raises InvalidInput for an unknown group.
         """
         return self.vertices[self._mesh.vertices_on([str(group) for group in groups])]
 
     def report(self) -> dict[str, Any]:
-        """What the mesh is, and what can be done on it: what ``polydec info --json`` says
-        with the same stars.
+        """Properties of the mesh, and the operators that exist on it: the output of
+        ``polydec info --json`` with the same stars.
 
         >>> import polydec
         >>> report = polydec.discretize(polydec.meshes.torus(8, 6)).report()
@@ -154,23 +154,23 @@ class Complex(Cells):
     # ---- places
 
     def centers(self, k: int) -> Floats:
-        """Circumcenters of the k-cells, a row each."""
+        """Circumcenters of the k-cells, one row each."""
         return self._mesh.centers(k)
 
     def centroids(self, k: int) -> Floats:
-        """Centroids of the k-cells, where vector fields made of forms belong, a row each."""
+        """Centroids of the k-cells, one row each: the positions of vector fields from forms."""
         return self._mesh.centroids(k)
 
     def dual_sites(self) -> Floats:
-        """Where values of dual 0-forms are: centers of the n-cells, or centroids by the stars."""
+        """Positions of values of dual 0-forms: centers or centroids of n-cells, by the stars."""
         return self._mesh.dual_sites()
 
     def facet_sites(self) -> Floats:
-        """Where values on the boundary and through it are: places on the (n-1)-cells."""
+        """Positions of boundary values and boundary fluxes: a point on each (n-1)-cell."""
         return self._mesh.facet_sites()
 
     def cells(self, k: int) -> CellList:
-        """The vertices of the k-cells: around them for k = 2, else ascending.
+        """The vertices of the k-cells: in cyclic order for k = 2, else ascending.
 
         >>> import polydec
         >>> square = polydec.discretize(polydec.meshes.grid(1, 1)).cells(2)
@@ -181,27 +181,26 @@ class Complex(Cells):
         return CellList(begins, self.vertices[corners])
 
     def polygons(self) -> Polygons:
-        """The 2-cells of a surface as they lie in space, after flips cut along the input's edges."""
+        """The 2-cells of a surface in space; after flips, cut along the edges of the input."""
         return Polygons(*self._mesh.polygons())
 
     # ---- stars
 
     def with_star(self, k: int, star: Any) -> Complex:
-        """The same with a symmetric positive definite sparse matrix as the star of k-forms."""
+        """A copy with a symmetric positive definite sparse matrix as the star of k-forms."""
         parts = matrix_parts(star, f"the star of degree {k}")
         return Complex(self._mesh.with_star(k, parts), None, self._options)
 
     def with_stars(self, kind: str) -> Complex:
-        """The same with stars of another kind, as the option ``star`` of `discretize`."""
+        """A copy with stars of another kind, as in the option ``star`` of `discretize`."""
         return Complex(self._mesh.with_stars(kind), self._given, {**self._options, "star": kind})
 
     def with_material(self, k: int, weights: CellNumbers) -> Complex:
-        """The same with the star of k-forms weighted by positive numbers of cells: signed shares of
-        a diagonal, else Galerkin's of the material. Numbers are one for all, one for each cell of
-        the input in its order (simplices, or polygons and solids that were split), a dual 0-form,
-        or a function of the centroids of the n-cells.
-
-        For Maxwell's primal 1-forms E weight degree 1 by permittivity, degree 2 by 1 / permeability.
+        """A copy with the star of k-forms weighted by positive numbers on cells. A diagonal star
+        becomes a weighted sum of signed shares; other stars become Galerkin's. Weights: one number,
+        one per input cell in input order (simplices, or polygons and solids before splitting), a
+        dual 0-form, or a function of the centroids of the n-cells.
+        For Maxwell's primal 1-form E: permittivity in degree 1, 1 / permeability in degree 2.
 
         >>> import numpy as np, polydec
         >>> square = polydec.discretize(polydec.meshes.grid(4, 4))
@@ -213,27 +212,27 @@ class Complex(Cells):
         return Complex(self._mesh.with_material(k, data), None, self._options)
 
     def with_conductivity(self, kappa: CellNumbers, side: str = "primal") -> Complex:
-        """The same with stars that make Delta of functions ``-div kappa grad`` (see `with_material`)."""
+        """A copy whose Delta on functions is ``-div kappa grad``; see `with_material`."""
         data = cell_data(self, kappa, "conductivities")
         return Complex(self._mesh.with_conductivity(side, data), None, self._options)
 
     def cell_means(self, k: int, weights: CellNumbers) -> Floats:
-        """The mean around each k-cell of numbers of cells, as `with_material` takes them but at
-        least 0, such as the losses that `Waves` take."""
+        """Means of cell data around each k-cell, for example losses for `Waves`. Takes numbers as
+        `with_material` does, but >= 0."""
         return self._mesh.cell_means(k, cell_data(self, weights, "weights"))
 
     def material_star(self, k: int, weights: CellNumbers) -> Any:
-        """Galerkin's star of k-forms, each n-cell's part times its weight (see `with_material`)."""
+        """Galerkin star of k-forms, weighted cell by cell; see `with_material`."""
         return self._mesh.material_star(k, cell_data(self, weights, "weights"))
 
     def conductivity_star(self, tensors: npt.ArrayLike) -> Any:
-        """Galerkin's star of (n-1)-forms by symmetric n x n conductivities of the input's cells."""
+        """Galerkin star of (n-1)-forms for symmetric n x n conductivities, one per input cell."""
         return self._mesh.tensor_star(floats(tensors, "tensors", 3))
 
     # ---- forms
 
     def cochain(self, values: npt.ArrayLike, degree: int, side: str = "primal") -> Cochain:
-        """A form on these cells."""
+        """A discrete form on these cells."""
         return Cochain(values, degree, side, self)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -248,10 +247,10 @@ def _made_again(given: Mesh | LengthMesh, options: dict[str, Any]) -> Complex:
 
 
 class Merging:
-    """What the cells of a `Complex` are made of, and the maps between these and the simplices.
+    """The simplices in each cell of a `Complex`, and the maps between cells and simplices.
 
-    Forms on simplices are those on ``complex.input``; `lift` and `diamond` are of the pieces, which
-    are the same unless edges were flipped.
+    Forms on simplices live on ``complex.input``. `lift` and `diamond` refer to the pieces, which
+    equal the input simplices unless edges were flipped.
     """
 
     def __init__(self, complex: Complex) -> None:
@@ -264,45 +263,45 @@ class Merging:
         return self._mesh.is_identity
 
     def diamond(self, k: int) -> Any:
-        """The orientation, 1 or -1, of each k-piece in its cell: a view, of type int8.
+        """Orientation, 1 or -1, of each k-piece in its cell: a view of type int8.
 
-        Primal k-forms on pieces are mapped to cells by it, and the map commutes with d.
+        It maps primal k-forms from pieces to cells, and commutes with d.
         """
         return self._mesh.diamond(k)
 
     def carriers(self, k: int) -> tuple[Integers, Integers]:
-        """Of each k-piece the cell in whose interior it lies: dimensions and numbers."""
+        """For each k-piece, the cell that contains it in its interior: dimensions and numbers."""
         return self._mesh.carriers(k)
 
     def lift(self, k: int) -> Any:
-        """Primal k-forms on cells as forms on pieces: ``diamond(k) @ lift(k)`` is the identity, and
-        it commutes with d."""
+        """Lift of primal k-forms from cells to pieces: ``diamond(k) @ lift(k)`` is the identity. It
+        commutes with d."""
         return self._mesh.lift(k)
 
     def to_merged(self, form: Form, degree: int | None = None, side: str = "primal") -> Cochain:
-        """The form on merged cells of a form on the input's simplices: sums, or means of duals."""
+        """Maps a form from input simplices to merged cells: by sums, or by means of dual values."""
         return self._form(_core.transfer(self._mesh, "to_merged", *as_form(self._complex, form, degree, side)),
                           self._complex)
 
     def to_input(self, form: Form, degree: int | None = None, side: str = "primal") -> Cochain:
-        """The form on the input's simplices of a form on merged cells: shares by volume, or copies.
+        """Maps a form from merged cells to input simplices: by shares of volume, or by copies.
 
-        Before derivatives take `lifted`.
+        Use `lifted` before taking derivatives.
         """
         return self._form(_core.transfer(self._mesh, "to_input", *as_form(self._complex, form, degree, side)),
                           self._complex.input)
 
     def lifted(self, form: Form, degree: int | None = None) -> Cochain:
-        """The primal form on the input's simplices that has the same d there as on the cells."""
+        """Maps a primal form from merged cells to input simplices; commutes with d."""
         return self._form(_core.transfer(self._mesh, "lifted", *as_form(self._complex, form, degree)),
                           self._complex.input)
 
     def consistency(self, form: Form, degree: int | None = None,
                     side: str = "dual") -> dict[str, Any]:
-        """How far a dual form on the simplices is from being one on merged cells.
+        """Deviation of a dual form on simplices from a form on merged cells.
 
-        A dict of ``worst``, the largest deviation, and ``cell``, ``found``, ``expected`` and
-        ``description`` of where it is.
+        Returns a dict: ``worst`` is the largest deviation; ``cell``, ``found``, ``expected`` and
+        ``description`` describe its place.
         """
         return _core.consistency(self._mesh, *as_form(self._complex, form, degree, side))
 
@@ -316,30 +315,31 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
                angle_tolerance: float | None = None, merge: bool = True,
                delaunay: str | None = None, materials: str = "join", star: str = "automatic",
                centers: str = "circumcenters", progress: Progress | None = None) -> Complex:
-    """Makes a mesh ready for calculus: complex, merging of cospherical simplices, volumes, stars.
+    """Discretizes a mesh: builds the complex, merges cospherical simplices, computes stars.
 
     Parameters
     ----------
     mesh : Mesh, LengthMesh, PeriodicMesh, path, pair of array_like, or meshio.Mesh
-        As `as_mesh` takes it: ``"bunny.off"`` and ``(points, triangles)`` will do.
+        Anything `as_mesh` takes, such as ``"bunny.off"`` or ``(points, triangles)``.
     tolerance : float
-        Facets with a relative dual length up to this are merged across.
+        Merges across facets with a relative dual length up to this.
     angle_tolerance : float, optional
-        Merge instead where the angles opposite to a facet add up to pi within so many radians.
+        Instead, merges where the angles opposite a facet sum to pi within this many radians.
     merge : bool
-        False: nothing is merged.
+        False keeps all simplices.
     delaunay : {None, "flips", "flips_and_splits"}
-        Whether edges of a surface are flipped before, and boundary edges split, until no dual is
-        negative. The surface stays as it is.
+        Flips the edges of a surface before merging, or also splits boundary edges, until no dual is
+        negative. The surface itself does not change.
     materials : {"join", "keep_apart"}
         Whether simplices of different tags may become one cell.
     star : {"automatic", "circumcentric", "galerkin", "hybrid", "barycentric"}
-        The kind of the Hodge stars. "automatic" is circumcentric wherever that is positive, so on
-        every mesh that is Delaunay after merging, and else positive all the same (see `star_kind`).
+        Kind of the Hodge stars. "automatic" takes circumcentric stars if they are positive, as on
+        every mesh that is Delaunay after merging, and another positive kind otherwise; see
+        `star_kind`.
     centers : {"circumcenters", "centroids"}
-        Between which centers duals are; with centroids nothing is merged.
+        Centers that duals connect; with centroids nothing is merged.
     progress : callable, optional
-        Told the name of each stage, a str, as it begins. What it raises ends the work.
+        Called with the name (str) of each stage as it begins. An exception stops the work.
 
     Returns
     -------
@@ -348,7 +348,7 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
     Raises
     ------
     InvalidInput
-        For what cannot be used; ``cells`` and ``vertices`` say where.
+        For unusable input; ``cells`` and ``vertices`` say where.
 
     Examples
     --------
@@ -370,8 +370,8 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
 
 
 def _without_options(mesh: MeshLike, in_units: bool, star: str = "automatic") -> Complex:
-    """A mesh as `discretize` makes it ready; where answers are in the units of the input, whichever
-    it is measured in, nothing is to be said of these."""
+    """Discretizes a mesh with default options. Ignores the warning about its unit of length if
+    results are in the units of the input."""
     if not in_units:
         return discretize(mesh, star=star)
     with warnings.catch_warnings():
@@ -380,7 +380,7 @@ def _without_options(mesh: MeshLike, in_units: bool, star: str = "automatic") ->
 
 
 def mesh_of(complex: Complex) -> _core.Discretization:
-    """What is behind a complex on which values are given; nothing else will do."""
+    """The C++ discretization of a Complex. Raises InvalidInput for other types."""
     if not isinstance(complex, Complex):
         raise InvalidInput(f"something of the type {type(complex).__name__} is given: expected the "
                            "Complex that discretize makes of a mesh, since forms are on its cells")
@@ -388,12 +388,12 @@ def mesh_of(complex: Complex) -> _core.Discretization:
 
 
 def as_cells(given: CellsLike, in_units: bool = False) -> Cells:
-    """Cells as they are, and a mesh discretized without options."""
+    """Returns cells unchanged, and discretizes a mesh with default options."""
     return given if isinstance(given, Cells) else _without_options(given, in_units)
 
 
 def as_complex(given: CellsLike, in_units: bool = False, star: str = "automatic") -> Complex:
-    """Likewise, for what needs the places of cells; a mesh gets these stars."""
+    """As `as_cells`, for functions that need positions of cells. A mesh gets these stars."""
     if isinstance(given, Cells) and not isinstance(given, Complex):
         raise InvalidInput(f"{given!r} alone are given: expected the Complex that discretize makes "
                            "of a mesh, since places of cells are needed")

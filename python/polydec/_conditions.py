@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where values are given: conditions on the boundary, vertices inside, sources."""
+"""Conditions on the boundary and at vertices, and vertices of sources."""
 from __future__ import annotations
 
 from typing import Any
@@ -15,8 +15,8 @@ from ._vertices import at_cells, numbers_of
 
 
 def facet_marks(cells: Cells, essential: Any) -> list[bool]:
-    """One mark, or one for each facet, from those of users, who may mark facets by their places or
-    name groups of the file."""
+    """One mark, or one per facet, from user input. Users may also mark facets by a function of
+    position or by groups of the file."""
     names = [essential] if isinstance(essential, str) else essential
     if isinstance(names, (list, tuple)) and names and all(isinstance(name, str) for name in names):
         groups: list[bool] = _whole(cells).facets_in(*names).tolist()
@@ -26,7 +26,7 @@ def facet_marks(cells: Cells, essential: Any) -> list[bool]:
 
 
 def facet_coefficients(cells: Cells, robin: Any) -> Floats:
-    """Coefficients of Robin's condition, one for each facet; empty, if there are none."""
+    """Coefficients of Robin's condition, one per facet; empty without the condition."""
     if robin is None:
         return np.zeros(0)
     if callable(robin):
@@ -41,9 +41,9 @@ def facet_coefficients(cells: Cells, robin: Any) -> Floats:
 
 
 def vertex_numbers(cells: Cells, chosen: Any, name: str) -> Integers:
-    """The 0-cells of vertices that are given by their numbers, by a mark for each, by a function of
-    all points that marks them, or by "boundary" or a group of the file, for which cells are those
-    of a mesh."""
+    """The 0-cells of vertices. Vertices are given by numbers, by one mark each, by a function that
+    takes all points and returns marks, by "boundary", or by a group of the file. The last three
+    need the cells of a mesh."""
     if isinstance(chosen, str):
         complex = _whole(cells)
         return numbers_of(cells, complex.boundary_vertices() if chosen == "boundary"
@@ -68,7 +68,7 @@ def _whole(cells: Cells) -> Complex:
 
 
 def vertex_marks(cells: Cells, fixed: Any) -> list[bool]:
-    """A mark for each vertex at which values are given, or none at all."""
+    """One mark per vertex, true where values are given; or an empty list."""
     if fixed is None:
         return []
     marked = np.zeros(cells.size(0), dtype=bool)
@@ -83,7 +83,7 @@ def vertex_marks(cells: Cells, fixed: Any) -> list[bool]:
 
 def conditions_of(cells: Cells, essential: Any, robin: Any = None,
                   fixed: Any = None) -> _core.Conditions:
-    """Conditions for C++ from those of users."""
+    """Conditions for C++ from user input."""
     marked = facet_marks(cells, essential)
     made = _core.Conditions(marked, facet_coefficients(cells, robin), vertex_marks(cells, fixed))
     if len(marked) > 1:
@@ -93,7 +93,7 @@ def conditions_of(cells: Cells, essential: Any, robin: Any = None,
 
 def conditions_or_none(cells: Cells, essential: Any, robin: Any = None,
                        fixed: Any = None) -> _core.Conditions | None:
-    """None where nothing is given, for those that are built in."""
+    """Conditions for C++; None, for the default conditions, if nothing is given."""
     if essential is None and robin is None and fixed is None:
         return None
     return conditions_of(cells, False if essential is None else essential, robin, fixed)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Distances and directions along surfaces."""
+"""Distances along surfaces, and parallel transport."""
 from __future__ import annotations
 
 from typing import Any, NamedTuple
@@ -15,8 +15,8 @@ from ._vertices import at_vertices, numbers_of
 
 
 def _surface(given: CellsLike) -> Complex:
-    """The mesh with circumcentric stars. Distances do not depend on the stars, so a warning that
-    another kind was chosen would say nothing about them."""
+    """The mesh with circumcentric stars. Distances do not depend on the stars, so a warning about
+    an automatic choice would be irrelevant."""
     return as_complex(given, in_units=True, star="circumcentric")
 
 
@@ -27,14 +27,14 @@ class GeodesicDistance:
     ----------
     complex : Complex, or a mesh as `discretize` takes it
     method : str
-        "exact", the lengths of shortest paths on the flat triangles, up to rounding: they do not
-        depend on how the triangles divide the surface. Or "heat": smoothed, off by some percent of
-        the greatest distance, with factorizations that serve all single sources; good on bad
-        triangles with ``delaunay="flips"``.
+        "exact": lengths of shortest paths on the flat triangles, up to rounding, independent of the
+        triangulation of the surface. "heat": smoothed, with errors of some percent of the greatest
+        distance. It reuses its factorizations for all single sources, and works on bad triangles
+        with ``delaunay="flips"``.
     time_scale : float
-        Of the heat method: time of the heat flow, in squares of the mean edge: longer is smoother.
+        Heat method only: duration of the heat flow, in squared mean edges. Longer is smoother.
     engine : str
-        Of the heat method: a name of `backends`.
+        Heat method only: engine name, see `backends`.
     """
 
     def __init__(self, complex: CellsLike, *, method: str = "exact", time_scale: float = 4.0,
@@ -43,26 +43,25 @@ class GeodesicDistance:
         self._solver = _core.GeodesicDistance(self._complex._mesh, method, time_scale, engine)
 
     def to(self, sources: Any) -> Floats:
-        """The distance of every vertex from the nearest source vertex, see `geodesic_distance`."""
+        """Distance of every vertex from the nearest source vertex; see `geodesic_distance`."""
         found = self._solver.to(vertex_numbers(self._complex, sources, "sources"))[0]
         return at_vertices(self._complex, found)
 
 
 def geodesic_distance(complex: CellsLike, sources: Any, *, method: str = "exact",
                       time_scale: float = 4.0, engine: str = "auto") -> Floats:
-    """The distance of every vertex from the nearest source vertex, along the surface.
+    """Distance of every vertex from the nearest source vertex, along the surface.
 
     Parameters
     ----------
     sources : int, array_like of int or bool, callable or str
-        Numbers of vertices, or marks of all of them; a callable takes all points and returns marks;
-        "boundary", or else a group of the file. The other parameters are those of
-        `GeodesicDistance`.
+        Vertex numbers, or one mark per vertex; a callable that takes all points and returns marks;
+        "boundary", or else a group of the file. For the other parameters see `GeodesicDistance`.
 
     Returns
     -------
     numpy.ndarray
-        A number for each vertex that was given; nan where no cell uses it.
+        One number per input vertex; nan where no cell uses the vertex.
 
     Examples
     --------
@@ -76,25 +75,25 @@ def geodesic_distance(complex: CellsLike, sources: Any, *, method: str = "exact"
 
 
 class ShortestPath(NamedTuple):
-    """A shortest path from a vertex to the nearest source, straight in every triangle."""
+    """A shortest path from a vertex to the nearest source, straight in each triangle."""
 
     source: int
     length: float
     segments: Floats
-    """(segments, 2, N): the ends of its straight pieces, in order. On glued meshes the next one
-    begins at another place where the path crosses a seam."""
+    """(segments, 2, N): end points of the straight pieces, in order. On glued meshes the position
+    jumps where the path crosses a seam."""
 
     @property
     def points(self) -> Floats:
-        """(segments + 1, N): the points that it passes on a mesh without seams."""
+        """(segments + 1, N): the points of the path, on a mesh without seams."""
         return np.asarray(np.concatenate([self.segments[:, 0], self.segments[-1:, 1]]))
 
 
 class SurfacePaths:
-    """Shortest paths and isolines of the exact distance, of every point and not of vertices alone.
+    """Shortest paths and isolines of the exact distance, everywhere, not only at vertices.
 
-    Parameters are those of `geodesic_distance`. Paths lie on the triangles that were given, also
-    where edges were flipped.
+    For the parameters see `geodesic_distance`. Paths lie on the input triangles, even if edges were
+    flipped.
 
     Examples
     --------
@@ -111,26 +110,26 @@ class SurfacePaths:
                                          vertex_numbers(self._complex, sources, "sources"))
 
     def path(self, vertex: int) -> ShortestPath:
-        """The shortest path from a vertex to the nearest source; no segments from a source."""
+        """Shortest path from a vertex to the nearest source; without segments at a source."""
         given = integers(np.atleast_1d(np.asarray(vertex)), "vertex")
         number = numbers_of(self._complex, given, "vertex")[0]
         source, length, ends = self._paths.path(int(number))
         return ShortestPath(int(self._complex.vertices[source]), length, np.stack(ends, axis=1))
 
     def isolines(self, levels: npt.ArrayLike, *, divisions: int = 8) -> tuple[Floats, Integers]:
-        """Segments along the points at these distances, (m, 2, N), and the number of the level of
-        each; every triangle is divided into `divisions` squared ones."""
+        """Isolines as segments, (m, 2, N), and the index of the level of each segment. Every triangle
+        is divided into ``divisions**2`` triangles."""
         ends, numbers = self._paths.isolines(floats(np.atleast_1d(levels), "levels"), divisions)
         return np.stack(ends, axis=1), np.asarray(numbers)
 
 
 class ParallelTransport:
-    """Tangent vectors carried along shortest ways over a two-sided surface.
+    """Parallel transport of tangent vectors along shortest paths on a two-sided surface.
 
-    A vector is a complex number in the polar coordinates of its vertex: its argument is the angle
-    from `directions`, the unit vectors in space along the reference edge of each vertex, in the
-    direction in which the triangles are oriented. After flips edges have no direction in space, and
-    `directions` is not to be had.
+    A vector is a complex number in the polar coordinates of its vertex. Its argument is the angle
+    from the unit vector in `directions`, measured in the orientation of the triangles. `directions`
+    holds the unit vectors in space along the reference edges. It fails after flips, since edges
+    then have no direction in space.
     """
 
     def __init__(self, complex: CellsLike, *, time_scale: float = 4.0,
@@ -140,17 +139,17 @@ class ParallelTransport:
 
     @property
     def reference(self) -> Any:
-        """The edge of each vertex that has angle 0, as a row (vertex, vertex it leads to)."""
+        """Reference edge of each vertex, at angle 0: a row (vertex, other vertex)."""
         return self._complex.vertices[self._solver.reference(self._complex._mesh)]
 
     @property
     def directions(self) -> Floats:
-        """The unit vector along it, a row for each vertex."""
+        """Unit vectors along the reference edges, one row per vertex."""
         edges = _ways(self._complex, self._solver.reference(self._complex._mesh))
         return np.asarray(edges / np.linalg.norm(edges, axis=1)[:, None])
 
     def extend(self, sources: npt.ArrayLike, vectors: npt.ArrayLike) -> npt.NDArray[np.complex128]:
-        """A vector at every vertex from one at each source vertex."""
+        """Transports one vector per source vertex to every vertex."""
         given = np.atleast_1d(np.asarray(vectors, dtype=np.complex128))
         real, imaginary = self._solver.extend(
             numbers_of(self._complex, integers(np.atleast_1d(np.asarray(sources)), "sources"),
@@ -160,8 +159,8 @@ class ParallelTransport:
 
 
 def _ways(complex: Complex, ends: Integers) -> Floats:
-    """The vectors along edges of the simplices, from their first vertices to their second: of a
-    glued mesh where the edges lie in the box."""
+    """Vectors along edges of the simplices, from first to second vertex. On a glued mesh, the edges
+    are placed in the box."""
     if not complex._mesh.is_glued:
         points = complex.points[complex.vertices]
         return np.asarray(points[ends[:, 1]] - points[ends[:, 0]])

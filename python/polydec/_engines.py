@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Engines: what solves systems, and one's own."""
+"""Engines that solve linear systems and eigenproblems, and user-defined engines."""
 from __future__ import annotations
 
 import os
@@ -16,9 +16,9 @@ from ._arrays import Floats, floats, matrix_parts
 
 @dataclass(frozen=True)
 class Backend:
-    """An engine that is known: `kind` is "linear", "eigen", "integrator" or "mesher".
+    """A known engine; `kind` is "linear", "eigen", "integrator" or "mesher".
 
-    `how_to_get` names package and option of one that is not `available`.
+    If it is not `available`, `how_to_get` names the package and the option to add it.
     """
 
     name: str
@@ -29,7 +29,7 @@ class Backend:
 
 
 def backends() -> list[Backend]:
-    """Every engine that is known, the missing ones too. Loads every module there is.
+    """Lists all known engines, including missing ones. Loads every available module.
 
     >>> import polydec
     >>> "eigen.ldlt" in [engine.name for engine in polydec.backends() if engine.available]
@@ -39,15 +39,15 @@ def backends() -> list[Backend]:
 
 
 def load_engine(name: str | os.PathLike[str]) -> None:
-    """Loads the module of an engine, by its name as "cholmod", or a shared library by its path.
+    """Loads an engine module by name, such as "cholmod", or a shared library by path.
 
-    Engines of that name need not be loaded: they are when one is first asked for by its name, or
-    chosen by ``engine="auto"``. This tells at once whether they can be.
+    Modules also load on first use, by name or by the choice of ``engine="auto"``. This function
+    reports at once whether loading succeeds.
 
     Raises
     ------
     BackendUnavailable
-        If there is no module of that name, or it cannot be loaded; the text says why.
+        If no module has this name, or the module cannot be loaded; the text says why.
     IoError
         If the file cannot be loaded.
 
@@ -69,14 +69,14 @@ def load_engine(name: str | os.PathLike[str]) -> None:
 
 
 def register_linear_solver(name: str, factorize: Callable[[Any], Callable[[Floats], Any]]) -> None:
-    """Makes an engine of one's own known under a name, which options ``engine`` then take.
+    """Registers a user-defined linear solver under a name that options ``engine`` accept.
 
     Parameters
     ----------
     name : str
     factorize : callable
-        Takes a ``csr_matrix`` and returns a function that takes right-hand sides, a column each,
-        and returns as many solutions. Residuals are checked as those of every engine.
+        Takes a ``csr_matrix`` and returns a function from right-hand sides, one column each, to
+        solutions. Residuals are checked as for every engine.
 
     Examples
     --------
@@ -89,15 +89,15 @@ def register_linear_solver(name: str, factorize: Callable[[Any], Callable[[Float
 
 
 def register_eigen_solver(name: str, largest: Callable[..., Any]) -> None:
-    """Makes an eigensolver of one's own known under a name.
+    """Registers a user-defined eigensolver under a name.
 
     Parameters
     ----------
     name : str
     largest : callable
         ``largest(A, count, krylov_dimension, tolerance, start)`` takes a symmetric
-        ``scipy.sparse.linalg.LinearOperator``, and returns the `count` algebraically largest
-        eigenvalues and their orthonormal vectors, columns, in any order.
+        ``scipy.sparse.linalg.LinearOperator``. It returns the `count` algebraically largest
+        eigenvalues, in any order, and their orthonormal eigenvectors as columns.
 
     Examples
     --------
@@ -126,15 +126,15 @@ def register_eigen_solver(name: str, largest: Callable[..., Any]) -> None:
 
 @dataclass(frozen=True)
 class Solution:
-    """What a solve gives, and how it went; an array wherever one is asked for.
+    """The solution of a linear system, with a report. Converts to an array of its values.
 
     Attributes
     ----------
     values : numpy.ndarray
     report : dict
-        ``engine``, ``iterations``, ``residual``, ``backward_error``, ``tried``; of problems with
-        free components also ``free_components``, and ``incompatible``, the part of the data that no
-        solution can give.
+        ``engine``, ``iterations``, ``residual``, ``backward_error``, ``tried``. Problems with free
+        components add ``free_components`` and ``incompatible``, the part of the data that no
+        solution can match.
     """
 
     values: Floats
@@ -146,20 +146,20 @@ class Solution:
 
 def solve(A: Any, b: npt.ArrayLike, *, engine: str = "auto", symmetric: bool | None = None,
           positive: bool = False) -> Solution:
-    """Solves ``A x = b`` by an engine, with a check of the residual.
+    """Solves ``A x = b`` with an engine, and checks the residual.
 
     Parameters
     ----------
     A : sparse matrix
         Square.
     b : array_like
-        A right-hand side, or several, a column each.
+        One right-hand side, or several as columns.
     engine : str
-        A name of `backends`.
+        Engine name; see `backends`.
     symmetric : bool, optional
-        Whether A is symmetric; looked at if not said.
+        Whether A is symmetric; checked by default.
     positive : bool
-        Whether it is known to be positive definite, too.
+        Whether A is also known to be positive definite.
 
     Examples
     --------
@@ -179,7 +179,7 @@ def solve(A: Any, b: npt.ArrayLike, *, engine: str = "auto", symmetric: bool | N
 
 
 def set_memory_limit(size: int) -> None:
-    """How many bytes a mesh may take; what needs more is refused with `IoError`.
+    """Sets the largest size of a mesh in bytes. Larger meshes raise `IoError`.
 
     >>> import polydec
     >>> polydec.set_memory_limit(8 << 30)

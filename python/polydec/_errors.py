@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""What goes wrong, as classes that are also Python's own."""
+"""Exceptions, derived from Python's built-in ones too, and warnings."""
 from __future__ import annotations
 
 import sys
 import warnings
 from typing import Any, Mapping, Sequence
 
-# What messages of the library call by its name in C++, by its name here.
+# C++ names in messages of the library, and the names of this package.
 _WORDING = {
     "DiscretizeOptions::delaunay": "delaunay=\"flips\"",
     "Delaunay::flips_and_splits": "delaunay=\"flips_and_splits\"",
@@ -28,27 +28,27 @@ _WORDING = {
 
 
 def told(text: str) -> str:
-    """A message of the library in the words of this package."""
+    """A message of the library with the names of this package."""
     for theirs, ours in _WORDING.items():
         text = text.replace(theirs, ours)
     return text
 
 
 class Error(Exception):
-    """What every error of polydec is.
+    """Base class of all polydec errors.
 
-    The text says what is wrong, where, and what to do. The attributes say where, to programs.
+    The text says what is wrong, where, and what to do. The attributes give the place to programs.
 
     Attributes
     ----------
     degree : int or None
-        Of the cells that the text names.
+        Degree of the cells that the text names.
     cells, vertices : tuple of int
-        All of those of which the text names the first few.
+        All cells and vertices concerned; the text names the first few.
     path : str or None
         The file that the text names.
     line : int or None
-        And the line, from 1.
+        The line of that file, counted from 1.
     """
 
     def __init__(self, text: str = "", *, degree: int | None = None, cells: Sequence[int] = (),
@@ -63,17 +63,17 @@ class Error(Exception):
 
 
 class InvalidInput(Error, ValueError):
-    """The data do not fit: the text names the cell, vertex or line, and what was expected."""
+    """Invalid data. The text names the cell, vertex or line, and the expected input."""
 
 
 class SolverFailure(Error, ArithmeticError):
-    """An engine did not deliver.
+    """An engine failed.
 
     Attributes
     ----------
     report : dict
-        How far it came: ``engine``, ``iterations``, ``residual``, ``backward_error`` and ``tried``;
-        what was not measured is NaN.
+        State at the failure: ``engine``, ``iterations``, ``residual``, ``backward_error`` and
+        ``tried``. Values that were not measured are NaN.
     """
 
     def __init__(self, text: str = "", *, report: Mapping[str, Any] | None = None,
@@ -83,19 +83,19 @@ class SolverFailure(Error, ArithmeticError):
 
 
 class BackendUnavailable(Error, ImportError):
-    """The engine cannot be had here: the text names the package that brings it."""
+    """The engine is not available; the text names the package that contains it."""
 
 
 class IoError(Error, OSError):
-    """A file cannot be opened, read or written, or memory does not suffice for what it holds."""
+    """A file cannot be opened, read or written, or its contents do not fit into memory."""
 
 
 class PolydecWarning(UserWarning):
-    """A result may be another one than was asked for: the text says why, and what helps."""
+    """A result may differ from the requested one; the text says why, and what helps."""
 
 
 def warn(texts: Sequence[str]) -> None:
-    """Warns of each of these at the line that called the package."""
+    """Issues these warnings at the line that called the package."""
     if not texts:
         return
     level, frame = 1, sys._getframe().f_back

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Problems in time: heat, and forms that diffuse and react."""
+"""Time-dependent problems: the heat equation, and reaction-diffusion of forms."""
 from __future__ import annotations
 
 from typing import Any, Callable, Mapping, Sequence, Union
@@ -20,67 +20,66 @@ from ._vertices import form_at_cells, form_at_vertices
 _Data = tuple[Floats, Floats, Floats, Floats]
 _names = {"values", "codifferential", "flow", "derivative_flow"}
 
-#: One form, or several that change together.
+#: One form, or several coupled forms.
 Forms = Union[Form, Sequence[Form]]
 
 
 class Evolution(Run):
-    """Forms that change in time: ``du_i/dt = -nu_i Delta u_i + f_i(t, u_1, u_2, ..)``.
+    """Time evolution of forms: ``du_i/dt = -nu_i Delta u_i + f_i(t, u_1, u_2, ..)``.
 
-    Diffusion is solved for, so steps are as long as the tolerances allow, however fine the mesh is.
+    Diffusion is implicit, so the tolerances alone limit the steps, however fine the mesh is.
 
     Parameters
     ----------
     complex : Cells, or a mesh as `discretize` takes it
     start : Cochain or array_like, or a sequence of these
-        The forms at the beginning: one unknown, or several, of any sides and degrees.
+        Initial forms: one unknown or several, of any sides and degrees.
     degree, side
-        Of unknowns that are given as arrays.
+        Degree and side of unknowns given as arrays.
     diffusion : float or sequence of float
-        nu >= 0, for all unknowns or for each; length squared over time.
+        nu >= 0, one for all unknowns or one for each; length squared over time.
     reaction : callable, optional
-        ``reaction(t, u_1, u_2, ..)`` takes the time and an array for each unknown, and returns
-        their rates, which are not stiff: an array, or a tuple of them, where None and 0 stand for
-        no rate. A source depends on the time alone.
+        ``reaction(t, u_1, u_2, ..)`` takes the time and one array per unknown. It returns non-stiff
+        rates: an array or a tuple of arrays, in which None and 0 mean no rate. A source depends on
+        time only.
     essential : bool or array of bool or callable, optional
-        As for `spectrum`, for all unknowns. Without, the built-in conditions hold.
+        As for `spectrum`, for all unknowns. Without it, the default conditions hold.
     robin : float, array_like or callable, optional
-        Coefficients of Robin's condition where facets are not essential (by default none is then):
-        as much flows out as the coefficient times the trace. As for `PoissonSolver`, for all
-        unknowns.
+        Coefficients of Robin's condition on facets that are not essential (by default then all):
+        the outflow is the coefficient times the trace. As for `PoissonSolver`, for all unknowns.
     fixed : array_like or callable or str, optional
-        Vertices at which values of primal 0-forms are given, as for `PoissonSolver`.
+        Vertices with given values of primal 0-forms, as for `PoissonSolver`.
     boundary : float, array_like, dict or callable, optional
-        Values on essential facets, by default 0: of primal k-forms for each k-cell, of dual 0-forms
-        for each facet; or a dict of all data by the names of C++, as `PoissonSolver.solve` has them, like
-        ``{"derivative_flow": outward_flow(complex, 1.0)}``; or a function of the time that returns
-        one of these. Of several unknowns a sequence of these, or None.
+        Values on essential facets, 0 by default: one per k-cell for primal k-forms, one per facet
+        for dual 0-forms. Or a dict of all data with the names of `PoissonSolver.solve` and
+        "values", such as ``{"derivative_flow": outward_flow(complex, 1.0)}``. Or a function of time
+        that returns one of these. For several unknowns: a sequence of these, or None.
     event : callable, optional
-        ``event(t, u_1, u_2, ..)``: a march stops where this goes through 0.
+        ``event(t, u_1, u_2, ..)``: a march stops where its value crosses 0.
     time : float
-        At the beginning.
+        Initial time.
     integrator : str
-        A name of `backends` of the kind "integrator".
+        Engine name of kind "integrator"; see `backends`.
     relative_tolerance, absolute_tolerance : float
-        What a step may be wrong by, relative to each value and to the size of its cell.
+        Error bounds of a step, relative to each value and to the size of its cell.
     first_step, largest_step : float, optional
-        Of those chosen; 0: any.
+        First and largest step of adaptive stepping; 0: any.
     fixed_step : float, optional
-        Steps of this length in place of those that the tolerances ask for; 0: the latter.
+        Length of equal steps; 0 means steps from the tolerances.
     most_steps : int
-        In one march.
+        Largest number of steps in one march.
     engine : str
-        A linear solver, by its name of `backends`.
+        Linear solver; see `backends`.
     label : str
-        Says what the functions compute, with which numbers: without one a run that calls functions
-        keeps no checkpoint.
+        States what the functions compute, including their parameters. A run that calls functions
+        needs a label for checkpoints.
 
     Raises
     ------
     InvalidInput
-        For forms that do not live on the cells, and what an integrator cannot do.
+        If forms do not fit the cells, or the integrator does not support the problem.
     SolverFailure
-        From a march in which rates are not finite or steps become too short.
+        From a march, if rates are not finite or steps become too short.
 
     Examples
     --------
@@ -122,7 +121,7 @@ class Evolution(Run):
              most_steps), engine, label)
 
     def _rates(self, reaction: Callable[..., Any] | None) -> Any:
-        """The reaction as C++ calls it: with a list of arrays, for a list of them."""
+        """The reaction with the signature that C++ calls: lists of arrays in and out."""
         if reaction is None:
             return None
         called = reaction
@@ -130,7 +129,7 @@ class Evolution(Run):
         def rate(given: Any, side: str, degree: int) -> Floats:
             if given is None or (np.ndim(given) == 0 and given == 0):
                 return np.zeros(0)
-            if np.ndim(given) != 1: # which is said where rates are counted
+            if np.ndim(given) != 1: # reported where rates are counted
                 return floats(np.asarray(given), "rates of the reaction")
             return as_form(self._complex, given, degree, side)[2]
 
@@ -152,7 +151,7 @@ class Evolution(Run):
 
     @property
     def report(self) -> dict[str, Any]:
-        """What it took: ``engine``, ``steps``, ``rejected``, ``evaluations`` of the reaction,
+        """Work counts: ``engine``, ``steps``, ``rejected``, ``evaluations`` of the reaction,
         ``stiff_evaluations``, ``preparations``, ``solves``, ``last_step``."""
         return self._run.report()
 
@@ -160,11 +159,11 @@ class Evolution(Run):
 def heat(complex: CellsLike, u: Form, time_step: float, steps: int = 1, *, degree: int = 0,
          side: str = "primal", integrator: str = "backward-euler", essential: Any = None,
          robin: Values | None = None, fixed: Any = None, engine: str = "auto") -> Floats:
-    """The values of a form after so many steps of the heat equation du/dt = -Delta u: an `Evolution`
-    made for one march, whose parameters the others are.
+    """Values of a form after `steps` steps of the heat equation du/dt = -Delta u, each of length
+    `time_step`. Runs one `Evolution`; see there for the other parameters.
 
-    Steps have the length `time_step`. Backward Euler is of first order in time and makes no new
-    extremes; "implicit-midpoint" is of second.
+    Backward Euler is first-order in time and creates no new extrema; "implicit-midpoint" is
+    second-order.
 
     Examples
     --------
@@ -200,8 +199,8 @@ def _each(boundary: Any, unknowns: int) -> Sequence[Any]:
 
 def _at_boundary(boundary: Any, cells: Cells, side: str,
                  degree: int) -> Callable[[float], _Data] | None:
-    """Data on the boundary as a function of the time. Values are of primal forms those of all
-    cells, of dual ones of all those whose duals within the boundary have their degree."""
+    """Boundary data as a function of time. Primal forms need values on all their cells. Dual forms
+    need values on all cells whose duals within the boundary have the degree of the form."""
     if boundary is None:
         return None
     size = cells.size(degree if side == "primal" else cells.dim - degree - 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Forms of functions and fields, fields of forms, and products."""
+"""Forms from functions and vector fields, vector fields from forms, and products."""
 from __future__ import annotations
 
 from math import comb
@@ -18,12 +18,12 @@ from ._vertices import at_cells, at_vertices
 
 
 def _vectors(complex: Complex, field: npt.ArrayLike) -> Floats:
-    """Rows of 0-cells, also of all vertices that were given, or of others."""
+    """Rows for 0-cells, from rows for all input vertices. Keeps rows for 0-cells or other cells."""
     return np.ascontiguousarray(at_cells(complex, floats(field, "vectors", 2)))
 
 
 def _given_back(complex: Complex, parts: tuple[str, int, Floats], *given: Form) -> Any:
-    """A form as a Cochain if one was given, else its values."""
+    """A Cochain if one was given, else an array of values."""
     side, degree, values = parts
     if any(isinstance(form, Cochain) for form in given):
         return Cochain(values, degree, side, complex)
@@ -40,13 +40,13 @@ def de_rham(complex: Complex, k: int, form: Callable[[Floats], Any], *,
     k : int
         Degree of the form.
     form : callable
-        Takes all points at which it is asked for, an array (m, N), in one call, and returns the
-        coefficients at dx_I for the k-subsets I of 0..N-1 in lexicographic order, (m, N over k);
-        or (m,) where there is one. For k = 1 these are the components of the field whose
-        circulation it is; for the flux of a field see `flux_form`.
+        Called once with all quadrature points, (m, N). Returns the coefficients of dx_I for the
+        k-subsets I of 0..N-1 in lexicographic order, (m, N over k), or (m,) for one coefficient.
+        For k = 1 these are the components of a field, and the integrals are its circulations. For
+        the flux of a field see `flux_form`.
     side : {"primal", "dual"}
     quadrature_degree : int
-        Polynomials up to this degree are integrated exactly.
+        Integrates polynomials up to this degree exactly.
 
     Examples
     --------
@@ -64,7 +64,7 @@ def de_rham(complex: Complex, k: int, form: Callable[[Floats], Any], *,
 
 def coefficients(form: Callable[[Floats], Any], width: int,
                  k: int) -> Callable[[Floats], Floats]:
-    """A k-form on a space of so many dimensions, with a row of N over k numbers for each point."""
+    """A k-form on R^N, N = `width`, as a function that returns N over k numbers per point."""
     components = comb(width, k) if 0 <= k <= width else 0
 
     def rows(points: Floats) -> Floats:
@@ -83,10 +83,9 @@ def coefficients(form: Callable[[Floats], Any], width: int,
 
 def boundary_de_rham(complex: Complex, j: int, form: Callable[[Floats], Any], *,
                      quadrature_degree: int = 5) -> Floats:
-    """Integrals of a smooth j-form over the duals within the boundary of the (n-j-1)-cells on it.
-
-    What data on the boundary of dual forms are made of, 0 off it; `form` and `quadrature_degree`
-    are as for `de_rham`.
+    """Integrals of a smooth j-form over boundary duals: the duals of boundary (n-j-1)-cells within
+    the boundary. Other cells have value 0. Boundary data of dual forms consist of such integrals.
+    For `form` and `quadrature_degree` see `de_rham`.
 
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.well_centered(4))
@@ -101,7 +100,7 @@ def boundary_de_rham(complex: Complex, j: int, form: Callable[[Floats], Any], *,
 
 
 def flux_form(field: Callable[[Floats], Any]) -> Callable[[Floats], Floats]:
-    """The (N-1)-form whose integrals are the flux of a vector field, for `de_rham`.
+    """The (N-1)-form for `de_rham` whose integrals are the fluxes of a vector field.
 
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
@@ -119,16 +118,16 @@ def flux_form(field: Callable[[Floats], Any]) -> Callable[[Floats], Floats]:
 
 def wedge(complex: Complex, a: Form, b: Form, *, degrees: tuple[int, int] | None = None,
           side: str = "primal", weights: str = "uniform") -> Any:
-    """Exterior product of two forms of one side.
+    """Exterior product of two forms on the same side.
 
     Parameters
     ----------
     complex : Complex
     a, b : Cochain or array_like
-        Arrays need `degrees` and `side`; what is returned is a Cochain if one of them is.
+        Arrays need `degrees` and `side`. Returns a Cochain if a or b is a Cochain.
     weights : {"uniform", "circumcentric"}
-        Of primal forms: uniform weights have Leibniz' rule exactly; circumcentric ones are
-        Hirani's.
+        Weights for primal forms. Uniform weights satisfy Leibniz' rule exactly; circumcentric
+        weights are Hirani's.
 
     Examples
     --------
@@ -145,9 +144,9 @@ def wedge(complex: Complex, a: Form, b: Form, *, degrees: tuple[int, int] | None
 
 
 def primal_dual_wedge(complex: Complex, a: Form, b: Form, *, degree: int | None = None) -> Floats:
-    """Product of a primal k-form and a dual (n-k)-form: a number for each k-cell.
+    """Product of a primal k-form and a dual (n-k)-form: one number per k-cell.
 
-    With ``b = star a`` these add to the squared norm. Arrays need the degree k, of a.
+    For ``b = star a`` the numbers sum to the squared norm. Arrays need the degree k of a.
 
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.well_centered(4))
@@ -166,8 +165,8 @@ def flat(complex: Complex, kind: str, field: npt.ArrayLike) -> Cochain:
     Parameters
     ----------
     kind : {"ppp", "pdp", "dpp", "ppd", "pdd", "dpd"}
-        Where the vectors are (p at vertices, d at n-cells), how they are continued, and where the
-        1-form lives (p on edges, d on dual edges).
+        The three letters give the position of the vectors (p: vertices, d: n-cells), their
+        interpolation, and the edges of the 1-form (p: primal, d: dual).
     field : array_like, shape (vertices or n-cells, N)
 
     Examples
@@ -183,7 +182,7 @@ def flat(complex: Complex, kind: str, field: npt.ArrayLike) -> Cochain:
 
 
 def sharp_pp(complex: Complex, form: Form) -> Floats:
-    """Vectors at the vertices of a primal 1-form, (size(0), N); constants are exact.
+    """Vectors at vertices from a primal 1-form, (vertices, N). Exact for constant fields.
 
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
@@ -194,9 +193,9 @@ def sharp_pp(complex: Complex, form: Form) -> Floats:
 
 
 def sharp_pd(complex: Complex, form: Form) -> Floats:
-    """Vectors at the centroids of the n-cells of a primal 1-form, (size(n), N).
+    """Vectors at centroids of n-cells from a primal 1-form, (size(n), N).
 
-    Exact for differentials of linear functions on flat cells of any shape: so
+    Exact for differentials of linear functions on flat cells of any shape. Hence
     ``sharp_pd(c, c.d(0) @ u)`` is the gradient of u; see `gradient`.
 
     >>> import numpy as np, polydec
@@ -208,7 +207,7 @@ def sharp_pd(complex: Complex, form: Form) -> Floats:
 
 
 def flux_sharp(complex: Complex, form: Form) -> Floats:
-    """Vectors at the centroids of the n-cells of a field, by its fluxes, a primal (n-1)-form.
+    """Vectors at centroids of n-cells from fluxes, a primal (n-1)-form; (size(n), N).
 
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
@@ -231,10 +230,10 @@ def gradient(complex: Complex, u: Form) -> Floats:
 
 
 def whitney_at_centroids(complex: Complex, form: Form, *, degree: int | None = None) -> Floats:
-    """The Whitney form of a primal k-form at the centroids of the input's simplices.
+    """Whitney interpolation of a primal k-form at the centroids of the input simplices.
 
-    A row of N over k coefficients for each; constant forms are exact on flat meshes. Arrays need
-    their degree k.
+    Returns one row of N over k coefficients per simplex. Exact for constant forms on flat meshes.
+    Arrays need their degree k.
 
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
@@ -247,22 +246,22 @@ def whitney_at_centroids(complex: Complex, form: Form, *, degree: int | None = N
 
 def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayLike, *,
                  degree: int | None = None) -> Floats:
-    """The Whitney form of a primal k-form at a point of the input's n-simplex `top`.
+    """Whitney interpolation of a primal k-form at a point of the input n-simplex `top`.
 
     Parameters
     ----------
     complex : Complex
     form : Cochain or array_like
-        Arrays need their degree k, `degree`.
+        Arrays need their degree k in `degree`.
     top : int
         Number of the simplex.
     barycentric : array_like, shape (n + 1,)
-        Coordinates of the point in it, which add up to 1.
+        Barycentric coordinates of the point in the simplex; they sum to 1.
 
     Returns
     -------
     numpy.ndarray, shape (N over k,)
-        The coefficients at dx_I.
+        The coefficients of dx_I.
 
     Examples
     --------
@@ -278,7 +277,7 @@ def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayL
 
 def interior_product(complex: Complex, field: npt.ArrayLike, k: int, *,
                      sampling: str = "centered") -> Any:
-    """Interior product i_X of primal k-forms, a sparse matrix of size(k-1) x size(k).
+    """Interior product i_X on primal k-forms, a sparse matrix, size(k-1) x size(k).
 
     Parameters
     ----------
@@ -286,7 +285,7 @@ def interior_product(complex: Complex, field: npt.ArrayLike, k: int, *,
     field : array_like, shape (size(0), N)
         X at the vertices.
     sampling : {"centered", "upwind"}
-        From which simplices around a cell a form is taken.
+        Which simplices around a cell sample the form.
 
     Examples
     --------
@@ -305,7 +304,7 @@ def lie_derivative(complex: Complex, field: npt.ArrayLike, k: int, *,
                    sampling: str = "centered") -> Any:
     """Lie derivative of primal k-forms, ``i_X d + d i_X``, a sparse matrix; commutes with d.
 
-    Parameters are those of `interior_product`.
+    For the parameters see `interior_product`.
 
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.well_centered(4))
@@ -319,9 +318,9 @@ def lie_derivative(complex: Complex, field: npt.ArrayLike, k: int, *,
 
 
 def inflow(complex: Complex, field: npt.ArrayLike, k: int) -> Any:
-    """The rate at which values of a k-form outside come in, for the upwind `lie_derivative`.
+    """Inflow rate of exterior values of a k-form, for the upwind `lie_derivative`.
 
-    A sparse matrix, whose rows belong to the k-cells; parameters are those of `interior_product`.
+    Returns a sparse matrix with one row per k-cell. For the parameters see `interior_product`.
 
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
@@ -333,10 +332,9 @@ def inflow(complex: Complex, field: npt.ArrayLike, k: int) -> Any:
 
 
 class LieDerivative:
-    """What vector fields do to primal k-forms, without matrices: for fields that are others at every
-    step.
+    """Matrix-free Lie derivative of primal k-forms, for vector fields that change in every step.
 
-    To rounding what `lie_derivative`, `interior_product` and `inflow` make, in a fraction of the
+    Agrees to rounding with `lie_derivative`, `interior_product` and `inflow`, in a fraction of the
     time.
 
     Parameters
@@ -345,7 +343,7 @@ class LieDerivative:
     k : int
         Degree of the forms.
     sampling : {"centered", "upwind"}
-        From which simplices around a cell a form is taken.
+        Which simplices around a cell sample the form.
 
     Examples
     --------
@@ -364,7 +362,7 @@ class LieDerivative:
         self._lie = _core.LieDerivative(mesh_of(complex), k, sampling)
 
     def __call__(self, field: npt.ArrayLike, form: Form) -> Any:
-        """``L_X`` of a form, a k-form; `field` has a row of N for each vertex."""
+        """``L_X`` of a form, a k-form; `field` has one row of N components per vertex."""
         return self._applied("lie_derivative", field, form)
 
     def interior_product(self, field: npt.ArrayLike, form: Form) -> Any:
@@ -372,7 +370,7 @@ class LieDerivative:
         return self._applied("interior_product", field, form)
 
     def inflow(self, field: npt.ArrayLike, outside: Form) -> Any:
-        """What values of a k-form outside add to ``-L_X`` where the field flows in."""
+        """Contribution of exterior values of a k-form to ``-L_X`` where the field flows in."""
         return self._applied("inflow", field, outside)
 
     def _applied(self, what: str, field: npt.ArrayLike, form: Form) -> Any:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Flows: incompressible ones, and what fluxes carry."""
+"""Incompressible flow, shallow water, and transport by fluxes."""
 from __future__ import annotations
 
 from typing import Any
@@ -24,8 +24,8 @@ class IncompressibleFlow:
     """The equations of incompressible flow on surfaces and in solids, in any dimension n >= 2:
     ``du/dt + i_u omega = -dB - nu delta omega``, ``div u = 0``.
 
-    The state is the flux w of u through facets, a primal (n-1)-form with ``d w = 0``, so all of u
-    is there, the harmonic part too. Without viscosity and open boundary its energy is kept.
+    The state is the flux w of u through facets, a primal (n-1)-form with ``d w = 0``. It contains
+    the harmonic part of u. Without viscosity and open boundary, energy is conserved.
 
     Parameters
     ----------
@@ -33,24 +33,24 @@ class IncompressibleFlow:
     viscosity : float
         nu, length squared over time.
     no_slip : bool or array of bool or callable
-        Facets of the boundary with walls that hold the flow; along all others, which are not open,
-        it slips. A callable takes all facet sites, (size(n-1), N), and returns marks.
+        Boundary facets with no-slip walls. The flow slips along all other facets that are not open.
+        A callable takes all facet sites, (size(n-1), N), and returns marks.
     open : bool or array of bool or callable
-        Facets where the total pressure is 0: the flow goes in and out as it likes.
+        Facets with total pressure 0, where flow enters and leaves freely.
     boundary_flux : array_like, optional
-        Through each facet, of which those of the boundary count that are not open.
+        Flux through each facet; only boundary facets that are not open count.
     wall_velocity : array_like or callable, optional
-        Of walls without slip, a row of N components at each facet site.
+        Velocity of no-slip walls: one row of N components per facet site.
     rotation : array_like, optional
-        Vorticity of the frame, as of a planet: a primal (n-2)-form.
+        Vorticity of the frame, such as a planet: a primal (n-2)-form.
     engine : str
-        A name of `backends`.
+        Engine name; see `backends`.
 
     Raises
     ------
     InvalidInput
-        For cells that branch or are not oriented alike, stars that are not positive, and more that
-        flows in than out; ``cells`` says where.
+        For branching or inconsistently oriented cells, stars that are not positive, and boundary
+        fluxes that do not balance; ``cells`` says where.
 
     Examples
     --------
@@ -80,20 +80,19 @@ class IncompressibleFlow:
             none if rotation is None else floats(rotation, "values of the rotation"), engine)
 
     def project(self, flux: npt.ArrayLike) -> Floats:
-        """The flow with the fluxes at the boundary and without divergence that is nearest to these
-        fluxes."""
+        """The nearest divergence-free flow to these fluxes with the prescribed boundary fluxes."""
         return self._flow.project(_fluxes(flux))
 
     def vorticity(self, w: npt.ArrayLike) -> Floats:
-        """A primal (n-2)-form: for n = 2 the vorticity at vertices."""
+        """Vorticity, a primal (n-2)-form; for n = 2 at vertices."""
         return self._flow.vorticity(_fluxes(w))
 
     def inertia(self, w: npt.ArrayLike) -> Floats:
-        """What accelerates the flow along the duals of facets by its inertia, gradients left."""
+        """Acceleration by inertia along the duals of facets, gradient part included."""
         return self._flow.inertia(_fluxes(w))
 
     def friction(self, w: npt.ArrayLike) -> Floats:
-        """The same by friction; linear in w."""
+        """Acceleration by friction along the duals of facets; linear in w."""
         return self._flow.friction(_fluxes(w))
 
     def rate(self, w: npt.ArrayLike) -> Floats:
@@ -105,32 +104,32 @@ class IncompressibleFlow:
         return self._flow.momentum(_fluxes(w))
 
     def pressure(self, w: npt.ArrayLike) -> Floats:
-        """The pressure over the density, a dual 0-form, with mean 0 if no boundary is open."""
+        """Pressure over density, a dual 0-form, with mean 0 if no facet is open."""
         return self._flow.pressure(_fluxes(w))
 
     def circulations(self, w: npt.ArrayLike) -> Floats:
-        """Circulations around the (n-2)-cells, whose sum no flow on a closed surface changes."""
+        """Circulations around the (n-2)-cells. Their sum is constant on a closed surface."""
         return self._flow.circulations(_fluxes(w))
 
     def energy(self, w: npt.ArrayLike) -> float:
-        """``w . star w / 2``."""
+        """Kinetic energy ``w . star w / 2``."""
         return self._flow.energy(_fluxes(w))
 
     def dissipation(self, w: npt.ArrayLike) -> float:
-        """The rate at which friction takes of it where walls rest: ``nu |omega|^2``."""
+        """Rate of energy loss by friction if walls are at rest: ``nu |omega|^2``."""
         return self._flow.dissipation(_fluxes(w))
 
     def divergence(self, w: npt.ArrayLike) -> float:
-        """The largest sum of fluxes out of a cell, relative to its fluxes."""
+        """Largest net flux out of a cell, relative to its fluxes."""
         return self._flow.divergence(_fluxes(w))
 
     def exchange_time(self, w: npt.ArrayLike) -> float:
-        """The time in which the content of some cell is exchanged; infinity at rest."""
+        """Shortest time in which the content of a cell is exchanged; infinity at rest."""
         return self._flow.exchange_time(_fluxes(w))
 
 
 def _rows(values: Values, places: Floats) -> Floats:
-    """A row for each place: those given, one for all, or those of a function of the places."""
+    """One row per point, from rows, from one row for all, or from a function of the points."""
     if not callable(values) and np.ndim(values) == 1:
         values = np.tile(np.asarray(values, dtype=np.float64), (len(places), 1))
     rows = at_places(values, places, "velocities")
@@ -138,8 +137,8 @@ def _rows(values: Values, places: Floats) -> Floats:
 
 
 def flow_of_vorticity(complex: Complex, vorticity: npt.ArrayLike) -> Floats:
-    """The flux of the flow on a surface that has this vorticity at the vertices, 1 / time, without
-    harmonic part; on closed surfaces the mean of the vorticity is removed.
+    """Fluxes of the flow on a surface with this vorticity at the vertices, in 1 / time, without
+    harmonic part. On closed surfaces the mean of the vorticity is removed.
 
     >>> import polydec
     >>> sphere = polydec.discretize(polydec.meshes.goldberg(4))
@@ -153,8 +152,8 @@ def flow_of_vorticity(complex: Complex, vorticity: npt.ArrayLike) -> Floats:
 
 
 def flow_of_velocity(complex: Complex, velocity: npt.ArrayLike) -> Floats:
-    """The fluxes of a field of velocities at the vertices, a row of N for each, linear between them;
-    `IncompressibleFlow.project` takes what divergence they have.
+    """Fluxes of a velocity field with one row of N components per vertex, linear in between.
+    `IncompressibleFlow.project` removes their divergence.
 
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.grid(4, 4))
@@ -167,9 +166,9 @@ def flow_of_velocity(complex: Complex, velocity: npt.ArrayLike) -> Floats:
 
 
 def flux_through_boundary(complex: Complex, velocity: Values) -> Floats:
-    """The fluxes of velocities at the facets of the boundary, 0 elsewhere: what `IncompressibleFlow`
-    takes for ``boundary_flux``. `velocity` is a row of N for all facet sites, for each, or a
-    function of them.
+    """Fluxes of velocities through boundary facets, 0 elsewhere: ``boundary_flux`` of
+    `IncompressibleFlow`. `velocity` is one row of N components, one row per facet site, or a
+    function of the facet sites.
 
     >>> import polydec
     >>> square = polydec.discretize(polydec.meshes.grid(4, 4))
@@ -181,20 +180,20 @@ def flux_through_boundary(complex: Complex, velocity: Values) -> Floats:
 
 
 class Flow(Run):
-    """An incompressible flow that runs, with one factorization for all steps.
+    """Time integration of an incompressible flow, with one factorization for all steps.
 
     Parameters
     ----------
     equations : IncompressibleFlow
     w : Cochain or array_like
-        At the time 0, as its `project` gives it; the only one of the `forms`.
+        Fluxes at time 0, as returned by `IncompressibleFlow.project`. `forms` contains only w.
     time_step : float
         At most about `IncompressibleFlow.exchange_time`.
     scheme : {"implicit_midpoint", "imex"}
-        Of second order, which keeps the energy where there is no viscosity; or of third, with
-        explicit inertia and implicit friction.
+        Implicit midpoint is second-order, and conserves energy without viscosity. IMEX is
+        third-order, with explicit inertia and implicit friction.
     tolerance : float
-        Of the midpoint: change of the flow in the last pass, relative.
+        Implicit midpoint only: relative change of the flow in the last pass.
     most_passes : int
     """
 
@@ -208,7 +207,7 @@ class Flow(Run):
 
     @property
     def time_step(self) -> float:
-        """How long its steps are."""
+        """Length of a step."""
         return self._run.time_step()
 
 
@@ -216,17 +215,18 @@ class ShallowWater:
     """Shallow water on surfaces: ``dh/dt + div(h u) = 0``,
     ``du/dt + i_(h u) q = -d(|u|^2 / 2 + g (h + b))``, q the potential vorticity.
 
-    The depth h has a value in each cell (a dual 0-form), and u is known by its flux through edges.
-    Walls are not crossed, and slip. Mass is kept to rounding, and energy but for the steps in time.
+    The depth h has one value per cell (a dual 0-form); u is stored as its flux through edges.
+    Walls are impermeable, with free slip. Mass is conserved to rounding, energy up to the error of
+    the time steps.
 
     Parameters
     ----------
     complex : Complex, or a mesh as `discretize` takes it
-        With positive diagonal stars.
+        Needs positive diagonal stars.
     gravity : float
         g.
     rotation : array_like, optional
-        Vorticity of the frame at vertices, for a planet 2 Omega sin(latitude).
+        Vorticity of the frame at vertices; for a planet, 2 Omega sin(latitude).
     bottom : array_like, optional
         Height b of the bottom in each cell.
 
@@ -252,17 +252,17 @@ class ShallowWater:
             none if bottom is None else floats(bottom, "heights of the bottom"))
 
     def rate(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> tuple[Floats, Floats]:
-        """dh/dt, and the rate of the flux."""
+        """dh/dt and the rate of the flux."""
         return self._water.rate(_densities(depth), _fluxes(flux))
 
     def step(self, depth: npt.ArrayLike, flux: npt.ArrayLike, time_step: float,
              steps: int = 1) -> tuple[Floats, Floats]:
-        """Depth and flux so many steps of the length `time_step` later, by Runge and Kutta's classical
-        scheme. Ctrl-C ends it between two steps."""
+        """Depth and flux after `steps` steps of length `time_step`, by the classical Runge-Kutta
+        scheme. Ctrl-C stops between two steps."""
         return self._water.step(_densities(depth), _fluxes(flux), time_step, steps)
 
     def stable_step(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> float:
-        """A step that waves and the flow allow."""
+        """Stable time step for waves and advection."""
         return self._water.stable_step(_densities(depth), _fluxes(flux))
 
     def mass(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> float:
@@ -270,7 +270,7 @@ class ShallowWater:
         return self._water.mass(_densities(depth), _fluxes(flux))
 
     def energy(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> float:
-        """Kinetic and potential, over the density."""
+        """Kinetic plus potential energy, over density."""
         return self._water.energy(_densities(depth), _fluxes(flux))
 
     def potential_vorticity(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> Floats:
@@ -283,17 +283,16 @@ class ShallowWater:
 
 
 class FluxTransport:
-    """Transport of a density by fluxes: ``d rho/dt + div(rho u) = 0``, mass kept to rounding.
+    """Transport of a density by fluxes: ``d rho/dt + div(rho u) = 0``. Conserves mass to rounding.
 
-    The density rho is a dual 0-form, one value in each n-cell, and the flux of u a primal
-    (n-1)-form.
+    The density rho is a dual 0-form, one value per n-cell. The flux of u is a primal (n-1)-form.
 
     Parameters
     ----------
     complex : Complex, or a mesh as `discretize` takes it
     sampling : {"upwind", "centered"}
-        Through a facet goes the density of the cell that it leaves, of first order, without new
-        extremes; or the mean of both, of second order.
+        Density at a facet. "upwind" takes the upwind cell: first-order, no new extrema. "centered"
+        takes the mean of both cells: second-order.
 
     Examples
     --------
@@ -313,24 +312,24 @@ class FluxTransport:
 
     def mass_flux(self, flux: npt.ArrayLike, density: npt.ArrayLike,
                   outside: npt.ArrayLike | None = None) -> Floats:
-        """Mass through each facet. `outside` has densities at facets where the flux comes in."""
+        """Mass flux through each facet. `outside` has the densities at inflow facets."""
         return self._transport.mass_flux(_fluxes(flux), _densities(density), _densities(outside))
 
     def rate(self, flux: npt.ArrayLike, density: npt.ArrayLike,
              outside: npt.ArrayLike | None = None) -> Floats:
-        """d rho/dt of each n-cell."""
+        """d rho/dt in each n-cell."""
         return self._transport.rate(_fluxes(flux), _densities(density), _densities(outside))
 
     def stable_step(self, flux: npt.ArrayLike) -> float:
-        """The time in which so much leaves some cell as is in it."""
+        """Time step in which the outflow of some cell equals its content."""
         return self._transport.stable_step(_fluxes(flux))
 
     def mass(self, density: npt.ArrayLike) -> float:
-        """The sum of density times volume."""
+        """Total mass: the sum of density times volume."""
         return self._transport.mass(_densities(density))
 
     def outflow(self, mass_flux: npt.ArrayLike) -> float:
-        """What crosses the boundary, outwards, per time."""
+        """Rate of mass loss through the boundary."""
         return self._transport.outflow(_fluxes(mass_flux))
 
 

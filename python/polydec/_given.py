@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What may stand for a mesh."""
+"""Conversion of input to meshes."""
 from __future__ import annotations
 
 import os
@@ -19,20 +19,19 @@ MeshLike = Union[Mesh, LengthMesh, Path, Tuple[npt.ArrayLike, npt.ArrayLike], An
 
 
 def as_mesh(given: MeshLike) -> Mesh | LengthMesh:
-    """What `discretize` takes for a mesh, as one.
+    """Converts any mesh input of `discretize` to a mesh.
 
     Parameters
     ----------
     given : Mesh, LengthMesh, str, os.PathLike, pair of array_like, or meshio.Mesh
-        A path is that of a file as `read_mesh` and `read_lengths` take it; a pair is (points,
-        simplices), as for `Mesh`. Of a ``meshio.Mesh`` the cells of largest dimension are taken,
-        polygons and solids split into simplices, with tags from its cell data; of cells of second
-        or higher order the corners.
+        A path names a file for `read_mesh` or `read_lengths`. A pair is (points, simplices), as for
+        `Mesh`. A ``meshio.Mesh`` gives its cells of largest dimension, with tags from its cell
+        data. Polygons and solids are split into simplices; higher-order cells give their corners.
 
     Raises
     ------
     InvalidInput
-        If it is nothing of these; otherwise as the functions named.
+        For other types; also as `read_mesh`, `read_lengths` and `Mesh`.
 
     Examples
     --------
@@ -56,7 +55,7 @@ def as_mesh(given: MeshLike) -> Mesh | LengthMesh:
 
 
 def _of_simplices(mesh: Mesh) -> Mesh:
-    """Asks about cells of four corners in space that share edges, but none a triangle."""
+    """Raises InvalidInput for 4-corner cells in space that share edges, but no triangle."""
     if mesh.points.shape[1] != 3 or mesh.simplices.shape[1] != 4:
         return mesh
 
@@ -76,20 +75,20 @@ def _of_simplices(mesh: Mesh) -> Mesh:
 
 def split_polygons(points: npt.ArrayLike, polygons: Sequence[npt.ArrayLike],
                    tags: npt.ArrayLike | None = None) -> Mesh:
-    """A surface of polygons, split into triangles; `discretize` merges those of a circle again.
+    """A polygonal surface, split into triangles. `discretize` merges concyclic triangles again.
 
     Parameters
     ----------
     points : array_like, shape (vertices, N)
     polygons : sequence of array_like of int
-        Vertex numbers around each; a table, if all have as many corners.
+        Vertex numbers around each polygon; may be a table if all have equally many corners.
     tags : array_like of int, shape (polygons,), optional
-        Which the triangles inherit.
+        Tags that the triangles inherit.
 
     Raises
     ------
     InvalidInput
-        If corners are no points; ``cells`` and ``vertices`` say where.
+        If a corner is not a point; ``cells`` and ``vertices`` say where.
 
     Examples
     --------
@@ -107,17 +106,17 @@ def split_polygons(points: npt.ArrayLike, polygons: Sequence[npt.ArrayLike],
         none if tags is None else integers(tags, "tags")))
 
 
-#: Of the cells of meshio the dimension and the corners, which come first of their nodes.
+#: Dimension and number of corners of meshio cells. Corners are the first nodes of a cell.
 _KINDS = {"vertex": (0, 1), "line": (1, 2), "triangle": (2, 3), "quad": (2, 4), "tetra": (3, 4),
           "pyramid": (3, 5), "wedge": (3, 6), "hexahedron": (3, 8), "penta_prism": (3, 10),
           "hexa_prism": (3, 12)}
 _SAME = {"curve": "line", "quadrilateral": "quad", "tetrahedron": "tetra"}
-#: Cells whose corners go along the axes.
+#: Cells with corners ordered along the axes.
 _ALONG_AXES = {"pixel": ("quad", [0, 1, 3, 2]), "voxel": ("hexahedron", [0, 1, 3, 2, 4, 5, 7, 6])}
 
 
 def _block(kind: str, cells: Any, tags: Integers) -> tuple[int, Integers, Integers, Integers, int]:
-    """Dimension, corners, where those of each cell end, tags, and other nodes of each cell."""
+    """Dimension, corners, end offsets of cells, tags, and number of other nodes per cell."""
     if kind.startswith("polygon"):
         rows = [integers(cell, f"corners of {kind} {i}") for i, cell in enumerate(cells)]
         ends = np.cumsum([len(row) for row in rows], dtype=np.int32)

@@ -15,9 +15,9 @@ from ._conditions import conditions_or_none
 
 @dataclass(frozen=True)
 class HodgeParts:
-    """A form as the sum of an exact, a coexact and a harmonic one, orthogonal to each other.
+    """A form as the orthogonal sum of an exact, a coexact and a harmonic form.
 
-    ``potential.d()`` is the exact part, ``copotential.d()`` the star of the coexact one.
+    ``potential.d()`` is the exact part; ``copotential.d()`` is the star of the coexact part.
     """
 
     exact: Cochain
@@ -28,18 +28,18 @@ class HodgeParts:
 
 
 class HodgeSolver:
-    """Hodge decompositions of forms of one side and degree, with factorizations for all of them.
+    """Hodge decompositions of forms of one side and degree. Reuses its factorizations.
 
     Parameters
     ----------
     complex : Cells, or a mesh as `discretize` takes it
     degree, side
-        Of the forms.
+        Degree and side of the forms.
     essential
-        Where on the boundary the forms and their potentials are 0, as for `spectrum`; without it
-        the conditions hold that need nothing done about the boundary.
+        Boundary facets where the forms and their potentials are 0, as for `spectrum`. Default
+        conditions: natural for primal forms, zero values for dual forms.
     engine : str
-        A name of `backends`.
+        Engine name; see `backends`.
     """
 
     def __init__(self, complex: CellsLike, *, degree: int, side: str = "primal",
@@ -50,7 +50,7 @@ class HodgeSolver:
                                          conditions_or_none(complex, essential), engine)
 
     def decompose(self, form: Form) -> HodgeParts:
-        """The parts of a form."""
+        """Decomposes a form."""
         side, degree = self._kind
 
         def made(parts: tuple[str, int, Floats]) -> Cochain:
@@ -60,14 +60,14 @@ class HodgeSolver:
         return HodgeParts(*map(made, self._solver.decompose(*as_form(self._complex, form, degree, side))))
 
     def harmonic_forms(self) -> Floats:
-        """Columns of norm 1, closed and coclosed, orthogonal to each other: Betti number many."""
+        """Harmonic basis: orthonormal columns, closed and coclosed, as many as the Betti number."""
         return self._solver.harmonic_forms()
 
 
 def hodge_decomposition(complex: CellsLike, form: Form, *, degree: int | None = None,
                         side: str = "primal", essential: Any = None,
                         engine: str = "auto") -> HodgeParts:
-    """The Hodge decomposition of a form, as a `HodgeSolver` makes it.
+    """Hodge decomposition of a form, by a `HodgeSolver`.
 
     Examples
     --------
@@ -86,7 +86,7 @@ def hodge_decomposition(complex: CellsLike, form: Form, *, degree: int | None = 
 
 def harmonic_forms(complex: CellsLike, degree: int, *, side: str = "primal",
                    essential: Any = None, engine: str = "auto") -> Floats:
-    """A basis of the harmonic forms, a column each, as a `HodgeSolver` makes it.
+    """Basis of the harmonic forms, one column each, by a `HodgeSolver`.
 
     >>> import polydec
     >>> polydec.harmonic_forms(polydec.discretize(polydec.meshes.torus(12, 8)), 1).shape

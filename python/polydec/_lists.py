@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Cells and polygons as lists of their corners."""
+"""Cells and polygons as lists of corners."""
 from __future__ import annotations
 
 from typing import NamedTuple
@@ -22,7 +22,7 @@ class CellList(NamedTuple):
 
 
 class Polygons(NamedTuple):
-    """Polygons: number i has ``corners[offsets[i]:offsets[i + 1]]``, rows of points, around it."""
+    """Polygons: ``corners[offsets[i]:offsets[i + 1]]`` are rows of `points` around polygon i."""
 
     points: Floats
     offsets: Integers

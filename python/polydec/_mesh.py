@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Meshes as values, and their files."""
+"""Meshes and mesh files."""
 from __future__ import annotations
 
 import os
@@ -15,32 +15,32 @@ Path = Union[str, "os.PathLike[str]"]
 
 
 class Mesh:
-    """Points of R^N and simplices of one dimension n on them.
+    """Points in R^N and simplices of one dimension n on these points.
 
     Parameters
     ----------
     points : array_like, shape (vertices, N)
-        Coordinates, of any layout and real type.
+        Coordinates, in any layout and real type.
     simplices : array_like of int, shape (simplices, n + 1)
         Vertex numbers, counted from 0. Their order gives the orientation.
     tags : array_like of int, shape (simplices,), optional
         The number of a physical group or region, 0 for none.
     facets, facet_tags : array_like of int, shapes (facets, n) and (facets,), optional
-        Facets that have a tag of their own, as parts of a boundary have.
+        Facets with their own tags, such as parts of a boundary.
 
     Attributes
     ----------
     points, simplices, tags, facets, facet_tags : numpy.ndarray
         As above, read-only. Points and simplices are shared, not copied.
     groups : list of (int, int, str)
-        Dimension (-1 where a file does not say), tag and name of physical groups with names.
+        Dimension (-1 if the file does not state it), tag and name of named physical groups.
     warnings : list of str
-        What was untidy in a file.
+        Defects of the file.
 
     Raises
     ------
     InvalidInput
-        For arrays of other shapes or types; whether simplices make sense is seen by `discretize`.
+        For arrays of other shapes or types. `discretize` checks the simplices themselves.
 
     Examples
     --------
@@ -92,8 +92,8 @@ class Mesh:
 
     @property
     def input_cells(self) -> Integers:
-        """Of each simplex the cell of the file that it is part of, by which numbers of cells are
-        given; empty where each simplex is one."""
+        """For each simplex, the cell of the file that contains it; data on cells follow this order.
+        Empty if every simplex is a cell of the file."""
         return self._mesh.input_cells
 
     @property
@@ -111,7 +111,7 @@ class Mesh:
 
     @property
     def ambient_dim(self) -> int:
-        """Dimension N of the space around them."""
+        """Dimension N of the ambient space."""
         return int(self.points.shape[1])
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -129,28 +129,28 @@ def _unpickled(*parts: Any) -> Mesh:
 
 
 class LengthMesh:
-    """Simplices, and how long their edges are, without points.
+    """Simplices with edge lengths, without points.
 
     Parameters
     ----------
     simplices : array_like of int, shape (simplices, n + 1)
         Vertex numbers, counted from 0.
     edges : array_like of int, shape (edges, 2)
-        Every edge of the simplices exactly once, in any order.
+        Every edge of the simplices, exactly once, in any order.
     lengths : array_like, shape (edges,)
-        Their lengths.
+        Edge lengths.
     vertices : int, optional
-        The number of vertices; without it, one more than the largest number.
+        Number of vertices; by default one more than the largest vertex number.
 
     Attributes
     ----------
     simplices, edges, lengths, vertices
-        As above, arrays read-only.
+        As above; arrays are read-only.
 
     Raises
     ------
     InvalidInput
-        Naming the row or the edge, unless every edge of the simplices is there exactly once.
+        If an edge is missing, repeated or foreign; the text names the row or the edge.
 
     Examples
     --------
@@ -211,19 +211,19 @@ def _unpickled_lengths(simplices: Any, edges: Any, lengths: Any, vertices: int) 
 
 
 def read_mesh(path: Path) -> Mesh:
-    """Reads a mesh; the extension says the format.
+    """Reads a mesh; the extension gives the format.
 
-    Polygons of .off, .obj, .ply and .stl; the cells of largest dimension of .mesh, .msh, .vtk, .vtu
-    and .node or .ele; simplices of any dimension of .nsc and .pdm. Polygons become Delaunay
-    triangles; hexahedra, wedges, pyramids and prisms become tetrahedra. Of cells of second or
-    higher order the corners are read.
+    Reads polygons from .off, .obj, .ply and .stl; cells of largest dimension from .mesh, .msh,
+    .vtk, .vtu and .node or .ele; simplices of any dimension from .nsc and .pdm. Polygons become
+    Delaunay triangles; hexahedra, wedges, pyramids and prisms become tetrahedra. Higher-order cells
+    give their corners.
 
     Raises
     ------
     IoError
-        If the file cannot be read; ``path`` says which.
+        If the file cannot be read; ``path`` names it.
     InvalidInput
-        If it is malformed; ``path`` and ``line`` say where.
+        If the file is malformed; ``path`` and ``line`` say where.
 
     Examples
     --------
@@ -237,16 +237,16 @@ def read_mesh(path: Path) -> Mesh:
 
 
 def write_mesh(path: Path, mesh: Mesh) -> None:
-    """Writes a mesh; the extension says the format: .nsc, .pdm, .mesh, .off, .obj, .ply or .stl.
+    """Writes a mesh; the extension gives the format: .nsc, .pdm, .mesh, .off, .obj, .ply or .stl.
 
-    Numbers read back exactly, except in STL. Of these formats .nsc and .pdm hold every mesh.
+    Numbers read back exactly, except from STL. Only .nsc and .pdm hold every mesh.
 
     Raises
     ------
     InvalidInput
-        For what the format does not hold, such as tetrahedra in .off.
+        If the format cannot hold the mesh, such as tetrahedra in .off.
     IoError
-        If it cannot be written; ``path`` says which.
+        If the file cannot be written; ``path`` names it.
 
     Examples
     --------
@@ -260,9 +260,9 @@ def write_mesh(path: Path, mesh: Mesh) -> None:
 
 
 def read_lengths(path: Path) -> LengthMesh:
-    """Reads simplices and the lengths of their edges from an .nsl file.
+    """Reads simplices and edge lengths from an .nsl file.
 
-    Raises as `read_mesh`; for an example see `write_lengths`.
+    Raises the same errors as `read_mesh`. For an example see `write_lengths`.
 
     >>> import polydec
     >>> try:

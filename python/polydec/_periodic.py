@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Boxes without walls, and other meshes glued to themselves."""
+"""Periodic boxes, and other meshes glued to themselves."""
 from __future__ import annotations
 
 from typing import Any, Callable, Sequence
@@ -14,20 +14,20 @@ from ._mesh import LengthMesh, Mesh
 
 
 class PeriodicMesh(LengthMesh):
-    """A mesh glued to itself, as `periodic` and `glue` make it: by the lengths of its edges, and by
-    where its simplices lie in the box.
+    """A mesh glued to itself, made by `periodic` or `glue`. It stores edge lengths, and the
+    positions of its simplices in the box.
 
-    `discretize` takes it as every mesh. Functions of places are asked where cells lie in the box,
-    and pictures show the box.
+    `discretize` takes it like any mesh. Functions of position are evaluated in the box, and
+    pictures show the box.
 
     Attributes
     ----------
     box : Mesh
-        As it was given.
+        The input mesh.
     points : numpy.ndarray
-        Of each vertex its first place in the box.
+        The first position of each vertex in the box.
     numbers : numpy.ndarray
-        Of each vertex of the box its number here.
+        For each vertex of the box, its vertex number here.
     """
 
     __slots__ = ("_glued", "points", "numbers")
@@ -51,18 +51,18 @@ def _unpickled(box: Mesh, quotient: LengthMesh, numbers: Integers, points: Float
 
 
 def periodic(mesh: MeshLike, translations: Sequence[npt.ArrayLike]) -> PeriodicMesh:
-    """Glues vertices of a mesh that differ by a translation: a torus that no R^n holds.
+    """Glues vertices of a mesh that differ by a translation: a flat torus without embedding.
 
     Parameters
     ----------
     mesh : Mesh, or what `as_mesh` makes one of
     translations : sequence of array_like, shape (N,)
-        Such as ``[[1, 0], [0, 1]]`` for the unit square.
+        For example ``[[1, 0], [0, 1]]`` for the unit square.
 
     Raises
     ------
     InvalidInput
-        If a translation takes no vertex to one, or there are fewer than three cells along it.
+        If a translation maps no vertex to a vertex, or has fewer than three cells along it.
 
     Examples
     --------
@@ -78,19 +78,19 @@ def periodic(mesh: MeshLike, translations: Sequence[npt.ArrayLike]) -> PeriodicM
 
 
 def glue(mesh: MeshLike, isometries: Sequence[Callable[[Floats], Any]]) -> PeriodicMesh:
-    """Glues vertices of a mesh that isometries take to each other: a Klein bottle, say, or a cone.
+    """Glues vertices of a mesh that isometries map to each other, such as a Klein bottle or a cone.
 
     Parameters
     ----------
     mesh : Mesh, or what `as_mesh` makes one of
     isometries : sequence of callable
-        Each takes points, a row each, to where it takes them.
+        Each takes points, one per row, and returns their images.
 
     Raises
     ------
     InvalidInput
-        If one takes no vertex to another, an edge to one of another length or to none, or there are
-        fewer than three cells along it.
+        If an isometry maps no vertex to another, maps an edge to no edge or to one of another
+        length, or has fewer than three cells along it.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pictures, and the way to other programs' meshes."""
+"""Pictures, and conversion to meshes of other packages."""
 from __future__ import annotations
 
 from typing import Any, Mapping
@@ -17,7 +17,7 @@ from ._vertices import at_cells, at_vertices
 
 
 def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:
-    """Corners in space of the 2-cells to be seen, and their numbers; of solids the boundary."""
+    """Corners in space of the visible 2-cells, and their numbers. Solids show their boundary."""
     if complex.dim == 3:
         cells = complex.cells(2)
         points, offsets, corners = complex.points, cells.offsets, cells.corners
@@ -33,27 +33,26 @@ def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:
 
 def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None = None,
          side: str = "primal", ax: Any = None, **style: Any) -> Any:
-    """Draws the cells with matplotlib, colored by a form on vertices or on the cells seen.
+    """Draws the cells with matplotlib, colored by a form on vertices or on visible cells.
 
-    Cells that `complex` merged are one polygon each; of a solid the boundary is shown, of a glued
-    mesh its box.
+    Each merged cell is one polygon. A solid shows its boundary; a glued mesh shows its box.
 
     Parameters
     ----------
     values : Cochain or array_like, optional
         A primal 0-form, shown as its mean over each polygon; a form on the polygons, of primal
-        degree 2 or the dual degree n - 2; or any array with a number for each polygon.
+        degree 2 or dual degree n - 2; or any array with one number per polygon.
     degree, side
-        Of an array of values; without a degree it is told from their number.
+        Degree and side of an array; by default its length gives the degree.
     ax : matplotlib axes, optional
-        Made if there are none: of three dimensions for points in space.
+        New axes by default; three-dimensional for points in space.
     **style
-        For matplotlib's ``PolyCollection`` or ``Poly3DCollection``, such as ``cmap``.
+        Options of matplotlib's ``PolyCollection`` or ``Poly3DCollection``, such as ``cmap``.
 
     Returns
     -------
     matplotlib collection
-        As ``plt.colorbar`` takes it; its axes are ``.axes``.
+        Works with ``plt.colorbar``; its axes are ``.axes``.
 
     Examples
     --------
@@ -114,8 +113,8 @@ def _colors(complex: Complex, values: Form, degree: int | None, side: str,
 
 
 def to_meshio(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None) -> Any:
-    """A ``meshio.Mesh`` of the cells: lines, polygons by their number of corners, or polyhedra as
-    the tetrahedra that they are made of; `forms` on vertices or n-cells become its data.
+    """A ``meshio.Mesh`` of the cells: lines, polygons grouped by number of corners, or tetrahedra.
+    `forms` on vertices or n-cells become its data. Raises InvalidInput for merged polyhedra.
 
     >>> import polydec
     >>> grid = polydec.discretize(polydec.meshes.grid(2, 2))
@@ -156,7 +155,7 @@ def to_meshio(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None
 
 
 def _positive(points: Floats, corners: Integers) -> Integers:
-    """Tetrahedra turned so that their determinants are positive."""
+    """Tetrahedra, reordered for positive determinants."""
     edges = points[corners[:, 1:]] - points[corners[:, :1]]
     turned = corners.copy()
     inverted = np.linalg.det(edges) < 0
@@ -165,7 +164,7 @@ def _positive(points: Floats, corners: Integers) -> Integers:
 
 
 def to_pyvista(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None) -> Any:
-    """A ``pyvista.PolyData`` of the 2-cells to be seen, with forms on vertices or on 2-cells."""
+    """A ``pyvista.PolyData`` of the visible 2-cells, with forms on vertices or on 2-cells."""
     import pyvista
 
     box = complex.box

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What evolutions, waves and flows have in common: they run, stop and can be resumed."""
+"""Common base of evolutions, waves and flows: run, stop and resume."""
 from __future__ import annotations
 
 import os
@@ -14,13 +14,13 @@ from ._vertices import form_at_vertices
 
 
 class Run:
-    """A computation in time: an `Evolution`, `Waves`, a `Flow`.
+    """A time-dependent computation: an `Evolution`, `Waves` or a `Flow`.
 
     Attributes
     ----------
     time : float
     forms : tuple of numpy.ndarray
-        Now, values that conditions fix included.
+        Current values, including values fixed by conditions.
     """
 
     _run: _core.Run
@@ -36,37 +36,37 @@ class Run:
         return self._told(self._run.forms())
 
     def _told(self, forms: Sequence[Floats]) -> tuple[Floats, ...]:
-        """Forms as they are given: those of vertices with all that were given."""
+        """Forms as users see them: forms on vertices have one value per input vertex."""
         return tuple(form_at_vertices(self._complex, values, side, degree)
                      for values, (side, degree) in zip(forms, self._kinds))
 
     def march(self, until: float) -> bool:
-        """Marches to this time, or to the first event; whether it was one.
+        """Marches to this time, or to the first event. Returns whether an event stopped it.
 
-        Waves and flows take steps of one length: they end after the one that ends nearest to it.
-        Ctrl-C ends a march behind its last good step.
+        Waves and flows take equal steps, and stop after the step that ends nearest to `until`.
+        Ctrl-C stops a march after its last good step.
         """
         return self._run.march(until)
 
     def frames(self, times: npt.ArrayLike, *,
                checkpoint: str | os.PathLike[str] | None = None) -> Iterator[tuple[Any, ...]]:
-        """Marches to each of these ascending times, and gives the time and the forms there; the
-        last ones are those of an event, if there is one.
+        """Marches to each of these ascending times, and yields the time and the forms there. An
+        event, if there is one, gives the last frame.
 
         Parameters
         ----------
         times : array_like
         checkpoint : str or os.PathLike, optional
-            A file that keeps what is there before the next time is marched to, and of waves and
-            flows every minute. Where it is there already, the run goes on from it, to the times
-            behind it alone. It belongs to a run with the same cells, stars, conditions, start,
-            coefficients, steps and `label`, and to times that begin alike.
+            A file that stores the state before each next time; for waves and flows also every
+            minute. If the file exists, the run resumes from it and yields only later times. It must
+            come from a run with the same cells, stars, conditions, start, coefficients, steps and
+            `label`, and with the same leading times.
 
         Raises
         ------
         InvalidInput
-            For a checkpoint of another run; and where the run calls functions and has no `label`,
-            which says what they compute.
+            For a checkpoint of another run, and for a run that calls functions without a `label`
+            that states what they compute.
 
         Examples
         --------
@@ -83,9 +83,9 @@ class Run:
             yield (self.time, *self.forms)
 
     def state(self) -> list[Floats]:
-        """What changes beside the time, for `resume`."""
+        """The state apart from the time, for `resume`."""
         return self._run.state()
 
     def resume(self, time: float, state: Sequence[Floats]) -> None:
-        """Goes on from what `state` gave at this time, with the same steps."""
+        """Resumes from a result of `state` at this time, with the same steps."""
         self._run.resume(time, [floats(values, "values of a state") for values in state])
