@@ -90,7 +90,7 @@ class ShortestPath(NamedTuple):
 
 
 class SurfacePaths:
-    """Shortest paths and isolines of the exact distance, everywhere, not only at vertices.
+    """Shortest paths and isolines of the exact distance, at all points of the surface.
 
     For the parameters see `geodesic_distance`. Paths lie on the input triangles, even if edges were
     flipped.
@@ -117,8 +117,8 @@ class SurfacePaths:
         return ShortestPath(int(self._complex.vertices[source]), length, np.stack(ends, axis=1))
 
     def isolines(self, levels: npt.ArrayLike, *, divisions: int = 8) -> tuple[Floats, Integers]:
-        """Isolines as segments, (m, 2, N), and the index of the level of each segment. Every triangle
-        is divided into ``divisions**2`` triangles."""
+        """Isolines as segments, (m, 2, N), and the level index of each segment. Every triangle is
+        divided into ``divisions**2`` triangles."""
         ends, numbers = self._paths.isolines(floats(np.atleast_1d(levels), "levels"), divisions)
         return np.stack(ends, axis=1), np.asarray(numbers)
 

@@ -51,7 +51,7 @@ def _unpickled(box: Mesh, quotient: LengthMesh, numbers: Integers, points: Float
 
 
 def periodic(mesh: MeshLike, translations: Sequence[npt.ArrayLike]) -> PeriodicMesh:
-    """Glues vertices of a mesh that differ by a translation: a flat torus without embedding.
+    """Glues vertices of a mesh that differ by a translation: a torus given by edge lengths.
 
     Parameters
     ----------

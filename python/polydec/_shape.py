@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Eigenvalues of the shape itself, enclosed between two bounds."""
+"""Two-sided bounds of eigenvalues and Poisson errors of the shape itself."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -17,8 +17,8 @@ from ._vertices import at_cells
 
 
 class CountBelow(NamedTuple):
-    """Bounds of the number of eigenvalues below some number; `at_most` is None where simplices are too
-    large to say."""
+    """Bounds of the number of eigenvalues below some number. `at_most` is None if simplices are too
+    large for an upper bound."""
 
     at_least: int
     at_most: int | None
@@ -33,15 +33,15 @@ class ShapeSpectrum:
     lower, upper : numpy.ndarray
         Ascending, with multiplicity.
     zeros : int
-        How many are known to be 0.
+        Number of eigenvalues known to be 0.
     count_at : float
-        A number behind them.
+        A number above these eigenvalues.
     count : CountBelow
-        The eigenvalues below that.
+        Number of eigenvalues below `count_at`.
     modes : numpy.ndarray
-        Columns: approximate eigenfunctions at the vertices. None for 1-forms (no columns).
+        Columns: approximate eigenfunctions at the vertices. No columns for 1-forms.
     simplices, flips, factorizations : int
-        What was computed on, how many edges were flipped before, and the counts that prove it.
+        Number of simplices, of edges flipped beforehand, and of inertia counts in the proof.
     """
 
     lower: Floats
@@ -56,7 +56,7 @@ class ShapeSpectrum:
 
     @property
     def widths(self) -> Floats:
-        """(upper - lower) / upper; 0 where the eigenvalue is known to be 0."""
+        """Relative widths (upper - lower) / upper; 0 where the eigenvalue is known to be 0."""
         widths: Floats = np.zeros(len(self.upper))
         positive = slice(self.zeros, None)
         widths[positive] = 1 - self.lower[positive] / self.upper[positive]
@@ -80,41 +80,41 @@ def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: 
                    essential: Any = None, robin: Values | None = None, conductivity: CellNumbers | None = None,
                    density: CellNumbers | None = None, flips: bool = True, linear_solver: str = "auto",
                    eigen_solver: str = "auto", progress: Progress | None = None) -> ShapeSpectrum:
-    """Encloses the smallest eigenvalues of the Laplacian on the shape itself: the continuous problem.
+    """Encloses the smallest eigenvalues of the Laplacian on the shape (the continuous problem).
 
-    The shape is made of flat simplices: a plane domain, a polyhedral surface, which may branch and need not
-    be orientable, or a solid. Every bound is proved; see "What is proved" in the documentation.
+    The shape is a plane domain, a solid, or a polyhedral surface, which may branch and need not be
+    orientable. Every bound is proved; see "What is proved" in the documentation.
 
     Parameters
     ----------
-    mesh : a mesh as `discretize` takes it, or what it makes without merging
+    mesh : a mesh as `discretize` takes it, or a Complex without merging
     degree : int
-        0 for functions; the dimension for densities; on surfaces 1 as well.
+        0 for functions; the dimension for densities; on surfaces also 1.
     count : int
-        How many.
+        Number of eigenvalues.
     level : {1, 2}
         Bounds of order 2 or 4.
     width : float
-        Warns where (upper - lower) / upper is above it.
+        Warns if (upper - lower) / upper exceeds this.
     max_triangles : int
-        Triangles of surfaces are bisected up to so many, at level 2, where widths are above `width`.
+        At level 2, bisects triangles of surfaces up to this number while widths exceed `width`.
     essential, robin
-        As for `spectrum`, of forms of this degree.
+        As for `spectrum`, for forms of this degree.
     conductivity, density : float, array_like, Cochain or callable, optional
         kappa and rho in -div kappa grad u = lambda rho u.
     flips : bool
-        Whether edges of surfaces are flipped before, which changes no eigenvalue.
+        Whether to flip edges of surfaces first; flips change no eigenvalue.
     linear_solver, eigen_solver : str
-        Names of engines; see `backends`.
+        Engine names; see `backends`.
     progress : callable, optional
-        Told what is being done. What it raises ends the work.
+        Called with a description of each step. An exception stops the work.
 
     Raises
     ------
     InvalidInput
         For weights that are not positive.
     SolverFailure
-        If eigenvalues cannot be had or counted.
+        If eigenvalues cannot be computed or counted.
 
     Examples
     --------
@@ -133,7 +133,7 @@ def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: 
 def count_below(mesh: CellsLike, s: float, *, degree: int = 0, level: int = 2, essential: Any = None,
                 robin: Values | None = None, conductivity: CellNumbers | None = None,
                 density: CellNumbers | None = None, flips: bool = True, linear_solver: str = "auto") -> CountBelow:
-    """How many eigenvalues of the shape lie below s: two bounds, each proved by a count of inertia.
+    """Two bounds of the number of eigenvalues of the shape below s, proved by inertia counts.
 
     Parameters
     ----------
@@ -153,23 +153,23 @@ def count_below(mesh: CellsLike, s: float, *, degree: int = 0, level: int = 2, e
 
 @dataclass(frozen=True)
 class PoissonError:
-    """How far the values of a primal Poisson problem are from its solution, at most.
+    """Upper bounds of the error of values u_h of a primal Poisson problem.
 
     Attributes
     ----------
     energy : float
-        Of the gradient: the norm of ``kappa^(1/2) grad(u - u_h)``, u_h being linear on the simplices, with
-        Robin's ``alpha^(1/2) (u - u_h)``.
+        Error of the gradient: the norm of ``kappa^(1/2) grad(u - u_h)``, plus Robin's
+        ``alpha^(1/2) (u - u_h)``, for u_h linear on simplices.
     averaged_gradient : float
-        Of the average of grad u_h and a flux in equilibrium: half of it where f is constant on simplices.
+        Error of the mean of grad u_h and an equilibrated flux; `energy` / 2 if f is piecewise constant.
     size : float
         The norm of ``kappa^(1/2) grad u_h``.
     oscillation : float
-        What linear parts of f add.
+        Contribution of the linear parts of f.
     l2 : float or None
-        Of u - u_h itself, up to constants where u is so; None where it was not asked for, or cannot be proved.
+        L2 norm of u - u_h, up to constants if u is; None if not requested or not provable.
     shares : numpy.ndarray
-        Of simplices in the square of `energy`; where they are large, refine.
+        Share of each simplex in ``energy**2``; refine where it is large.
     """
 
     energy: float
@@ -193,19 +193,19 @@ def _problem(complex: CellsLike, f: Values, flux: Values, essential: Any, robin:
 def poisson_error(complex: CellsLike, u: Values, f: Values = 0.0, flux: Values = 0.0, *, essential: Any = True,
                   robin: Values | None = None, conductivity: CellNumbers | None = None, l2: bool = True,
                   engine: str = "auto") -> PoissonError:
-    """A proved bound of the error of u, a solution of ``-div kappa grad u = f``, however it was found.
+    """A proved bound of the error of any approximate solution u of ``-div kappa grad u = f``.
 
-    Speaks of data as the simplices have them: f linear on each, boundary values linear and `flux` constant
-    on each facet. Where u is known up to constants, f counts less its mean.
+    Data are interpolated: f linear on each simplex, boundary values linear and `flux` constant on
+    each facet. If u is unique up to constants only, the mean of f is subtracted.
 
     Parameters
     ----------
     u : float or array or callable
-        At the vertices, with its values on the boundary.
+        Values at the vertices, including boundary values.
     f, flux, essential, robin, conductivity, engine
-        As `PoissonSolver` and its `solve` take them.
+        As for `PoissonSolver` and its `solve`.
     l2 : bool
-        Whether `l2` is wanted, which costs more than all else.
+        Whether to compute `l2`, the most expensive part.
 
     Examples
     --------
@@ -225,9 +225,9 @@ def poisson_error(complex: CellsLike, u: Values, f: Values = 0.0, flux: Values =
 def goal_interval(complex: CellsLike, u: Values, f: Values = 0.0, flux: Values = 0.0, goal: Values = 1.0, *,
                   essential: Any = True, robin: Values | None = None, conductivity: CellNumbers | None = None,
                   engine: str = "auto") -> tuple[float, float, float]:
-    """Two bounds of the integral of goal times the solution over the shape, and a guess between them.
+    """Two bounds of the integral of goal times the solution over the shape, and an estimate.
 
-    Parameters are those of `poisson_error`; `goal` is given at vertices, and linear on simplices.
+    For the parameters see `poisson_error`. `goal` is given at vertices, and linear on simplices.
 
     Returns
     -------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Sources: Poisson's equation for forms of any degree, magnets, slow flows."""
+"""Poisson's equation for forms of any degree, magnetostatics, and Stokes flow."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ def boundary_data(*, values: npt.ArrayLike | None = None,
                   codifferential: npt.ArrayLike | None = None, flow: npt.ArrayLike | None = None,
                   derivative_flow: npt.ArrayLike | None = None
                   ) -> tuple[Floats, Floats, Floats, Floats]:
-    """What is known on the boundary, as the module takes it."""
+    """Boundary data in the form that C++ takes."""
     return (_or_none(values, "values on the boundary"),
             _or_none(codifferential, "values of the codifferential on the boundary"),
             _or_none(flow, "values of the flow"),
@@ -40,13 +40,13 @@ def boundary_data(*, values: npt.ArrayLike | None = None,
 
 
 def outward_flow(complex: Complex, derivatives: Values, side: str = "primal") -> Floats:
-    """The `derivative_flow` of 0-forms with these outward normal derivatives on the boundary.
+    """The `derivative_flow` of 0-forms for given outward normal derivatives on the boundary.
 
     Parameters
     ----------
     complex : Complex
     derivatives : float, array_like or callable
-        At `Complex.facet_sites`, of which those on the boundary matter.
+        Values at `Complex.facet_sites`; only boundary facets matter.
     side : str
 
     Examples
@@ -65,19 +65,19 @@ def outward_flow(complex: Complex, derivatives: Values, side: str = "primal") ->
 
 @dataclass(frozen=True)
 class PoissonSolution:
-    """The solution of ``Delta u = f`` with its flux. Converts to an array of its values.
+    """The solution of ``Delta u = f`` and its flux. Converts to an array of the values of u.
 
     Attributes
     ----------
     form : Cochain
         u.
     flux : Cochain
-        delta w, a primal form, where u is the primal form w or its star. Of dual 0-forms it is what
-        flows through the facets, -kappa grad u, and ``flux.d()`` is the integral of f in every cell.
+        delta w, a primal form, where u is the primal form w or its star. For dual 0-forms: the flux
+        of -kappa grad u through facets; ``flux.d()`` is then the integral of f over each cell.
     removed : Cochain
-        The harmonic part of the data, which no u can give.
+        The harmonic part of the data, which no u can match.
     report : dict
-        As that of a `Solution`.
+        As in `Solution`.
     """
 
     form: Cochain
@@ -87,7 +87,7 @@ class PoissonSolution:
 
     @property
     def values(self) -> Floats:
-        """Those of u; at vertices for all that were given, nan where no cell uses one."""
+        """Values of u. At vertices: one per input vertex, nan where no cell uses the vertex."""
         u = self.form
         return form_at_vertices(u.complex, u.values, u.side, u.degree)
 
@@ -97,7 +97,7 @@ class PoissonSolution:
 
 @dataclass(frozen=True)
 class CurlCurlSolution:
-    """A potential, what of the current is no curl, and how the solve went."""
+    """A potential, the part of the current that is not a curl, and a report of the solve."""
 
     potential: Cochain
     removed: Cochain
@@ -107,45 +107,44 @@ class CurlCurlSolution:
 class PoissonSolver:
     """Solves ``Delta u = (d delta + delta d) u = f`` for forms, with one factorization.
 
-    For functions (0-forms) this is ``-div grad u = f``, with a conductivity ``-div kappa grad u =
-    f``; for dual functions it is Darcy's problem. The harmonic part of f has no solution and is
-    returned as ``removed``. The harmonic part of u is zero unless `harmonic` gives it.
+    For functions (0-forms) this is ``-div grad u = f``, or ``-div kappa grad u = f`` with a
+    conductivity. For dual functions it is Darcy's problem. The harmonic part of f has no solution
+    and is returned as ``removed``. The harmonic part of u is zero unless `harmonic` sets it.
 
     Parameters
     ----------
     complex : Cells, or a mesh as `discretize` takes it
     degree, side
-        Of the forms; by default primal 0-forms, with values at vertices. Dual 0-forms have them at
-        the circumcenters of n-cells.
+        Degree and side of the forms; by default primal 0-forms, with values at vertices. Dual
+        0-forms have values at the circumcenters of n-cells.
     essential : bool or array of bool or callable or str or list of str
-        Where on the boundary u is given (Dirichlet), of forms its tangential part and that of
-        delta u: everywhere, nowhere, or one mark for each (n-1)-cell; elsewhere its normal
-        derivative is (Neumann), of forms the tangential parts of star u and of star du. A callable
-        takes all facet sites, an array (size(n-1), N), and returns marks; groups of the file are
-        given by their names.
+        Boundary facets with given u (Dirichlet); for forms, given tangential parts of u and
+        delta u. All, none, or one mark per (n-1)-cell. Elsewhere the normal derivative is given
+        (Neumann); for forms, the tangential parts of star u and star du. A callable takes all facet
+        sites, (size(n-1), N), and returns marks. Names select groups of the file.
     robin : float, array_like or callable, optional
-        Where u is not given, its normal derivative plus this coefficient times u is (Robin):
-        positive, one for all facets or one for each; where it is 0 the normal derivative is given.
+        Coefficients alpha on other facets, where du/dn + alpha u is given (Robin): positive, one
+        for all facets or one each; du/dn is given where alpha is 0.
     fixed : array_like or callable or str, optional
-        Vertices at which u is given besides, inside as well, of primal 0-forms: as sources of
-        `geodesic_distance`.
+        Further vertices with given u, also interior ones, for primal 0-forms. Same format as the
+        sources of `geodesic_distance`.
     conductivity : float, array_like, Cochain or callable, optional
-        Of 0-forms, kappa > 0: see `Complex.with_conductivity`.
+        kappa > 0, for 0-forms; see `Complex.with_conductivity`.
     engine : str
-        A name of `backends`.
+        Engine name; see `backends`.
 
     Attributes
     ----------
     sites, boundary_sites, flux_sites : numpy.ndarray
-        Of 0-forms, places of f and u, of boundary values, and of normal derivatives, a row each. Of
-        primal forms all vertices that were given; where no cell uses one data do not matter, and u
-        is nan.
+        For 0-forms: positions of f and u, of boundary values, and of normal derivatives, one row
+        each. For primal forms all input vertices; where no cell uses a vertex, data are ignored and
+        u is nan.
 
     Raises
     ------
     InvalidInput
-        Where dual 0-forms make no sense or an interior dual has no length, and where the star of
-        other forms or of those beside them is not positive; ``cells`` says where.
+        For ill-defined dual 0-forms or an interior dual of zero length. For other forms, if a star
+        of their degree or a neighboring degree is not positive. ``cells`` says where.
     """
 
     def __init__(self, complex: CellsLike, *, degree: int = 0, side: str = "primal",
@@ -164,26 +163,26 @@ class PoissonSolver:
               codifferential: npt.ArrayLike | None = None, flow: npt.ArrayLike | None = None,
               derivative_flow: npt.ArrayLike | None = None,
               harmonic: npt.ArrayLike | None = None) -> PoissonSolution:
-        """u.
+        """Solves for u.
 
         Parameters
         ----------
         f : Cochain, array_like, or for 0-forms a number or a callable
-            By its integrals over cells, as every form; of 0-forms at `sites`, which a callable
-            takes, (m, N).
+            Integrals of f over cells. For 0-forms, values at `sites`; a callable takes these
+            points, (m, N).
         boundary : array_like, or for 0-forms a number or a callable
-            u where it is given, at `boundary_sites`; of other forms the trace, by integrals.
+            Given values of u at `boundary_sites`; for other forms, integrals of the trace.
         flux : float, array_like or callable
-            Of 0-forms the derivative along the outward normal, times kappa, at `flux_sites`; where
-            there is Robin's condition with its coefficient times u added.
+            For 0-forms, kappa times the outward normal derivative at `flux_sites`; on Robin facets,
+            plus the coefficient times u.
         codifferential : array_like, optional
             On essential facets, the trace of delta u.
         flow, derivative_flow : array_like, optional
-            On natural facets, the traces of star u and of star du. They all are integrals over cells
-            on the boundary, or over their duals within it, as `boundary_de_rham` makes them; by
-            default 0. The page on sources says of which cells.
+            On natural facets, the traces of star u and star du. All traces are integrals over cells
+            on the boundary, or over their duals within it, as from `boundary_de_rham`; default 0.
+            The documentation page on sources lists the cells.
         harmonic : array_like, optional
-            Coefficients of u at `harmonic_forms`.
+            Coefficients of the harmonic part of u in the basis `harmonic_forms`.
         """
         side, degree = self._kind
         given = _form_of(self._complex, f, side, degree, self.sites)
@@ -200,9 +199,9 @@ class PoissonSolver:
 
     def solve_curl_curl(self, current: Form, *,
                         boundary: npt.ArrayLike | None = None) -> CurlCurlSolution:
-        """Magnetostatics: u with ``d^T star du = star j`` and ``delta u = 0``, for primal forms.
+        """Magnetostatics: solves ``d^T star du = star j``, ``delta u = 0`` for primal forms u.
 
-        The exact and harmonic parts of the current j are returned as ``removed``. `boundary` is the
+        Returns the exact and harmonic parts of the current j as ``removed``. `boundary` is the
         trace of u, as for `solve`.
         """
         side, degree = self._kind
@@ -214,7 +213,7 @@ class PoissonSolver:
                                 report)
 
     def harmonic_forms(self) -> Floats:
-        """Columns, orthonormal."""
+        """Orthonormal basis of the harmonic forms, as columns."""
         return self._solver.harmonic_forms()
 
 
@@ -229,8 +228,8 @@ def _with_conductivity(cells: Cells, side: str, degree: int, kappa: CellNumbers)
 
 
 def _places(cells: Cells, side: str) -> tuple[Floats, Floats, Floats]:
-    """Those of functions, of their boundary values, and of what flows through; cells of one's own
-    have none, and the rows no columns."""
+    """Positions of values, boundary values and fluxes of 0-forms. User-defined cells have no
+    positions; their arrays have no columns."""
     if not isinstance(cells, Complex):
         facets = np.zeros((cells.size(cells.dim - 1), 0))
         at = np.zeros((cells.size(0, side), 0))
@@ -272,8 +271,8 @@ def poisson(complex: CellsLike, f: Form | Values = 0.0, boundary: Values = 0.0,
             flux: Values = 0.0, *, degree: int | None = None, side: str = "primal",
             essential: Any = True, robin: Values | None = None, fixed: Any = None,
             conductivity: CellNumbers | None = None, engine: str = "auto") -> PoissonSolution:
-    """Solves ``Delta u = f``: a `PoissonSolver` made for one solve. Side and degree are those of f
-    where it is a Cochain, else by default those of primal 0-forms.
+    """Solves ``Delta u = f`` once, by a `PoissonSolver`. A Cochain f gives side and degree;
+    otherwise the default is primal 0-forms.
 
     Examples
     --------
@@ -284,13 +283,13 @@ def poisson(complex: CellsLike, f: Form | Values = 0.0, boundary: Values = 0.0,
     >>> bool(abs(u.values - plane(square.points)).max() < 1e-12)
     True
 
-    What flows through the facets keeps the balance of every cell:
+    The flux through facets balances in every cell:
 
     >>> flow = polydec.poisson(square, 1.0, side="dual")
     >>> np.allclose(square.d(1) @ flow.flux.values, square.volumes(2))
     True
 
-    Of 1-forms on a torus, two are harmonic:
+    On a torus, the harmonic 1-forms have dimension two:
 
     >>> torus = polydec.discretize(polydec.meshes.torus(12, 8))
     >>> f = torus.cochain(np.cos(np.arange(torus.size(1))), 1)
@@ -307,8 +306,8 @@ def poisson(complex: CellsLike, f: Form | Values = 0.0, boundary: Values = 0.0,
 
 @dataclass(frozen=True)
 class StokesFlow:
-    """A slow flow: its flux, a primal (n-1)-form, its vorticity, a primal (n-2)-form, its pressure,
-    a dual 0-form, and how the solve went."""
+    """A Stokes flow: flux, a primal (n-1)-form; vorticity, a primal (n-2)-form; pressure, a dual
+    0-form; and a report of the solve."""
 
     flux: Cochain
     vorticity: Cochain
@@ -317,11 +316,11 @@ class StokesFlow:
 
 
 class StokesSolver:
-    """Stokes' problem ``-nu Delta u + grad p = f``, ``div u = 0``, for slow flows.
+    """Solver of Stokes' problem ``-nu Delta u + grad p = f``, ``div u = 0``.
 
-    The balance of every cell is 0 to rounding. At each facet of the boundary two things are known:
-    the velocity through it and along it (without slip), that through it and the vorticity (where
-    the flow slips), or the pressure and the velocity along it (open). What is not given is 0.
+    The net flux out of every cell is 0 to rounding. Each boundary facet has two conditions: normal
+    and tangential velocity (no slip), normal velocity and vorticity (slip), or pressure and
+    tangential velocity (open). Data that are not given are 0.
 
     Parameters
     ----------
@@ -329,18 +328,18 @@ class StokesSolver:
     viscosity : float
         nu > 0.
     no_slip, open : bool or array of bool or callable
-        Facets, as for `IncompressibleFlow`; along all others the flow slips.
+        Facets, as for `IncompressibleFlow`; the flow slips along all others.
     engine : str
-        A name of `backends`.
+        Engine name; see `backends`.
 
     Raises
     ------
     InvalidInput
-        Where stars are not positive, ``cells`` says where; and if nothing holds a flow back.
+        If stars are not positive; ``cells`` says where. Also if no condition restrains some flow.
 
     Examples
     --------
-    Between two plates, from one open end to the other, where pressure falls by 2 nu per length:
+    Flow between two plates with open ends; the pressure falls by 2 nu per unit length:
 
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.grid(8, 8))
@@ -361,22 +360,21 @@ class StokesSolver:
     def solve(self, *, force: Form | None = None, through: npt.ArrayLike | None = None,
               along: npt.ArrayLike | None = None, vorticity: npt.ArrayLike | None = None,
               pressure: npt.ArrayLike | None = None) -> StokesFlow:
-        """The flow. Values at other cells than they are for do not matter.
+        """Solves for the flow. Ignores values at cells where they do not apply.
 
         Parameters
         ----------
         force : Cochain or array_like, optional
             The flux of f, a primal (n-1)-form.
         through : array_like, optional
-            What flows through the facets of the boundary that are not open.
+            Flux through the boundary facets that are not open.
         along : array_like, optional
-            The tangential velocity: integrals of the star of the flux, which is u for odd n and -u
-            for even n, over the duals within the boundary of the (n-2)-cells, as
-            `boundary_de_rham` makes them.
+            Tangential velocity: integrals of the star of the flux over the duals of (n-2)-cells
+            within the boundary, as from `boundary_de_rham`. This star is u for odd n, else -u.
         vorticity : array_like, optional
-            Where the flow slips, a primal (n-2)-form.
+            Vorticity on slip facets, a primal (n-2)-form.
         pressure : array_like, optional
-            At open facets, for each (n-1)-cell.
+            Pressure at open facets, one value per (n-1)-cell.
         """
         n = self._complex.dim
         none = np.zeros(self._complex.size(n - 1))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Eigenvalues, with the proof that none is missing."""
+"""Eigenvalues, with a proof that none is missing."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -18,8 +18,8 @@ from ._conditions import conditions_or_none
 class Certificate:
     """Proof that no eigenvalue is missing, by Sylvester's law of inertia.
 
-    `below_shift` eigenvalues of this mesh lie below `shift`, which is behind all values returned, and
-    `returned_below_shift` were computed.
+    `shift` lies above all returned values. The mesh has `below_shift` eigenvalues below `shift`;
+    `returned_below_shift` of these were computed.
     """
 
     shift: float
@@ -30,23 +30,23 @@ class Certificate:
 
 @dataclass(frozen=True)
 class Eigenpairs:
-    """Smallest eigenpairs, and how good they are.
+    """Smallest eigenpairs, with error bounds and a certificate.
 
     Attributes
     ----------
     eigenvalues : numpy.ndarray
         Ascending, with multiplicity.
     modes : numpy.ndarray
-        Columns, of norm 1.
+        Columns of norm 1.
     radii : numpy.ndarray
-        Of each eigenvalue: how far the exact one is at most.
+        Bound of the distance between each eigenvalue and the exact one.
     residuals : numpy.ndarray
         ``|A x - lambda M x| / |M x|``.
     certificate : Certificate
     linear_solver, eigen_solver : str
-        The engines that did it.
+        The engines used.
     rough : list of int
-        Values that rounding hides.
+        Indices of eigenvalues lost in rounding errors.
     """
 
     eigenvalues: Floats
@@ -67,7 +67,7 @@ class Eigenpairs:
 
 @dataclass(frozen=True, repr=False)
 class Spectrum(Eigenpairs):
-    """Smallest eigenpairs of a Laplace-de Rham operator: modes are forms of a side and degree."""
+    """Smallest eigenpairs of a Laplace-de Rham operator. Modes are forms of `side` and `degree`."""
 
     side: str = "primal"
     degree: int = 0
@@ -81,32 +81,31 @@ def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str 
              essential: Any = None, robin: Values | None = None, fixed: Any = None,
              coexact: bool = False, certified: bool = True, linear_solver: str = "auto", eigen_solver: str = "auto",
              progress: Progress | None = None) -> Spectrum:
-    """The smallest eigenpairs of the Laplacian of forms, proved complete.
+    """Smallest eigenpairs of the Laplacian on forms, proved complete.
 
     Parameters
     ----------
     complex : Cells, or a mesh as `discretize` takes it
     degree, side
-        Of the forms.
+        Degree and side of the forms.
     count : int
-        How many.
+        Number of eigenpairs.
     essential : bool or array of bool or callable, optional
-        Facets of the boundary where the forms are 0 (for 0-forms Dirichlet's condition); elsewhere
-        nothing flows through (Neumann's). A callable takes all facet sites, (size(n-1), N), and
-        marks them. Without it primal forms have no condition, dual ones are 0 on the boundary.
+        Boundary facets where the forms are 0 (Dirichlet's condition for 0-forms). Elsewhere the
+        flux is 0 (Neumann's). A callable takes all facet sites, (size(n-1), N), and returns marks.
+        Default conditions: natural for primal forms, zero values for dual forms.
     robin : float, array_like or callable, optional
-        Coefficients of Robin's condition where facets are not essential, as for `Evolution`; not
-        for coexact forms alone.
+        Coefficients of Robin's condition on other facets, as for `Evolution`; not with `coexact`.
     fixed : array_like or callable or str, optional
-        Vertices at which primal 0-forms are 0, inside as well, as for `PoissonSolver`.
+        Vertices where primal 0-forms are 0, also interior ones, as for `PoissonSolver`.
     coexact : bool
-        Whether only those of delta d on coexact forms are asked for.
+        Whether to compute only eigenpairs of delta d on coexact forms.
     certified : bool
-        False waives the proof.
+        False skips the proof.
     linear_solver, eigen_solver : str
-        Names of engines; see `backends`.
+        Engine names; see `backends`.
     progress : callable, optional
-        Told what is being done, at each step of the iteration. What it raises ends the work.
+        Called with a description of each iteration step. An exception stops the work.
 
     Returns
     -------
@@ -115,9 +114,9 @@ def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str 
     Raises
     ------
     InvalidInput
-        If a star is not positive that must be; ``cells`` says where.
+        If a star that must be positive is not; ``cells`` says where.
     SolverFailure
-        If the eigenpairs cannot be had or proved.
+        If the eigenpairs cannot be computed or proved complete.
 
     Examples
     --------
@@ -139,9 +138,9 @@ def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str 
 def smallest_eigenpairs(A: Any, M: Any = None, count: int = 10, *, certified: bool = True,
                         linear_solver: str = "auto", eigen_solver: str = "auto",
                         progress: Progress | None = None) -> Eigenpairs:
-    """The smallest eigenpairs of ``A x = lambda M x``, proved complete, of any sparse matrices.
+    """Smallest eigenpairs of ``A x = lambda M x`` for sparse matrices, proved complete.
 
-    Unlike ``scipy.sparse.linalg.eigsh`` it misses no copy of a multiple eigenvalue, and proves it.
+    Unlike ``scipy.sparse.linalg.eigsh``, it provably misses no copy of a multiple eigenvalue.
 
     Parameters
     ----------
@@ -150,7 +149,7 @@ def smallest_eigenpairs(A: Any, M: Any = None, count: int = 10, *, certified: bo
     M : sparse matrix or array, optional
         Symmetric positive definite, or its diagonal; the identity by default.
     count : int
-        How many, the algebraically smallest.
+        Number of algebraically smallest eigenpairs.
     certified, linear_solver, eigen_solver, progress
         As in `spectrum`.
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Vertices as the input numbers them, whether cells use them or not."""
+"""Conversion between input vertices and 0-cells, the vertices that cells use."""
 from __future__ import annotations
 
 from typing import Any
@@ -13,13 +13,13 @@ from ._cells import Cells
 
 
 def _unused(cells: Cells) -> _core.Discretization | None:
-    """The mesh of these cells, if it has vertices that no cell uses."""
+    """The mesh of these cells if it has unused vertices, else None."""
     mesh: _core.Discretization | None = getattr(cells, "_mesh", None)
     return mesh if mesh is not None and mesh.vertex_count != cells.size(0) else None
 
 
 def at_vertices(cells: Cells, rows: Floats) -> Floats:
-    """Values of 0-cells as values of all vertices that were given: nan where no cell uses one."""
+    """Values at input vertices from values at 0-cells; nan at unused vertices."""
     mesh = _unused(cells)
     if mesh is None or len(rows) != cells.size(0):
         return rows
@@ -29,7 +29,7 @@ def at_vertices(cells: Cells, rows: Floats) -> Floats:
 
 
 def at_cells(cells: Cells, rows: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    """The other way round; others than values of all vertices stay as they are."""
+    """Values at 0-cells from values at input vertices; other arrays do not change."""
     mesh = _unused(cells)
     if mesh is None or len(rows) != mesh.vertex_count:
         return rows
@@ -42,17 +42,17 @@ def _is_of_vertices(cells: Cells, side: str, degree: int) -> bool:
 
 
 def form_at_vertices(cells: Cells, values: Floats, side: str, degree: int) -> Floats:
-    """Values of a form; where its cells are vertices, or their duals, for all that were given."""
+    """Values of a form for users: forms on vertices or their duals get one per input vertex."""
     return at_vertices(cells, values) if _is_of_vertices(cells, side, degree) else values
 
 
 def form_at_cells(cells: Cells, values: Floats, side: str, degree: int) -> Floats:
-    """The other way round."""
+    """Inverse of `form_at_vertices`."""
     return at_cells(cells, values) if _is_of_vertices(cells, side, degree) else values
 
 
 def points_of(mesh: _core.Discretization) -> Floats:
-    """Those of all vertices, nan where a place is not known."""
+    """Points of all input vertices; nan for unknown positions."""
     if mesh.vertex_count == len(mesh.points):
         return mesh.points
     result = np.full((mesh.vertex_count, mesh.points.shape[1]), np.nan)
@@ -65,6 +65,6 @@ def points_of(mesh: _core.Discretization) -> Floats:
 
 
 def numbers_of(cells: Cells, chosen: Integers, name: str) -> Integers:
-    """The 0-cells of vertices given by their numbers."""
+    """The 0-cells of vertices, given by vertex numbers."""
     mesh: _core.Discretization | None = getattr(cells, "_mesh", None)
     return chosen if mesh is None else mesh.cells_of_vertices(name, chosen)

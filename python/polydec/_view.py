@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Files to look at: pages for browsers, and grids for ParaView."""
+"""Output for viewers: pages for browsers, and grids for ParaView."""
 from __future__ import annotations
 
 import html
@@ -19,32 +19,32 @@ from ._errors import InvalidInput, IoError
 from ._spectra import Spectrum
 from ._vertices import at_cells
 
-#: One form, several by their names, or the modes of a spectrum.
+#: One form, several named forms, or the modes of a spectrum.
 Fields = Union[Form, Mapping[str, Form], Spectrum]
 _Named = tuple[str, str, int, Floats, str]
 
 
 class Page:
-    """One HTML file that shows cells and what was found on them; it needs no network.
+    """An HTML page of cells with forms; it needs no network.
 
-    A notebook shows it where it is the last value of a cell.
+    A notebook displays a page that is the last value of a notebook cell.
 
     Attributes
     ----------
     html : str
-        All of it.
+        The whole page.
     """
 
     def __init__(self, text: str) -> None:
         self.html = text
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes it to a file, which every browser opens.
+        """Writes the page to a file for any browser.
 
         Raises
         ------
         IoError
-            If it cannot be written; ``path`` says which.
+            If the file cannot be written; ``path`` names it.
         """
         try:
             Path(path).write_text(self.html, encoding="utf-8")
@@ -63,22 +63,22 @@ class Page:
 def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None = None,
          side: str = "primal", times: Sequence[float] | None = None, title: str = "polydec",
          facts: Sequence[str] = ()) -> Page:
-    """A page that shows the cells, merged as they are, with forms on them: to turn, cut and click.
+    """An interactive page of the merged cells with forms: to rotate, cut and click.
 
     Parameters
     ----------
     complex : Complex, or a mesh as `discretize` takes it
-        Of dimension 1 to 3 in at most 3 coordinates.
+        Dimension 1 to 3, with at most 3 coordinates.
     fields : Cochain, array_like, mapping of str to these, or Spectrum, optional
-        Forms of one kind, among which to choose; of 1-forms arrows are shown too. Of a `Spectrum`
-        all modes, with the table of eigenvalues and the certificate.
+        Forms on cells of one degree; readers of the page choose among them. 1-forms also get
+        arrows. A `Spectrum` shows all modes, the table of eigenvalues and the certificate.
     degree, side
-        Of arrays; without a degree it is 0 or n, as their number of values says.
+        Degree and side of arrays; by default the length of an array gives the degree, 0 or n.
     times : sequence of float, optional
-        If given, arrays have a column for each of these times, which the page runs through.
+        Times of the columns of arrays; the page plays them.
     title : str
     facts : sequence of str
-        Paragraphs that stand beside the picture.
+        Paragraphs beside the picture.
 
     Returns
     -------
@@ -87,7 +87,7 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
     Raises
     ------
     InvalidInput
-        For forms of several kinds or wrong sizes, and for what cannot be drawn.
+        For forms on cells of several degrees or of wrong sizes, and for cells that cannot be drawn.
 
     Examples
     --------
@@ -117,8 +117,8 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
 
 def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | None = None, *,
               degree: int | None = None, side: str = "primal", float32: bool = False) -> None:
-    """Writes the cells with forms on them for ParaView; beside primal 1-forms the vectors at the
-    vertices that they are the work of, as NAME_vector.
+    """Writes the cells with their forms for ParaView. Each primal 1-form also gives its vectors at
+    vertices (`sharp_pp`), as NAME_vector, if the mesh has a sharp.
 
     Parameters
     ----------
@@ -127,14 +127,14 @@ def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | 
     forms, degree, side
         As for `view`.
     float32 : bool
-        Points and values with 7 digits, not 16.
+        Writes points and values with 7 digits instead of 16.
 
     Raises
     ------
     InvalidInput
-        As `view`.
+        As for `view`.
     IoError
-        If the file cannot be written; ``path`` says which.
+        If the file cannot be written; ``path`` names it.
 
     Examples
     --------
@@ -153,21 +153,21 @@ def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | 
 class Series:
     """Pictures at ascending times: a .pvd file for ParaView, or an .html page that plays.
 
-    Steps are written while they are added, so what a killed program leaves can be looked at.
+    A .pvd file grows step by step, and is readable after a kill. A page is written at the end.
 
     Parameters
     ----------
     path : str or os.PathLike
-        Ends with .pvd or .html.
+        Must end with .pvd or .html.
     complex : Complex, or a mesh as `discretize` takes it
     title : str
     times : sequence of float
-        Those of the steps that a .pvd file has already, to go on with it; empty: begins anew.
+        Times of the steps already in a .pvd file, to append to it; empty starts a new file.
 
     Raises
     ------
     IoError
-        If nothing can be written there.
+        If the path cannot be written.
 
     Examples
     --------
@@ -188,11 +188,11 @@ class Series:
 
     def add(self, time: float, forms: Fields, *, degree: int | None = None,
             side: str = "primal") -> None:
-        """A step, of forms as `view` takes them, with the same names at every time."""
+        """Adds a step with forms as for `view`; the names must be the same at every time."""
         self._series.add(time, _forms(self._complex, _by_name(forms), degree, side))
 
     def close(self) -> None:
-        """Writes what is not written yet; at the end of a ``with`` by itself."""
+        """Writes remaining output. Called at the end of a ``with`` block."""
         self._series.close()
 
     def __enter__(self) -> Series:
@@ -213,7 +213,7 @@ def _by_name(fields: Fields | None) -> dict[str, Form]:
 
 
 def _at(fields: Mapping[str, Form], i: int, times: int) -> dict[str, Form]:
-    """Column i of each of the fields."""
+    """Column i of each field."""
     result: dict[str, Form] = {}
     for name, values in fields.items():
         table = floats(np.asarray(values), name, 2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Waves of forms."""
+"""Wave equations for forms, and absorbing layers."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -17,27 +17,27 @@ from ._errors import InvalidInput
 from ._run import Run
 from ._vertices import form_at_cells
 
-#: Rates that are added to those of a wave, at a time.
+#: A source of a wave: takes the time, returns rates.
 Source = Callable[[float], Any]
 
 
 @dataclass(frozen=True)
 class AbsorbingLayer:
-    """A layer along the sides of the box around a mesh in which outgoing waves die away.
+    """A layer along the bounding box of a mesh that absorbs outgoing waves.
 
     Attributes
     ----------
     width : float
-        In units of length; 0: no layer.
+        Width of the layer, a length; 0 for no layer.
     kind : {"automatic", "stretched", "conducting"}
-        Stretched coordinates are perfectly matched, and need cells parallel to the axes in the
-        layer; conducting are any; automatic is the first where it can be.
+        "stretched" coordinates are perfectly matched, but need axis-parallel cells in the layer.
+        "conducting" works on any cells. "automatic" prefers "stretched" where possible.
     sides : sequence of pairs of bool
-        For each coordinate whether there is a layer at its low and at its high end; empty: all.
+        For each coordinate, whether its low and its high end have a layer; empty for all.
     reflection : float
-        Of a wave that comes straight, if cells were infinitely small.
+        Reflection of a wave at normal incidence in the limit of small cells.
     power : float
-        Of the depth, with which the rate of decay grows.
+        The rate of decay grows with this power of the depth.
     """
 
     width: float
@@ -48,42 +48,42 @@ class AbsorbingLayer:
 
 
 class Waves(Run):
-    """Waves of k-forms of either side: E a k-form at whole times, B a (k+1)-form half a step before.
+    """Waves of k-forms on either side: E, a k-form at time t, and B, a (k+1)-form at t - dt / 2.
 
-    A step is ``B -= dt d E`` and ``E += dt delta B``. For k = 1 in space these are Maxwell's
-    equations, for k = 0 the scalar wave equation. On ``complex.conditioned(degree=k)`` E vanishes on
-    the boundary; else, of primal forms, nothing flows out.
+    A step is ``B -= dt d E``, ``E += dt delta B``: Maxwell's equations for k = 1 in space, the
+    scalar wave equation for k = 0. On ``complex.conditioned(degree=k)`` E vanishes on the
+    boundary; otherwise primal forms have no outflow.
 
     Parameters
     ----------
     complex : Cells, or a mesh as `discretize` takes it
     E : Cochain or array_like
-        At the time 0.
+        E at time 0.
     B : array_like, optional
-        Half a step before; without, E is at rest.
+        B half a step earlier; by default E starts at rest.
     degree, side
-        Of E, if it is an array.
+        Degree and side of E if it is an array.
     time_step : float, optional
-        Below `stable_step`; without, 0.9 of that.
+        Below `stable_step`; by default 0.9 times `stable_step`.
     essential : bool or array of bool or callable, optional
-        As for `spectrum`, with values 0: for 1-forms in space a perfect conductor, elsewhere a
-        symmetry wall. E and B have values for all cells nevertheless. Needs a `Complex`.
+        As for `spectrum`, with values 0. For 1-forms in space these facets are a perfect conductor,
+        the others a symmetry wall. E and B still have values on all cells. Needs a `Complex`.
     loss, upper_loss : float or array_like, optional
-        Rates of decay of E and of B by themselves, for each value; 1 / time. For Maxwell's
-        equations the conductivity over the permittivity.
+        Decay rates of E and of B, one per value; 1 / time. For Maxwell's equations `loss` is the
+        conductivity over the permittivity.
     layer : float or AbsorbingLayer, optional
-        Of this width. Needs a `Complex`.
+        An absorbing layer, or its width. Needs a `Complex`.
     source, upper_source : callable, optional
-        Take a time and return what is added to dE/dt, and to dB/dt, then: a number for each
-        value. They are called for the middle of every step, and for its beginning.
+        Take a time; return the terms added to dE/dt and dB/dt, one number per value. `source` is
+        called at the middle of every step, `upper_source` at its beginning.
     label : str
-        Says what the sources compute, with which numbers: without one waves with sources keep no
-        checkpoint.
+        States what the sources compute, including their parameters. Waves with sources need a label
+        for checkpoints.
 
     Raises
     ------
     InvalidInput
-        For steps that are not stable, and for stars that are not positive.
+        For unstable steps, and for stars that are not positive.
 
     Examples
     --------
@@ -123,21 +123,21 @@ class Waves(Run):
 
     @property
     def time_step(self) -> float:
-        """How long its steps are."""
+        """Length of a step."""
         return self._run.time_step()
 
     @property
     def layer(self) -> str:
-        """What kind its layer has become; "automatic" where there is none."""
+        """Kind of the layer in use; "automatic" without a layer."""
         return self._run.layer()
 
     @property
     def energy(self) -> float:
-        """Of what is there now; every step conserves it, without sources, losses and a layer."""
+        """Current energy. Steps conserve it without sources, losses and a layer."""
         return self._run.energy()
 
     def _values(self, given: npt.ArrayLike | None, which: int) -> Floats:
-        """Of each cell of E, or of B."""
+        """One value per cell of E or B."""
         if given is None:
             return np.zeros(0)
         side, degree = self._kinds[which]
@@ -154,7 +154,7 @@ class Waves(Run):
 
 def stable_step(complex: CellsLike, degree: int = 0, *, side: str = "primal",
                 essential: Any = None) -> float:
-    """The length that time steps of `Waves` must stay below; its arguments are those.
+    """Upper limit of the time steps of `Waves`, for the same arguments.
 
     >>> import polydec
     >>> grid = polydec.discretize(polydec.meshes.kuhn([10], [1.0]))
@@ -169,8 +169,8 @@ def stable_step(complex: CellsLike, degree: int = 0, *, side: str = "primal",
 def wave(complex: CellsLike, E: Form, time: float, B: npt.ArrayLike | None = None, *,
          degree: int = 0, side: str = "primal", time_step: float | None = None,
          essential: Any = None, **words: Any) -> tuple[Floats, Floats]:
-    """E and B of `Waves` after some time, by equal steps that end there, at most of this length or
-    0.9 `stable_step`. Other words are those of `Waves`.
+    """E and B of `Waves` after some time. Equal steps end there, of length at most `time_step` or,
+    by default, 0.9 `stable_step`. Other keyword arguments go to `Waves`.
 
     Examples
     --------

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Meshes of generators, and changed ones.
+"""Mesh generators, and functions that change meshes.
 
-Every generator gives a `Mesh`; the same arguments give the same mesh on every machine.
+Generators return a `Mesh`. The same arguments give the same mesh on every machine.
 """
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ __all__ = [
 
 
 class Renumbered(NamedTuple):
-    """A mesh under other numbers: `vertices` and `cells` hold the old number of each."""
+    """A renumbered mesh; `vertices` and `cells` hold the old numbers."""
 
     mesh: Mesh
     vertices: Integers
@@ -34,7 +34,7 @@ class Renumbered(NamedTuple):
 
 
 def length_mesh(mesh: Mesh) -> LengthMesh:
-    """The simplices of a mesh with the lengths of their edges, without its points.
+    """The simplices of a mesh with their edge lengths, without points.
 
     >>> from polydec import meshes
     >>> meshes.length_mesh(meshes.grid(1, 1))
@@ -57,7 +57,7 @@ def grid(nx: int, ny: int, width: float = 1.0, height: float = 1.0) -> Mesh:
 
 
 def hexagons(columns: int) -> Mesh:
-    """The unit square in rows of hexagons with corners on circles, fanned into triangles.
+    """The unit square as rows of cyclic hexagons, each a fan of triangles.
 
     >>> from polydec import discretize, meshes
     >>> meshes.hexagons(4), discretize(meshes.hexagons(4)).size(2)
@@ -67,7 +67,7 @@ def hexagons(columns: int) -> Mesh:
 
 
 def well_centered(rows: int) -> Mesh:
-    """The unit square in ``2 * rows`` rows of acute triangles: all duals are positive.
+    """The unit square as ``2 * rows`` rows of acute triangles. All duals are positive.
 
     >>> from polydec import discretize, meshes
     >>> bool(discretize(meshes.well_centered(4)).dual_volumes(1).min() > 0)
@@ -77,7 +77,7 @@ def well_centered(rows: int) -> Mesh:
 
 
 def uv_sphere(meridians: int, bands: int) -> Mesh:
-    """Unit sphere of triangles at the poles, and trapezoids, each split by a diagonal.
+    """Unit sphere of trapezoids, each split by a diagonal, with triangles at the poles.
 
     >>> from polydec import meshes
     >>> meshes.uv_sphere(8, 4)
@@ -97,10 +97,10 @@ def icosphere(frequency: int) -> Mesh:
 
 
 def goldberg(frequency: int) -> Mesh:
-    """Goldberg's polyhedron in the unit sphere: 12 pentagons, ``10 * frequency**2 - 10`` hexagons.
+    """Goldberg polyhedron in the unit sphere: 12 pentagons, ``10 * frequency**2 - 10`` hexagons.
 
-    All faces are planar with corners on a circle, and fanned into triangles. Takes about a second
-    for frequency 32.
+    All faces are planar and cyclic, and split into fans of triangles. Frequency 32 takes about a
+    second.
 
     >>> import polydec
     >>> polydec.discretize(polydec.meshes.goldberg(1)).shape   # the dodecahedron
@@ -112,7 +112,7 @@ def goldberg(frequency: int) -> Mesh:
 def torus(major: int, minor: int, major_radius: float = 1.0, minor_radius: float = 0.4) -> Mesh:
     """Torus around the z axis of major times minor trapezoids, each split by a diagonal.
 
-    The radii, `major_radius` and `minor_radius`, are those of the center line and of the tube.
+    `major_radius` is the radius of the center line, `minor_radius` the radius of the tube.
 
     >>> from polydec import meshes
     >>> meshes.torus(8, 6)
@@ -122,7 +122,7 @@ def torus(major: int, minor: int, major_radius: float = 1.0, minor_radius: float
 
 
 def moebius(around: int, across: int, width: float = 0.6) -> Mesh:
-    """Moebius strip with the center line of radius 1; not orientable.
+    """Moebius strip with a center line of radius 1; not orientable.
 
     >>> from polydec import discretize, meshes
     >>> discretize(meshes.moebius(9, 3)).report()["orientable"]
@@ -132,7 +132,7 @@ def moebius(around: int, across: int, width: float = 0.6) -> Mesh:
 
 
 def flange(segments: int) -> Mesh:
-    """A machine part, closed, of genus 1: planar rectangles and trapezoids, each split.
+    """A closed machine part of genus 1, made of planar rectangles and trapezoids, each split.
 
     >>> from polydec import discretize, meshes
     >>> discretize(meshes.flange(12)).betti_numbers()
@@ -142,7 +142,7 @@ def flange(segments: int) -> Mesh:
 
 
 def kuhn(cells: Sequence[int], lengths: Sequence[float] = ()) -> Mesh:
-    """Kuhn's triangulation of a box in R^n: ``cells[k]`` boxes along axis k, each n! simplices.
+    """Kuhn triangulation of a box in R^n: ``cells[k]`` boxes along axis k, each of n! simplices.
 
     >>> from polydec import meshes
     >>> meshes.kuhn([2, 2, 2])
@@ -152,7 +152,7 @@ def kuhn(cells: Sequence[int], lengths: Sequence[float] = ()) -> Mesh:
 
 
 def split_boxes(cells: Sequence[int], lengths: Sequence[float] = (), seed: int = 1) -> Mesh:
-    """The same boxes as of `kuhn`, each split at random into n! simplices.
+    """The boxes of `kuhn`, each split at random into n! simplices.
 
     >>> from polydec import meshes
     >>> meshes.split_boxes([2, 1], seed=3)
@@ -162,9 +162,9 @@ def split_boxes(cells: Sequence[int], lengths: Sequence[float] = (), seed: int =
 
 
 def bcc(cells: int | Sequence[int], edge: float | None = None) -> Mesh:
-    """Body-centered cubic lattice: cells**3 cubes of the unit cube, or cells[k] along axis k.
+    """Body-centered cubic lattice: cells**3 cubes in the unit cube, or cells[k] along axis k.
 
-    Around each inner square there are four congruent tetrahedra.
+    Four congruent tetrahedra surround each inner square.
 
     >>> from polydec import meshes
     >>> meshes.bcc(2)
@@ -201,21 +201,21 @@ def _lattice(make: Any, cells: int | Sequence[int], edge: float | None, dimensio
 
 def sphere_clusters(dimension: int = 3, cells_per_side: int = 6, spheres: int = 1,
                     points_on_sphere: int = 40, radius: float = 0.25, seed: int = 1) -> Mesh:
-    """A random Delaunay mesh of the unit cube with empty spheres of many points on them.
+    """A random Delaunay mesh of the unit cube with empty spheres through many points.
 
-    Each sphere becomes one cell with that many corners when it is merged.
+    Merging makes each sphere one cell with `points_on_sphere` corners.
 
     Parameters
     ----------
     dimension : int
     cells_per_side : int
-        Of the jittered grid that the points are of.
+        Cells per side of the jittered grid of points.
     spheres, points_on_sphere : int
-        How many, and of how many points each.
+        Number of spheres, and of points on each sphere.
     radius : float
-        Of the spheres.
+        Radius of the spheres.
     seed : int
-        Of the random numbers.
+        Seed of the random numbers.
 
     Examples
     --------
@@ -230,7 +230,7 @@ def sphere_clusters(dimension: int = 3, cells_per_side: int = 6, spheres: int = 
 
 
 def perturbed(mesh: Mesh, amplitude: float, seed: int = 1) -> Mesh:
-    """The mesh with every coordinate moved at random by at most `amplitude`.
+    """A copy with every coordinate perturbed at random by at most `amplitude`.
 
     >>> from polydec import meshes
     >>> mesh = meshes.grid(2, 2)
@@ -241,7 +241,7 @@ def perturbed(mesh: Mesh, amplitude: float, seed: int = 1) -> Mesh:
 
 
 def shuffled(mesh: Mesh, seed: int = 1) -> Renumbered:
-    """The same mesh under random vertex and cell numbers.
+    """The same mesh with random vertex and cell numbers.
 
     >>> import numpy as np
     >>> from polydec import meshes
@@ -255,7 +255,7 @@ def shuffled(mesh: Mesh, seed: int = 1) -> Renumbered:
 
 
 def along_morton_curve(mesh: Mesh) -> Renumbered:
-    """The same mesh with numbers along Morton's curve: neighbors in space are near in memory.
+    """The same mesh, numbered along the Morton curve: neighbors in space are near in memory.
 
     >>> from polydec import meshes
     >>> meshes.along_morton_curve(meshes.shuffled(meshes.grid(2, 2)).mesh).mesh
@@ -266,16 +266,15 @@ def along_morton_curve(mesh: Mesh) -> Renumbered:
 
 
 def weld(mesh: Mesh, length: float | None = None) -> Mesh:
-    """The mesh with one vertex where several are at most `length` apart.
+    """Merges vertices that are at most `length` apart, which closes slits between cells.
 
-    So slits between cells close. Without a length, it is 1e-9 of the size of the mesh. No edge
-    longer than the length vanishes, and no cell is turned over; ``warnings`` tells how many
-    vertices were joined.
+    The default length is 1e-9 of the size of the mesh. No edge longer than the length vanishes, and
+    no cell is inverted. ``warnings`` reports how many vertices were joined.
 
     Raises
     ------
     InvalidInput
-        For a length that is negative or not finite, and for cells that make no sense.
+        For a negative or non-finite length, and for invalid cells.
 
     Examples
     --------
@@ -288,15 +287,15 @@ def weld(mesh: Mesh, length: float | None = None) -> Mesh:
 
 
 def join_hanging(mesh: Mesh, length: float | None = None) -> Mesh:
-    """The mesh welded, with triangles and tetrahedra split at the hanging nodes of its boundary.
+    """Welds a mesh, and splits triangles and tetrahedra at the hanging nodes of its boundary.
 
-    Vertices inside boundary edges and facets, up to `length` off them, become corners of the cells
-    there, as `weld` takes the length. Volume, orientation and tags stay.
+    Vertices inside boundary edges and facets, up to `length` away, become corners of the cells
+    there. For `length` see `weld`. Volume, orientation and tags do not change.
 
     Raises
     ------
     InvalidInput
-        As `weld`; naming the cell if it is too thin to be split; for hanging nodes of cells of
+        As `weld`. Also for a cell too thin to split, which the text names, and for hanging nodes in
         dimension 4 or more.
 
     Examples
@@ -311,8 +310,8 @@ def join_hanging(mesh: Mesh, length: float | None = None) -> Mesh:
 
 
 class UnjoinedBoundary(NamedTuple):
-    """Vertices of the boundary at places of others, vertices that hang inside its edges or facets,
-    and the number of facets that lie on others with other corners."""
+    """Boundary vertices at the same point as others, hanging vertices inside boundary edges or
+    facets, and the number of facets that overlap facets with other corners."""
 
     coincident: Integers
     hanging: Integers
@@ -320,7 +319,7 @@ class UnjoinedBoundary(NamedTuple):
 
 
 def unjoined_boundary(mesh: Mesh) -> UnjoinedBoundary:
-    """Where the boundary of a mesh lies upon itself without being joined.
+    """Places where the boundary of a mesh touches itself without being joined.
 
     >>> from polydec import Mesh, meshes
     >>> slit = Mesh([[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], [[0, 1, 2], [3, 4, 5]])
@@ -331,7 +330,7 @@ def unjoined_boundary(mesh: Mesh) -> UnjoinedBoundary:
 
 
 def peeled(mesh: Mesh) -> Mesh:
-    """The mesh without the flat cells that meshers leave on its boundary.
+    """A copy without the flat cells that meshers leave on the boundary.
 
     >>> from polydec import meshes
     >>> len(meshes.peeled(meshes.grid(2, 2)).simplices)          # there are none
@@ -342,16 +341,16 @@ def peeled(mesh: Mesh) -> Mesh:
 
 def tetrahedralize(surface: Mesh, *, largest_volume: float = 0.0, quality: float = 0.0,
                    holes: npt.ArrayLike | None = None) -> Mesh:
-    """The inside of a closed surface as tetrahedra, by the program TetGen.
+    """Tetrahedral mesh of the inside of a closed surface, by the program TetGen.
 
     Parameters
     ----------
     surface : Mesh
         Triangles in R^3.
     largest_volume, quality : float
-        Bounds of volume, and of circumradius over shortest edge; 0 for none.
+        Upper bounds of the volume, and of circumradius over shortest edge; 0 for no bound.
     holes : array_like, shape (holes, 3), optional
-        A point in each part that is to stay empty.
+        One point in each part that stays empty.
 
     Raises
     ------
