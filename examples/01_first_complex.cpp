@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A complex says which cells there are and how they bound each other; it knows no lengths. Two
-// triangles that make a square are enough to see vertices, edges and faces with their orientations,
-// and the two facts that calculus stands on: the boundary of a boundary is zero, and d is the
-// transpose of the boundary.
+// A complex stores cells and their incidences, but no lengths. Two triangles form a square here.
+// They show vertices, edges and faces with their orientations, and the two facts behind the
+// calculus: the boundary of a boundary is zero, and d is the transpose of the boundary.
 #include <iostream>
 #include <polydec.h>
 
@@ -23,7 +22,7 @@ int main() {
     std::cout << "\nd_1, a row for each triangle:\n"
               << polydec::DenseMatrix(polydec::derivative(square, 1)) << '\n';
 
-    // the chain of both triangles has the outline of the square as its boundary
+    // the boundary of the sum of both triangles is the outline of the square
     const polydec::Chain all{polydec::Side::primal, 2, polydec::Vector::Ones(2)};
     const polydec::Chain outline = polydec::boundary(square, all);
     std::cout << "boundary of both: " << outline.values.transpose() << '\n';

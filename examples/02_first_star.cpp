@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The metric enters with the Hodge star: it turns the integral of a form over a cell into one over
-// the cell's dual, which reaches from circumcenter to circumcenter. Dual volumes carry a sign, so
-// obtuse triangles are welcome, and |s| |*s| sums to C(n,k) times the area whatever the mesh is.
+// The metric enters through the Hodge star. It maps the integral of a form over a cell to an
+// integral over the dual cell, which connects circumcenters. Dual volumes are signed, so triangles
+// may be obtuse. The sum of |s| |*s| is C(n,k) times the area on every mesh.
 #include <iostream>
 #include <polydec.h>
 

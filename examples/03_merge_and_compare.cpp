@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A grid of squares, each split by a diagonal, is the simplest mesh on which discrete exterior
-// calculus breaks: the two triangles of a square have one circumcircle, so the dual of the diagonal
-// has length zero and the Hodge star of 1-forms cannot be inverted. Merging takes the diagonals
-// out.
+// calculus breaks. The two triangles of a square share a circumcircle, so the dual of the diagonal
+// has length zero, and the Hodge star of 1-forms is singular. Merging removes the diagonals.
 #include <algorithm>
 #include <iostream>
 #include <polydec.h>
@@ -18,7 +17,7 @@ int main() {
               << ", after: " << after.complex().size(2) << '\n';
     std::cout << "degenerate edges: " << after.degenerate().interior << '\n';
 
-    // the boundary of the square keeps its half dual edges, of star 1/2
+    // boundary edges of the square keep half a dual edge, with star 1/2
     const auto smallest_inside = [](const polydec::Discretization& grid) {
         const polydec::Vector star = polydec::star(grid, 1).diagonal();
         double smallest = star.maxCoeff();
@@ -30,7 +29,7 @@ int main() {
     std::cout << "smallest interior star_1 before: " << smallest_inside(before)
               << ", after: " << smallest_inside(after) << '\n';
 
-    // all that was between cells is still there: topology, area, vertices
+    // merging preserves topology, area and vertices
     std::cout << "Euler characteristic: " << polydec::euler_characteristic(after.complex())
               << ", area: " << after.volumes().primal(2).sum() << '\n';
 }

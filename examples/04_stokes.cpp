@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What DEC never gives up is Stokes' theorem: the integral of dw over a region is that of w over
-// its boundary, to the last digit, on any mesh and before and after merging. Only the integration
-// of w over edges is approximate, and even that is exact for polynomials of low degree.
+// DEC preserves Stokes' theorem: the integral of dw over a region equals the integral of w over its
+// boundary, to the last digit, on any mesh, before and after merging. Only the integration of w
+// over edges is approximate, and it is exact for polynomials of low degree.
 #include <cmath>
 #include <iostream>
 #include <polydec.h>
@@ -11,7 +11,7 @@ int main() {
     const auto sphere = polydec::discretize(polydec::uv_sphere(24, 12));
     const auto& P = sphere.complex();
 
-    // the circulation of (-y, x, 0), whose curl is 2 along the axis
+    // the circulation of (-y, x, 0), with curl 2 along the axis
     const auto w = polydec::de_rham(sphere, 1, [](const polydec::Vector& p) {
         return polydec::Vector(Eigen::Vector3d(-p[1], p[0], 0));
     });

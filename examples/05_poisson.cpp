@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Delta u = f on a square of hexagons with u = sin(pi x) sin(pi y), u = 0 on the boundary. The
-// unknowns are the values of a dual 0-form, which live at the circumcenters of the hexagons. With
-// twice as many hexagons to a row the error falls by four: order 2.
+// Solves Delta u = f on a square of hexagons, with u = sin(pi x) sin(pi y) and u = 0 on the
+// boundary. The unknowns are the values of a dual 0-form at the circumcenters of the hexagons.
+// Doubling the number of hexagons per row divides the error by four: order 2.
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -20,7 +20,7 @@ double error(int columns) {
     const polydec::Vector exact = (pi * sites.array()).sin().rowwise().prod();
     const auto u = solver.solve({polydec::Side::dual, 0, 2 * pi * pi * exact}).form.values;
 
-    // L2 norm: each value counts with the area of its cell
+    // L2 norm: each value is weighted by the area of its cell
     const polydec::Vector& areas = hexagons.volumes().primal(2);
     return std::sqrt(areas.dot((u - exact).cwiseAbs2()));
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The eigenvalues of the Laplacian on the unit sphere are l (l + 1), 2 l + 1 times each. Such
-// multiplicities are what iterative eigensolvers stumble over, missing copies without a word; here
-// every answer is proved complete. The mesh has planar hexagons and pentagons, each given as a fan
-// of triangles and merged back because its corners lie on one circle.
+// The eigenvalues of the Laplacian on the unit sphere are l (l + 1), with multiplicity 2 l + 1.
+// Iterative eigensolvers may silently miss copies of such multiple eigenvalues; here every answer
+// is proved complete. The mesh has planar hexagons and pentagons. Each is input as a fan of
+// triangles, and merged again because its corners lie on one circle.
 #include <iostream>
 #include <polydec.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every 1-form on a torus is a gradient, plus a curl, plus a harmonic form that goes around one of
-// its two loops. The three parts are orthogonal, and the harmonic one is told by its periods: the
+// Every 1-form on a torus is the sum of a gradient, a curl and a harmonic form, which circulates
+// around the two loops. The three parts are orthogonal. Periods determine the harmonic part: its
 // integrals along the generators of the homology.
 #include <iostream>
 #include <polydec.h>
@@ -10,7 +10,7 @@ int main() {
     const auto torus = polydec::discretize(polydec::torus(48, 24));
     const auto& P = torus.complex();
 
-    // a wind that turns around the axis and blows a little upwards in front
+    // a wind around the axis that blows slightly upwards in front
     const auto wind = polydec::de_rham(torus, 1, [](const polydec::Vector& p) {
         return polydec::Vector(Eigen::Vector3d(-p[1], p[0], p[0] > 0 ? 0.5 * p[0] : 0.0));
     });

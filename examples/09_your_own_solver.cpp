@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// An engine is any type with Eigen's compute(A) and solve(B). Registered under a name it serves
-// every solver of polydec, which checks what it returns like that of any other engine: here plain
-// Gauss-Seidel iterations, about forty lines.
+// An engine is any type with Eigen's compute(A) and solve(B). Registered under a name, it serves
+// every solver of polydec. polydec checks its solutions as for any other engine. This engine is
+// plain Gauss-Seidel iteration, in about forty lines.
 #include <cmath>
 #include <iostream>
 #include <polydec.h>

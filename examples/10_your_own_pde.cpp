@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A PDE that the library has no solver for: heat that spreads on a sphere while a wind carries it
-// around, du/dt = - L_X u - nu Delta u, on the quads of a UV sphere. The Laplacian is made of d and
-// stars, the transport is the Lie derivative with upwind sampling; a step is explicit in the wind
-// and implicit in the heat. Both keep the temperature between its extremes; spreading keeps its
-// mean to rounding, the transport in this form to first order.
+// A PDE without a solver in the library: heat diffuses on a sphere while a wind carries it around,
+// du/dt = - L_X u - nu Delta u, on the quads of a UV sphere. The Laplacian is built from d and
+// stars; transport is the Lie derivative with upwind sampling. A step is explicit in transport and
+// implicit in diffusion. Both keep the temperature between its extremes. Diffusion preserves the
+// mean to rounding, transport in this form to first order.
 #include <iostream>
 #include <polydec.h>
 

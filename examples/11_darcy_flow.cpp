@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Water flows through a box, around a block of clay, from a pressure 1 at the left to 0 at the
-// right. Cells are the octahedra and tetrahedra of a face-centered cubic lattice; merged, they have
-// one pressure each at their circumcenter. The balance is exact in every cell: what flows in at
-// the left comes out at the right.
+// Water flows through a box around a block of clay, from pressure 1 at the left to pressure 0 at
+// the right. The merged cells are the octahedra and tetrahedra of a face-centered cubic lattice,
+// with one pressure each at the circumcenter. Every cell is in exact balance: the inflow at the
+// left equals the outflow at the right.
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -18,7 +18,7 @@ int main() {
         if (std::abs(places(cell, 0) - 1) < 0.3 && places(cell, 2) < 0.6)
             kappa[cell] = 1e-4;
 
-    // pressures are given left and right, and nothing flows through the other walls
+    // pressures are given left and right; the other walls are impermeable
     const polydec::Points facets = polydec::facet_sites(box);
     const auto ends = polydec::essential_where(
         facets, [](const auto& x) { return x[0] < 1e-9 || x[0] > 2 - 1e-9; });
@@ -28,7 +28,7 @@ int main() {
     const auto flow = solver.solve({polydec::Side::dual, 0, polydec::Vector::Zero(places.rows())},
                                    {.values = 1 - facets.col(0).array() / 2});
 
-    // a flux counts outward where the facet is oriented as the boundary of its cell
+    // a flux is outward if the facet is oriented as the boundary of its cell
     const polydec::SparseMatrix divergence = polydec::derivative(box.complex(), 2);
     const polydec::Vector outward = divergence.transpose() * polydec::Vector::Ones(places.rows());
     double in = 0, out = 0;
@@ -41,7 +41,7 @@ int main() {
               << ((divergence * flow.flux.values).cwiseAbs().maxCoeff() < 1e-12 ? "yes" : "no")
               << '\n';
 
-    // the rear half, cut open, with the velocities on the cut
+    // the rear half, cut open, with velocities on the cut
     const polydec::SolidView view{.eye = Eigen::Vector3d(0.25, -1, 0.4),
                                   .title = "Pressure around a block of clay"};
     auto solid = polydec::kept_faces(

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Standing waves of the electric field in a box with conducting walls: curl curl E = lambda E with
-// E a 1-form that vanishes on the walls. The box is a grid of cubes, each split into six tetrahedra
-// of one circumsphere; these are merged, and so are their faces, down to the 12 edges and 6 squares
-// of a cube. The exact eigenvalues of the unit cube are pi^2 (i^2 + j^2 + k^2) for natural numbers
-// of which at most one is 0: twice if none is, else once.
+// Standing waves of the electric field in a box with conducting walls: curl curl E = lambda E, with
+// a 1-form E that vanishes on the walls. The box is a grid of cubes, each split into six tetrahedra
+// with a common circumsphere. Merging joins them and their faces, down to the 12 edges and 6
+// squares of a cube. The exact eigenvalues of the unit cube are pi^2 (i^2 + j^2 + k^2) for integers
+// i, j, k >= 0. At most one of i, j, k is 0; the multiplicity is two if none is, else one.
 #include <cmath>
 #include <fstream>
 #include <iomanip>
@@ -29,8 +29,8 @@ int main() {
     std::cout << '\n'
               << (modes.certificate.complete ? "proved: none is missing" : "not proved") << '\n';
 
-    // Six modes have eigenvalues near 5 pi^2: some basis of the waves that swing together. Of these
-    // the wave sin(2 pi x) sin(pi y) along z is put together; a corner is cut out.
+    // Six modes with eigenvalues near 5 pi^2 are some basis of this eigenspace. Combines them to
+    // the wave sin(2 pi x) sin(pi y) along z; the picture has a corner cut out.
     const auto wave = [](const auto& p) -> polydec::Vector {
         return Eigen::Vector3d(0, 0, std::sin(2 * pi * p[0]) * std::sin(pi * p[1]));
     };

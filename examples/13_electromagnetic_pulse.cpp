@@ -2,8 +2,8 @@
 //
 // A pulse of light in a box with conducting walls: Maxwell's equations with the electric field on
 // edges, the magnetic flux through faces, and leapfrog in time. On cubes of merged tetrahedra this
-// is Yee's scheme of 1966. On octahedra and tetrahedra the same three lines run, and the energy is
-// kept to rounding as well.
+// is Yee's scheme of 1966. The same three lines run on octahedra and tetrahedra; energy is again
+// conserved to rounding.
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -17,7 +17,7 @@ void run(const std::string& name, const polydec::Mesh& mesh) {
                                    {polydec::BoundaryCondition::essential});
     const int steps = static_cast<int>(std::ceil(0.4 / (0.9 * polydec::stable_step(field))));
 
-    // at first a field upwards in the middle of the box; light has the speed 1
+    // initially a vertical field in the middle of the box; light has speed 1
     const auto pulse =
         polydec::de_rham(box, 1, polydec::circulation_form([](const auto& x) {
                              const double r2 = (x - Eigen::Vector3d::Constant(0.5)).squaredNorm();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Heat and waves in 1, 2, 3 and 4 dimensions: only the pictures have to know which. The boxes are
-// of n! simplices a cube, which merge into intervals, squares, cubes and tesseracts. With u = 0 at
-// the walls the product of sin(pi x_i) cools as exp(-n pi^2 t), and swings with the period 2 /
-// sqrt(n).
+// Heat and waves in 1, 2, 3 and 4 dimensions; only the pictures depend on the dimension. The boxes
+// have n! simplices per cube, which merge into intervals, squares, cubes and tesseracts. With
+// u = 0 at the walls, the product of sin(pi x_i) cools as exp(-n pi^2 t), and oscillates with
+// period 2 / sqrt(n).
 #include "examples/plots/svg_plot.h"
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Pictures of functions that are 0 at the walls, for ParaView; none of four dimensions.
+/// Pictures for ParaView of functions that are 0 at the walls; none in four dimensions.
 class Film {
 public:
     Film(const std::string& name, const polydec::Discretization& box) {
@@ -57,7 +57,7 @@ polydec::SvgSeries run(int n, int cells) {
         cooling.y.push_back(amplitude(heat.form(0)));
     }
 
-    // half a period turns the wave around
+    // half a period reverses the sign of the wave
     const double half = 1 / std::sqrt(n), bound = polydec::stable_step(space);
     const double steps = std::ceil(1.1 * half / bound), dt = half / steps;
     polydec::Waves wave(space, sine.values, {.time_step = dt});

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The distance along a badly triangulated surface, exact and by the heat method, without and with
-// intrinsic Delaunay flips: the exact one does not depend on the triangles, heat does. The
-// mesh is the side of a drill: points of a square grid around a prism, but triangles that wind
-// around it as helices, eight steps up for one to the side. Each triangle lies in one flat side of
-// the prism, so the surface is that of the straight grid, and unrolled it tells the distance.
-// Flips find the squares of the grid again; nothing moves. `15_distance_on_a_bad_mesh MESH` takes a
-// mesh of your own, and measures from its vertex 0.
+// intrinsic Delaunay flips. The exact distance does not depend on the triangles; the heat method
+// does. The mesh is the side of a drill: points of a square grid around a prism, but triangles in
+// helices around it, eight steps up for one to the side. Each triangle lies in a flat side of the
+// prism, so the surface equals that of the straight grid, and unrolling it gives the distance.
+// Flips recover the squares of the grid; nothing moves. `15_distance_on_a_bad_mesh MESH` takes
+// your own mesh, and measures from its vertex 0.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -23,7 +23,7 @@ Index number(int i, int j) {
     return i % around * (rows + 1) + j;
 }
 
-// walks up both rims of each side, the right one `steep` points ahead where there is room
+// walks up both rims of each side, the right rim `steep` points ahead where possible
 polydec::Mesh drill() {
     polydec::Mesh mesh;
     mesh.points.resize(around * (rows + 1), 3);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Calculus on a mesh as it comes. Where triangles are obtuse or tetrahedra flat, duals are
-// negative, and diagonal stars are no inner products: there is no spectrum of 1-forms, no heat, no
-// Hodge decomposition. Automatic stars are positive on every mesh: circumcentric as far as they can
-// be, inner products of Whitney forms where they must. `16_any_mesh MESH` takes a mesh of your own,
-// of triangles or tetrahedra.
+// Calculus on an arbitrary mesh. Obtuse triangles and flat tetrahedra have negative duals; diagonal
+// stars are then no inner products, so there is no spectrum of 1-forms, no heat, no Hodge
+// decomposition. Automatic stars are positive on every mesh: circumcentric where possible, and
+// inner products of Whitney forms where necessary. `16_any_mesh MESH` takes your own mesh of
+// triangles or tetrahedra.
 #include <fstream>
 #include <iostream>
 #include <polydec.h>
@@ -14,7 +14,7 @@ namespace {
 using polydec::Cochain;
 using polydec::Index;
 
-// its triangles, with Galerkin's cells in orange
+// its triangles, with cells of Galerkin stars in orange
 void draw(const polydec::Discretization& mesh) {
     polydec::SolidFaces faces;
     faces.polygons.points = mesh.input_points();

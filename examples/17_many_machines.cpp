@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A PDE of one's own over many machines: heat that leaves a cube of cubes, whose surface is kept at
-// 0, as the amounts u of heat in the cells, du/dt = - Delta u. polydec gives Mat and Vec of PETSc,
-// with the same numbers on any number of ranks; the rest is PETSc's. Start it by
-// `mpirun -n 4 17_many_machines`, and give its solver options such as `-ksp_monitor`.
+// A user-defined PDE over many machines: du/dt = - Delta u for the amounts u of heat in the cells
+// of a cube of cubes with its surface held at 0. polydec returns Mat and Vec of PETSc, with the
+// same numbers on any number of ranks; PETSc does the rest. Start it by
+// `mpirun -n 4 17_many_machines`, with solver options such as `-ksp_monitor`.
 #include <cmath>
 #include <distributed/petsc.h>
 #include <distributed/poisson.h>
@@ -35,7 +35,7 @@ int main() {
     KSPSetTolerances(solver, 1e-12, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT);
     KSPSetFromOptions(solver);
 
-    // own cells, their centers and volumes, are Eigen's
+    // own cells, their centers and volumes, are Eigen types
     const auto centers = polydec::cell_centers(ranks, mesh, n);
     polydec::Vector u = mesh.cells.volumes.primal(n);
     for (polydec::Index cell = 0; cell < u.size(); ++cell)

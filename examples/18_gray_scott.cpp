@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Spots that divide: Gray and Scott's reaction of two substances that diffuse, on a sphere of
-// hexagons and 12 pentagons, a value for each. Diffusion is solved for, so that steps are as long
-// as the pattern allows, whatever the mesh. A file with a mesh in place of the sphere is taken too.
+// Dividing spots: the Gray-Scott reaction of two diffusing substances on a sphere of hexagons and
+// 12 pentagons, with one value per cell. Diffusion is implicit, so the pattern alone limits the
+// steps, not the mesh. A mesh file as argument replaces the sphere.
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -17,7 +17,7 @@ std::vector<polydec::Vector> reaction(double, const std::vector<polydec::Cochain
     return {-u * v * v + feed * (1 - u), u * v * v - (feed + kill) * v};
 }
 
-/// Cells with more of a substance than all their neighbors, and more than little.
+/// Number of local maxima of a substance above a threshold.
 int spots(const polydec::CellComplex& complex, const polydec::Vector& v) {
     polydec::Vector highest = polydec::Vector::Zero(v.size());
     const polydec::SparseMatrix d = polydec::derivative(complex, complex.dimension() - 1);

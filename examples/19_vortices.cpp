@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Euler's equations on a sphere of hexagons and on a torus of quads with a flow around its hole:
-// vortices meet, while energy, circulation and the absence of divergence stay to rounding. The
-// first argument says for how many steps.
+// Euler's equations on a sphere of hexagons, and on a torus of quads with a flow around its hole.
+// Vortices meet; energy, circulation and zero divergence are preserved to rounding. The first
+// argument is the number of steps.
 #include <cmath>
 #include <cstdlib>
 #include <iostream>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Light in an open plane: the electric field stands upright on it, so it is a 0-form, and a pulse
-// runs away in all directions. Around the squares that are of interest lies a layer of ten others
-// in which coordinates are stretched into the complex plane: a perfectly matched layer, which
-// swallows what comes in. What still comes back is the difference from a plane so large that
-// nothing can. Then a current makes waves beside a rod of glass, in which light is half as fast.
+// Light in an open plane. The electric field is perpendicular to the plane, so it is a 0-form, and
+// a pulse leaves in all directions. A layer of ten squares surrounds the domain. Its coordinates
+// are stretched into the complex plane: a perfectly matched layer, which absorbs incoming waves.
+// The reflection is the difference from a plane too large for any reflection. Then a current
+// radiates beside a rod of glass, in which light is half as fast.
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -12,7 +12,7 @@
 
 namespace {
 
-constexpr double layer = 10, step = 0.6; // squares have the side 1, light the speed 1
+constexpr double layer = 10, step = 0.6; // squares have side 1, light has speed 1
 const polydec::BoundaryConditions walls{polydec::BoundaryCondition::essential};
 
 polydec::Discretization plane(int half) {
@@ -28,7 +28,7 @@ polydec::Vector hill(const polydec::Discretization& mesh, double x, double width
         .exp();
 }
 
-/// The field over time in the middle, and at the end everywhere.
+/// The field in the middle over time, and everywhere at the end.
 std::vector<double> run(int half, bool is_open) {
     const auto mesh = plane(half);
     polydec::WaveOptions options{.time_step = step};

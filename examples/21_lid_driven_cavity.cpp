@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Water in a square whose lid moves with speed 1, on quads, triangles or hexagons, against the
-// velocities that Ghia, Ghia and Shin (J. Comput. Phys. 48, 1982, table I) found along the vertical
-// line through the middle. Arguments: shape, cells to a side, Reynolds number, time.
+// Water in a square with a lid that moves at speed 1, on quads, triangles or hexagons. Compares the
+// velocities along the vertical center line with Ghia, Ghia and Shin (J. Comput. Phys. 48, 1982,
+// table I). Arguments: shape, cells per side, Reynolds number, time.
 #include <Eigen/Dense>
 
 #include <array>
@@ -27,7 +27,7 @@ const std::map<int, std::array<double, 15>> velocities{
      {0.65928, 0.57492, 0.51117, 0.46604, 0.33304, 0.18719, 0.05702, -0.06080, -0.10648, -0.27805,
       -0.38289, -0.29730, -0.22220, -0.20196, -0.18109}}};
 
-/// The value at a place of a quadratic polynomial that fits those near it.
+/// The value at a point of a quadratic polynomial fitted to nearby values.
 double value_at(const Eigen::RowVector2d& place, const polydec::Points& sites,
                 const polydec::Vector& values, double width) {
     Eigen::MatrixXd M = Eigen::MatrixXd::Zero(6, 6);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A flow past a cylinder of diameter 1 with speed 1: its wake swings from side to side, as often as
-// Williamson (J. Fluid Mech. 206, 1989) measured, on quads or triangles. Arguments: shape, cells
+// Flow past a cylinder of diameter 1 with speed 1, on quads or triangles. The wake oscillates at
+// the frequency that Williamson (J. Fluid Mech. 206, 1989) measured. Arguments: shape, cells
 // around the cylinder, Reynolds number, time.
 #include <cmath>
 #include <cstdlib>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi, far = 30;
 
-/// Between the cylinder and a circle far away: rows of vertices in the ratio in which squares are
-/// squares, or the turned rows of triangles are regular.
+/// Rows of vertices between the cylinder and a circle far away. Their ratio makes the quads square,
+/// or the triangles of rotated rows regular.
 polydec::Mesh around_the_cylinder(const std::string& shape, int around) {
     const double width = 2 * pi / around;
     const double turn = shape == "triangles" ? 0.5 : 0;
@@ -32,7 +32,7 @@ polydec::Mesh around_the_cylinder(const std::string& shape, int around) {
             mesh.points.row(vertex(row, i)) << radius * std::cos(angle), radius * std::sin(angle);
             if (row == rows)
                 continue;
-            const int shift = turn > 0 ? row % 2 : 0; // of the row outside, against this one
+            const int shift = turn > 0 ? row % 2 : 0; // of the outer row against this row
             const auto first = 2 * vertex(row, i);
             mesh.simplices.row(first) << vertex(row, i), vertex(row + 1, i + shift),
                 vertex(row, i + 1);
@@ -42,7 +42,7 @@ polydec::Mesh around_the_cylinder(const std::string& shape, int around) {
     return mesh;
 }
 
-/// The flux of the flow of which this is the stream function.
+/// The flux of the flow with this stream function.
 template <typename Stream>
 polydec::Vector flow_of(const polydec::Discretization& mesh, Stream stream) {
     polydec::Vector values(mesh.complex().size(0));
@@ -51,7 +51,7 @@ polydec::Vector flow_of(const polydec::Discretization& mesh, Stream stream) {
     return polydec::d(mesh.complex(), {polydec::Side::primal, 0, values}).values;
 }
 
-/// When the values rise through 0.
+/// Times when the values rise through 0.
 std::vector<double> rises(const std::vector<double>& values, double step) {
     std::vector<double> times;
     for (std::size_t i = 1; i < values.size(); ++i)
@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
 
     polydec::FlowOptions options{.viscosity = 1 / reynolds};
     options.boundary_flux = flow_of(mesh, [](double x, double y) {
-        return x * x + y * y > 1 ? y : 0; // the cylinder lets nothing through
+        return x * x + y * y > 1 ? y : 0; // the cylinder is impermeable
     });
     const polydec::Points facets = polydec::facet_sites(mesh);
     for (polydec::Index f = 0; f < facets.rows(); ++f)

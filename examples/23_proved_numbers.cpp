@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers of a shape, not of its mesh: the smallest eigenvalue of an L between two proved bounds,
-// on triangles that become small where these are far apart, and the error of a Poisson answer.
+// Numbers of a shape, not of its mesh: two proved bounds of the smallest eigenvalue of an L, on
+// triangles refined where the bounds are far apart, and the error of a Poisson solution.
 #include <iomanip>
 #include <iostream>
 #include <polydec.h>
 
 namespace {
 
-/// Three unit squares around a corner that points inwards.
+/// Three unit squares around a reentrant corner.
 polydec::Mesh l_shape(int cells) {
     polydec::Mesh mesh = polydec::kuhn({2 * cells, 2 * cells}, {2.0, 2.0});
     polydec::Index kept = 0;
@@ -36,7 +36,7 @@ int main() {
                   << '\n';
     }
 
-    // u of -div grad u = 1, 0 on the boundary
+    // u with -div grad u = 1, and u = 0 on the boundary
     const polydec::PoissonSolver solver({mesh, polydec::Side::primal, 0, {}});
     const polydec::Vector f = polydec::Vector::Ones(mesh.complex().size(0));
     const polydec::Vector u = solver.solve({polydec::Side::primal, 0, f}).form.values;

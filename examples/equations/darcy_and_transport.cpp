@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Salt is washed into a porous rock of hexagons: Darcy's flow from left to right carries it.
+// Darcy flow from left to right carries salt into a porous rock of hexagons.
 #include <iostream>
 #include <polydec.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A front runs into what is not yet burnt, u' = u_xx + u (1 - u) (u - 0.1), until it is in the
-// middle: with its speed 0.8 / sqrt(2) after 17.678.
+// A front of u' = u_xx + u (1 - u) (u - 0.1) advances until it reaches the middle: at time 17.678,
+// with speed 0.8 / sqrt(2).
 #include <cmath>
 #include <iostream>
 #include <polydec.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Spots that divide: Gray and Scott's reaction of two substances, on a sphere of hexagons.
+// Dividing spots: the Gray-Scott reaction of two substances on a sphere of hexagons.
 #include <iostream>
 #include <polydec.h>
 

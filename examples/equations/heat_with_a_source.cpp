@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Heat with a source that changes in time, and walls that are cold: cos t sin(pi x) sin(pi y).
+// Heat with a time-dependent source and cold walls: u = cos t sin(pi x) sin(pi y).
 #include <cmath>
 #include <iostream>
 #include <numbers>

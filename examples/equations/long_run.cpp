@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A long run that may be killed at any time: started again, it goes on from its last checkpoint,
-// in the same bits.
+// A long run that may be killed at any time. After a restart it resumes from its last checkpoint,
+// with bitwise identical results.
 #include <filesystem>
 #include <iostream>
 #include <polydec.h>

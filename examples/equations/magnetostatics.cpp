@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The field of a coil around a core of iron, in a box: its energy is the work of the current.
+// The field of a coil around an iron core in a box. Its energy is the work of the current.
 #include <cmath>
 #include <iostream>
 #include <polydec.h>

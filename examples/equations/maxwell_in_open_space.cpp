@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Maxwell's equations: a ring of current in the middle of a box flashes, and a layer of five cubes
-// along its sides swallows what comes.
+// Maxwell's equations: a ring of current flashes in the middle of a box, and a layer of five cubes
+// along the sides absorbs the waves.
 #include <algorithm>
 #include <cmath>
 #include <iostream>

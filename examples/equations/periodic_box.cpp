@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A box without walls, whose opposite sides are one: functions swing there with the frequencies 2
-// pi (k, l), for (0, 1) as many as there are signs and places.
+// A periodic box. Its eigenfunctions have frequencies 2 pi (k, l); (0, 1) has multiplicity four, by
+// signs and permutations.
 #include <iostream>
 #include <numbers>
 #include <polydec.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A hill of water runs around a planet that turns: its mass and its energy are kept.
+// A hill of water travels around a rotating planet. Mass and energy are conserved.
 #include <cmath>
 #include <iostream>
 #include <polydec.h>

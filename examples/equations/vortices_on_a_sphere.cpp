@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Two vortices on a sphere of hexagons turn around each other; without viscosity energy is kept.
+// Two vortices on a sphere of hexagons orbit each other. Without viscosity, energy is conserved.
 #include <cmath>
 #include <iostream>
 #include <polydec.h>

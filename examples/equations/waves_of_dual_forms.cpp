@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Waves with a value in each hexagon of a sphere: z swings as cos(sqrt(2) t).
+// Waves with one value per hexagon of a sphere: z oscillates as cos(sqrt(2) t).
 #include <cmath>
 #include <iostream>
 #include <numbers>

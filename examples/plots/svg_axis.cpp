@@ -83,7 +83,7 @@ SvgRange range_around(Scale scale, double least, double greatest) {
     if (size > least_size) {
         range.low -= room * size;
         range.high += room * size;
-    } else { // all at one place: some room around it
+    } else { // all at one point: a margin around it
         const double half = logarithmic ? 0.5 : greatest == 0 ? 1 : 0.5 * std::abs(greatest);
         range.low -= half;
         range.high += half;

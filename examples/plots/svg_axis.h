@@ -12,19 +12,19 @@ namespace polydec {
 struct SvgTick {
     double value;
     std::string text = {};            ///< empty at a minor tick
-    std::optional<int> exponent = {}; ///< raised behind the text, as in 10^-3
+    std::optional<int> exponent = {}; ///< superscript after the text, as in 10^-3
 };
 
-/// The part of an axis that a plot shows.
+/// The visible range of an axis.
 struct SvgRange {
     Scale scale;
     double low, high; ///< of the numbers, or of their decimal logarithms
 
-    /// Where a number lies between low and high: 0 to 1.
+    /// Position of a number between low and high: 0 to 1.
     double position(double value) const;
 };
 
-/// A range that holds the numbers from least to greatest with some room at both ends.
+/// A range that contains all numbers from least to greatest, with a margin at both ends.
 SvgRange range_around(Scale scale, double least, double greatest);
 
 /// Ticks in ascending order: at decades with minor ones between them, or at 1, 2 and 5 times

@@ -116,7 +116,7 @@ private:
     double column(double x) const { return frame_.left + x_.position(x) * frame_.width(); }
     double row(double y) const { return frame_.bottom - y_.position(y) * frame_.height(); }
 
-    /// Finds places for lines, slope triangles and legend in the frame.
+    /// Places lines, slope triangles and legend in the frame.
     void arrange() {
         lines_.clear();
         triangles_.clear();
@@ -183,7 +183,7 @@ private:
                      {.size = label_size, .turned = -90});
     }
 
-    /// A line through the plot at a tick with a label, and a short one at the axis.
+    /// A grid line at a labeled tick, and a short line at the axis.
     void grid_line(SvgPoint axis, SvgPoint end, const SvgTick& tick) {
         const bool major = !tick.text.empty();
         canvas_.polyline({axis, end}, {.stroke = major ? gray : light_gray, .width = 0.7});

@@ -32,7 +32,7 @@ void draw_marker(SvgCanvas& canvas, std::size_t series, SvgPoint at) {
     const SvgStyle solid{.stroke = "#ffffff", .fill = trace_color(series), .width = 0.8};
     const SvgStyle line{.stroke = trace_color(series), .width = 2};
     const auto [x, y] = at;
-    // a series whose color comes a second time has another marker
+    // a series with a repeated color has another marker
     switch ((series + series / colors.size()) % 7) {
     case 0:
         return canvas.circle(at, radius, solid);

@@ -6,14 +6,14 @@
 
 namespace polydec {
 
-/// The color of a plot's series by its number: those of Okabe and Ito that show on white.
+/// The color of a series by its index: colors of Okabe and Ito that are visible on white.
 const char* trace_color(std::size_t series);
 
-/// Draws a series at these pixels: line, markers or both, told apart by color, marker and dashes.
+/// Draws a series at these pixels: line, markers or both, with its color, marker and dashes.
 void draw_trace(SvgCanvas& canvas, std::size_t series, SvgTrace trace,
                 const std::vector<SvgPoint>& points);
 
-/// The short piece of a line with one marker that stands in the legend.
+/// The short line with one marker in the legend.
 void draw_trace_sample(SvgCanvas& canvas, std::size_t series, SvgTrace trace, SvgPoint left,
                        double width);
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Cells and how they bound each other, without lengths: two triangles that make a square. The
-boundary of a boundary is zero, and d is the transpose of the boundary."""
+"""Cells and their incidences, without lengths: two triangles form a square. The boundary of a
+boundary is zero, and d is the transpose of the boundary."""
 import numpy as np
 
 import polydec
@@ -18,7 +18,7 @@ print("d_1, a row for each triangle:")
 for row in square.d(1).toarray():
     print(" ".join(f"{value:2g}" for value in row))
 
-# the chain of both triangles has the outline of the square as its boundary
+# the boundary of the sum of both triangles is the outline of the square
 outline = square.boundary(2) @ np.ones(2)
 print("boundary of both:", *(f"{value:2g}" for value in outline))
 print("boundary of the boundary:", *(f"{value:g}" for value in square.boundary(1) @ outline))

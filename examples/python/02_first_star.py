@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The metric enters with the Hodge star: it turns the integral of a form over a cell into one over
-the cell's dual. Dual volumes carry a sign, and |s| |*s| sums to C(n,k) times the area."""
+"""The metric enters through the Hodge star. It maps the integral of a form over a cell to one over
+the dual cell. Dual volumes are signed; the sum of |s| |*s| is C(n,k) times the area."""
 from math import comb
 
 import polydec

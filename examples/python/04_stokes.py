@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Stokes' theorem, to the last digit: the integral of dw over a region is that of w over its
-boundary, on any mesh and before and after merging."""
+"""Stokes' theorem, to the last digit: the integral of dw over a region equals the integral of w
+over its boundary, on any mesh, before and after merging."""
 import numpy as np
 
 import polydec
 
 sphere = polydec.discretize(polydec.meshes.uv_sphere(24, 12))
 
-# the circulation of (-y, x, 0), whose curl is 2 along the axis
+# the circulation of (-y, x, 0), with curl 2 along the axis
 w = polydec.de_rham(sphere, 1, lambda p: np.column_stack([-p[:, 1], p[:, 0], 0 * p[:, 2]]))
 
 # the northern hemisphere as a chain of merged cells

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Delta u = f on a square of hexagons with u = 0 on the boundary, u at the circumcenters. With twice
-as many hexagons to a row the error falls by four: order 2."""
+"""Delta u = f on a square of hexagons, with u at the circumcenters and u = 0 on the boundary.
+Doubling the number of hexagons per row divides the error by four: order 2."""
 import numpy as np
 
 import polydec
@@ -13,7 +13,7 @@ def error(columns: int) -> float:
     exact = np.prod(np.sin(np.pi * solver.sites), axis=1)
     u = solver.solve(2 * np.pi ** 2 * exact).values
 
-    # L2 norm: each value counts with the area of its cell
+    # L2 norm: each value is weighted by the area of its cell
     return float(np.sqrt(hexagons.volumes(2) @ (u - exact) ** 2))
 
 

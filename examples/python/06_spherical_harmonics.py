@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The eigenvalues of the Laplacian on the unit sphere are l (l + 1), 2 l + 1 times each, and every
-answer is proved complete: on the vertices of hexagons and pentagons, and on these themselves."""
+"""Laplacian eigenvalues on the unit sphere are l (l + 1), with multiplicity 2 l + 1. Every spectrum
+is proved complete, for values at vertices and for values in hexagons and pentagons."""
 import polydec
 
 sphere = polydec.discretize(polydec.meshes.goldberg(8))

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Every 1-form on a torus is a gradient, plus a curl, plus a harmonic form that goes around one of
-its two loops, told by its periods: integrals along the generators of the homology."""
+"""Every 1-form on a torus is the sum of a gradient, a curl and a harmonic form. Periods, integrals
+along the generators of the homology, determine the harmonic part."""
 import numpy as np
 
 import polydec
 
 torus = polydec.discretize(polydec.meshes.torus(48, 24))
 
-# a wind that turns around the axis and blows a little upwards in front
+# a wind around the axis that blows slightly upwards in front
 wind = torus.cochain(polydec.de_rham(torus, 1, lambda p: np.column_stack(
     [-p[:, 1], p[:, 0], 0.5 * p[:, 0].clip(min=0)])), 1)
 parts = polydec.hodge_decomposition(torus, wind)

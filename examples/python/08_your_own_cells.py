@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A complex is its tower of signed incidence matrices, so any cells will do: a torus of n x n unit
-squares, made by hand. Everything else works as on a mesh."""
+"""A complex is a sequence of signed incidence matrices, so cells may have any shape. This example
+builds a torus of n x n unit squares by hand. Everything else works as on a mesh."""
 import numpy as np
 import scipy.sparse as sp
 
@@ -17,8 +17,8 @@ torus = polydec.Cells.of([d0, d1], ones, ones) # checks that d d = 0
 modes = polydec.spectrum(torus, degree=1, count=4)
 print("smallest eigenvalues of the Laplacian of 1-forms:",
       *(f"{0 if abs(value) < 1e-12 else value:g}" for value in modes.eigenvalues))
-# two harmonic forms, then 4 sin^2(pi/16), eight times
+# two harmonic forms, then 4 sin^2(pi/16) with multiplicity eight
 print("harmonic 1-forms:", polydec.harmonic_forms(torus, 1).shape[1])
 
-heat = np.eye(1, n * n)[0] # mean 0 is made of it
+heat = np.eye(1, n * n)[0] # the solver makes its mean 0
 print(f"above the mean at the source: {polydec.poisson(torus, heat).values[0]:g}")

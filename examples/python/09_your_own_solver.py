@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""An engine is a function that takes a matrix and gives one that takes right-hand sides to solutions.
-Registered under a name it serves every solver of polydec, which checks what it returns."""
+"""An engine is a function that takes a matrix and returns a function from right-hand sides to
+solutions. Registered under a name, it serves every solver of polydec, which checks its results."""
 from typing import Any, Callable
 
 import numpy as np

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A PDE that the library has no solver for: heat that spreads on a sphere while a wind carries it
-around, du/dt = - L_X u - nu Delta u. A step is explicit in the wind and implicit in the heat."""
+"""A PDE without a solver in the library: heat diffuses on a sphere while a wind carries it around,
+du/dt = - L_X u - nu Delta u. A step is explicit in transport and implicit in diffusion."""
 import numpy as np
 from scipy.sparse import diags
 from scipy.sparse.linalg import splu

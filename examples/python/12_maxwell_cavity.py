@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Standing waves of the electric field in a box with conducting walls: curl curl E = lambda E with
-E a 1-form that vanishes on the walls, on cubes that are merged of six tetrahedra each. The exact
-eigenvalues are pi^2 (i^2 + j^2 + k^2) with at most one 0: twice if none is, else once."""
+"""Standing waves of the electric field in a box with conducting walls: curl curl E = lambda E, with
+a 1-form E that vanishes on the walls, on cubes merged from six tetrahedra each. The eigenvalues are
+pi^2 (i^2 + j^2 + k^2), at most one of i, j, k being 0: multiplicity two if none is, else one."""
 import numpy as np
 
 import polydec
@@ -14,8 +14,8 @@ print("eigenvalues / pi^2, to tell from 2, 3, 5 and 6:",
       *(f"{value / np.pi ** 2:.3f}" for value in modes.eigenvalues))
 print("proved: none is missing" if modes.certificate.complete else "not proved")
 
-# Six modes have eigenvalues near 5 pi^2: some basis of the waves that swing together. Of these the
-# wave sin(2 pi x) sin(pi y) along z is put together.
+# Six modes with eigenvalues near 5 pi^2 are some basis of this eigenspace. Combines them to the
+# wave sin(2 pi x) sin(pi y) along z.
 wave = polydec.de_rham(box, 1, lambda p: np.column_stack(
     [0 * p[:, 0], 0 * p[:, 0], np.sin(2 * np.pi * p[:, 0]) * np.sin(np.pi * p[:, 1])]))
 wanted, six, mass = cavity.restrict(1, wave), modes.modes[:, 5:11], cavity.star(1)

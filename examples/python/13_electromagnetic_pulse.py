@@ -14,7 +14,7 @@ def run(name: str, mesh: polydec.Mesh) -> None:
     inside = box.conditioned(degree=1)
     steps = int(np.ceil(0.4 / (0.9 * polydec.stable_step(inside, 1))))
 
-    # at first a field upwards in the middle of the box; light has the speed 1
+    # initially a vertical field in the middle of the box; light has speed 1
     def pulse(p: Floats) -> Floats:
         strength = np.exp(-((p - 0.5) ** 2).sum(axis=1) / 0.01)
         return np.outer(strength, [0, 0, 1])

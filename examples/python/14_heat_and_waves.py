@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Heat and waves in 1, 2, 3 and 4 dimensions: not one line knows which. With u = 0 at the walls the
-product of sin(pi x_i) cools as exp(-n pi^2 t), and swings with the period 2 / sqrt(n)."""
+"""Heat and waves in 1, 2, 3 and 4 dimensions; no line depends on the dimension. With u = 0 at the
+walls, the product of sin(pi x_i) cools as exp(-n pi^2 t), and has wave period 2 / sqrt(n)."""
 import numpy as np
 import numpy.typing as npt
 
@@ -20,7 +20,7 @@ def run(n: int, cells: int) -> None:
     cooled = polydec.heat(inside, start, 0.001, 50, integrator="implicit-midpoint")
     rate = -np.log(amplitude(cooled)) / 0.05 / (n * np.pi ** 2)
 
-    # half a period turns the wave around
+    # half a period reverses the sign of the wave
     half = 1 / np.sqrt(n)
     swing, _ = polydec.wave(inside, start, half)
 

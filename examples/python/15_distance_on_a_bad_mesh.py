@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The distance along a badly triangulated surface, exact and by the heat method, without and with
-intrinsic Delaunay flips: the exact one does not depend on the triangles, heat does. The mesh is the side of a drill: points of a square grid around a prism, but triangles that wind around
-it as helices. Flips find the squares of the grid again; nothing moves."""
+intrinsic Delaunay flips. Only the heat method depends on the triangles. The mesh is the side of a
+drill: a square grid around a prism, with helical triangles. Flips recover the squares."""
 import numpy as np
 
 import polydec
@@ -15,7 +15,7 @@ def number(i: int, j: int) -> int:
 
 
 def drill() -> polydec.Mesh:
-    """Walks up both rims of each side, the right one STEEP points ahead where there is room."""
+    """Walks up both rims of each side, the right rim STEEP points ahead where possible."""
     triangles = []
     for i in range(AROUND):
         left = right = 0

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Calculus on a mesh as it comes. Where triangles are obtuse, duals are negative, and diagonal stars
-are no inner products. Automatic stars are positive on every mesh. `16_any_mesh.py MESH` takes a mesh
-of your own, of triangles or tetrahedra."""
+"""Calculus on an arbitrary mesh. Obtuse triangles have negative duals, and diagonal stars are then
+no inner products. Automatic stars are positive on every mesh. `16_any_mesh.py MESH` takes your own
+mesh of triangles or tetrahedra."""
 import sys
 
 import numpy as np

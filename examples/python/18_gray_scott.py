@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Spots that divide: Gray and Scott's reaction of two substances that diffuse, on a sphere of hexagons
-and 12 pentagons, a value for each. Diffusion is solved for, so that steps are as long as the pattern
-allows, whatever the mesh."""
+"""Dividing spots: the Gray-Scott reaction of two diffusing substances on a sphere of hexagons and
+12 pentagons, with one value per cell. Diffusion is implicit, so the pattern alone limits the steps,
+not the mesh."""
 import numpy as np
 import numpy.typing as npt
 
@@ -17,7 +17,7 @@ def reaction(t: float, u: Floats, v: Floats) -> tuple[Floats, Floats]:
 
 
 def spots(mesh: polydec.Cells, v: Floats) -> int:
-    """Cells with more of a substance than all their neighbors, and more than little."""
+    """Number of local maxima of a substance above a threshold."""
     beside = (abs(mesh.d(1)) @ abs(mesh.d(1)).T).tocsr()
     highest = np.zeros(len(v))
     for cell in range(len(v)):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Euler's equations on a sphere of hexagons and on a torus of quads with a flow around its hole:
-vortices meet, while energy, circulation and the absence of divergence stay to rounding."""
+"""Euler's equations on a sphere of hexagons, and on a torus of quads with a flow around its hole.
+Vortices meet; energy, circulation and zero divergence are preserved to rounding."""
 import numpy as np
 import numpy.typing as npt
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Light in an open plane: the electric field stands upright on it, so it is a 0-form, and a pulse runs
-away in all directions. Around the squares that are of interest lies a layer of ten others that
-swallows what comes in. What still comes back is the difference from a plane so large that nothing
-can. Then a current makes waves beside a rod of glass, in which light is half as fast."""
+"""Light in an open plane. The electric field is perpendicular to the plane, so it is a 0-form, and
+a pulse leaves in all directions. A layer of ten squares around the domain absorbs it. The
+reflection is the difference from a plane too large for any reflection. Then a current radiates
+beside a rod of glass, in which light is half as fast."""
 import numpy as np
 import numpy.typing as npt
 
@@ -10,7 +10,7 @@ import polydec
 
 Floats = npt.NDArray[np.float64]
 
-layer, step = 10.0, 0.6 # squares have the side 1, light the speed 1
+layer, step = 10.0, 0.6 # squares have side 1, light has speed 1
 
 
 def plane(half: int) -> polydec.Complex:
@@ -24,7 +24,7 @@ def hill(mesh: polydec.Complex, x: float, width: float) -> Floats:
 
 
 def run(half: int, width: float) -> Floats:
-    """The field over time in the middle, and at the end everywhere."""
+    """The field in the middle over time, and everywhere at the end."""
     mesh = plane(half)
     light = polydec.Waves(mesh, hill(mesh, 0, 3), time_step=step, essential=True, layer=width)
     middle = abs(mesh.points).max(axis=1) < 20

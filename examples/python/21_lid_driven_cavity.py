@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Water in a square whose lid moves with speed 1, against the velocities that Ghia, Ghia and Shin
-(J. Comput. Phys. 48, 1982, table I) found along the vertical line through the middle for Re = 100."""
+"""Water in a square with a lid that moves at speed 1. Compares velocities on the vertical center
+line for Re = 100 with Ghia, Ghia and Shin (J. Comput. Phys. 48, 1982, table I)."""
 import numpy as np
 import numpy.typing as npt
 
@@ -15,7 +15,7 @@ velocities = [0.84123, 0.78871, 0.73722, 0.68717, 0.23151, 0.00332, -0.13641, -0
 
 
 def value_at(place: list[float], sites: Floats, values: Floats, width: float) -> float:
-    """The value at a place of a quadratic polynomial that fits those near it."""
+    """The value at a point of a quadratic polynomial fitted to nearby values."""
     x, y = ((sites - place) / width).T
     near = x * x + y * y <= 9
     x, y = x[near], y[near]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A flow past a cylinder of diameter 1 with speed 1: its wake swings from side to side, as often as
+"""Flow past a cylinder of diameter 1 with speed 1. The wake oscillates at the frequency that
 Williamson (J. Fluid Mech. 206, 1989) measured."""
 import numpy as np
 
@@ -19,7 +19,7 @@ simplices = np.stack([here, here + around, beside, beside, here + around, beside
 mesh = polydec.discretize(polydec.Mesh(points, simplices.reshape(-1, 3)))
 
 x, y = mesh.points.T
-inflow = mesh.d(0) @ np.where(x * x + y * y > 1, y, 0) # the cylinder lets nothing through
+inflow = mesh.d(0) @ np.where(x * x + y * y > 1, y, 0) # the cylinder is impermeable
 flow = polydec.IncompressibleFlow(
     mesh, viscosity=1 / reynolds, boundary_flux=inflow,
     no_slip=lambda at: np.hypot(*at.T) < 0.6,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The code on docs/cospherical.md: cubes, octahedra, tetrahedra and tesseracts out of simplices,
-// which duals vanish, and what becomes of the operators. Writes the page's picture of the cells.
+// The code on docs/cospherical.md: cubes, octahedra, tetrahedra and tesseracts merged from
+// simplices, the duals that vanish, and the operators. Writes the page's picture of the cells.
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -10,7 +10,7 @@
 
 namespace {
 
-// how many k-cells have a dual without extent, in the interior and on the boundary
+// number of k-cells with a dual of zero volume, in the interior and on the boundary
 void print_zeros(const char* name, const polydec::CellComplex& complex,
                  const polydec::CellVolumes& volumes) {
     const auto boundary = polydec::boundary_cells(complex);
@@ -83,7 +83,7 @@ void stencils() {
     std::cout << '\n';
 }
 
-// the cells of a mesh one by one, colored by their number of corners
+// the cells of a mesh, separated and colored by number of corners
 polydec::SvgDrawing pulled_apart(const polydec::Discretization& mesh, double front) {
     auto cells = polydec::kept_cells(
         mesh, [=](const auto& centroid) { return centroid[1] > front; }, 0.25);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The code on docs/diagnosis.md: the whole, kinds of pairs, verdicts on operators, condition
+// The code on docs/diagnosis.md: the diagnosis, kinds of pairs, verdicts on operators, condition
 // numbers.
 #include <iostream>
 #include <polydec.h>

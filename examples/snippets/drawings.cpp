@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The drawings of cells and their duals on the pages of docs/: drawings FOLDER.
+// Draws cells and duals for the pages of docs/. Usage: drawings FOLDER.
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -43,7 +43,7 @@ SvgDrawing panel(const polydec::Mesh& input, const std::string& title, double wi
         polydec::discretize(input, {merge ? criterion : polydec::MergeCriterion::none}), options);
 }
 
-/// Drawings in a row above words that explain their lines.
+/// Drawings in a row above a legend of their lines.
 SvgDrawing row_of(const std::vector<SvgDrawing>& panels, const std::string& words) {
     SvgDrawing row = polydec::side_by_side(panels);
     double bottom = 0;
@@ -60,7 +60,7 @@ SvgDrawing row_of(const std::vector<SvgDrawing>& panels, const std::string& word
     return row;
 }
 
-/// Words beside a place, to the right of it.
+/// Text to the right of a point.
 polydec::SvgText label(double x, double y, const std::string& text, const char* color = "#222222") {
     return {{x, y}, text, 15, polydec::SvgAnchor::start, color};
 }
@@ -139,7 +139,7 @@ SvgDrawing pair_kinds() {
                           "circumcircles");
 }
 
-/// Concyclic triangles and the cells that they become.
+/// Concyclic triangles and their merged cells.
 SvgDrawing merged_polygons() {
     Corners quad, hexagon;
     for (const double degrees : {35, 140, 215, 330})
@@ -157,7 +157,7 @@ SvgDrawing merged_polygons() {
         "dashed: edges merged away; blue: dual edges; dotted: circumcircles");
 }
 
-/// Half dual edges at the boundary: positive, of no length, negative.
+/// Half dual edges at the boundary: positive, zero, negative.
 SvgDrawing boundary_duals() {
     const auto half = on_circle(0.75, 75);
     struct Case {

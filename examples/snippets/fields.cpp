@@ -9,7 +9,7 @@
 
 namespace {
 
-/// A field at given places.
+/// A field at given points.
 polydec::DenseMatrix sample(const polydec::SmoothForm& field, const polydec::Points& places) {
     polydec::DenseMatrix rows(places.rows(), places.cols());
     for (polydec::Index i = 0; i < rows.rows(); ++i)

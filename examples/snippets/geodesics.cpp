@@ -43,7 +43,7 @@ void distances() {
 }
 
 void gluing() {
-    // a square cut in two, its opposite sides glued: one vertex, three edges that are loops
+    // a square cut in two, with opposite sides glued: one vertex, three edges that are loops
     const polydec::GluedSurface torus({{{{0, 1}, {1, 1}, {2, -1}}}, {{{2, 1}, {0, -1}, {1, -1}}}});
     const polydec::Vector lengths{{1, 1, std::numbers::sqrt2}};
     const auto frames = polydec::tangent_frames(torus, lengths);

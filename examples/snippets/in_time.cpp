@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// docs/in_time.md: heat that is stopped in the middle and gone on with; heat with a source, and
-// one's own equation.
+// docs/in_time.md: heat that stops in the middle and resumes; heat with a source; a user-defined
+// equation.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace {
 
-/// Heat up to a time, from where a checkpoint says or from the start.
+/// Heat up to a time, from a checkpoint or from the start.
 polydec::Vector heat_until(double end, const polydec::Discretization& sphere,
                            const polydec::Cochain& start) {
     polydec::Evolution heat(
@@ -27,7 +27,7 @@ polydec::Vector heat_until(double end, const polydec::Discretization& sphere,
     return heat.form(0).values;
 }
 
-/// The error of heat in a square, by which u = cos(t) cos(pi x) cos(pi y) where it is heated so.
+/// The error of heat in a square with the source that makes u = cos(t) cos(pi x) cos(pi y).
 double error_with_source(int cells, double tolerance) {
     constexpr double pi = std::numbers::pi;
     const auto square = polydec::discretize(polydec::kuhn(2, cells));
@@ -45,7 +45,7 @@ double error_with_source(int cells, double tolerance) {
     return polydec::norm(square, heat.form(0) - std::cos(1) * wave);
 }
 
-/// A population that spreads, to where there is none: a front, of the speed 2 sqrt(nu r).
+/// A population that invades empty space: a front of speed 2 sqrt(nu r).
 double speed_of_front() {
     const double nu = 1e-3, r = 4;
     const auto strip = polydec::discretize(polydec::kuhn(1, 400));
@@ -67,7 +67,7 @@ double speed_of_front() {
     return (amount() - before) / 2 / (2 * std::sqrt(nu * r));
 }
 
-/// By how much the ground swings at the depth 1, where its surface swings by 1.
+/// Amplitude of the ground temperature at depth 1, for amplitude 1 at the surface.
 double swing_below() {
     auto depth = polydec::kuhn(1, 60);
     depth.points *= 6;

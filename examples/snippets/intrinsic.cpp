@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The code on docs/intrinsic.md: flips of a flattened sphere, the way of forms there and back, the
-// pieces that both triangulations cut out of each other, splits of boundary edges.
+// The code on docs/intrinsic.md: flips of a flattened sphere, maps of forms to the flipped
+// triangulation and back, the common refinement of both triangulations, splits of boundary edges.
 #include <iostream>
 #include <polydec.h>
 
@@ -13,7 +13,7 @@ void stretch(polydec::Points& points, double factor) {
     points += (factor - 1) * (points * direction.transpose()) * direction;
 }
 
-/// A sphere pressed flat, so that its triangles are no longer equilateral.
+/// A flattened sphere, with triangles that are no longer equilateral.
 polydec::Mesh pebble(int frequency) {
     polydec::Mesh mesh = polydec::icosphere(frequency);
     stretch(mesh.points, 0.25);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The code on docs/merging.md: what merges, the maps between both complexes, the lift, operators on
-// the input's simplices, consistent dual forms.
+// The code on docs/merging.md: merged cells, the maps between both complexes, the lift, operators
+// on the input simplices, consistent dual forms.
 #include <cstdlib>
 #include <iostream>
 #include <polydec.h>

@@ -17,8 +17,7 @@ from ._vertices import at_cells
 
 
 class CountBelow(NamedTuple):
-    """Bounds of the number of eigenvalues below some number. `at_most` is None if simplices are too
-    large for an upper bound."""
+    """Bounds of the number of eigenvalues below a number; `at_most` is None on coarse meshes."""
 
     at_least: int
     at_most: int | None
@@ -161,7 +160,8 @@ class PoissonError:
         Error of the gradient: the norm of ``kappa^(1/2) grad(u - u_h)``, plus Robin's
         ``alpha^(1/2) (u - u_h)``, for u_h linear on simplices.
     averaged_gradient : float
-        Error of the mean of grad u_h and an equilibrated flux; `energy` / 2 if f is piecewise constant.
+        Error of the mean of grad u_h and an equilibrated flux; half of `energy` if f is constant on
+        simplices.
     size : float
         The norm of ``kappa^(1/2) grad u_h``.
     oscillation : float

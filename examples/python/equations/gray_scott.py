@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Spots that divide: Gray and Scott's reaction of two substances, on a sphere of hexagons."""
+"""Dividing spots: the Gray-Scott reaction of two substances on a sphere of hexagons."""
 import numpy as np
 
 import polydec

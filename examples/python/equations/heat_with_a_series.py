@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Heat spreads on a sphere, in pictures for ParaView: the height z is left as exp(-2 t)."""
+"""Heat diffuses on a sphere, with pictures for ParaView: the height z decays as exp(-2 t)."""
 import polydec
 
 sphere = polydec.discretize(polydec.meshes.goldberg(8))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Water in a square box whose lid is drawn along, Re = 100: on the vertical line through the middle
-it flows back with up to 0.2109 (Ghia, Ghia, Shin 1982)."""
+"""Water in a square box with a moving lid, Re = 100. The backflow on the vertical center line
+reaches 0.2109 (Ghia, Ghia, Shin 1982)."""
 import numpy as np
 
 import polydec

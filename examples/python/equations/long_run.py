@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A long run that may be killed at any time: started again, it goes on from its last checkpoint,
-in the same bits."""
+"""A long run that may be killed at any time. After a restart it resumes from its last checkpoint,
+with bitwise identical results."""
 import polydec
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Maxwell's equations: a ring of current in the middle of a box flashes, and a layer of five cubes
-along its sides swallows what comes."""
+"""Maxwell's equations: a ring of current flashes in the middle of a box, and a layer of five cubes
+along the sides absorbs the waves."""
 import numpy as np
 
 import polydec

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A rod that is heated along its length, cold at one end, and loses heat at the other, where u' + 2 u
-= 0: it has x (2/3 - x/2)."""
+"""A rod heated along its length, cold at one end, with heat loss u' + 2 u = 0 at the other: u = x
+(2/3 - x/2)."""
 import polydec
 
 rod = polydec.discretize(polydec.meshes.kuhn([50]))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Delta u = f for 1-forms on a torus, where two forms are harmonic: what f has of these no u can
-give, so it is told."""
+"""Delta u = f for 1-forms on a torus with two harmonic forms. No u matches the harmonic part of f;
+the solver returns this part."""
 import numpy as np
 
 import polydec
