@@ -18,7 +18,7 @@ std::size_t gathered_size = 0;
 int first_error = 0;
 bool is_silent = false;
 
-/// 0 or the system's number of the error. A stream that does not wait by itself is waited for.
+/// Returns 0 or the system's error number. Waits for a non-blocking stream.
 int write_all(int file, std::string_view text) noexcept {
     while (!text.empty()) {
         const auto count = ::write(file, text.data(), text.size());
@@ -28,7 +28,7 @@ int write_all(int file, std::string_view text) noexcept {
             pollfd ready{file, POLLOUT, 0};
             ::poll(&ready, 1, -1);
         } else if (count == 0) {
-            return EIO; // a device that takes nothing and does not say why
+            return EIO; // a device that accepts nothing and gives no reason
         } else if (errno != EINTR) {
             return errno;
         }
@@ -81,7 +81,7 @@ void tell(std::string_view text) noexcept {
 }
 
 void open_standard_streams() noexcept {
-    // opened the wrong way around, so that to use them is the error that it is without them
+    // opened in the wrong mode, so using them is an error, as without them
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)
             static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <utility>
 
-/// The one way of the programs to their standard streams. A stream that is closed, full or a broken
-/// pipe ends nothing: what could not be printed is noted, and told at the end.
+/// Access of the programs to standard streams. A stream that is closed, full or a broken pipe does
+/// not end the program. Failed output is recorded, and reported at the end.
 namespace polydec::console {
 
-/// To standard output, which is written when enough has gathered, and by flush.
+/// Buffered output to standard output, written when the buffer is full, and by flush.
 void write(std::string_view text) noexcept;
 
 template <typename... Values>
@@ -18,23 +18,23 @@ void print(fmt::format_string<Values...> format, Values&&... values) {
     write(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// Writes what has gathered. 0, or the system's number of what went wrong first since the program
-/// began.
+/// Writes the buffer. Returns 0, or the system's error number of the first failure since the
+/// program began.
 int flush() noexcept;
 
-/// Drops what has gathered since it was last written.
+/// Discards the buffer.
 void forget() noexcept;
 
-/// To standard error at once, if that can be written; needs no memory, and is safe in a signal
+/// Writes to standard error at once if possible. Allocates no memory, and is safe in a signal
 /// handler.
 void tell(std::string_view text) noexcept;
 
-/// Whether nothing is written from now on, to either stream: of processes that work on one thing
-/// together one speaks.
+/// Whether to write nothing from now on, to either stream. Of several cooperating processes, only
+/// one prints.
 void be_silent(bool silent) noexcept;
 
-/// The numbers 0 to 2 belong to the standard streams, also where the program was started without
-/// them: else the next file that is opened would become standard output. To be called first.
+/// Reserves the descriptors 0 to 2 for the standard streams if the program was started without
+/// them. Otherwise the next opened file would become standard output. Call it first.
 void open_standard_streams() noexcept;
 
 } // namespace polydec::console

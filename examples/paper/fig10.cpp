@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Fig. 10: the mean curvature H = |Delta (x, y, z)| / 2 of UV spheres, which is 1, in three norms.
+// Fig. 10: mean curvature H = |Delta (x, y, z)| / 2 of UV spheres, exactly 1, in three norms.
 #include "examples/paper/problems.h"
 #include "examples/paper/reproductions.h"
 

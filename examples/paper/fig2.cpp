@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Fig. 2: pairs of triangles by where their circumcenters lie. The dual edge crosses the common
+// Fig. 2: pairs of triangles, by position of their circumcenters. The dual edge crosses the common
 // edge or lies on one side of it; it is positive, negative or zero.
 #include "examples/paper/pictures.h"
 #include "examples/paper/reproductions.h"
@@ -14,8 +14,8 @@ namespace polydec::paper {
 
 namespace {
 
-/// Two triangles on the edge from (-1, 0) to (1, 0). Their circumcenters lie on the y axis, as far
-/// from the edge as told, positive towards the triangle's own apex.
+/// Two triangles on the edge from (-1, 0) to (1, 0). Their circumcenters lie on the y axis, at the
+/// given distances from the edge, positive towards the apex of the triangle.
 struct Pair {
     std::string label;
     double upper, lower;
@@ -29,7 +29,7 @@ const std::vector<Pair> pairs = {
 };
 
 Mesh mesh_of(const Pair& pair) {
-    // the apex may be anywhere on its circle; a little beside the top looks less special
+    // the apex may be anywhere on its circle; slightly beside the top is more generic
     const double turn = 0.35;
     const double up = std::hypot(1, pair.upper), down = std::hypot(1, pair.lower);
     Mesh mesh;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Fig. 6: the four kinds of meshes on which the Poisson problem is solved, with the circumcentric
-// duals of their merged cells.
+// Fig. 6: the four kinds of meshes for the Poisson problem, with the circumcentric duals of their
+// merged cells.
 #include "examples/paper/pictures.h"
 #include "examples/paper/problems.h"
 #include "examples/paper/reproductions.h"
@@ -25,7 +25,7 @@ void draw_edges(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint&
     }
 }
 
-/// Between circumcenters; at the boundary from a circumcenter to the middle of the edge.
+/// Dual edges: between circumcenters, or from a circumcenter to the midpoint of a boundary edge.
 void draw_duals(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint& shift) {
     const Points centers = cell_centers(mesh, 2);
     const Points middles = cell_centers(mesh, 1);

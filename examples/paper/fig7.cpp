@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Fig. 7: the Poisson problem of Franke's function on four families of meshes, and what becomes of
-// it if concyclic triangles are pulled apart by a small perturbation instead of being merged.
+// Fig. 7: the Poisson problem of Franke's function on four families of meshes. Also its behavior if
+// a small perturbation separates concyclic triangles instead of merging.
 #include "examples/paper/problems.h"
 #include "examples/paper/reproductions.h"
 
@@ -61,7 +61,7 @@ void add_families(Report& report, const Request& request, Side side, int levels)
     report.plots.push_back({fmt::format("{}_errors", name(side)), std::move(plot)});
 }
 
-/// The engine that the paper has in mind: BiCGStab with the diagonal as its preconditioner.
+/// The engine that the paper suggests: BiCGStab with diagonal preconditioner.
 std::string plain_bicgstab() {
     using Solver = Eigen::BiCGSTAB<SparseMatrix, Eigen::DiagonalPreconditioner<double>>;
     const std::string name = "bicgstab.diagonal";
@@ -74,8 +74,8 @@ std::string plain_bicgstab() {
     return name;
 }
 
-/// The dual problem on a grid that is pulled apart, nothing merged.
-/// With no perturbation its triangles are merged instead.
+/// The dual problem on a perturbed grid without merging. Without a perturbation, triangles are
+/// merged instead.
 class PerturbedProblem {
 public:
     PerturbedProblem(int cells, double perturbation)
@@ -85,7 +85,7 @@ public:
                              options(perturbation))) {}
 
     struct Outcome {
-        double moved = none, kept = none; ///< errors with data at the moved, or the old, places
+        double moved = none, kept = none; ///< errors with data at the moved or the old points
         std::string diagonal, incomplete; ///< iterations of BiCGStab with these preconditioners
     };
 
@@ -129,7 +129,7 @@ private:
     Discretization original_, moved_;
 };
 
-/// A series that would cover another one is named with it instead.
+/// A series that would cover another one shares its name instead.
 void add_series(SvgPlot& plot, const SvgSeries& added) {
     for (auto& own : plot.series)
         if (own.x == added.x &&
@@ -141,8 +141,8 @@ void add_series(SvgPlot& plot, const SvgSeries& added) {
     plot.series.push_back(added);
 }
 
-/// Perturbations of a fixed size against refinement. Those beyond a quarter of the spacing would
-/// turn triangles over and are left out.
+/// Perturbations of fixed size under refinement. Omits perturbations beyond a quarter of the
+/// spacing, which would invert triangles.
 void add_perturbations(Report& report, const Request& request, int levels) {
     Table table{"perturbed",
                 "L2 error of dual 0-forms on a perturbed grid, nothing merged",

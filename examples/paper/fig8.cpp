@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Fig. 8: a spherical harmonic on spheres of quads and of hexagons, beside four Laplacians for
-// polygons. All use the same meshes and the same norm.
+// Fig. 8: a spherical harmonic on spheres of quads and of hexagons, compared with four polygon
+// Laplacians on the same meshes in the same norm.
 #include "examples/paper/problems.h"
 #include "examples/paper/reproductions.h"
 #include "examples/paper/rivals/alexa_wardetzky.h"
@@ -57,7 +57,7 @@ double resolution(const Discretization& mesh) {
     return 1 / mesh.volumes().primal(1).mean();
 }
 
-/// A row for each method and level, and a plot.
+/// One row per method and level, and a plot.
 void add_family(Report& report, const Request& request, const Family& family, int levels) {
     Table table{family.name + "_errors",
                 fmt::format("relative error of the spherical harmonic, {}", family.name),
@@ -96,7 +96,7 @@ void add_family(Report& report, const Request& request, const Family& family, in
     report.plots.push_back({family.name + "_errors", std::move(plot)});
 }
 
-/// The same on sphere files, where there are any in the folder asked for.
+/// The same on sphere files in the given folder, if there are any.
 void add_files(Report& report, const Request& request) {
     Table table{"files",
                 "relative error on sphere files",

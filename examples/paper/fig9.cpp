@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Fig. 9: dual edges that are too short get a smallest length instead of being merged away. The
-// operators are those of the unmerged mesh; where a dual edge is shorter than epsilon, its length
-// is epsilon with the same sign. Between concyclic triangles the length is 0 and has no sign but
-// that of its rounding error; so it is chosen, and both choices are shown.
+// Fig. 9: short dual edges get a minimal length instead of being merged away. The operators belong
+// to the unmerged mesh. A dual edge shorter than epsilon gets length epsilon with the same sign.
+// Between concyclic triangles the length is 0, and only rounding gives it a sign. The experiment
+// therefore sets the sign, and shows both choices.
 #include "examples/paper/problems.h"
 #include "examples/paper/reproductions.h"
 
@@ -25,7 +25,7 @@ const Sign signs[] = {{1, "", "epsilon for 0"}, {-1, "_negative", "-epsilon for 
 
 Discretization with_least_dual_length(const Mesh& mesh, double epsilon, const Sign& sign) {
     constexpr double rounding = 1e-10; // relative to the edge
-    // the tolerance tells boundary edges without dual from others; here none is without
+    // the tolerance identifies boundary edges without dual; here all edges have one
     const auto bundle = discretized(mesh, {.criterion = MergeCriterion::none, .tolerance = 0});
     const Vector& edges = bundle.volumes().primal(1);
     Vector lengths = bundle.volumes().dual(1);
@@ -64,7 +64,7 @@ const Problem problems[] = {
 double error_or_none(const Problem& problem, const Discretization& mesh) {
     try {
         return problem.error(mesh);
-    } catch (const Error&) { // lengths that are as good as zero are refused
+    } catch (const Error&) { // lengths that are numerically zero are errors
         return none;
     }
 }

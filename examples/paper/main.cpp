@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Compiled once for each figure and table, whose name POLYDEC_REPRODUCTION is.
+// Compiled once for each figure and table; POLYDEC_REPRODUCTION is its name.
 #include "examples/paper/program.h"
 
 int main(int argc, char** argv) {

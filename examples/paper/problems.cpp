@@ -22,7 +22,7 @@ int cells(int level) {
     return 8 << level;
 }
 
-/// A split grid whose inner vertices are moved by at most this distance along each axis.
+/// A split grid with inner vertices moved by at most this distance along each axis.
 Mesh with_moved_inner_vertices(int cells, double distance) {
     const Mesh regular = grid(cells, cells);
     Mesh mesh = perturbed(regular, distance, 1);

@@ -28,7 +28,7 @@ namespace polydec {
 namespace {
 
 constexpr const char* no_memory = "memory does not suffice for this mesh";
-char over_limit[160]; ///< what is told where the limit is passed
+char over_limit[160]; ///< message when the limit is exceeded
 
 const char* program = "";
 std::atomic<bool> is_working{false};
@@ -46,9 +46,9 @@ std::atomic<bool> is_over_limit{false};
 
 void watch(int signal) noexcept;
 
-// The handler is gone once it is called, so that the signal, given again, ends the program. What is
-// unfinished is the main thread's: in another one, the handler would remove it while it is made,
-// and where that thread holds signals back.
+// The handler is reset once it is called, so a second signal ends the program. Unfinished files
+// belong to the main thread: in another thread, the handler would remove them while they are made,
+// even while that thread blocks signals.
 extern "C" void end_by(int signal) {
     const auto *begin = std::begin(ending_signals), *end = std::end(ending_signals);
     if (std::find(begin, end, signal) != end &&
@@ -66,7 +66,7 @@ extern "C" void end_by(int signal) {
 void watch(int signal) noexcept {
     struct sigaction action {};
     if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL)
-        return; // ignored, or another's
+        return; // ignored, or handled elsewhere
     action = {};
     action.sa_handler = end_by;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_ONSTACK);
@@ -77,7 +77,7 @@ void watch(int signal) noexcept {
 /// All signals that end a program by default and can be caught.
 void watch_signals() noexcept {
     alignas(16) static char
-        stack[removal_stack + (1 << 16)]; // that of the program may be what has run out
+        stack[removal_stack + (1 << 16)]; // the program's own stack may have run out
     stack_t other{};
     other.ss_sp = stack;
     other.ss_size = sizeof stack;
@@ -92,7 +92,7 @@ void watch_signals() noexcept {
     std::signal(SIGPIPE, SIG_IGN);
 }
 
-/// For libraries that end the program by exit() where memory is short, as that of OpenMP does.
+/// For libraries, such as OpenMP, that call exit() when memory is short.
 extern "C" void end_early() {
     if (!is_working)
         return;
@@ -100,7 +100,7 @@ extern "C" void end_early() {
     ::_exit(fail(resource_failure, "a library ended the program, as a resource did not suffice"));
 }
 
-/// An error in a function that must not throw, most likely that memory is short.
+/// An error in a function that must not throw; most likely memory is short.
 [[noreturn]] void end_by_error() noexcept {
     remove_unfinished();
     try {
@@ -133,7 +133,7 @@ int guarded(int (*work)(int, char**), int argc, char** argv) noexcept {
     }
 }
 
-/// Output that could not be written is no success, and half an answer is none.
+/// Failed output is not a success, and neither is partial output.
 int finish_output(int code) noexcept {
     if (code != done) {
         console::forget();
@@ -149,7 +149,7 @@ int finish_output(int code) noexcept {
     return resource_failure;
 }
 
-/// Bytes that the program has in memory; 0 if the system does not tell. Allocates none.
+/// Resident memory of the program in bytes; 0 if unknown. Allocates no memory.
 std::uint64_t resident() noexcept {
     static const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
     char text[64] = "";
@@ -169,7 +169,7 @@ void hold_memory_limit() {
          "simpler cells, or allow more (--max-memory)",
          static_cast<double>(most) / 1e6)
          .out = 0;
-    // signals are for the main thread
+    // the main thread handles signals
     sigset_t all{}, held{};
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &held);

@@ -11,16 +11,16 @@ enum ExitCode {
     resource_failure = 4
 };
 
-/// What a program of this folder or of tools/ does in its main function. Returns the exit code:
-/// that of `work`, or that of the error it throws, whose text is told on standard error after the
-/// program's name. Whatever ends the program leaves nothing behind that is unfinished
-/// (base/unfinished.h): a signal, by which it ends unless it was ignored before, a library that
-/// calls exit(), or an error where none can be passed on. A broken pipe is an error like any other.
-/// Once memory is short, none is asked for.
+/// The main function of programs in this folder and in tools/. Returns the exit code of `work`, or
+/// of the error that `work` throws, and prints its text to standard error after the program's name.
+/// No unfinished file remains (base/unfinished.h) however the program ends: by a signal, by a
+/// library that calls exit(), or by an error that cannot be passed on. A signal ends the program
+/// unless it was ignored before. A broken pipe is an ordinary error. Allocates no memory once
+/// memory is short.
 int run_process(const char* name, int (*work)(int, char**), int argc, char** argv) noexcept;
 
-/// From now on the program ends with resource_failure, as after an error, soon after it has taken
-/// memory_limit() bytes more than it has now: what no check_memory has foreseen.
+/// Limits memory for cases that no check_memory foresees: the program ends with resource_failure
+/// soon after it takes memory_limit() bytes more than at this call.
 void hold_memory_limit();
 
 } // namespace polydec

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t line_width = 100;
 
-/// How many characters, not bytes.
+/// Number of characters, not bytes.
 std::size_t width(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
@@ -63,7 +63,7 @@ std::string without_trailing_space(std::string line) {
     return line;
 }
 
-/// Columns of words stand at the left, those of numbers at the right.
+/// Columns of words are left-aligned, columns of numbers right-aligned.
 std::string to_text(const Table& table) {
     check(table);
     std::vector<std::size_t> widths;
@@ -105,7 +105,7 @@ std::string wrapped(std::string_view remark) {
     return text + line + "\n";
 }
 
-/// NaN is a number that there is not.
+/// NaN is a missing number.
 std::optional<double> known(double number) {
     return std::isnan(number) ? std::nullopt : std::optional(number);
 }
@@ -198,10 +198,10 @@ std::string csv_of(const Table& table) {
     return text;
 }
 
-/// File names and what will be in them.
+/// File names and their contents.
 using Files = std::vector<std::pair<std::string, std::string>>;
 
-/// All names in one folder begin with the report's.
+/// All names in a folder begin with the name of the report.
 std::string file_name(const Report& report, const std::string& name, const char* extension) {
     const bool begins = name == report.name || name.rfind(report.name + "_", 0) == 0;
     const std::string stem = begins ? name : report.name + "_" + name;
@@ -276,7 +276,7 @@ std::string to_json(const Report& report) {
 
 std::vector<std::filesystem::path> write_report(const std::filesystem::path& folder,
                                                 const Report& report) {
-    // all texts are made before the first file, so that a flaw leaves no part behind
+    // makes all texts before the first file, so an error leaves no partial output
     const Files files = files_of(report);
     std::error_code error;
     std::filesystem::create_directories(folder, error);

@@ -5,14 +5,14 @@
 
 namespace polydec::paper {
 
-/// A figure or table of the paper, or an experiment beside it.
+/// A figure or table of the paper, or a further experiment.
 struct Reproduction {
     std::string name;
     std::string summary; ///< one line
     Report (*run)(const Request&);
 };
 
-/// All of them, in the order of the paper.
+/// All reproductions, in the order of the paper.
 const std::vector<Reproduction>& reproductions();
 
 Report table1(const Request& request);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The eigenvalue problem proper: certified spectra of Delta_0, Delta_1 and Delta_2 on tessellated
-// spheres against l (l + 1), with multiplicities 2 l + 1 for functions and densities and twice that
+// The eigenvalue problem: certified spectra of Delta_0, Delta_1 and Delta_2 on tessellated spheres,
+// compared with l (l + 1). The multiplicity is 2 l + 1 for functions and densities, and twice this
 // for 1-forms.
 #include "examples/paper/problems.h"
 #include "examples/paper/reproductions.h"

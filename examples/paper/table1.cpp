@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Table 1: which operators are well defined on a mesh with concyclic triangles, before and after
-// merging, as computed from the duals of a split grid.
+// Table 1: operators that are well defined on a mesh with concyclic triangles, before and after
+// merging, computed from the duals of a split grid.
 #include "examples/paper/problems.h"
 #include "examples/paper/reproductions.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Table 2: how many triangles of meshes as they are found belong to a concyclic pair, by the
-// paper's test and by ours.
+// Table 2: the number of triangles in concyclic pairs in published meshes, by the paper's test and
+// by ours.
 #include "examples/paper/problems.h"
 #include "examples/paper/reproductions.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The angles opposite to the edge add up to pi within 2 pi 1e-4.
+/// The angles opposite the edge sum to pi within 2 pi 1e-4.
 const DiscretizeOptions papers_test{.criterion = MergeCriterion::angle,
                                     .tolerance = 2e-4 * std::numbers::pi};
 
@@ -31,7 +31,7 @@ bool is_mesh_file(const fs::path& path) {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    // of TetGen's two files either one names the mesh
+    // either of TetGen's two files names the mesh
     constexpr std::array known{".off", ".obj", ".ply", ".stl", ".mesh",
                                ".nsc", ".msh", ".ele", ".vtk", ".vtu"};
     return std::find(known.begin(), known.end(), extension) != known.end();
@@ -109,7 +109,7 @@ Counts count(const Source& source) {
     return {ours.input().size(2), {merged_pairs(papers.merging), merged_pairs(ours.merging())}};
 }
 
-/// An error's message without the file, which stands beside it, and without the advice.
+/// An error message without the file, shown beside it, and without the advice.
 std::string reason(const std::string& message, const fs::path& folder, const std::string& name) {
     std::string text = message;
     const std::string path = (folder / name).string();

@@ -24,7 +24,7 @@ Usage usage(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream help, complaint;
     const bool is_asked_for = app.exit(error, help, complaint) == 0;
     if (!help || !complaint)
-        throw std::bad_alloc(); // a stream keeps it to itself
+        throw std::bad_alloc(); // a stream swallows the exception
     return {help.str(), complaint.str(), is_asked_for};
 }
 
@@ -33,7 +33,7 @@ Usage usage(const CLI::App& app, const CLI::ParseError& error) {
 int tell_usage(const CLI::App& app, const CLI::ParseError& error) {
     const auto told = usage(app, error);
     if (told != usage(app, error))
-        throw std::bad_alloc(); // so do streams inside of the library, whose text then has gaps
+        throw std::bad_alloc(); // as do streams inside the library, and their text then has gaps
     console::write(told.help);
     console::tell(told.complaint);
     return told.is_asked_for ? done : wrong_usage;

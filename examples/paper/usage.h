@@ -8,7 +8,7 @@ class ParseError;
 
 namespace polydec {
 
-/// Prints the help or version that was asked for, or tells what is wrong with the command line.
+/// Prints the requested help or version, or the error in the command line.
 /// Returns the exit code, done or wrong_usage.
 int tell_usage(const CLI::App& app, const CLI::ParseError& error);
 

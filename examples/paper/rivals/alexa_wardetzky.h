@@ -12,12 +12,12 @@ namespace polydec::paper {
 /// columns of C are an orthonormal basis of the kernel of E^T, E the edge vectors projected along
 /// a. The mass is diagonal: a face gives each of its n corners |a| / n.
 ///
-/// lambda weighs what the first term does not see of a polygon. The authors leave it free; 2 is
-/// what later comparisons take (code to Bunge et al. 2020 and 2021). On triangles it has no effect,
-/// and the stiffness is that of the cotangents, with weights (cot + cot) / 2. Stiffness positive
-/// semidefinite; for lambda > 0 its kernel are the functions constant on each component. Linear
-/// functions on planar meshes are harmonic at interior vertices. For non-planar faces the mass adds
-/// up to the sum of |a|. Does not depend on orientation.
+/// lambda weights the part of a polygon that the first term misses. The authors leave it free;
+/// later comparisons take 2 (code to Bunge et al. 2020 and 2021). On triangles it has no effect,
+/// and the stiffness is the cotangent matrix with weights (cot + cot) / 2. Stiffness positive
+/// semidefinite; for lambda > 0 its kernel is the functions constant on each component. Linear
+/// functions on planar meshes are harmonic at interior vertices. For non-planar faces the total
+/// mass is the sum of |a|. Does not depend on orientation.
 ///
 /// Source: Alexa and Wardetzky 2011, Discrete Laplacians on general polygonal meshes.
 /// Throws InvalidInput like check_surface, and for a lambda that is negative or not finite.

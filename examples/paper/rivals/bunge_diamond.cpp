@@ -18,8 +18,8 @@ constexpr double least_relative_height = 1e-12;
 
 using Entries = std::vector<Eigen::Triplet<double, Index>>;
 
-/// A face beside an edge from `low` to `high`, and where its virtual vertex is, seen from `low`:
-/// how far along the edge and how far away from it, into the face.
+/// A face beside an edge from `low` to `high`, and the position of its virtual vertex relative to
+/// `low`: distance along the edge, and distance from the edge into the face.
 struct Side {
     Index low, high, face;
     double length, along, height;
@@ -27,8 +27,8 @@ struct Side {
     bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
 };
 
-/// Heights are signed as the area vector sees them, so that on a planar mesh the unfolded diamond
-/// is the diamond, even where a virtual vertex lies beyond an edge.
+/// The area vector gives the sign of heights. On a planar mesh the unfolded diamond is therefore
+/// the diamond itself, even if a virtual vertex lies beyond an edge.
 Side side_of(const PolygonMesh& mesh, Index face, std::size_t corner,
              const Eigen::Vector3d& virtual_vertex, const Eigen::Vector3d& area) {
     const auto around = corners(mesh, face);
@@ -48,7 +48,7 @@ Side side_of(const PolygonMesh& mesh, Index face, std::size_t corner,
             offset.dot(inward) < 0 ? -distance : distance};
 }
 
-/// Of all faces, those beside the same edge one after the other.
+/// All faces, grouped by edge.
 std::vector<Side> sides_of(const PolygonMesh& mesh, const Points& virtual_vertices) {
     std::vector<Side> sides;
     sides.reserve(mesh.corners.size());
@@ -103,7 +103,7 @@ private:
         if (others.size() > 1)
             refuse_edge(left, "has " + std::to_string(others.size() + 1) +
                                   " faces; expected at most 2; split the surface there");
-        // on the boundary: no height, and as far along as the midpoint
+        // on the boundary: height 0, at the midpoint of the edge
         const double right_along = others.empty() ? left.length / 2 : others[0].along;
         const double height = left.height + (others.empty() ? 0.0 : others[0].height);
         if (!(height > least_relative_height * left.length))

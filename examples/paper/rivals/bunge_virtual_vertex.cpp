@@ -18,8 +18,8 @@ constexpr double least_area_of_triangles = 1e-12;
 
 using Entries = std::vector<Eigen::Triplet<double, Index>>;
 
-/// Where the sum over the edges e from p to q of |p x q + e x z|^2 / 4 is least: the sum of
-/// (|e|^2 - e e^T) z is that of e x (p x q).
+/// Minimizer z of the sum over the edges e from p to q of |p x q + e x z|^2 / 4: the sum of
+/// (|e|^2 - e e^T) z equals the sum of e x (p x q).
 Eigen::Vector3d area_minimizer(const Polygon& polygon) {
     const Polygon E = edges(polygon);
     Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
@@ -67,7 +67,7 @@ void check_area(const Triangle& triangle, Index f) {
                            std::to_string(triangle.vertices[1]) + "; split the face");
 }
 
-/// Applied to the matrix of the triangles, the one of the polygons.
+/// The matrix of the polygons, from the matrix of the triangles.
 SparseMatrix restricted(const Entries& entries, const SparseMatrix& P) {
     SparseMatrix A(P.rows(), P.rows());
     A.setFromTriplets(entries.begin(), entries.end());
@@ -80,7 +80,7 @@ Vector virtual_vertex_weights(const Polygon& polygon) {
     const auto n = polygon.rows();
     const Polygon centered = polygon.rowwise() - polygon.colwise().mean();
 
-    // of all w = 1/n + v with v^T centered = z, the least: v in the range of centered
+    // the least w = 1/n + v with v^T centered = z: v in the range of centered
     Eigen::JacobiSVD<DenseMatrix> factors(centered.transpose(),
                                           Eigen::ComputeThinU | Eigen::ComputeThinV);
     factors.setThreshold(flatness);

@@ -22,7 +22,7 @@ DenseMatrix sharp(const Polygon& polygon, const Eigen::Vector3d& area) {
     return U;
 }
 
-/// V: row i is edge i without its part along the normal.
+/// V: row i is edge i without its normal component.
 DenseMatrix flat(const Polygon& polygon, const Eigen::Vector3d& normal) {
     const Polygon E = edges(polygon);
     return E - E * normal * normal.transpose();

@@ -6,10 +6,10 @@
 namespace polydec::paper {
 
 /// A Laplacian of functions at the vertices of a polygonal surface, in weak form:
-/// Delta = mass^-1 stiffness = -div grad. Both are symmetric, a row and a column per vertex.
+/// Delta = mass^-1 stiffness = -div grad. Both are symmetric, with one row per vertex.
 struct PolygonLaplacian {
     SparseMatrix stiffness; ///< positive semidefinite, constants in the kernel; no units
-    SparseMatrix mass;      ///< positive definite; entries add up to the area; units length^2
+    SparseMatrix mass;      ///< positive definite; entries sum to the area; units length^2
 };
 
 } // namespace polydec::paper
