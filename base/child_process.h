@@ -32,8 +32,8 @@ std::optional<std::filesystem::path> find_program(const std::string& name);
 
 /// Runs a program in a folder, without a shell, and waits for its end. It has no input, leaves no
 /// core file, and leads a process group that is killed as a whole. All its children are gone when
-/// this function returns and, on Linux, when this program is killed. Throws IoError, naming the
-/// program and the system's reason, if it cannot be started.
+/// this function returns and, on Linux, when this program is killed.
+/// Throws IoError, naming the program and the system's reason, if it cannot be started.
 ChildOutcome run_child(const std::filesystem::path& program,
                        const std::vector<std::string>& arguments,
                        const std::filesystem::path& folder, const ChildLimits& limits = {});

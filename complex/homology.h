@@ -15,8 +15,8 @@ std::vector<Index> betti_numbers(const CellComplex& complex);
 /// A basis of the k-th homology over the rationals: b_k columns of size(k) integers, cycles of
 /// which no nonzero combination is a boundary. G^T w are the periods of a closed k-form w. On a
 /// surface the columns for k = 1 are loops through a spanning tree, one per edge outside tree and
-/// cotree; in general the cycles of the core are carried back through the coreduction. Throws
-/// InvalidInput if there is no such degree.
+/// cotree; in general the cycles of the core are carried back through the coreduction.
+/// Throws InvalidInput if there is no such degree.
 SparseMatrix homology_generators(const CellComplex& complex, int k);
 
 /// Cells on which d_k is invertible, rank(d_k) of each degree. For k = 0: all vertices but one per

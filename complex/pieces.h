@@ -37,8 +37,9 @@ public:
     /// Glues simplices. faces[k - 1], k = 1..n, has one row per k-simplex, with the face that lacks
     /// corner i in column i; vertices[v] names 0-simplex v in messages and files. Orientations of
     /// the n-simplices, 1 or -1, are coherent if they are so across every facet with two cofaces.
-    /// Linear time, except for ordering each simplex's faces. Throws InvalidInput, naming the
-    /// simplex, for tables that do not fit or faces of faces that disagree.
+    /// Linear time, except for ordering each simplex's faces.
+    /// Throws InvalidInput, naming the simplex, for tables that do not fit or faces of faces that
+    /// disagree.
     Pieces(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
            std::vector<Index> vertices);
 

@@ -13,14 +13,15 @@ namespace polydec {
 /// star. Weights are in the order of the input's cells (see CellData), also below. With
 /// conductivity as the weight of 1-forms, Laplace's equation of primal 0-forms becomes div kappa
 /// grad. With its inverse as the weight of (n-1)-forms, Laplace's equation of dual 0-forms and
-/// Darcy's do: mesh.with_stars(mesh.stars().with(k, material_star(mesh, k, weights))). Throws
-/// InvalidInput, naming the cell, for a weight that is not positive, and like CellData.
+/// Darcy's do: mesh.with_stars(mesh.stars().with(k, material_star(mesh, k, weights))).
+/// Throws InvalidInput, naming the cell, for a weight that is not positive, and like CellData.
 SparseMatrix material_star(const Discretization& mesh, int k, const CellData& weights);
 
 /// The same for (n-1)-forms with an anisotropic conductivity: a symmetric positive definite n x n
-/// tensor per cell of the input, in the input's order, whose inverse is the weight. Source:
-/// Raviart, Thomas 1977. Throws InvalidInput, naming the cell, for other tensors and for different
-/// tensors in one n-cell, and unless the mesh is flat (n x n), not flipped and has known points.
+/// tensor per cell of the input, in the input's order, whose inverse is the weight.
+/// Source: Raviart, Thomas 1977.
+/// Throws InvalidInput, naming the cell, for other tensors and for different tensors in one n-cell,
+/// and unless the mesh is flat (n x n), not flipped and has known points.
 SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMatrix>& tensors);
 
 /// Mean of a weight around each k-cell, by the signed parts of |s||*s| in the n-cells: the ratio of

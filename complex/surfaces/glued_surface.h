@@ -123,9 +123,9 @@ private:
     std::vector<std::array<Index, 2>> halfedges_; // of edges
 };
 
-/// The corners of the triangles, as top simplices of a simplicial complex. Throws InvalidInput,
-/// naming triangles or edges, if the surface is not simplicial: if it has loops or several edges
-/// between the same vertices.
+/// The corners of the triangles, as top simplices of a simplicial complex.
+/// Throws InvalidInput, naming triangles or edges, if the surface is not simplicial: if it has
+/// loops or several edges between the same vertices.
 Simplices simplices(const GluedSurface& surface);
 
 /// The surface as incidence matrices whose entries are sums of signs: 0 for loops and for a

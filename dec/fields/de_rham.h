@@ -9,9 +9,9 @@ namespace polydec {
 
 /// The de Rham map: integrals of a k-form over the oriented k-simplices. Size size(k). Exact for
 /// polynomial coefficients up to the quadrature degree (default 5, see grundmann_moeller). Source:
-/// Hirani 2003, sec. 3.3. Throws InvalidInput if there is no degree k, if a vertex has no point,
-/// and, naming the point, if the form returns a wrong number of coefficients or one that is not
-/// finite.
+/// Hirani 2003, sec. 3.3.
+/// Throws InvalidInput if there is no degree k, if a vertex has no point, and, naming the point, if
+/// the form returns a wrong number of coefficients or one that is not finite.
 Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothForm& form,
                int quadrature_degree = 5);
 
@@ -24,8 +24,8 @@ Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form,
 /// consists of the elementary simplices [c(s_k), .., c(s_n)] over all flags s = s_k < .. < s_n,
 /// with the sign prod over i of (-1)^(i+1) [s_(i+1) : s_i], i = k .. n-1. Size size(k). Commutes
 /// with dual_derivative off the boundary of orientable meshes. The form is evaluated near
-/// circumcenters, which may lie outside the mesh. Source: Hirani 2003, sec. 2.5. Throws like
-/// de_rham.
+/// circumcenters, which may lie outside the mesh.
+/// Source: Hirani 2003, sec. 2.5. Throws like de_rham.
 Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
                     int quadrature_degree = 5, const Centers& centers = {});
 
@@ -50,7 +50,8 @@ Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
 /// facet_sites, averaged over the pieces of bent cells. Together with the dual_derivative of a
 /// smooth form, Stokes' theorem holds to the accuracy of the quadrature. If the star of cells of
 /// degree n-j is a matrix, the values are integrals against the Whitney forms of the boundary
-/// cells, as in Galerkin's equations. Throws like de_rham, and for a degree outside 0..n-1.
+/// cells, as in Galerkin's equations.
+/// Throws like de_rham, and for a degree outside 0..n-1.
 Vector boundary_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                         int quadrature_degree = 5);
 

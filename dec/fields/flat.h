@@ -29,13 +29,14 @@ enum class Flat {
 /// facet ends at the facet's circumcenter. Source: Hirani 2003, ch. 5. If the star of (n-1)-cells
 /// knows no duals (see ChosenStars::is_over_duals), a dual form is the star of the fluxes through
 /// the facets. The flux is that of the mean vector at the facet's vertices, or of the mean by
-/// volume over the cells beside it. After flips, ppp and pdp use the edges of the input and the
-/// passage. For dpp an edge is the segment between its ends: the integral of a constant depends on
-/// nothing else. Dual edges are straight between the cell_centers; ppd integrates the field that is
-/// linear on the input's simplices. Constants remain exact; for smooth fields on smooth surfaces
-/// ppp and ppd are of second order, the others at least of first. Throws InvalidInput for a field
-/// of another shape, naming the row if it is not finite; for dpp also, naming the vertices, for
-/// edges whose dual volume is zero (HodgeStar::zeros of degree 1).
+/// volume over the cells beside it.
+/// After flips, ppp and pdp use the edges of the input and the passage. For dpp an edge is the
+/// segment between its ends: the integral of a constant depends on nothing else. Dual edges are
+/// straight between the cell_centers; ppd integrates the field that is linear on the input's
+/// simplices. Constants remain exact; for smooth fields on smooth surfaces ppp and ppd are of
+/// second order, the others at least of first. Throws InvalidInput for a field of another shape,
+/// naming the row if it is not finite; for dpp also, naming the vertices, for edges whose dual
+/// volume is zero (HodgeStar::zeros of degree 1).
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field);
 
 } // namespace polydec

@@ -10,8 +10,8 @@ namespace polydec {
 
 /// Interior product and Lie derivative of primal k-forms without matrices: built once per mesh, for
 /// solvers whose field changes at every step. Equal to rounding to interior_product, lie_derivative
-/// and inflow, in linear time and a fraction of theirs; fields and forms are as there. A handle:
-/// copies cost nothing.
+/// and inflow, in linear time and a fraction of theirs; fields and forms are as there.
+/// A handle: copies cost nothing.
 class LieDerivative {
 public:
     /// Throws InvalidInput unless k is in 0..n, and if only lengths are known.

@@ -34,13 +34,14 @@ struct FormKind {
 /// An operator on forms on the merged complex, from kind `from` to kind `to`, as an operator on the
 /// input's simplices: O^(T) = R O^P dia for primal forms (Schier, Eq. 15); on a dual side R^T and
 /// dia^T replace dia and R. So a simulation may keep its triangle or tet mesh. Size: K's cells of
-/// `to` times K's cells of `from`. Throws InvalidInput, naming the shapes, if O does not fit.
+/// `to` times K's cells of `from`.
+/// Throws InvalidInput, naming the shapes, if O does not fit.
 SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& O, FormKind from,
                       FormKind to);
 
 /// Maps a form on the input's simplices, primal or dual, to the merged cells. After intrinsic flips
-/// only primal forms, by the product of the flips, a cochain map. Throws InvalidInput if the form
-/// does not live on the pieces.
+/// only primal forms, by the product of the flips, a cochain map.
+/// Throws InvalidInput if the form does not live on the pieces.
 Cochain to_merged(const Discretization& discretization, const Cochain& form);
 
 /// Maps a primal form on merged cells to the pieces by the lift of the mesh (see commuting_lift);

@@ -16,14 +16,17 @@ enum class WedgeWeights { uniform, circumcentric };
 /// the product of the values. Anticommutative, a ^ b = (-1)^(kl) b ^ a. Leibniz' rule d(a ^ b) = da
 /// ^ b + (-1)^k a ^ db holds to rounding. The constant function 1 is the unit. Exact for constant
 /// forms on flat complexes. Not associative for forms that are not closed. Needs no metric. Time of
-/// the order of the pairs, (k+l+1)! / (k! l!) per simplex. Source: the antisymmetrized cup product;
-/// Wilson 2007. Throws like check, and InvalidInput for dual forms and for k + l > n.
+/// the order of the pairs, (k+l+1)! / (k! l!) per simplex.
+/// Source: the antisymmetrized cup product; Wilson 2007.
+/// Throws like check, and InvalidInput for dual forms and for k + l > n.
 Cochain wedge(const Pieces& complex, const Cochain& a, const Cochain& b);
 
 /// The same with Hirani's weights: sign k! l! / (k+l)! |s n *v| / |s| for a pair of faces with
 /// common vertex v; a weight may be negative where s is obtuse. Anticommutative, with the same
 /// unit, exact for constant forms; but Leibniz' rule does not hold. Equal to wedge where all
-/// vertices have equal shares. Source: Hirani 2003, Def. 7.1.1. Throws like wedge.
+/// vertices have equal shares.
+/// Source: Hirani 2003, Def. 7.1.1.
+/// Throws like wedge.
 Cochain circumcentric_wedge(const Geometry& geometry, const Cochain& a, const Cochain& b);
 
 /// The products on merged cells: both forms are lifted to the pieces, multiplied there, and summed
@@ -39,7 +42,8 @@ Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
 /// a the sum is the squared norm. For constant forms on flat complexes the sum is the integral, up
 /// to a boundary term if the vertices of a boundary facet share it unevenly. Summation by parts is
 /// exact: with b a dual (n-k-1)-form, da ^ b + (-1)^k a ^ db sums to zero, as if b vanished on the
-/// boundary, which the dual derivative leaves out. Source: Desbrun, Hirani, Leok, Marsden 2005.
+/// boundary, which the dual derivative leaves out.
+/// Source: Desbrun, Hirani, Leok, Marsden 2005.
 /// Throws like check, and InvalidInput unless a is primal, b dual, and the degrees add up to n.
 Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Cochain& b);
 

@@ -92,7 +92,7 @@ protected:
 private:
     CellComplex complex_;
     CellVolumes volumes_;
-    std::shared_ptr<const MergedCells> merged_; // null for cells of one's own
+    std::shared_ptr<const MergedCells> merged_; // null for cells of your own
     std::function<ChosenStars()> make_stars_;
     std::shared_ptr<const Lazy<ChosenStars>> stars_;
     std::shared_ptr<const Lazy<HodgeStars>> input_stars_;

@@ -22,8 +22,8 @@ struct Chain {
     Vector values = {};
 };
 
-/// Degree of the primal cells that carry primal or dual k-forms: k or n-k. Throws InvalidInput if
-/// there is no such degree.
+/// Degree of the primal cells that carry primal or dual k-forms: k or n-k.
+/// Throws InvalidInput if there is no such degree.
 int cell_degree(const CellComplex& complex, Side side, int degree);
 
 /// Throw InvalidInput, naming side, degree and sizes, if the form or chain does not live on this

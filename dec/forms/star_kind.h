@@ -12,7 +12,7 @@ namespace polydec {
 enum class StarKind {
     circumcentric, ///< dual over primal volume: diagonal, but not positive on every mesh
     galerkin,      ///< inner products of Whitney forms, on merged cells by the lift: positive
-                   ///< definite on every mesh; diagonal for k = n alone
+                   ///< definite on every mesh; diagonal only for k = n
     hybrid,        ///< n = 2: galerkin on the cells beside edges whose dual is not positive and on
                    ///< as many around them as make it definite, circumcentric on all others
     barycentric,   ///< diagonal and positive, duals between centroids. Inconsistent for 0 < k < n:

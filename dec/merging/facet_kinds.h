@@ -40,8 +40,8 @@ struct MergedPairs {
     Index simplices = 0; ///< n-simplices beside at least one of these: concyclic triangles
 };
 
-/// Counts the merged pairs, after all guards; compare FacetKinds::cospherical. Source: Schier,
-/// Table 2, counts concyclic triangles in this way.
+/// Counts the merged pairs, after all guards; compare FacetKinds::cospherical.
+/// Source: Schier, Table 2, counts concyclic triangles in this way.
 MergedPairs merged_pairs(const Merging& merging);
 
 } // namespace polydec

@@ -35,8 +35,8 @@ struct CosphericalMerging {
     Merging merging;
     DegenerateFacets degenerate;
     int rounds = 0;    ///< number of times a class of facets without a proper cell was split again
-    Geometry geometry; ///< of the pieces: duals between circumcenters, those of a cell's pieces in
-                       ///< one place; marks the flat pieces of cells that have others
+    Geometry geometry; ///< of the pieces: duals between circumcenters, one for all pieces of a
+                       ///< cell; marks the flat pieces of cells with other pieces
 };
 
 /// Merges n-simplices across facets with degenerate duals; then, in descending degree, merges faces
@@ -51,9 +51,9 @@ struct CosphericalMerging {
 /// neighbor on whose sphere they lie (see absorb_flat); all others stay cells. In R^n every simplex
 /// between two pieces of a cell is removed, and the pieces have one center.
 ///
-/// `stays`: empty, or one mark per facet that must not merge whatever its dual. Time O(incidences +
-/// f log f), f the number of degenerate facets. Throws InvalidInput for a tolerance that is
-/// negative or not finite, and for a wrong number of marks.
+/// `stays`: empty, or one mark per facet that must not merge whatever its dual.
+/// Time O(incidences + f log f), f the number of degenerate facets. Throws InvalidInput for a
+/// tolerance that is negative or not finite, and for a wrong number of marks.
 CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOptions& options = {},
                                      const std::vector<bool>& stays = {});
 

@@ -10,8 +10,8 @@
 
 namespace polydec {
 
-/// Cells and the simplices that were merged into them: the data for Hodge stars of every kind. A
-/// handle: copies cost nothing.
+/// Cells and the simplices that were merged into them: the data for Hodge stars of every kind.
+/// A handle: copies cost nothing.
 class MergedCells {
 public:
     /// `geometry`: of the pieces. `volumes`: of the cells. Throws InvalidInput, naming the degree,

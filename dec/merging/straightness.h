@@ -15,7 +15,7 @@ class StraightnessTest {
 public:
     StraightnessTest(const Geometry& geometry, double tolerance, double angle);
 
-    // no copies, whose parts would refer to those of another
+    // no copies: their references would point into another object
     StraightnessTest(const StraightnessTest&) = delete;
     StraightnessTest& operator=(const StraightnessTest&) = delete;
 

@@ -22,9 +22,9 @@ public:
     CellVolumes& operator=(const CellVolumes&) = default;
 
     /// One vector per degree 0..n, one number per cell. Without `terms` and `rounding` the duals
-    /// count as exact up to their last digits: terms are the duals' own sizes. Throws InvalidInput,
-    /// naming degree and cell, for sizes that differ, for a primal volume that is not finite and
-    /// positive, and for other numbers that are not finite.
+    /// count as exact up to their last digits: terms are the duals' own sizes.
+    /// Throws InvalidInput, naming degree and cell, for sizes that differ, for a primal volume that
+    /// is not finite and positive, and for other numbers that are not finite.
     CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
                 std::vector<Vector> terms = {}, std::vector<Vector> rounding = {});
     CellVolumes(std::vector<Values> primal, std::vector<Values> dual, std::vector<Bounds> terms,
