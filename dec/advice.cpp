@@ -36,8 +36,8 @@ DiscretizeOptions with(Remedy remedy, DiscretizeOptions options) {
 
 namespace {
 
-/// Whether the duals of all edges on the boundary are positive, and of all others that merging
-/// leaves.
+/// Whether the duals of all boundary edges, and of all other edges that merging leaves, are
+/// positive.
 bool are_positive(const GluedSurface& surface, const Vector& lengths,
                   const DiscretizeOptions& options) {
     Vector stars = Vector::Zero(surface.edges());
@@ -54,9 +54,9 @@ bool are_positive(const GluedSurface& surface, const Vector& lengths,
     return true;
 }
 
-/// Whether flips, and splits if the options say so, make every dual of a surface positive. An angle
-/// opposite to the boundary only grows by flips. Where they are many, as in a fan of all triangles
-/// around one vertex, where they may be as many as pairs of edges, it is not tried to the end.
+/// Whether flips, and splits if the options allow them, make every dual of a surface positive.
+/// Flips only increase an angle opposite the boundary. Gives up after many flips: a fan of all
+/// triangles around one vertex may need as many as there are pairs of edges.
 bool are_cure(const SimplicialComplex& triangles, const Vector& lengths,
               const DiscretizeOptions& options) {
     const bool splits = options.delaunay == Delaunay::flips_and_splits;
@@ -64,14 +64,14 @@ bool are_cure(const SimplicialComplex& triangles, const Vector& lengths,
     if (!splits && options.criterion != MergeCriterion::none &&
         !are_positive(surface, lengths, options))
         return false;
-    constexpr Index many = 20; // for each edge
+    constexpr Index many = 20; // per edge
     try {
         const auto tried = intrinsic_delaunay(
             surface, lengths,
             {splits ? BoundaryEdges::split : BoundaryEdges::keep, options.tolerance, many});
         return are_positive(tried.surface, tried.lengths, options);
     } catch (const Error&) {
-        return false; // at a sharp corner, for instance
+        return false; // e.g. at a sharp corner
     }
 }
 

@@ -13,7 +13,7 @@ namespace polydec {
 
 namespace {
 
-/// The weights of the facets of the boundary, 0 at others.
+/// The weights of the boundary facets, 0 at other facets.
 Vector on_boundary(const CellComplex& complex, int k, const Vector& weights) {
     const int n = complex.dimension();
     check_number("the star within the boundary of degree", k, 0, n - 1);
@@ -65,7 +65,7 @@ SparseMatrix by_whitney_forms(const MergedCells& cells, int k, const Vector& of_
     return S.transpose() * W * S;
 }
 
-/// Each facet in equal parts among its vertices.
+/// Divides each facet equally among its vertices.
 SparseMatrix equal_shares(const CellComplex& complex, const Vector& areas) {
     const int n = complex.dimension();
     SparseMatrix vertices(complex.size(n - 1), complex.size(n - 1));

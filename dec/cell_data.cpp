@@ -13,7 +13,7 @@ namespace polydec {
 
 namespace {
 
-/// What computing the same number in two ways may differ by.
+/// Relative difference between two computations of the same number.
 constexpr double rounding = 1e-12;
 
 void check_range(std::string_view what, const Vector& values, std::string_view cells, Range range,
@@ -28,7 +28,7 @@ void check_range(std::string_view what, const Vector& values, std::string_view c
                                {.degree = n, .cells = {cell}});
 }
 
-/// Of each simplex of the input the number of its cell.
+/// For each simplex of the input, the number of its cell.
 std::vector<Index> numbers_of_simplices(const Discretization& mesh) {
     const SimplicialComplex& input = mesh.input();
     const auto& numbers = mesh.input_cells().of_simplices;
@@ -78,7 +78,7 @@ std::vector<Index> cells_of_input(const Discretization& mesh, std::string_view w
     }
     const IncidenceMatrix& pieces = mesh.merging().diamond(n);
     for (Index cell = 0; cell < pieces.rows(); ++cell) {
-        // without volume a piece of others has no share in anything
+        // a piece without volume has no share in a cell with other pieces
         for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece)
             if (!mesh.geometry().is_flat(static_cast<Index>(piece.col())) &&
                 (result[cell] < 0 || numbers[piece.col()] < result[cell]))

@@ -33,11 +33,11 @@ CellVolumes barycentric_volumes(const MergedCells& cells) {
                           dual_volumes(pieces.pieces(), pieces.metric(), Centers::centroids()));
 }
 
-/// The cells of a surface that get Galerkin's stars. With those beside an edge without positive
-/// dual go all that have a negative part of the dual of an edge which a bad cell has too: so every
-/// edge between good cells has a positive star, and on every other edge good cells add nothing
-/// negative beyond rounding to what is definite. Vertices whose dual is not positive make the cells
-/// around them bad.
+/// The cells of a surface that get Galerkin's stars: cells beside an edge without positive dual,
+/// and all cells with a negative part of the dual of an edge of a bad cell. So every edge between
+/// good cells has a positive star. On every other edge, good cells add nothing negative beyond
+/// rounding to a definite matrix. Vertices whose dual is not positive make the cells around them
+/// bad.
 class BadCells {
 public:
     explicit BadCells(const MergedCells& cells)
@@ -59,7 +59,7 @@ public:
 
     const Marks& marks() const { return bad_; }
 
-    /// |*E| of the good cells alone, over |E|.
+    /// |*E| from good cells only, over |E|.
     Vector edge_star() const {
         Vector sums = Vector::Zero(parts_[1].cols());
         for (Index t = 0; t < parts_[1].rows(); ++t)
@@ -70,7 +70,7 @@ public:
         return sums.cwiseQuotient(lengths).cwiseQuotient(lengths);
     }
 
-    /// Of vertices: circumcentric in good cells, a third of each triangle in bad ones.
+    /// For vertices: circumcentric in good cells, a third of each triangle in bad cells.
     Vector vertex_duals() const {
         Vector sums = Vector::Zero(parts_[0].cols());
         for (Index t = 0; t < parts_[0].rows(); ++t)
@@ -97,7 +97,7 @@ private:
         return any;
     }
 
-    /// From each bad cell to those across an edge of which they have a negative part.
+    /// Spreads from each bad cell across the edges with a negative part in it.
     void spread() {
         if (cofaces_[1].rows() == 0)
             cofaces_[1] = parts_[1].transpose();
@@ -122,7 +122,7 @@ private:
 
     const MergedCells& cells_;
     Marks bad_;
-    std::vector<Index> latest_; // bad cells whose neighbors have not been looked at
+    std::vector<Index> latest_; // bad cells whose neighbors have not been visited
     std::array<SparseMatrix, 2> parts_, cofaces_;
     SparseMatrix thirds_;
     std::array<Vector, 2> rounding_; // of |E||*E|

@@ -8,7 +8,7 @@ namespace polydec {
 
 namespace {
 
-/// Rows of coordinates in the plane that the simplex spans, from its first corner.
+/// Rows of coordinates in the plane of the simplex, relative to its first corner.
 DenseMatrix in_own_plane(const Corners& corners) {
     const auto n = static_cast<Index>(corners.vertices.size()) - 1;
     DenseMatrix edges(n, corners.points.cols());
@@ -26,8 +26,8 @@ DenseMatrix without_row(const DenseMatrix& rows, int omitted) {
     return result;
 }
 
-/// The edges of a facet from its first corner, and the unit vector orthogonal to it that points to
-/// a place beside it; 0 for a place on it.
+/// The edges of a facet from its first corner, and the unit normal that points to a place beside
+/// the facet; 0 for a place on it.
 DenseMatrix basis_at(const DenseMatrix& facet, const Eigen::RowVectorXd& beside) {
     const auto n = facet.rows();
     DenseMatrix basis(n, facet.cols());
@@ -42,7 +42,7 @@ DenseMatrix basis_at(const DenseMatrix& facet, const Eigen::RowVectorXd& beside)
     return basis;
 }
 
-/// One cell after another, from piece to piece across the facets inside of it.
+/// Lays out one cell at a time, from piece to piece across the facets inside it.
 class Developing {
 public:
     explicit Developing(const Discretization& mesh)

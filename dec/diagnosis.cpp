@@ -41,7 +41,7 @@ std::vector<StarNumbers> star_numbers(const HodgeStars& stars, double unit) {
     return list;
 }
 
-/// One for each degree: primal k-forms and dual (n-k)-forms have the same matrix.
+/// One per degree: primal k-forms and dual (n-k)-forms have the same matrix.
 std::vector<LaplacianVerdict>
 laplacian_verdicts(const Discretization& mesh,
                    const BeforeAndAfter<std::vector<OperatorVerdict>>& operators) {
@@ -108,7 +108,7 @@ void examine_metric(const Discretization& mesh, Diagnosis& found) {
     found.advice = advice(mesh);
 }
 
-/// Whether numbers are left out that double precision does not have.
+/// Whether numbers are missing because doubles cannot hold them.
 bool lacks_numbers(const Diagnosis& found) {
     const auto lacks = [](const StarNumbers& star) {
         return !star.min || !star.max || !star.min_abs;

@@ -25,8 +25,8 @@ namespace polydec {
 
 namespace {
 
-/// The facets that are to stay: between simplices of different tags, and with tags of their own.
-/// None where the mesh has no tags or they do not matter.
+/// The facets that must not merge: between simplices of different tags, and with tags of their own.
+/// Empty if the mesh has no tags or tags do not matter.
 std::vector<bool> staying_facets(const SimplicialComplex& complex, const std::vector<Index>& tags,
                                  const std::vector<Index>& facet_tags,
                                  const DiscretizeOptions& options) {
@@ -48,7 +48,7 @@ std::vector<bool> staying_facets(const SimplicialComplex& complex, const std::ve
     return marks;
 }
 
-/// Flips and splits as the options say; lengths are those of the edges.
+/// Flips and splits according to the options; `lengths` of the edges.
 IntrinsicDelaunay flipped(const SimplicialComplex& complex, Vector lengths,
                           const DiscretizeOptions& options) {
     if (options.criterion == MergeCriterion::angle)
@@ -60,7 +60,7 @@ IntrinsicDelaunay flipped(const SimplicialComplex& complex, Vector lengths,
                               {.boundary = boundary, .tolerance = options.tolerance});
 }
 
-/// `given` is what was merged.
+/// `given`: the geometry before merging.
 void look_at_flat_cells(const CosphericalMerging& merged, const Geometry& given,
                         const MergeOptions& options, std::vector<std::string>& warnings) {
     auto alone = flat_simplices(given);
@@ -82,12 +82,12 @@ void begin(const Progress& stage, std::string_view what) {
         stage(what);
 }
 
-/// A mesh read and numbered.
+/// A mesh after reading and numbering.
 struct Given {
     SimplicialComplex complex;
-    Mesh mesh;                            // but for its points
+    Mesh mesh;                            // without its points
     std::shared_ptr<const Points> points; // of the complex
-    SimplexMetric metric;                 // by these, in an n-plane that has them all, or lengths
+    SimplexMetric metric;                 // of these, in an n-plane that has them all, or lengths
     Points isolated;                      // points of no cell
     double unit;
     FlatCellsKept flat = {};
@@ -95,7 +95,7 @@ struct Given {
     bool has_points() const { return metric.points() != nullptr; }
 };
 
-/// Throws for cells without volume that are no pieces of others.
+/// Throws for cells without volume that are not pieces of other cells.
 void refuse_flat_cells(const Given& given, const Merging& merging) {
     const auto& [complex, mesh, points, metric, isolated, unit, flat] = given;
     if (flat.rows.empty())
@@ -122,7 +122,7 @@ void refuse_flat_cells(const Given& given, const Merging& merging) {
     refuse(by_number, alone);
 }
 
-/// What is measured: the simplices, and the triangles that flips make of them.
+/// Measured geometry: of the simplices, and of the triangles after flips.
 struct Measured {
     Passage passage;
     Geometry input, pieces;
@@ -180,7 +180,7 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
                                           merged.merging, merged.degenerate);
     warn_of_hybrid_stars(complex, input.volumes().primal(1), volumes, options, mesh.warnings);
     if (!merged.geometry.flat().empty())
-        input = merged.geometry; // alone, flat simplices have no duals
+        input = merged.geometry; // on their own, flat simplices have no duals
     if (flips && !mesh.tags.empty())
         mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
     std::vector<Index> cell_tags;
@@ -207,12 +207,12 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
                                  .input_cells = std::move(mesh.input_cells)});
     if (options.star != StarKind::circumcentric && options.star != StarKind::automatic) {
         begin(stage, "stars");
-        result.chosen_stars(); // or why there are none
+        result.chosen_stars(); // or report why there are none
     }
     return result;
 }
 
-/// Flips do away with them, and merging takes them for pieces of their neighbors' cells.
+/// Flips remove flat cells; merging makes them pieces of their neighbors' cells.
 bool can_do_with_flat_cells(const Given& given, const DiscretizeOptions& options) {
     return options.delaunay != Delaunay::off ||
            (options.criterion == MergeCriterion::dual_length &&
@@ -324,7 +324,7 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Pro
 
 namespace {
 
-/// `about` says what else is known of the simplices: tags, groups, warnings.
+/// `about`: other data of the simplices (tags, groups, warnings).
 Discretization of_lengths(const LengthMesh& mesh, Mesh about, const DiscretizeOptions& options,
                           const Progress& stage) {
     begin(stage, "complex");

@@ -14,7 +14,7 @@ namespace polydec {
 
 namespace {
 
-/// The groups that a tag stands for.
+/// The groups that a tag represents.
 std::vector<Index> groups_of(const Discretization& mesh, Index tag) {
     for (const JointTag& joint : mesh.joint_tags())
         if (joint.tag == tag)
@@ -22,7 +22,7 @@ std::vector<Index> groups_of(const Discretization& mesh, Index tag) {
     return {tag};
 }
 
-/// "wall (12 facets), 7 (3 facets)": those that have some.
+/// "wall (12 facets), 7 (3 facets)": the groups with facets.
 std::string groups_with_facets(const Discretization& mesh) {
     std::map<Index, Index> counts;
     for (const Index tag : mesh.facet_tags())
@@ -75,7 +75,7 @@ BoundaryConditions essential_on(const Discretization& mesh,
     const auto conditions = [&](const std::vector<std::string>& some) {
         return BoundaryConditions(BoundaryCondition::natural).essential(facets_in(mesh, some));
     };
-    for (const auto& group : groups) // each of them, not some
+    for (const auto& group : groups) // each of them separately
         require_essential(mesh.complex(), conditions({group}),
                           fmt::format("the group {} ({})", group, groups_with_facets(mesh)));
     return conditions(groups);

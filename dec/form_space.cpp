@@ -16,8 +16,8 @@ namespace polydec {
 
 namespace {
 
-/// The cells whose duals lie on the boundary: facets without dual that are not left out anyway, the
-/// n-cells beside them, and what has such cofaces alone.
+/// The cells whose duals lie on the boundary: facets without dual that are not already left out,
+/// the n-cells beside them, and cells with no other cofaces.
 CellMarks on_the_boundary(const CellComplex& complex, std::vector<bool> without_dual,
                           const CellMarks& left_out) {
     const int n = complex.dimension();
@@ -65,7 +65,7 @@ struct FormSpace::Parts {
     BoundaryConditions conditions;
     CellMarks fixed;
     Vector robin = {};                   // coefficients at facets
-    std::vector<bool> without_dual = {}; // at which values are given, if they matter
+    std::vector<bool> without_dual = {}; // facets where values are given, if they matter
     Lazy<CellMarks> on_boundary = {}, left_out = {};
     Lazy<RelativeComplex> relative = {};
 
@@ -86,7 +86,7 @@ FormSpace::FormSpace(const Cells& cells, Side side, int degree)
 FormSpace::FormSpace(const Cells& cells, Side side, int degree,
                      const BoundaryConditions& conditions) {
     const CellComplex& complex = cells.complex();
-    const int k = polydec::cell_degree(complex, side, degree); // which there must be
+    const int k = polydec::cell_degree(complex, side, degree); // throws for an invalid degree
     if (side == Side::dual && degree == 0)
         check_not_branching(cells);
     auto parts = std::shared_ptr<Parts>(new Parts{
@@ -95,7 +95,7 @@ FormSpace::FormSpace(const Cells& cells, Side side, int degree,
     if (side == Side::dual || degree == cells.dimension()) {
         parts->without_dual = cells.boundary_facets_without_dual();
         for (Index f = 0; f < parts->robin.size(); ++f)
-            if (parts->robin[f] > 0) // where no value is given
+            if (parts->robin[f] > 0) // no value is given there
                 parts->without_dual[f] = false;
     }
     parts_ = std::move(parts);

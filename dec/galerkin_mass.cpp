@@ -14,8 +14,8 @@ namespace polydec {
 
 namespace {
 
-/// How many pairs there are of k-cells below one n-cell of several pieces, each with all others:
-/// where forms are lifted to k-simplices inside, all of them are coupled.
+/// Number of pairs of k-cells below a common n-cell with several pieces: the lift to k-simplices
+/// inside couples all of them.
 double count_pairs(const Merging& merging, int k) {
     const CellComplex& complex = merging.merged();
     const int n = complex.dimension();
@@ -53,7 +53,7 @@ SparseMatrix GalerkinMass::operator()(int k, const Vector& weights) const {
 }
 
 SparseMatrix GalerkinMass::lifted(int k, const SparseMatrix& of_pieces) const {
-    // of the product on its way, the result, what is transposed and their sum
+    // of the intermediate product, the result, its transpose and their sum
     constexpr double bytes_each = 5 * (sizeof(double) + sizeof(Index));
     const double entries = count_pairs(cells_.merging(), k);
     check_memory(bytes_each * entries,
@@ -61,7 +61,7 @@ SparseMatrix GalerkinMass::lifted(int k, const SparseMatrix& of_pieces) const {
     const SparseMatrix& S = cells_.lift()[k];
     const SparseMatrix result = SparseMatrix(S.transpose()) * of_pieces * S;
     return 0.5 *
-           (result + SparseMatrix(result.transpose())); // without rounding across the diagonal
+           (result + SparseMatrix(result.transpose())); // removes rounding across the diagonal
 }
 
 } // namespace polydec

@@ -26,7 +26,7 @@ struct GluedBox::Found {
 
 namespace {
 
-/// Of each row of the input the n-simplex that it is.
+/// For each row of the input its n-simplex.
 std::vector<Index> simplices_of_rows(const SimplicialComplex& complex) {
     std::vector<Index> result(static_cast<std::size_t>(complex.size(complex.dimension())));
     for (Index t = 0; t < std::ssize(result); ++t)
@@ -34,8 +34,8 @@ std::vector<Index> simplices_of_rows(const SimplicialComplex& complex) {
     return result;
 }
 
-/// An n-simplex of the glued mesh in the box: of each of its corners the place among the corners
-/// there.
+/// An n-simplex of the glued mesh in the box: for each of its corners the position among the
+/// corners there.
 std::vector<int> places_of_corners(const SimplicialComplex& box, Index in_box,
                                    const SimplicialComplex& glued, Index t,
                                    const std::vector<Index>& vertices) {
@@ -80,7 +80,7 @@ Discretization measured(const PeriodicMesh& glued, const Discretization& mesh,
         box, plane.cols() > 0 ? SimplexMetric(std::move(plane)) : SimplexMetric(points),
         mesh.options().centers);
     const MergedCells merged(cells, pieces, merged_volumes(cells, pieces.volumes()));
-    std::vector<std::string> told; // of the glued mesh
+    std::vector<std::string> told; // warnings of the glued mesh, discarded
     auto tags = merged_tags(cells, n, tags_of_cells(box, glued.box.tags), told);
     return Discretization({.input = pieces,
                            .passage = Passage(box),
@@ -102,7 +102,7 @@ GluedBox::Found GluedBox::found(const PeriodicMesh& glued, const Discretization&
     SimplicialComplex box(glued.box.simplices);
     check_as_many("cells of a quotient", K.size(n), box.size(n));
     const auto rows = simplices_of_rows(K);
-    std::vector<Index> tops;              // of each n-simplex of the box
+    std::vector<Index> tops;              // for each n-simplex of the box
     std::vector<std::vector<int>> places; // of its corners
     std::vector<std::int8_t> orientations;
     Simplices corners(K.size(n), n + 1);
@@ -126,7 +126,7 @@ GluedBox::Found GluedBox::found(const PeriodicMesh& glued, const Discretization&
             const auto& faces = in_glued.of(tops[i]);
             const auto& others = in_box.of(i);
             for (std::size_t f = 0; f < faces.size(); ++f) {
-                std::vector<int> position; // of the face in the box
+                std::vector<int> position; // position of the face in the box
                 for (const int corner : in_glued.positions()[f])
                     position.push_back(places[i][corner]);
                 const double sign = permutation_sign(position);
@@ -175,7 +175,7 @@ DenseMatrix GluedBox::forth(int k, const DenseMatrix& values) const {
     const auto& [onto, signs, size] = maps_[k];
     check_as_many("values on a box", values.rows(), std::ssize(onto));
     DenseMatrix result(size, values.cols());
-    for (auto s = std::ssize(onto) - 1; s >= 0; --s) // the first one stays
+    for (auto s = std::ssize(onto) - 1; s >= 0; --s) // the first one wins
         result.row(onto[s]) = signs[s] * values.row(s);
     return result;
 }

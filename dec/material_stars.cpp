@@ -38,8 +38,8 @@ void check_in_place(const Discretization& mesh) {
                                        mesh.dimension()));
 }
 
-/// Inner products by G of the fluxes (x - a_i) / (n |t|) of a simplex, a_i its corners: those at
-/// the centroid g, and what the corners' second moments about it add.
+/// Inner products by G of the fluxes (x - a_i) / (n |t|) of a simplex with corners a_i: the
+/// products at the centroid g, plus the second moments of the corners about it.
 DenseMatrix flux_products(const Points& corners, const DenseMatrix& G, double volume) {
     const auto n = static_cast<double>(corners.cols());
     const DenseMatrix out = corners.rowwise() - corners.colwise().mean();
@@ -48,7 +48,7 @@ DenseMatrix flux_products(const Points& corners, const DenseMatrix& G, double vo
            (n * n * volume);
 }
 
-/// The parts in the n-cells of what the diagonal star of k-cells is made of, |E||*E|.
+/// The parts in the n-cells of |E||*E|, which makes up the diagonal star of k-cells.
 SparseMatrix parts_of_star(const Discretization& mesh, int k) {
     const ChosenStars& chosen = mesh.chosen_stars();
     if (chosen.is_over_duals(k))
@@ -65,7 +65,7 @@ SparseMatrix parts_of_star(const Discretization& mesh, int k) {
     return of(parts, false) + of(thirds, true);
 }
 
-/// 1 for each entry.
+/// The same entries, all set to 1.
 SparseMatrix pattern(SparseMatrix matrix) {
     matrix.coeffs().setOnes();
     return matrix;
@@ -100,7 +100,7 @@ SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMa
         const DenseMatrix edges = corners.bottomRows(n).rowwise() - corners.row(0);
         const DenseMatrix M = flux_products(corners, inverses[cell],
                                             std::abs(edges.determinant()) / std::tgamma(n + 1));
-        // face i, without corner i, has the sign (-1)^i where flux leaves
+        // face i, without corner i, has the sign (-1)^i if flux leaves
         for (int i = 0; i <= n; ++i)
             for (int j = 0; j <= n; ++j)
                 entries.emplace_back(K.face(n, t, i), K.face(n, t, j),
@@ -117,7 +117,7 @@ Vector cell_means(const Discretization& mesh, int k, const CellData& given) {
     const SparseMatrix parts = parts_of_star(mesh, k);
     const Vector sums = parts.transpose() * Vector::Ones(parts.rows());
     Vector means = (parts.transpose() * weights).cwiseQuotient(sums);
-    // cells without dual: the mean of the n-cells they touch
+    // cells without dual: mean over the n-cells that they touch
     const SparseMatrix where = pattern(parts);
     const Vector plain =
         (where.transpose() * weights).cwiseQuotient(where.transpose() * Vector::Ones(parts.rows()));

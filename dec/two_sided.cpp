@@ -13,14 +13,14 @@ namespace {
 
 constexpr Index none = -1;
 
-/// The first facet of more than two cofaces.
+/// The first facet with more than two cofaces.
 Index branching_facet(const CellComplex& complex) {
     const auto& counts = complex.coface_counts(complex.dimension() - 1);
     const auto found = std::find_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
     return found == counts.end() ? none : static_cast<Index>(found - counts.begin());
 }
 
-/// The first facet of two cofaces that lie on the same side of it.
+/// The first facet with two cofaces on the same side of it.
 Index clashing_facet(const CellComplex& complex) {
     const int n = complex.dimension();
     const auto& counts = complex.coface_counts(n - 1);

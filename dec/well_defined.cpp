@@ -16,10 +16,10 @@ namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
 
-/// What spoils operators, by degree of cells.
+/// Defects that make operators ill defined, by degree of cells.
 struct Faults {
-    std::vector<Index> without_dual; ///< cells whose dual has no extent
-    std::vector<Index> copies;       ///< cells whose dual is that of another one
+    std::vector<Index> without_dual; ///< cells whose dual has zero volume
+    std::vector<Index> copies;       ///< cells whose dual coincides with another cell's
 };
 
 std::string cells_with(std::size_t count, int k) {
@@ -30,8 +30,8 @@ Index count(const std::vector<bool>& marks) {
     return static_cast<Index>(std::count(marks.begin(), marks.end(), true));
 }
 
-/// What is looked at: pieces, what becomes of them, and the cells whose duals count, which are the
-/// pieces themselves at the stage of the input.
+/// Data for a verdict: pieces, what becomes of them, and the cells whose duals count; at the input
+/// stage these are the pieces.
 struct View {
     Merging merging;
     CellVolumes volumes;         ///< of the cells
@@ -53,7 +53,7 @@ View view(const Discretization& mesh, Stage stage) {
             facet_defects(by_lengths, mesh.options()).degenerate, true};
 }
 
-/// The k-cells whose dual has no extent.
+/// The k-cells whose dual has zero volume.
 Index without_dual(const View& view, int k) {
     const auto& carriers = view.merging.carriers(k);
     std::vector<bool> marks(static_cast<std::size_t>(view.size(k)), false);
@@ -70,7 +70,7 @@ Index without_dual(const View& view, int k) {
     return count(marks);
 }
 
-/// Marks the n-cells whose circumcenter is that of a neighbor, across a degenerate facet.
+/// Marks the n-cells that share a circumcenter with a neighbor across a degenerate facet.
 void mark_concentric(const View& view, std::vector<bool>& marks) {
     const Pieces& pieces = view.merging.pieces();
     const int n = pieces.dimension();
@@ -85,7 +85,7 @@ void mark_concentric(const View& view, std::vector<bool>& marks) {
     }
 }
 
-/// The k-cells whose dual is that of another one: pieces of one merged cell.
+/// The k-cells whose dual coincides with another cell's: pieces of one merged cell.
 Index copies(const View& view, int k) {
     std::vector<bool> marks(static_cast<std::size_t>(view.size(k)), false);
     const IncidenceMatrix& dia = view.merging.diamond(k);
@@ -107,7 +107,7 @@ Faults find_faults(const View& view) {
     return faults;
 }
 
-/// Of chosen stars: they are no duals, which might be copies.
+/// For chosen stars: they are not duals, so there are no copies.
 Faults find_faults(const HodgeStars& stars) {
     Faults faults;
     for (int k = 0; k <= stars.dimension(); ++k)
@@ -116,7 +116,7 @@ Faults find_faults(const HodgeStars& stars) {
     return faults;
 }
 
-/// Collects verdicts: an operator is as good as the stars it is made of.
+/// Collects verdicts: an operator is as good as its stars.
 class Table {
 public:
     explicit Table(Faults faults) : faults_(std::move(faults)) {}
@@ -176,7 +176,7 @@ std::vector<OperatorVerdict> operator_verdicts(const Discretization& discretizat
     }
     for (int k = 0; k <= n; ++k)
         for (const Side side : {Side::primal, Side::dual}) {
-            // the Laplacian inverts the star of its own cells only where there is a degree above
+            // the Laplacian inverts the star of its own cells only if there is a degree above
             const int cells = side == Side::primal ? k : n - k;
             const int own = cells < n ? cells : -1;
             table.add("laplacian", k, side, {cells > 0 ? cells : -1, cells + 1}, {cells - 1, own});

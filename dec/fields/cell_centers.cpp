@@ -13,7 +13,7 @@ namespace polydec {
 
 namespace {
 
-/// Rows of the simplices averaged over each merged cell, by volume.
+/// Averages rows of the simplices over each merged cell, by volume.
 Points mean_over_cells(const Merging& merging, const Points& rows, const CellVolumes& volumes,
                        int k) {
     check_fit(merging.pieces(), volumes);
@@ -29,9 +29,9 @@ Points mean_over_cells(const Merging& merging, const Points& rows, const CellVol
     return result;
 }
 
-/// Places in the cells of a glued mesh. An n-cell is laid flat, and places in it are told by the
-/// corners of one of its pieces, where this lies in the box: so means over cells across a seam are
-/// in one place.
+/// Places in the cells of a glued mesh. An n-cell is laid flat, and a place in it is expressed by
+/// the corners of one of its pieces, at this piece's position in the box. So means over cells
+/// across a seam are in one place.
 class PlacesInBox {
 public:
     PlacesInBox(const Discretization& mesh, int k)
@@ -43,7 +43,7 @@ public:
           seen_(static_cast<std::size_t>(mesh.pieces().size(k)), false),
           sums_(static_cast<std::size_t>(mesh.complex().size(k))) {}
 
-    /// The mean by volume of a place in each k-piece.
+    /// Mean by volume of a place in each k-piece.
     Points means(const Points& coordinates) {
         Points result(std::ssize(sums_), mesh_.ambient_dimension());
         const IncidenceMatrix& pieces = mesh_.merging().diamond(n_);
@@ -58,9 +58,9 @@ public:
     }
 
 private:
-    /// Of places in the n-cell, laid flat, that was the first to have the k-cell.
+    /// Sum over places in the first n-cell, laid flat, that contains the k-cell.
     struct Sum {
-        Index cell = -1, anchor = -1; ///< and its piece whose corners tell of places
+        Index cell = -1, anchor = -1; ///< and its piece whose corners express places
         Vector places = {};
         double volume = 0;
     };
@@ -109,10 +109,10 @@ private:
     Points corners_; // n + 1 rows for each n-piece
     SimplexFaces faces_;
     std::vector<bool> seen_; // k-pieces
-    std::vector<Sum> sums_;  // of each k-cell
+    std::vector<Sum> sums_;  // per k-cell
 };
 
-/// The mean by volume over each k-cell of a place in each k-piece.
+/// Mean by volume over each k-cell of a place in each k-piece.
 Points mean_over_cells(const Discretization& mesh, int k, const Points& coordinates) {
     if (mesh.box())
         return k == 0 ? mesh.box()->vertices() : PlacesInBox(mesh, k).means(coordinates);
@@ -121,7 +121,7 @@ Points mean_over_cells(const Discretization& mesh, int k, const Points& coordina
     return mean_over_cells(mesh.merging(), places, mesh.geometry().volumes(), k);
 }
 
-/// Not if only lengths are known.
+/// False if only lengths are known.
 bool has_places(const Discretization& mesh) {
     return mesh.ambient_dimension() > 0;
 }
@@ -140,7 +140,7 @@ bool couples_facets_of(const SparseMatrix& M, const IncidenceRow& faces) {
     return false;
 }
 
-/// The coordinates of the centroids of k-simplices.
+/// Coordinates of the centroids of k-simplices.
 Points middles(const Pieces& complex, int k) {
     cell_degree(complex, Side::primal, k);
     return Points::Constant(complex.size(k), k + 1, 1.0 / (k + 1));

@@ -23,7 +23,7 @@ std::vector<Index> numbers_of(const std::vector<bool>& marks) {
     return numbers;
 }
 
-/// The vertices of the k-cells that are marked.
+/// The vertices of the marked k-cells.
 std::vector<Index> vertices_of(const CellComplex& complex, int k, const std::vector<bool>& cells) {
     CellMarks marks;
     for (int j = 0; j <= complex.dimension(); ++j)

@@ -40,7 +40,7 @@ Vector top_volumes(const PlacedSimplices& places) {
     Circumsphere sphere(places.points);
     Vector volumes(places.corners.rows());
     for (Index t = 0; t < volumes.size(); ++t) {
-        // one without volume has no weight but where it is alone
+        // a simplex without volume has weight only if it is alone
         const bool has_volume = sphere.look_at(vertices(places.corners, t));
         volumes[t] = has_volume ? sphere.volume() : std::numeric_limits<double>::min();
     }
@@ -70,7 +70,7 @@ Contraction::Contraction(const Pieces& complex, const PlacedSimplices& places, i
     steepness_ = gradients_.rowwise().norm();
 }
 
-/// What a face becomes with each of the other vertices; the sign is that of putting it first.
+/// The cofaces of a face with each other vertex; the sign is for putting this vertex first.
 std::vector<Contraction::Extension>
 Contraction::extensions_of(const std::vector<int>& face,
                            const std::vector<std::vector<int>>& cofaces) const {
@@ -88,7 +88,7 @@ Contraction::extensions_of(const std::vector<int>& face,
     return extensions;
 }
 
-/// How far the opposite of the field points into a simplex, from a face of it.
+/// How far the opposite of the field points into a simplex from one of its faces.
 double Contraction::upwindness(const std::vector<Term>& terms) {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& term : terms)
@@ -96,7 +96,7 @@ double Contraction::upwindness(const std::vector<Term>& terms) {
     return least;
 }
 
-/// Of each face the n-simplex into which the opposite of the field points farthest.
+/// For each face the n-simplex into which the opposite of the field points farthest.
 std::vector<Index> Contraction::upwind_simplices(const Points& field) const {
     std::vector<Index> best(complex_.size(k_ - 1), -1);
     Vector most = Vector::Zero(complex_.size(k_ - 1));

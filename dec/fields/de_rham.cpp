@@ -63,17 +63,17 @@ private:
     double factorial_;
 };
 
-/// Integrals over the duals of the k-simplices, gathered going down from each n-simplex, or over
-/// their part within the boundary from each facet of it.
+/// Integrals over the duals of the k-simplices, accumulated downwards from each n-simplex, or over
+/// the duals' parts within the boundary, from each boundary facet.
 class DualIntegrals {
 public:
-    /// centers_of(i) are the centers of the i-simplices in space.
+    /// centers_of(i): the centers of the i-simplices in space.
     template <class CentersOf>
     DualIntegrals(const Pieces& complex, Eigen::Index N, int k, const Integral& integral,
                   CentersOf centers_of)
         : DualIntegrals(complex, N, k, integral, centers_of, complex.dimension()) {}
 
-    /// Of duals that end at cells of dimension `top`.
+    /// For duals that end at cells of dimension `top`.
     template <class CentersOf>
     DualIntegrals(const Pieces& complex, Eigen::Index N, int k, const Integral& integral,
                   CentersOf centers_of, int top)
@@ -93,7 +93,7 @@ public:
         return std::move(result_);
     }
 
-    /// Facets have the orientation of the boundary.
+    /// Facets are oriented as the boundary.
     Vector on_the_boundary(const std::vector<bool>& boundary) {
         const int n = complex_.dimension();
         for (Index t = 0; t < complex_.size(n); ++t)
@@ -106,7 +106,7 @@ public:
     }
 
 private:
-    /// All flags that go on below i-simplex s.
+    /// Visits all flags that continue below i-simplex s.
     void descend(int i, Index s, double sign) {
         corners_.row(i - k_) = centers_[i].row(s);
         if (i == k_) {
@@ -124,10 +124,10 @@ private:
     int k_;
     DenseMatrix corners_;
     Vector result_;
-    std::vector<Points> centers_; // by degree
+    std::vector<Points> centers_; // per degree
 };
 
-/// The mean coefficients of a form over the k-simplices, a row each.
+/// Mean coefficients of a form over the k-simplices, one row each.
 DenseMatrix means_over(const Pieces& complex, const Points& points, int k, const SmoothForm& form,
                        Index coefficients, int quadrature_degree) {
     const auto rule = grundmann_moeller(k, quadrature_degree);
@@ -225,7 +225,7 @@ Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothF
 
 namespace {
 
-/// The form at places in the unit of the mesh.
+/// The form as a function of places in the unit of the mesh.
 SmoothForm in_unit_of(const Discretization& mesh, const SmoothForm& form) {
     require_form(form);
     const double unit = mesh.unit();
@@ -289,14 +289,14 @@ Vector inverse_star_de_rham(const Discretization& mesh, int j, const SmoothForm&
     const auto [points, corners] = mesh.places();
     const Index size = ExteriorProduct(mesh.ambient_dimension(), j).size();
     const DenseMatrix in_box = means_over(at.input(), points, k, form, size, quadrature_degree);
-    // coefficients have no orientation, as simplices have
+    // coefficients have no orientation, unlike simplices
     const Vector signs = from_places(mesh, k, Vector::Ones(in_box.rows()));
     const DenseMatrix means = signs.asDiagonal() * from_places(mesh, k, in_box);
     return inverse_star_means(mesh.input(), points, corners, j,
                               [&](Index, Index s) { return means.row(s); });
 }
 
-/// The values at dual_sites, over cells of several pieces their means by volume.
+/// Values at dual_sites, averaged by volume over the pieces of a cell.
 Cochain values_at_sites(const Discretization& mesh, const SmoothForm& form) {
     require_form(form);
     Points rows = sites_of_pieces(mesh);
@@ -307,7 +307,7 @@ Cochain values_at_sites(const Discretization& mesh, const SmoothForm& form) {
     return on_cells(mesh, {Side::dual, 0, values});
 }
 
-/// The facets of the simplices of placed(mesh) that are on the boundary of the mesh: not the seams.
+/// The facets of the simplices of placed(mesh) on the boundary of the mesh, without the seams.
 std::vector<bool> boundary_facets(const Discretization& mesh) {
     const int m = mesh.dimension() - 1;
     const auto& counts = mesh.pieces().coface_counts(m);
@@ -317,7 +317,7 @@ std::vector<bool> boundary_facets(const Discretization& mesh) {
     return result;
 }
 
-/// Of forms at places in the unit of the mesh.
+/// For forms of places in the unit of the mesh.
 Cochain dual_integrals(const Discretization& mesh, int j, const SmoothForm& form,
                        int quadrature_degree) {
     const auto N = mesh.ambient_dimension();
@@ -329,7 +329,7 @@ Cochain dual_integrals(const Discretization& mesh, int j, const SmoothForm& form
                     to_merged(mesh, {Side::primal, k, primal}));
     }
     if (j == 0)
-        return values_at_sites(mesh, form); // integrals over duals are those of the volumes
+        return values_at_sites(mesh, form); // integrals over duals use the volumes
     const Discretization& at = placed(mesh);
     const Integral integral(form, N, j, quadrature_degree);
     const Places places(at.passage(), at.measured_points());
@@ -345,7 +345,7 @@ Cochain dual_integrals(const Discretization& mesh, int j, const SmoothForm& form
     return on_cells(mesh, {Side::dual, j, sums_from_places(mesh, k, values)});
 }
 
-/// Likewise, within the boundary.
+/// The same within the boundary.
 Vector boundary_integrals(const Discretization& mesh, int j, const SmoothForm& form,
                           int quadrature_degree) {
     const auto N = mesh.ambient_dimension();
@@ -372,7 +372,7 @@ Vector boundary_integrals(const Discretization& mesh, int j, const SmoothForm& f
     const Vector result = on_cells(mesh, {Side::dual, j + 1, of_pieces}).values;
     if (j > 0)
         return result;
-    // the dual of a facet within the boundary is a point, which has no orientation
+    // within the boundary, the dual of a facet is a point without orientation
     const Vector outward =
         mesh.complex().boundary(n).cast<double>() * Vector::Ones(mesh.complex().size(n));
     return result.cwiseProduct(outward);

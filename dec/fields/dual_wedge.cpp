@@ -27,7 +27,7 @@ Axes joined(const Axes& a, const Axes& b) {
     return result;
 }
 
-/// The axes 0..n-1 that are not in the ascending list.
+/// The axes 0..n-1 missing in the ascending list.
 Axes complement(int n, const Axes& axes) {
     Axes result;
     for (int axis = 0; axis < n; ++axis)
@@ -80,7 +80,7 @@ private:
 struct Chart {
     DenseMatrix corners;   // (n+1) x n, the first one 0
     DenseMatrix gradients; // of the barycentric coordinates, (n+1) x n
-    double orientation;    // of the axes against the simplex
+    double orientation;    // of the axes relative to the simplex
 
     Chart(const Pieces& complex, SimplexLayout& layout, Index t) {
         const int n = complex.dimension();
@@ -135,8 +135,8 @@ private:
 };
 
 /// The product of the duals of two primal forms: the covector star^-1 (star a ^ star b) at the unit
-/// m-vector of s times the volume of the part of *s, which is the integral of star a ^ star b since
-/// s and *s are orthogonal.
+/// m-vector of s, times the volume of the part of *s. This is the integral of star a ^ star b
+/// because s and *s are orthogonal.
 Vector product_of_stars(const Geometry& geometry, const Cochain& a, const Cochain& b) {
     const Pieces& complex = geometry.pieces();
     const int n = complex.dimension(), m = a.degree + b.degree - n;
@@ -168,7 +168,7 @@ Vector product_of_stars(const Geometry& geometry, const Cochain& a, const Cochai
     return values;
 }
 
-/// The primal form of which a dual form is the star.
+/// The primal form whose star is the dual form.
 Cochain without_star(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
     const int p = complex.dimension() - form.degree;
     return {Side::primal, p, star(volumes, p).solve(form.values)};

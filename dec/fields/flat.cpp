@@ -47,12 +47,12 @@ void check_field(const Discretization& mesh, bool at_vertices, const DenseMatrix
                                    : Error::Place{.degree = mesh.dimension(), .cells = {row}});
 }
 
-/// The means of the rows of the vertices of each k-simplex.
+/// Means of the rows of the vertices of each k-simplex.
 Points means(const Pieces& complex, const Points& field, int k) {
     return combinations(complex, k, Points::Constant(complex.size(k), k + 1, 1.0 / (k + 1)), field);
 }
 
-/// Vectors at vertices, continued linearly to the centers of the k-pieces.
+/// Vectors at vertices, interpolated linearly at the centers of the k-pieces.
 Points at_centers(const Discretization& mesh, const Places& places, const Points& field, int k) {
     const Points coordinates =
         center_coordinates(mesh.pieces(), mesh.geometry().metric(), mesh.geometry().centers(), k);
@@ -62,7 +62,7 @@ Points at_centers(const Discretization& mesh, const Places& places, const Points
     return rows;
 }
 
-/// The vectors of the merged n-cells, copied to their pieces.
+/// Copies the vectors of the merged n-cells to their pieces.
 Points copied_to_pieces(const Discretization& mesh, const DenseMatrix& field) {
     const auto& carriers = mesh.merging().carriers(mesh.dimension());
     Points result(carriers.size(), field.cols());
@@ -71,12 +71,12 @@ Points copied_to_pieces(const Discretization& mesh, const DenseMatrix& field) {
     return result;
 }
 
-/// The product of the mean of the vectors of both ends with each edge of the input.
+/// Product of each edge of the input with the mean of the vectors at its ends.
 Vector along_edges(const Discretization& mesh, const DenseMatrix& field) {
     const Discretization& at = placed(mesh);
     const DenseMatrix edges =
         from_places(mesh, 1, edge_vectors(at.input(), at.measured_input_points()));
-    const Points of_input = field.topRows(mesh.input().size(0)); // splits have made the others
+    const Points of_input = field.topRows(mesh.input().size(0)); // others are from splits
     return edges.cwiseProduct(means(mesh.input(), of_input, 1)).rowwise().sum();
 }
 
@@ -90,7 +90,7 @@ void check_dual_volumes(const Discretization& mesh) {
             {.degree = 1, .cells = zero, .vertices = cell_vertices(mesh, 1, zero.front())});
 }
 
-/// The product with each edge of the vectors of the n-simplices around, by parts of the dual.
+/// Product of each edge with the vectors of the n-simplices around, by parts of the dual.
 Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     check_dual_volumes(mesh);
     const SparseMatrix parts =
@@ -100,7 +100,7 @@ Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     const DenseMatrix edges = from_places(mesh, 1, edge_vectors(at.pieces(), at.measured_points()));
     Vector result = sums.cwiseProduct(edges).rowwise().sum();
 
-    // edges inside of merged cells count for nothing, and their duals may well vanish
+    // edges inside merged cells do not count, and their duals may vanish
     constexpr int own = 1;
     const auto& carriers = mesh.merging().carriers(own);
     for (Index e = 0; e < result.size(); ++e)
@@ -109,8 +109,8 @@ Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     return result;
 }
 
-/// Along the dual edge of each facet f, piece by piece in the n-simplices t around; vector(t, f) is
-/// the mean of the field over the piece.
+/// Integral along the dual edge of each facet f, by its pieces in the n-simplices t around f;
+/// vector(t, f) is the mean of the field over the piece.
 template <class VectorOf>
 Vector along_dual_edges(const Discretization& mesh, const Places& places, VectorOf vector) {
     const auto& K = mesh.pieces();
@@ -145,8 +145,8 @@ Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix
         at, places, [&](Index t, Index f) { return vectors.row(kind == Flat::pdd ? f : t); });
 }
 
-/// The stars of the fluxes of the vectors, where stars know no duals: of the simplices of the input
-/// for a field at vertices, of the pieces for one on cells.
+/// Stars of the fluxes of the vectors, if stars know no duals: on the simplices of the input for a
+/// field at vertices, on the pieces for a field on cells.
 Cochain star_of_fluxes(const Discretization& mesh, bool at_vertices, const DenseMatrix& field) {
     const int n = mesh.dimension();
     const bool straight = at_vertices || mesh.passage().is_identity();
@@ -163,7 +163,7 @@ Cochain star_of_fluxes(const Discretization& mesh, bool at_vertices, const Dense
                 at_vertices ? to_merged(mesh, fluxes) : on_cells(mesh, fluxes));
 }
 
-/// Of vectors in the unit of the mesh.
+/// For vectors in the unit of the mesh.
 Cochain flat_in_unit(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
     if (!is_primal(kind) && !mesh.chosen_stars().is_over_duals(mesh.dimension() - 1))
         return star_of_fluxes(mesh, is_at_vertices(kind), field);

@@ -28,7 +28,7 @@ SparseMatrix inflow(const Pieces& complex, const PlacedSimplices& places, const 
     const int n = complex.dimension();
     check_degree_of_contraction(k, n);
     SparseMatrix rates(complex.size(k), complex.size(k));
-    if (k == n) // an n-simplex has two sides inside
+    if (k == n) // both sides of an n-simplex are interior
         return rates;
     std::vector<Eigen::Triplet<double, Index>> entries;
     Contraction(complex, places, k + 1).visit_inflow(field, [&](Index s, double rate) {
@@ -38,7 +38,7 @@ SparseMatrix inflow(const Pieces& complex, const PlacedSimplices& places, const 
     return rates;
 }
 
-/// i_X d + d i_X, and what flows in.
+/// i_X d + d i_X, plus the inflow.
 SparseMatrix lie_derivative(const Pieces& complex, const PlacedSimplices& places,
                             const Points& field, int k, Sampling sampling) {
     check_degree_of_contraction(k, complex.dimension());
@@ -51,7 +51,7 @@ SparseMatrix lie_derivative(const Pieces& complex, const PlacedSimplices& places
     return sampling == Sampling::upwind ? SparseMatrix(L + inflow(complex, places, field, k)) : L;
 }
 
-/// An operator on the input's simplices, from k-forms to j-forms, for those on the cells.
+/// Maps an operator on the input's simplices, from k-forms to j-forms, to the cells.
 SparseMatrix on_cells(const Discretization& mesh, const SparseMatrix& fine, int k, int j) {
     if (fine.rows() == 0 || fine.cols() == 0)
         return SparseMatrix(mesh.complex().size(j), mesh.complex().size(k));

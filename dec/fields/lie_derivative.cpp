@@ -29,7 +29,7 @@ struct LieDerivative::Parts {
             upper.emplace(complex, places, k + 1);
     }
 
-    /// The values on the simplices.
+    /// Checks the form and returns its values on the simplices.
     Cochain checked(const Cochain& form) const {
         if (form.side != Side::primal || form.degree != k)
             throw InvalidInput(fmt::format("a vector field is to act on a {} {}-form: this one "

@@ -61,7 +61,7 @@ DenseMatrix gradients_seen_from_vertices(const Discretization& mesh, const Vecto
     return result;
 }
 
-/// The mean of these in the other pieces of their cells, for flat pieces; empty without any.
+/// For flat pieces, the mean of these in the other pieces of their cells; empty without any.
 Points gradients_in_flat_pieces(const Discretization& mesh, const Vector& a) {
     if (mesh.geometry().flat().empty())
         return {};
@@ -74,9 +74,9 @@ Points gradients_in_flat_pieces(const Discretization& mesh, const Vector& a) {
 
 constexpr double rank_tolerance = 1e-12;
 
-/// An orthonormal basis of the mean tangent space of n-simplices, as columns: the n eigenvectors of
-/// largest eigenvalue of the mean of the projections onto their planes. Fewer where all corners lie
-/// on a line, as those of a triangle that flips have laid around a spike.
+/// Orthonormal basis, as columns, of the mean tangent space of n-simplices: the n eigenvectors of
+/// largest eigenvalue of the mean projection onto their planes. Fewer if all corners lie on a line,
+/// as for a triangle that flips have laid around a spike.
 DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
     const int n = mesh.dimension();
     const bool straight = mesh.passage().is_identity();
@@ -106,7 +106,7 @@ SparseMatrix edge_weights(const Discretization& mesh) {
     const SparseMatrix parts = dual_parts(mesh.geometry(), mesh.geometry().centers(), 1, n);
     const SparseMatrix cells = mesh.merging().diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = mesh.merging().diamond(1).cast<double>().cwiseAbs();
-    // a vector of its own: Eigen's product would copy the diagonal of an expression for every row
+    // a vector of its own: Eigen's product would copy an expression's diagonal for every row
     const Vector inverse_lengths = mesh.geometry().volumes().primal(1).cwiseInverse();
     const SparseMatrix weighted = parts * inverse_lengths.asDiagonal();
     const SparseMatrix on_cells = cells * weighted;
@@ -176,7 +176,7 @@ DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
     const int n = mesh.dimension();
     check_form(mesh, form, n - 1);
     if (mesh.box()) {
-        // the integral over a cell is the sum over its parts in the box
+        // the integral over a cell sums over its parts in the box
         const Discretization& box = placed(mesh);
         DenseMatrix of_parts = flux_sharp(box, form_at_places(mesh, form));
         DenseMatrix result(mesh.complex().size(n), of_parts.cols());

@@ -22,10 +22,10 @@ namespace polydec {
 namespace {
 
 constexpr double step_size = 0.25;    // of a barycentric coordinate
-constexpr int most_turns = 32;        // from simplex to simplex without getting on
-constexpr int watched_steps = 100;    // after so many a line must have got on
-constexpr double least_headway = 0.1; // of its length
-constexpr int most_steps = 100'000;   // of a line, each way
+constexpr int most_turns = 32;        // from simplex to simplex without progress
+constexpr int watched_steps = 100;    // steps after which a line must have progressed
+constexpr double least_headway = 0.1; // required progress, as a fraction of its length
+constexpr int most_steps = 100'000;   // of a line, in each direction
 
 /// A place in an n-simplex.
 struct Spot {
@@ -60,11 +60,11 @@ private:
     const Discretization& mesh_;
     int n_;
     double spacing_, longest_, shortest_;
-    std::vector<std::array<Index, 2>> cofaces_; // of facets; -1: none, or more than two
-    std::vector<DenseMatrix> rates_; // of barycentric coordinates by these, in each n-simplex
+    std::vector<std::array<Index, 2>> cofaces_; // of facets; -1: none, or more than two cofaces
+    std::vector<DenseMatrix> rates_; // of barycentric coordinates along the field, per n-simplex
     std::vector<Index> bins_;        // of each n-simplex
     std::vector<Index> taken_;       // the last line in each bin, from 1
-    std::vector<double> taken_at_;   // how far along it, from where it was begun
+    std::vector<double> taken_at_;   // position along that line, from its start
     Index line_ = 0;
     double slowest_ = 0;
     std::vector<Vector> points_;
@@ -117,7 +117,7 @@ void Tracer::find_neighbors() {
         }
 }
 
-/// How barycentric coordinates change along each corner's vector.
+/// Rates of change of barycentric coordinates along each corner's vector.
 void Tracer::find_rates(const DenseMatrix& vectors) {
     const Points& points = mesh_.measured_points();
     const auto& simplices = pieces_.simplices(n_);
@@ -141,7 +141,7 @@ void Tracer::find_rates(const DenseMatrix& vectors) {
     }
 }
 
-/// Simplices whose centroids are near each other, numbered by place.
+/// Groups simplices with nearby centroids, numbered by position.
 void Tracer::find_bins() {
     const Points& points = mesh_.measured_points();
     const auto& simplices = pieces_.simplices(n_);
@@ -191,15 +191,15 @@ std::optional<Spot> Tracer::beyond(const Spot& spot, int corner) const {
     return found;
 }
 
-/// The way of a step of the midpoint rule that takes so long.
+/// The displacement by a step of the midpoint rule of the given duration.
 Vector Tracer::way(const Spot& spot, double sign, double time) const {
     Spot middle = spot;
     middle.barycentric += 0.5 * time * rate(spot, sign);
     return time * rate(middle, sign);
 }
 
-/// The first facet on the way, by the corner that it lacks, and the part of the way up to it; -1
-/// and 1 if the way stays inside.
+/// The first facet on the way, given by the corner that it lacks, and the fraction of the way to
+/// it; -1 and 1 if the way stays inside.
 std::pair<int, double> first_facet(const Vector& barycentric, const Vector& way) {
     std::pair<int, double> first{-1, 1};
     for (int i = 0; i < barycentric.size(); ++i)
@@ -208,7 +208,7 @@ std::pair<int, double> first_facet(const Vector& barycentric, const Vector& way)
     return first;
 }
 
-/// A step, at most to the boundary of the simplex; false where lines end.
+/// Makes a step, at most to the boundary of the simplex; returns false where the line ends.
 bool Tracer::advance(Spot& spot, double sign) const {
     for (int turn = 0; turn < most_turns; ++turn) {
         const double fastest = rate(spot, sign).cwiseAbs().maxCoeff();
@@ -217,7 +217,7 @@ bool Tracer::advance(Spot& spot, double sign) const {
         double time = step_size / fastest;
         auto [corner, part] = first_facet(spot.barycentric, way(spot, sign, time));
         const bool is_there = part * step_size < 1e-9;
-        if (!is_there) { // the midpoint of what is taken
+        if (!is_there) { // the midpoint of the shortened step
             time *= part;
             const Vector step = way(spot, sign, time);
             std::tie(corner, part) = first_facet(spot.barycentric, step);
@@ -236,12 +236,12 @@ bool Tracer::advance(Spot& spot, double sign) const {
     return false;
 }
 
-/// Of the field, along the simplex.
+/// Speed of the field along the simplex.
 double Tracer::speed(const Spot& spot) const {
     return place({spot.simplex, rate(spot, 1)}).norm();
 }
 
-/// False where another line has been, or this one has come around.
+/// Returns false if another line has passed here, or this line has come around.
 bool Tracer::enter(Index bin, double at) {
     if (taken_[bin] != 0 && (taken_[bin] != line_ || std::abs(at - taken_at_[bin]) > 3 * spacing_))
         return false;
@@ -250,7 +250,7 @@ bool Tracer::enter(Index bin, double at) {
     return true;
 }
 
-/// The places of a line from a spot on, without it, along the field or against it.
+/// The places of a line after a spot, along the field or against it.
 std::vector<Vector> Tracer::half(Spot spot, double sign) {
     std::vector<Vector> places;
     Vector last = place(spot), watched = last;

@@ -22,7 +22,7 @@ SparseMatrix transposed(const SparseMatrix& A) {
     return A.transpose();
 }
 
-/// From forms on the pieces to those on the cells, and back.
+/// Maps forms on the pieces to the cells, and back.
 SparseMatrix merged_from(const Discretization& mesh, FormKind kind) {
     return kind.side == Side::primal
                ? primal_to_merged(mesh.merging(), kind.degree)
@@ -35,8 +35,8 @@ SparseMatrix pieces_from(const Discretization& mesh, FormKind kind) {
                : dual_to_input(mesh.merging(), kind.degree);
 }
 
-/// From forms on the input's simplices to those on the pieces, and back. Dual forms are paired with
-/// primal ones, so they go by the transposed way of these.
+/// Maps forms on the input's simplices to the pieces, and back. Dual forms are paired with primal
+/// forms, so they use the transposed map.
 SparseMatrix forth(const Discretization& mesh, FormKind kind) {
     return kind.side == Side::primal
                ? mesh.passage().matrix(kind.degree)
@@ -49,8 +49,8 @@ SparseMatrix back(const Discretization& mesh, FormKind kind) {
                : transposed(mesh.passage().matrix(mesh.dimension() - kind.degree));
 }
 
-/// Functions of flipped triangles as means over what the input's triangles have in common with
-/// them; one without area gets the value of a triangle at its first corner.
+/// Functions on flipped triangles as means over their intersections with the input's triangles; an
+/// input triangle without area gets the value of a triangle at its first corner.
 Vector means_over_input(const Discretization& mesh, const Vector& values) {
     const int n = mesh.dimension();
     const Pieces &K = mesh.input(), &pieces = mesh.pieces();
@@ -150,7 +150,7 @@ Cochain to_input(const Discretization& discretization, const Cochain& form) {
     if (discretization.passage().is_identity())
         return {form.side, form.degree, pieces_from(discretization, kind) * form.values};
     if (form.side == Side::primal) {
-        // where derivatives are taken afterwards, values inside the cells must commute with them
+        // to allow later derivatives, values inside the cells must commute with them
         return lifted(discretization, form);
     }
     const Vector values = pieces_from(discretization, kind) * form.values;

@@ -20,8 +20,8 @@ namespace {
 
 using Positions = std::vector<int>;
 
-/// A k-face and an l-face of a (k+l)-simplex that share one vertex: where they stand in the lists
-/// of faces, the vertex, and the sign of their product.
+/// A k-face and an l-face of a (k+l)-simplex that share one vertex: their positions in the lists of
+/// faces, the vertex, and the sign of their product.
 struct Pair {
     std::size_t first, second;
     int vertex;
@@ -40,8 +40,8 @@ Positions with_last(Positions list, int item) {
     return list;
 }
 
-/// Sign of the order (a without v, v, b without v) of 0..k+l, times those of the permutations that
-/// bring v to the end of a and to the front of b.
+/// Sign of the order (a without v, v, b without v) of 0..k+l, times the signs of the permutations
+/// that bring v to the end of a and to the front of b.
 double sign_of(const Positions& a, const Positions& b, int v) {
     const Positions left = with_last(a, v), right = with_first(b, v);
     Positions order = left;
@@ -68,8 +68,8 @@ double shuffle_weight(int k, int l) {
     return std::tgamma(k + 1.0) * std::tgamma(l + 1.0) / std::tgamma(k + l + 1.0);
 }
 
-/// The sum over pairs of faces; share(s, v) is what weight the vertex at position v of s has, in
-/// all 1.
+/// Sum over pairs of faces; share(s, v) is the weight of the vertex at position v of s; the weights
+/// of s sum to 1.
 template <class Share>
 Cochain product(const Pieces& complex, const Cochain& a, const Cochain& b, Share share) {
     const int k = a.degree, l = b.degree, m = k + l;

@@ -42,7 +42,7 @@ void check_place(const Pieces& complex, Index top, const Vector& barycentric) {
                            {.degree = n, .cells = {top}});
 }
 
-/// The Whitney form of a cochain in one simplex after another.
+/// The Whitney form of a cochain in one simplex at a time.
 class WhitneyForms {
 public:
     WhitneyForms(const Pieces& complex, const PlacedSimplices& places, const Cochain& form)

@@ -23,7 +23,7 @@ void check_facets(const CellComplex& complex, const BoundaryConditions& conditio
                                        conditions.facets.size(), complex.size(n - 1), n - 1));
 }
 
-/// Of a form of this degree; where is "the boundary" or how many of its facets.
+/// For a form of this degree; `where` is "the boundary" or a number of its facets.
 std::string in_words(BoundaryCondition condition, int degree, int n, const BoundaryData& data,
                      const std::string& where) {
     if (condition == BoundaryCondition::robin)
@@ -35,7 +35,7 @@ std::string in_words(BoundaryCondition condition, int degree, int n, const Bound
     if (degree > 0 && degree < n)
         return fmt::format("{} part {} on {}", essential ? "tangential" : "normal",
                            (essential ? data.values : data.flow) ? "given" : "0", where);
-    // the star takes an n-form to the 0-form that is its density
+    // the star maps an n-form to its density, a 0-form
     if (essential == (degree == 0))
         return fmt::format("values {} on {} (Dirichlet)", data.values ? "given" : "0", where);
     return fmt::format("{} through {} (Neumann)", data.flow ? "flow given" : "no flow", where);
@@ -265,12 +265,12 @@ SparseMatrix dual_boundary_derivative(const CellComplex& complex, int j) {
     const IncidenceMatrix cofaces = complex.boundary(n);
     SparseMatrix B(complex.size(k), complex.size(k));
     if (B.rows() == 0)
-        return B; // which Eigen could not compress
+        return B; // Eigen could not compress it
     B.reserve(Eigen::VectorXi::Ones(complex.size(k)));
     for (Index s = 0; s < complex.size(k); ++s) {
         if (!marks[k][s])
             continue;
-        // the dual of a facet within the boundary is a point, which has no orientation
+        // within the boundary, the dual of a facet is a point without orientation
         const double facet_sign =
             k == n - 1 ? IncidenceMatrix::InnerIterator(cofaces, s).value() : 1;
         B.insert(s, s) = (k % 2 == 0 ? 1 : -1) * facet_sign;

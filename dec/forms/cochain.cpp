@@ -36,7 +36,7 @@ void check_values(const CellComplex& complex, const Values& values, const char* 
     check_finite(values, what);
 }
 
-/// Whether both are forms of one kind, or a form and a chain of its cells.
+/// Whether both are forms of the same kind, or a form and a chain of its cells.
 template <class Other>
 void check_alike(const Cochain& a, const Other& b, const char* what) {
     if (a.side != b.side || a.degree != b.degree || a.values.size() != b.values.size())
@@ -46,7 +46,7 @@ void check_alike(const Cochain& a, const Other& b, const char* what) {
     check_finite(b, what);
 }
 
-/// The sign of the dual derivative that is d_k^T.
+/// Sign of the dual derivative relative to d_k^T.
 double dual_sign(int k) {
     return k % 2 == 0 ? -1 : 1;
 }

@@ -11,14 +11,14 @@ namespace polydec {
 
 namespace {
 
-/// So many rows are one piece of work.
+/// Number of rows in one piece of work.
 constexpr Index part_size = 1 << 13;
 
-/// A row that takes terms: columns ascending, terms of equal column added up. Most terms lie on the
-/// diagonal or come in ascending runs, so the search begins where the last one went.
+/// A row that accumulates terms: ascending columns, terms of equal column added. Most terms are on
+/// the diagonal or come in ascending runs, so the search starts at the previous position.
 class RowSum {
 public:
-    /// There is room for all entries behind the pointers.
+    /// The arrays must have room for all entries.
     RowSum(Index row, Index* columns, double* values)
         : row_(row), columns_(columns), values_(values) {}
 
@@ -34,7 +34,7 @@ public:
         }
     }
 
-    /// Number of entries, when all terms have come.
+    /// Number of entries, after the last term.
     Index finish() {
         if (has_diagonal_)
             put(static_cast<Index>(std::lower_bound(columns_, columns_ + size_, row_) - columns_),
@@ -71,7 +71,7 @@ private:
     bool has_diagonal_ = false;
 };
 
-/// Writes a row of the product behind the pointers; the number of its entries.
+/// Writes a row of the product to the arrays; returns the number of its entries.
 template <class Rows, class Transposed>
 Index sum_row(const Rows& A, const Transposed& transposed, const Vector& weights, Index row,
               Index* columns, double* values) {
@@ -83,7 +83,7 @@ Index sum_row(const Rows& A, const Transposed& transposed, const Vector& weights
     return sum.finish();
 }
 
-/// Room for rows of so many entries, which stand one place behind in the row pointers.
+/// Allocates rows whose sizes are stored one position later in the row pointers.
 void make_room(SparseMatrix& matrix) {
     std::int64_t count = 0;
     for (Index row = 1; row <= matrix.rows(); ++row) {
@@ -95,8 +95,8 @@ void make_room(SparseMatrix& matrix) {
     matrix.resizeNonZeros(count);
 }
 
-/// What a row takes at most: every term but those of the diagonal has a place of its own. Simplices
-/// of a complex share at most one face or coface, so there it is what the row takes.
+/// Upper bound on the entries of a row: each term off the diagonal counts separately. Exact for the
+/// simplices of a complex, which share at most one face or coface.
 template <class Rows, class Transposed>
 Index bound_row(const Rows& A, const Transposed& transposed, Index row) {
     Index count = A.size(row) > 0 ? 1 : 0;
@@ -104,7 +104,7 @@ Index bound_row(const Rows& A, const Transposed& transposed, Index row) {
     return count;
 }
 
-/// Calls take(column, value) for each column at which one of the matrices has an entry in the row.
+/// Calls take(column, value) for each column where one of the matrices has an entry in the row.
 template <class Take>
 void for_each_sum(const SparseMatrix& A, const SparseMatrix& B, Index row, Take take) {
     Index a = A.outerIndexPtr()[row], b = B.outerIndexPtr()[row];
@@ -128,7 +128,7 @@ void for_each_row(const SparseMatrix& matrix, Work work) {
     });
 }
 
-/// A diag(weights) A^T of so many rows, which ascend.
+/// A diag(weights) A^T for some ascending rows.
 template <class Rows, class Transposed>
 SparseMatrix gram(Index size, const Rows& A, const Transposed& transposed, const Vector& weights) {
     SparseMatrix product(size, size);

@@ -7,8 +7,8 @@ namespace polydec {
 
 namespace {
 
-/// left d^T star d right for the d that leaves degree k; 0 for k = n, where left and right, each
-/// star^-1 or nothing, are not asked for either.
+/// left d^T star d right for the d that leaves degree k; 0 for k = n, in which case left and right
+/// (each star^-1 or nothing) are not evaluated.
 template <class Weighted>
 Operator upper_half(const Cells& cells, int k, Weighted weighted) {
     const CellComplex& complex = cells.complex();
@@ -18,7 +18,7 @@ Operator upper_half(const Cells& cells, int k, Weighted weighted) {
     return weighted(d.transposed() * Operator::star(cells.input_stars()[k + 1]) * d);
 }
 
-/// d star^-1 d^T for the d that arrives at degree k, with weights; 0 for k = 0.
+/// d star^-1 d^T for the d that maps to degree k, with weights; 0 for k = 0.
 template <class Weighted>
 Operator lower_half(const Cells& cells, int k, Weighted weighted) {
     const CellComplex& complex = cells.complex();
@@ -32,7 +32,7 @@ Operator lower_half(const Cells& cells, int k, Weighted weighted) {
 
 Operator codifferential(const Cells& cells, int k) {
     const CellComplex& complex = cells.complex();
-    cell_degree(complex, Side::primal, k); // which there must be
+    cell_degree(complex, Side::primal, k); // throws for an invalid degree
     if (k == 0)
         return Operator::zero(0, complex.size(0));
     const HodgeStars& stars = cells.input_stars();
@@ -52,7 +52,7 @@ Operator dual_codifferential(const Cells& cells, int j) {
 }
 
 Operator laplacian(const Cells& cells, int k) {
-    cell_degree(cells.complex(), Side::primal, k); // which there must be
+    cell_degree(cells.complex(), Side::primal, k); // throws for an invalid degree
     const HodgeStar star = cells.input_stars()[k];
     return upper_half(cells, k,
                       [&](const Operator& A) { return Operator::inverse_star(star) * A; }) +
@@ -68,7 +68,7 @@ Operator dual_laplacian(const Cells& cells, int j) {
 }
 
 Operator symmetric_laplacian(const Cells& cells, int k) {
-    cell_degree(cells.complex(), Side::primal, k); // which there must be
+    cell_degree(cells.complex(), Side::primal, k); // throws for an invalid degree
     const Operator star = Operator::star(cells.input_stars()[k]);
     return upper_half(cells, k, [](const Operator& A) { return A; }) +
            lower_half(cells, k, [&](const Operator& A) { return star * A * star; });

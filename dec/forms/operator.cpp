@@ -16,10 +16,10 @@ namespace polydec {
 
 namespace {
 
-/// So many rows are one piece of work.
+/// Number of rows in one piece of work.
 constexpr Index rows_at_once = 1 << 13;
 
-/// D x, a row after the other.
+/// D x, row by row.
 Vector along_rows(const Incidences& D, const Vector& x) {
     constexpr Index part_size = 1 << 15;
     Vector result(D.rows());
@@ -45,7 +45,7 @@ Vector across_rows(const Incidences& D, const Vector& y) {
     return result;
 }
 
-/// Multiplies rows by weights on the left, columns by those on the right, where there are any.
+/// Multiplies rows by left weights and columns by right weights, if given.
 void scale(SparseMatrix& A, const Vector& left, const Vector& right) {
     for_each_part(static_cast<Index>(A.rows()), rows_at_once, [&](Index first, Index last) {
         for (Index row = first; row < last; ++row) {
@@ -129,7 +129,7 @@ bool Operator::is_gram(const Product& product, std::size_t i) {
            &left->complex.incidences(left->k) == &right->complex.incidences(right->k);
 }
 
-/// Of a derivative, or of a star that is no diagonal.
+/// Matrix of a derivative, or of a star that is a matrix.
 SparseMatrix Operator::matrix(const Factor& factor) {
     if (const auto* mass = std::get_if<Mass>(&factor)) {
         if (mass->inverted)
@@ -192,7 +192,7 @@ SparseMatrix Operator::matrix() const {
     return sum;
 }
 
-/// Of a product of weights and one derivative, weights and its transpose from factor i on.
+/// Diagonal of weights times, from factor i on, a derivative, weights and its transpose.
 Vector Operator::gram_diagonal(const Product& product, std::size_t i) {
     const auto& [complex, k, transposed] = std::get<Derivative>(product[i]);
     const Vector& weights = *std::get<Weights>(product[i + 1]);

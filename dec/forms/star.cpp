@@ -17,13 +17,13 @@ namespace polydec {
 
 struct HodgeStar::Matrix {
     std::shared_ptr<const SparseMatrix> entries;
-    std::mutex solving; // engines are used by one thread at a time
+    std::mutex solving; // an engine serves one thread at a time
     std::unique_ptr<LinearSolver> solver = nullptr;
 };
 
 namespace {
 
-/// Whether entries are finite and those across the diagonal equal, but for rounding.
+/// Checks that entries are finite and the matrix is symmetric up to rounding.
 void check_symmetric(const SparseMatrix& matrix, int k, Index size) {
     check_as_many(fmt::format("rows of the star of {}-cells", k), matrix.rows(), size);
     check_as_many(fmt::format("columns of the star of {}-cells", k), matrix.cols(), size);
@@ -47,7 +47,7 @@ void check_symmetric(const SparseMatrix& matrix, int k, Index size) {
 } // namespace
 
 HodgeStar::HodgeStar(const CellVolumes& volumes, int k) : volumes_(volumes), degree_(k) {
-    volumes_.size(k); // which there must be
+    volumes_.size(k); // throws for an invalid degree
 }
 
 HodgeStar::HodgeStar(const CellVolumes& volumes, int k, SparseMatrix matrix)
@@ -55,7 +55,7 @@ HodgeStar::HodgeStar(const CellVolumes& volumes, int k, SparseMatrix matrix)
     check_symmetric(matrix, k, size());
     matrix_ = std::make_shared<Matrix>();
     matrix_->entries = std::make_shared<const SparseMatrix>(
-        0.5 * (matrix + SparseMatrix(matrix.transpose()))); // without rounding across the diagonal
+        0.5 * (matrix + SparseMatrix(matrix.transpose()))); // removes rounding across the diagonal
 }
 
 void HodgeStar::check(const Vector& values) const {
@@ -79,7 +79,7 @@ SparseMatrix HodgeStar::matrix() const {
     if (!is_diagonal())
         return *matrix_->entries;
     SparseMatrix result(size(), size());
-    result.setIdentity(); // Eigen cannot make a diagonal of no entries
+    result.setIdentity(); // Eigen cannot make an empty diagonal matrix
     result.coeffs() = diagonal().array();
     return result;
 }

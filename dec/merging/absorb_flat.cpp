@@ -13,7 +13,7 @@ namespace polydec {
 
 namespace {
 
-/// The values, those equal but for rounding with the least of them.
+/// The values, with values equal up to rounding replaced by the least of them.
 std::vector<double> without_rounding(const std::vector<double>& values) {
     constexpr double tie = 1e-12;
     std::vector<double> least = values;
@@ -29,7 +29,7 @@ std::vector<double> without_rounding(const std::vector<double>& values) {
     return result;
 }
 
-/// What classes of ordinary simplices may take.
+/// The flat simplices that classes of ordinary simplices may absorb.
 class Absorption {
 public:
     Absorption(const Geometry& geometry, const std::vector<bool>& flat, const AroundFlat& around,
@@ -58,7 +58,7 @@ public:
 private:
     int n() const { return complex_.dimension(); }
 
-    /// The n-simplex behind facet i of t; -1 if there is none, or the facet has to stay.
+    /// The n-simplex behind facet i of t; -1 if there is none, or the facet must stay.
     Index behind(Index t, int i) const {
         const auto& [a, b] = around_.sides[complex_.face(n(), t, i)];
         return b < 0 ? -1 : a == t ? b : a;
@@ -92,10 +92,10 @@ private:
     MeanSpheres spheres_;
     std::vector<Index> simplices_;                   // the flat ones
     std::vector<Index> roots_;                       // of all: the first of its class
-    std::map<Index, std::vector<Index>> candidates_; // roots, by flat simplex
+    std::map<Index, std::vector<Index>> candidates_; // roots, per flat simplex
 };
 
-/// The classes beside a flat simplex that it lies on, and those of flat neighbors.
+/// The classes beside a flat simplex on whose sphere it lies, and candidates of flat neighbors.
 void Absorption::find_candidates() {
     roots_ = classes_.firsts();
     spheres_.gather(roots_);
@@ -121,7 +121,7 @@ void Absorption::find_candidates() {
     }
 }
 
-/// Whether the centers of two classes are as near to each other as those across a degenerate facet.
+/// Whether the centers of two classes are as close as across a degenerate facet.
 bool Absorption::are_near(Index t, Index root, Index other) const {
     constexpr double thin = 0.1; // of a height
     double reach = std::numeric_limits<double>::infinity();
@@ -150,9 +150,9 @@ bool Absorption::unite_cut_classes() {
     return any;
 }
 
-/// All candidates by volume, of equal ones by the radius of their spheres; where both are equal but
-/// for rounding, by the ascending places of their corners. What is equal is told among those alone
-/// that flat simplices may go to.
+/// All candidates sorted by volume, then by the radius of their spheres, then, if both are equal up
+/// to rounding, by the ascending places of their corners. Only the classes that flat simplices may
+/// join are compared.
 std::vector<Index> Absorption::in_order_of_size() const {
     std::map<Index, std::vector<Index>> corners;
     std::map<Index, double> volume;
@@ -205,7 +205,7 @@ std::vector<Index> Absorption::in_order_of_size() const {
     return result;
 }
 
-/// To one class after the other what is left of its candidates and hangs together with it.
+/// Gives each class in turn its remaining candidates that are connected to it.
 void Absorption::hand_over() {
     std::map<Index, std::vector<Index>> by_root;
     for (const auto& [t, roots] : candidates_)

@@ -19,7 +19,7 @@ namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
 
-/// The new pieces, and how they belong to the cells.
+/// The new pieces, and their cells.
 class Cones {
 public:
     explicit Cones(const MergedCells& cells)
@@ -84,11 +84,11 @@ private:
         return tops;
     }
 
-    /// The old numbers of the new k-simplices; -1 where a center is the last corner.
+    /// The old numbers of the new k-simplices; -1 if a center is the last corner.
     std::vector<Index> old_numbers(int k) const {
         const Simplices &simplices = pieces_->simplices(k), &before = old().simplices(k);
         std::vector<Index> result(simplices.rows(), -1);
-        Index s = 0; // both stand in lexicographic order
+        Index s = 0; // both are in lexicographic order
         for (Index t = 0; t < simplices.rows(); ++t)
             if (simplices(t, k) < old().size(0)) {
                 while (!std::ranges::equal(vertices(before, s), vertices(simplices, t)))
@@ -123,14 +123,14 @@ private:
         return k < n_ ? 1 : old().orientation(before) * pieces_->orientation(now);
     }
 
-    /// By the facet without the center, the last corner.
+    /// From the facet without the center, the last corner.
     int sign_of_cone(Index cell, Index t) const {
         const Index f = pieces_->face(n_, t, n_), facet = carriers_[n_ - 1][f].cell;
         return merging_.merged().coboundary(n_ - 1).coeff(cell, facet) *
                diamonds_[n_ - 1].coeff(facet, f) * pieces_->sign(n_, t, n_);
     }
 
-    /// All determinants with the signs that the pieces have in a cell must agree.
+    /// Throws unless all determinants agree with the signs of the pieces in a cell.
     void require_seen() const {
         for (Index cell = 0; cell < std::ssize(center_of_); ++cell) {
             if (center_of_[cell] < 0)

@@ -15,8 +15,8 @@ namespace polydec {
 
 namespace {
 
-/// Per facet, the sum over its cofaces of the angle under which they see it, from the apex: the
-/// cotangent is the signed distance of the circumcenters over the facet's circumradius.
+/// Per facet, the sum over its cofaces of the angle subtended at the apex: the cotangent is the
+/// signed distance of the circumcenters over the facet's circumradius.
 Vector apex_angles(const Geometry& geometry, const Vector& radii) {
     Vector angles = Vector::Zero(radii.size());
     for_each_height(geometry, [&](Index f, double height, double) {
@@ -25,7 +25,7 @@ Vector apex_angles(const Geometry& geometry, const Vector& radii) {
     return angles;
 }
 
-/// Which facets flat simplices have.
+/// Marks the facets of flat simplices.
 std::vector<bool> facets_of(const Pieces& complex, const std::vector<bool>& flat) {
     const int n = complex.dimension();
     std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);

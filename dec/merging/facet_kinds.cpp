@@ -10,7 +10,7 @@ namespace polydec {
 
 namespace {
 
-/// How many of the n-simplices at each facet have their circumcenter on their own side of it.
+/// Number of n-simplices at each facet whose circumcenter is on their own side of it.
 std::vector<Index> centered_cofaces(const Geometry& geometry) {
     const Pieces& complex = geometry.pieces();
     std::vector<Index> counts(complex.size(complex.dimension() - 1), 0);
@@ -34,7 +34,7 @@ FacetKinds facet_kinds(const Geometry& geometry, const MergeOptions& options) {
     for (Index f = 0; f < complex.size(n - 1); ++f) {
         if (complex.coface_counts(n - 1)[f] != 2)
             continue;
-        if (degenerate[f] || is_zero(dual[f], terms[f])) // flat ones have their cell's center
+        if (degenerate[f] || is_zero(dual[f], terms[f])) // flat ones share their cell's center
             ++kinds.cospherical;
         else if (dual[f] < 0)
             ++kinds.non_delaunay;

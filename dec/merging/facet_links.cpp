@@ -10,11 +10,11 @@ namespace polydec {
 
 namespace {
 
-/// Relative defects nearer than this count as equal: in symmetric meshes they are, but for
+/// Relative defects closer than this count as equal: in symmetric meshes they are equal up to
 /// rounding.
 constexpr double tie = 1e-12;
 
-/// Joins what has a defect.
+/// Joins links with nonzero defect.
 class LinkJoining {
 public:
     LinkJoining(std::span<const FacetLink> links, double tolerance, DisjointSets& classes,
@@ -40,14 +40,14 @@ private:
     Index place_of(Index simplex);
 
     struct Sides {
-        Index link, a, b; // classes on both sides, by place in `roots_`
+        Index link, a, b; // classes on both sides, by position in `roots_`
     };
 
     std::span<const FacetLink> links_;
     double limit_;
     DisjointSets &classes_, parts_;
-    std::vector<double> spread_; // what each class has gathered, at its root
-    std::vector<Index> place_;   // in `roots_`; -1 for all but while some are joined
+    std::vector<double> spread_; // accumulated defect of each class, at its root
+    std::vector<Index> place_;   // in `roots_`; -1 except while links are joined
     std::vector<Index> roots_;
     std::vector<Sides> sides_;
 };
@@ -77,7 +77,7 @@ void LinkJoining::run() {
     }
 }
 
-/// Ties are measured from the first of a group, so that values close together do not chain.
+/// Ties are measured from the first of a group, so close values do not chain.
 void LinkJoining::join_part(std::span<Index> part) {
     std::stable_sort(part.begin(), part.end(),
                      [this](Index i, Index j) { return ratio(i) < ratio(j); });
@@ -98,7 +98,7 @@ Index LinkJoining::place_of(Index simplex) {
     return place_[root];
 }
 
-/// Those that hang together are all joined or none: which of them comes first must not matter.
+/// Connected ties are joined all or none: their order must not matter.
 void LinkJoining::join_tied(std::span<const Index> tied) {
     sides_.clear();
     roots_.clear();

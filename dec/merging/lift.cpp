@@ -24,7 +24,7 @@ namespace {
 using Row = IncidenceMatrix::InnerIterator;
 using ColumnMajor = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 
-/// Lists by key, contiguous: those of key i are at first[i] .. first[i + 1].
+/// Lists by key, contiguous: key i has first[i] .. first[i + 1].
 struct Groups {
     std::vector<Index> first, items;
 
@@ -79,7 +79,7 @@ Index position(std::span<const Index> ascending, Index item) {
                               ascending.begin());
 }
 
-/// A full matrix of p^2 numbers takes p^3 products: with as many pieces as this, 20 seconds.
+/// A full p x p matrix takes p^3 products: for this number of pieces, 20 seconds.
 constexpr std::size_t most_pieces = 2000;
 
 void check_work(int m, Index F, std::size_t pieces) {
@@ -164,8 +164,8 @@ void Lift::fill_cell(int m, Index F) {
             fill_degree(m, F, j);
 }
 
-/// The j-cells of P that the values inside F depend on, ascending: those below its (j+1)-simplices
-/// and those of the simplices on its boundary.
+/// The j-cells of P on which the values inside F depend, ascending: the faces of its
+/// (j+1)-simplices, and the cells that carry the simplices on its boundary.
 std::vector<Index> Lift::columns(int m, Index F, int j) const {
     const auto make_unique = [](std::vector<Index>& list) {
         std::sort(list.begin(), list.end());
@@ -186,12 +186,12 @@ std::vector<Index> Lift::columns(int m, Index F, int j) const {
     return cells;
 }
 
-/// Solves d x = S_(j+1) d^P_j on the (j+1)-simplices inside F for x on the j-simplices inside it,
-/// the values on the boundary of F being known; a column for each j-cell of P.
+/// Solves d x = S_(j+1) d^P_j on the (j+1)-simplices inside F for x on the j-simplices inside F,
+/// with known values on the boundary of F; one column per j-cell of P.
 void Lift::fill_degree(int m, Index F, int j) {
     const auto unknown = inside_[m][j][F], equations = inside_[m][j + 1][F];
     const auto cells = columns(m, F, j);
-    // of the right sides, what is solved for and its copy in the rows
+    // of the right sides, the solution and its copy in the rows
     check_memory(
         8.0 * static_cast<double>(cells.size()) *
             static_cast<double>(equations.size() + 3 * unknown.size()),
@@ -229,8 +229,8 @@ void Lift::fill_degree(int m, Index F, int j) {
     }
 }
 
-/// x + D y with y on the (j-1)-simplices inside F such that the Whitney energy of all j-simplices
-/// of F is least: D^T W_ii D y = -D^T (W_ii x + W_ib x_b).
+/// x + D y, with y on the (j-1)-simplices inside F such that the Whitney energy of all j-simplices
+/// of F is minimal: D^T W_ii D y = -D^T (W_ii x + W_ib x_b).
 DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
                                const std::vector<Index>& cells) const {
     const auto unknown = inside_[m][j][F], free = inside_[m][j - 1][F];
@@ -243,7 +243,7 @@ DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
     if (j == K_.dimension() - 1 && !geometry_.flat().empty())
         equate_densities(m, F, cells, D, x);
 
-    // W_ii and the force W_ii x + W_ib x_b, gathered over the pieces of F
+    // W_ii and the force W_ii x + W_ib x_b, assembled over the pieces of F
     DenseMatrix W = DenseMatrix::Zero(unknown.size(), unknown.size());
     DenseMatrix force = DenseMatrix::Zero(unknown.size(), cells.size());
     SimplexFaces faces_of_pieces(K_, m, j);
@@ -278,8 +278,8 @@ DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
     return x;
 }
 
-/// Adds D y to x, such that on each flat piece of F the values of its facets are those of one
-/// normal density, as far as can be; D is left with the freedom that there still is.
+/// Adds D y to x such that on each flat piece of F the facet values are, as far as possible, the
+/// values of one normal density; D keeps the remaining freedom.
 void Lift::equate_densities(int m, Index F, const std::vector<Index>& cells, DenseMatrix& D,
                             DenseMatrix& x) const {
     const auto unknown = inside_[m][m - 1][F];
@@ -322,7 +322,7 @@ void Lift::equate_densities(int m, Index F, const std::vector<Index>& cells, Den
         A.row(static_cast<Index>(i)) = rows[i].transpose();
         b.row(static_cast<Index>(i)) = right_sides[i].transpose();
     }
-    // flat pieces upon each other say the same but for their height
+    // stacked flat pieces give the same equations up to their height
     constexpr double height = 1e-2;
     const auto [shortest, kernel] = least_squares(A * D, b - A * x, height);
     x += D * shortest;

@@ -25,7 +25,7 @@ MeanSpheres::MeanSpheres(const Geometry& geometry, const std::vector<bool>& flat
     for (Index t = 0; t < size; ++t) {
         const auto corners = layout.at(n, t);
         if (!sphere.look_at(corners))
-            continue; // has no part in any dual unless it shares its center
+            continue; // not part of any dual unless it shares its center
         for (int i = 0; i <= n; ++i) {
             own_.row(t) += sphere.barycentric(i) *
                            (points_.row(corners.vertices[i]) - points_.row(corners.vertices[0]));

@@ -22,17 +22,17 @@ namespace polydec {
 
 namespace {
 
-using Kept = std::vector<std::vector<bool>>; // by degree: simplices that must not be removed
+using Kept = std::vector<std::vector<bool>>; // per degree: simplices that must not be removed
 
-/// What the cells of highest dimension are made of.
+/// The decomposition into cells of highest dimension.
 struct TopCells {
     std::vector<bool> removed; // facets
     std::vector<Index> roots;  // of n-simplices: the first one of the same cell
-    bool exact;                // no more than rounding was removed
+    bool exact;                // whether everything removed is within rounding
 };
 
-/// Which facets vanish: those joined in ascending defect while the classes stay tight, and those
-/// that then lie inside a class and are degenerate enough themselves.
+/// Selects the facets that vanish: facets joined in ascending defect while the classes stay tight,
+/// and facets that then lie inside a class and are degenerate enough themselves.
 class FacetChoice {
 public:
     FacetChoice(const Geometry& geometry, const FacetDefects& defects, double tolerance)
@@ -71,7 +71,7 @@ public:
         return read_off(classes, kept);
     }
 
-    /// Where the cells have their centers.
+    /// The centers of the cells.
     Centers centers(const TopCells& cells) const {
         if (!is_in_space_ || cells.exact)
             return {};
@@ -87,7 +87,7 @@ private:
     const Geometry& geometry_;
     const FacetDefects& defects_;
     double tolerance_;
-    bool is_in_space_; // the simplices are of its dimension
+    bool is_in_space_; // simplices have the dimension of space
     double limit_;
     Sides sides_;
 };
@@ -100,7 +100,7 @@ Sides FacetChoice::free_sides(const std::vector<bool>& kept) const {
     return free;
 }
 
-/// In space all goes that lies between two pieces of a class.
+/// In space, everything between two pieces of a class is removed.
 TopCells FacetChoice::read_off(DisjointSets& classes, const std::vector<bool>& kept) const {
     TopCells cells{std::vector<bool>(sides_.size(), false), classes.firsts(), true};
     for (std::size_t f = 0; f < sides_.size(); ++f) {
@@ -115,9 +115,9 @@ TopCells FacetChoice::read_off(DisjointSets& classes, const std::vector<bool>& k
     return cells;
 }
 
-/// Keeps the worst interfaces of each inadmissible block from being removed again: of facets those
-/// within a factor of two of the worst, so that the choice does not hang on numbering or rounding;
-/// in lower degrees all.
+/// Keeps the worst interfaces of each inadmissible block from being removed again. Among facets:
+/// all within a factor of two of the worst, so the choice does not depend on numbering or rounding.
+/// In lower degrees: all.
 void keep_worst(const std::vector<InadmissibleBlock>& blocks, const FacetDefects& defects, int n,
                 Kept& kept) {
     for (const auto& block : blocks) {
@@ -131,7 +131,7 @@ void keep_worst(const std::vector<InadmissibleBlock>& blocks, const FacetDefects
     }
 }
 
-/// Marks the flat n-simplices beside a removed facet; empty where none is.
+/// Marks the flat n-simplices beside a removed facet; empty if there are none.
 std::vector<bool> flat_in_cells(const Pieces& complex, const std::vector<bool>& removed,
                                 std::vector<bool> flat) {
     const int n = complex.dimension();
@@ -170,7 +170,7 @@ CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOption
         kept[n - 1] = stays;
     const FacetChoice choice(geometry, defects, options.tolerance);
 
-    // every round keeps at least one more simplex, so this ends
+    // every round keeps at least one more simplex, so the loop ends
     for (int rounds = 0;; ++rounds) {
         const auto cells = choice.cells(kept[n - 1]);
         const auto& removed = cells.removed;

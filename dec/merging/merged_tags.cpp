@@ -18,7 +18,7 @@ namespace polydec {
 
 namespace {
 
-/// The facet that has these vertex numbers, ascending; -1 if none does.
+/// The facet with these ascending vertex numbers; -1 if there is none.
 Index find_facet(const SimplicialComplex& complex, const std::vector<Index>& numbers) {
     const int k = complex.dimension() - 1;
     Index low = 0, high = complex.size(k);

@@ -37,7 +37,7 @@ StraightnessTest::Wing StraightnessTest::look(int k, Index s, Index f) {
 
 StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, int apex) const {
     const auto& base = complex_.simplices(k - 1).row(s);
-    const Points& points = *geometry_.metric().points(); // what is flat in R^N has points
+    const Points& points = *geometry_.metric().points(); // a flat complex in R^N has points
     DenseMatrix edges(points.cols(), k - 1);
     for (int i = 1; i < k; ++i)
         edges.col(i - 1) = (points.row(base[i]) - points.row(base[0])).transpose();

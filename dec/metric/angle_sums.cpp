@@ -13,7 +13,7 @@ namespace polydec {
 
 namespace {
 
-/// The normals of the facets of a simplex, inwards, a row each; no rows if it is flat.
+/// Inward normals of the facets of a simplex, one per row; no rows if it is flat.
 DenseMatrix normals(const Corners& corners) {
     const auto n = static_cast<Eigen::Index>(corners.vertices.size()) - 1;
     DenseMatrix edges(n, corners.points.cols());
@@ -21,7 +21,7 @@ DenseMatrix normals(const Corners& corners) {
         edges.row(j) =
             corners.points.row(corners.vertices[j + 1]) - corners.points.row(corners.vertices[0]);
     const Vector lengths = edges.rowwise().norm();
-    edges = lengths.cwiseInverse().asDiagonal() * edges; // so that no scale matters
+    edges = lengths.cwiseInverse().asDiagonal() * edges; // independent of scale
     const double rounding = 64 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
     if (std::abs(triangular_factor(edges.transpose()).diagonal().prod()) <= rounding)
         return {};
@@ -38,7 +38,7 @@ DenseMatrix normals(const Corners& corners) {
 Vector angle_sums(const Pieces& complex, const SimplexMetric& metric) {
     const int n = complex.dimension();
     SimplexFaces faces(complex, n, n - 2);
-    std::vector<std::pair<int, int>> omitted; // by each face
+    std::vector<std::pair<int, int>> omitted; // for each face
     for (const auto& kept : faces.positions()) {
         std::vector<int> corners;
         for (int i = 0; i <= n; ++i)

@@ -42,13 +42,13 @@ void check_metric(const Pieces& complex, const SimplexMetric& metric) {
                                        metric.lengths()->size(), complex.size(1)));
 }
 
-/// Products of a few volumes must neither overflow nor vanish.
+/// Products of a few volumes must neither overflow nor underflow.
 bool is_moderate(double volume) {
     constexpr double largest = 1e100;
     return volume < largest && volume > 1 / largest;
 }
 
-/// The largest difference of a coordinate between two corners.
+/// The largest coordinate difference between two corners.
 double largest_extent(const Corners& corners) {
     double extent = 0;
     for (Eigen::Index c = 0; c < corners.points.cols(); ++c) {
@@ -62,7 +62,7 @@ double largest_extent(const Corners& corners) {
     return extent;
 }
 
-/// Names the simplex of least dimension, of those with t, whose volume is of no use.
+/// Names the simplex of least dimension, among t and its faces, whose volume is unusable.
 [[noreturn]] void refuse(const Pieces& complex, const SimplexMetric& metric, int k, Index t) {
     SimplexLayout layout(complex, metric);
     Circumsphere sphere;
@@ -89,29 +89,29 @@ double largest_extent(const Corners& corners) {
         place);
 }
 
-/// What a simplex gets from its cofaces, or has for its faces: its dual volume, and to what errors
-/// of that are in proportion, what is uncertain beside what is lost by rounding. What is still to
-/// be divided by the simplex's own volume, and what is not, stands apart.
+/// Sum that a simplex collects from its cofaces, or passes to its faces: its dual volume, and the
+/// scale of the volume's errors, from uncertain input and from rounding. Terms still to be divided
+/// by the simplex's own volume are separate from other terms.
 struct Sum {
     double dual = 0;
     Pack products = 0, shifts = 0;
 
-    /// Of a simplex with this volume, a part of what was handed to it.
+    /// For a simplex with this volume, a fraction of the sum handed to it.
     Sum divided(double volume, double part) const {
         const double quotient = part / volume;
         return {quotient * dual, quotient * products + part * shifts, 0};
     }
 };
 
-/// A volume below all that rounding leaves of the last digits of the corners.
+/// A volume below everything that rounding leaves of the last digits of the corners.
 double least_volume(const Corners& corners) {
     const auto k = static_cast<double>(corners.vertices.size()) - 1;
     return std::numeric_limits<double>::epsilon() / 64 * std::pow(largest_extent(corners), k);
 }
 
-/// From the top down: what a k-simplex t hands to its face s is h(s, t) V(t), with h(s, t) =
-/// barycentric coordinate * k |t| / |s|; the division by |s| comes last. With it go the sizes of
-/// what cancels, in h(s, t) and in V(t). An error of |t| is one of V(t) / |t| too.
+/// Descends by degree: a k-simplex t hands h(s, t) V(t) to its face s, with h(s, t) = barycentric
+/// coordinate * k |t| / |s|; the division by |s| comes last. Also hands down the magnitudes of the
+/// terms that cancel in h(s, t) and in V(t). An error of |t| is also an error of V(t) / |t|.
 class Descent {
 public:
     Descent(const Pieces& complex, const SimplexMetric& metric, const Centers& centers,
@@ -121,8 +121,8 @@ public:
     CellVolumes run();
 
 private:
-    /// Of k-simplices first .. last - 1 the volumes, and what they hand to their faces: a sum for
-    /// each, and by corners the numbers that its dual and products are multiplied by.
+    /// Computes the volumes of k-simplices first .. last - 1, and what they hand to their faces:
+    /// one sum each, and per corner the factors of its dual and products.
     void measure(int k, Index first, Index last, Sum* share, double* numbers);
     void hand_down(int k);
     void make_room(int k);
@@ -134,8 +134,8 @@ private:
     FlatSimplices flat_;
     std::vector<Values> primal_, dual_;
     std::vector<Bounds> terms_, rounding_;
-    Vector volumes_, duals_, sizes_, lost_; // of the simplices that are looked at
-    std::vector<Sum> sums_; // of the simplices that are looked at; none of highest degree
+    Vector volumes_, duals_, sizes_, lost_; // of the simplices being visited
+    std::vector<Sum> sums_; // of the simplices being visited; none of highest degree
 };
 
 void Descent::measure(int k, Index first, Index last, Sum* share, double* numbers) {
@@ -167,7 +167,7 @@ void Descent::measure(int k, Index first, Index last, Sum* share, double* number
             continue;
         }
 
-        // the errors of h(s, t) and of V(t) count
+        // errors of h(s, t) and of V(t) both count
         const auto uncertain = centers_.uncertainty(k, t, sphere);
         const auto rounded = centers_.rounding(k, t, sphere);
         const auto moments = centers_.moments(k, t, sphere);
@@ -180,7 +180,7 @@ void Descent::measure(int k, Index first, Index last, Sum* share, double* number
     }
 }
 
-/// Many are measured at once, and what they hand down is added one after the other.
+/// Measures many simplices in parallel, and adds their contributions sequentially.
 void Descent::hand_down(int k) {
     constexpr Index at_once = 1 << 14, part_size = 1 << 11;
     make_room(k);
@@ -199,7 +199,7 @@ void Descent::hand_down(int k) {
             const Sum share = shares[t];
             constexpr Index ahead = 8;
             const Index soon = std::min(first + t + ahead, complex_.size(k) - 1);
-            prefetch(&below[faces(soon, 0)]); // the others have a corner in common, so are near
+            prefetch(&below[faces(soon, 0)]); // the others share a corner, so are nearby
             for (int i = 0; i <= k; ++i, ++number) {
                 Sum& face = below[faces(first + t, i)];
                 face.dual += *number * share.dual;
@@ -217,7 +217,7 @@ void Descent::make_room(int k) {
         values->resize(complex_.size(k));
 }
 
-/// What was found out about the k-simplices, in the memory that it needs.
+/// Stores the results on the k-simplices compactly.
 void Descent::keep(int k) {
     primal_[k] = std::exchange(volumes_, {});
     dual_[k] = std::exchange(duals_, {});

@@ -21,15 +21,15 @@ namespace polydec {
 
 namespace {
 
-/// What orthogonalizing may leave of a vector, relative to its length. Heights below the first
-/// share of an edge cost too many digits of a double; below the second, vectors are linearly
-/// dependent.
+/// Remainder of a vector after orthogonalization, relative to its length. Heights below the first
+/// fraction of an edge cost too many digits of a double; below the second, vectors count as
+/// linearly dependent.
 constexpr double flat = 0.25, few_last_digits = 16 * std::numeric_limits<double>::epsilon();
 
 template <class Number>
 constexpr bool is_careful = std::is_same_v<Number, TwoDoubles>;
 
-/// What results are given in: doubles, one for each simplex.
+/// Type of results: one double per simplex.
 template <class Number>
 using Plain = std::conditional_t<is_careful<Number>, double, Number>;
 
@@ -51,7 +51,7 @@ double lane(const Pack& x, int l) {
 template <class Number>
 constexpr int lanes = std::is_same_v<Number, Pack> ? Pack::size : 1;
 
-/// Coordinate c of the corners at a place of each simplex.
+/// Coordinate c of the corners at one position of each simplex.
 template <class Number>
 Plain<Number> coordinate(const double* const* corners, int c) {
     if constexpr (std::is_same_v<Number, Pack>)
@@ -83,8 +83,8 @@ Number orthogonalize(int i, int k, int N, Number* basis, Number* triangle, Numbe
     return squared;
 }
 
-/// Barycentric coordinates of the center = sum of barycentric * edges, which stands in the basis
-/// and is overwritten: solves with the transposed triangle.
+/// Barycentric coordinates of the center = sum of barycentric * edges, given in the basis and
+/// overwritten: solves with the transposed triangle.
 template <class Number>
 void solve(int k, const Number* triangle, Number* center, Plain<Number>* barycentric) {
     Number rest = 1;
@@ -98,9 +98,8 @@ void solve(int k, const Number* triangle, Number* center, Plain<Number>* barycen
     barycentric[0] = static_cast<Plain<Number>>(rest);
 }
 
-/// Squared slopes of the barycentric coordinates: of coordinate i + 1 = sum of the inverse
-/// triangle's column i times row j / |row j|^2; all slopes sum to zero. There is room for two
-/// columns.
+/// Squared slopes of the barycentric coordinates. Coordinate i + 1 has the slope sum of the inverse
+/// triangle's column i times row j / |row j|^2; all slopes sum to zero. Needs room for two columns.
 template <class Number>
 void square_slopes(int k, const Number* triangle, Number* column, Plain<Number>* squares) {
     Number* const sums = column + k;
@@ -123,7 +122,7 @@ void square_slopes(int k, const Number* triangle, Number* column, Plain<Number>*
     squares[0] = static_cast<Plain<Number>>(squared);
 }
 
-/// make() gives the spheres, for one thread; refuse(s) throws.
+/// make() returns the spheres for one thread; refuse(s) throws.
 template <class Make, class Refuse>
 Vector radii_of(Index count, Make make, Refuse refuse) {
     constexpr Index part_size = 1 << 13;
@@ -155,9 +154,9 @@ void check_table(const Points& points, const Simplices& simplices) {
 
 } // namespace
 
-/// Looks at as many simplices as a Number is of, corner i of simplex l being at corners[i * lanes +
-/// l]. Dimensions that are fixed let the compiler unroll all loops; -1 stands for any. Flat
-/// simplices are looked at again with twice the digits.
+/// Looks at one simplex per lane of Number; corner i of simplex l is at corners[i * lanes + l].
+/// Fixed dimensions let the compiler unroll all loops; -1 means any. Flat simplices are recomputed
+/// with twice the digits.
 template <class Number, int k_fixed, int N_fixed>
 void Circumsphere::look(Circumsphere* spheres, int k_given, int N_given,
                         const double* const* corners) {
@@ -232,7 +231,7 @@ void Circumsphere::look(Circumsphere* spheres, int k_given, int N_given,
         sphere.uncertainty_ = {1, lane(shift, l)};
         sphere.rounding_ = {1 + lane(loss, l), lane(lost, l)};
         if constexpr (!is_careful<Number>)
-            if (constexpr double largest = 1e145; // whose square is a number
+            if (constexpr double largest = 1e145; // its square is finite
                 !(sphere.volume_ < largest && sphere.volume_ > 1 / largest)) {
                 std::array<const double*, most_vertices> own;
                 for (int i = 0; i <= k; ++i)

@@ -13,11 +13,11 @@ namespace polydec {
 
 namespace {
 
-/// A k-face of an m-simplex that is one of its facet without corner `omitted`, too.
+/// A k-face of an m-simplex that is also a face of its facet without corner `omitted`.
 struct Descent {
-    Eigen::Index face; ///< number of the k-face among those of the simplex
+    Eigen::Index face; ///< number of the k-face within the simplex
     int omitted;
-    Eigen::Index below; ///< and among those of the facet
+    Eigen::Index below; ///< and within the facet
 };
 
 std::vector<Descent> descents(int k, int m) {

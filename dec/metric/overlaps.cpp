@@ -22,7 +22,7 @@ namespace {
 using Row = IncidenceMatrix::InnerIterator;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 31, 31>;
 
-/// The coordinates that are not the same everywhere.
+/// The coordinates that are not constant.
 std::vector<Eigen::Index> varying_coordinates(const Points& points) {
     std::vector<Eigen::Index> axes;
     for (Eigen::Index c = 0; c < points.cols(); ++c)
@@ -31,13 +31,13 @@ std::vector<Eigen::Index> varying_coordinates(const Points& points) {
     return axes;
 }
 
-/// The sign of the determinant of an n-simplex, 0 if that is rounding.
+/// The sign of the determinant of an n-simplex, 0 if within rounding.
 std::int8_t sign_of(const Points& points, std::span<const Index> corners) {
     const auto n = static_cast<Eigen::Index>(corners.size()) - 1;
     Square edges(n, n);
     for (Eigen::Index j = 0; j < n; ++j) {
         edges.row(j) = points.row(corners[j + 1]) - points.row(corners[0]);
-        edges.row(j) /= edges.row(j).lpNorm<Eigen::Infinity>(); // so that no scale matters
+        edges.row(j) /= edges.row(j).lpNorm<Eigen::Infinity>(); // independent of scale
     }
     const double determinant = edges.determinant();
     const double rounding = 64 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
@@ -55,14 +55,14 @@ std::vector<std::int8_t> signs_of_all(const Pieces& complex, const Points& point
     return signs;
 }
 
-/// An n-simplex at a facet, and on which of its sides it lies.
+/// An n-simplex at a facet, and the side of the facet on which it lies.
 struct Half {
     Index cell;
     int side;
 };
 
 /// Connects cells across facets with two cofaces by whether they lie on different sides, and marks
-/// those that share a side of a branching facet with an earlier one.
+/// cells that share a side of a branching facet with an earlier cell.
 void compare_sides(const Pieces& complex, const std::vector<std::int8_t>& signs,
                    DisjointSets& parts, std::vector<bool>& folded) {
     const int n = complex.dimension();
@@ -78,7 +78,7 @@ void compare_sides(const Pieces& complex, const std::vector<std::int8_t>& signs,
         if (complex.coface_counts(n - 1)[f] == 2 && around.size() == 2) {
             const bool agree =
                 parts.join(around[0].cell, around[1].cell, -around[0].side * around[1].side);
-            // in a one-sided part no two halves are told apart, so a fold is told at its facet
+            // in a one-sided part halves are indistinguishable, so a fold is recorded at its facet
             if (!agree && around[0].side == around[1].side)
                 folded[around[1].cell] = true;
             continue;
@@ -92,8 +92,8 @@ void compare_sides(const Pieces& complex, const std::vector<std::int8_t>& signs,
     }
 }
 
-/// The smaller half of each part that lies on two sides, of equal ones that without the part's
-/// first cell; and those too many at branching facets.
+/// The smaller half of each part that lies on two sides (of equal halves, the half without the
+/// part's first cell), and the surplus cells at branching facets.
 std::vector<Index> find_folded(const Pieces& complex, const std::vector<std::int8_t>& signs) {
     const auto cells = static_cast<Index>(signs.size());
     DisjointSets parts(cells);
@@ -122,7 +122,7 @@ std::vector<Index> find_folded(const Pieces& complex, const std::vector<std::int
     return result;
 }
 
-/// The vertices of (n-2)-simplices with more than a full turn of cells around, none of them folded.
+/// Vertices of (n-2)-simplices with more than a full turn of unfolded cells around them.
 std::vector<Index> find_wound(const Pieces& complex, const Points& points,
                               const std::vector<Index>& folded) {
     const int n = complex.dimension();

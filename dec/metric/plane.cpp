@@ -16,7 +16,7 @@ Points plane_points(const Points& points, int n) {
     if (static_cast<int>(axes.size()) == n)
         return points(Eigen::all, axes);
 
-    // along the directions to what is farthest from the plane so far
+    // in directions to the point farthest from the current plane
     const double rounding =
         32 * std::numeric_limits<double>::epsilon() * points.cwiseAbs().maxCoeff();
     Points off = points.rowwise() - points.row(0), result(points.rows(), n);

@@ -27,8 +27,8 @@ void compositions(int places, int sum, std::vector<int>& list,
     }
 }
 
-/// (-1)^i 4^-s (d + k - 2i)^d k! / (i! (d + k - i)!) with d = 2s+1: as many factors above as below,
-/// multiplied in turns so that nothing overflows.
+/// (-1)^i 4^-s (d + k - 2i)^d k! / (i! (d + k - i)!) with d = 2s+1: as many factors in the
+/// numerator as in the denominator, multiplied in turns to avoid overflow.
 double weight(int k, int s, int i) {
     const int d = 2 * s + 1;
     double result = i % 2 == 0 ? 1 : -1;

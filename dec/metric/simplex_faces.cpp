@@ -19,7 +19,7 @@ SimplexFaces::SimplexFaces(const Pieces& complex, int m, int k)
 }
 
 const std::vector<Index>& SimplexFaces::of(Index s) {
-    // the last vertices go first, so that the positions of the others stay
+    // last vertices first, so the positions of the others stay valid
     for (std::size_t i = 0; i < faces_.size(); ++i) {
         Index face = s;
         int degree = m_;

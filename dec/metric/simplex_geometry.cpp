@@ -10,7 +10,7 @@
 namespace polydec {
 
 Index face_at(const Pieces& complex, int m, Index t, std::span<const int> positions) {
-    // leaving out the other vertices, the last one first, leads down to the face
+    // leaving out the other vertices, the last one first, leads to the face
     for (int k = m, v = m; v >= 0; --v)
         if (!positions.empty() && positions.back() == v)
             positions = positions.first(positions.size() - 1);
@@ -48,7 +48,7 @@ DenseMatrix barycentric_gradients(const Points& points, std::span<const Index> v
     DenseMatrix edges(m, points.cols());
     for (Index i = 0; i < m; ++i)
         edges.row(i) = points.row(vertices[i + 1]) - points.row(vertices[0]);
-    // the gradients of all but the first are dual to the edges, and all sum to zero
+    // all gradients but the first are dual to the edges, and all sum to zero
     DenseMatrix gradients(m + 1, points.cols());
     gradients.bottomRows(m) = pseudo_inverse(edges).transpose();
     gradients.row(0) = -gradients.bottomRows(m).colwise().sum();

@@ -18,10 +18,10 @@ namespace polydec {
 
 namespace {
 
-/// What rounding leaves of a squared height, relative to the squared edge it belongs to.
+/// Rounding error of a squared height, relative to its squared edge.
 constexpr double few_last_digits = 16 * std::numeric_limits<double>::epsilon();
 
-/// Squares of lengths, and products of a few of them, must neither overflow nor vanish.
+/// Squares of lengths, and products of a few of them, must neither overflow nor underflow.
 constexpr double largest_length = 1e100;
 
 /// The lengths of the edges of a triangle, the largest last.
@@ -79,7 +79,7 @@ void SimplexLayout::measure_edges(int k, Index s) {
         }
 }
 
-/// An end of the shortest edge: from there the products of edges lose the fewest digits.
+/// An end of the shortest edge: products of edges from there lose the fewest digits.
 int SimplexLayout::base(int k) const {
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -92,25 +92,25 @@ int SimplexLayout::base(int k) const {
     return best;
 }
 
-/// Inner product of the edges from the origin to i and to j: by the law of cosines, with the
-/// difference of the two squares that cancel most as a product.
+/// Inner product of the edges from the origin to i and to j by the law of cosines; the difference
+/// of the two squares with the most cancellation is computed as a product.
 double SimplexLayout::product(int origin, int i, int j) const {
     const double a = length(origin, i), b = length(origin, j), opposite = length(i, j);
     const double shorter = std::min(a, b), longer = std::max(a, b);
     return (shorter * shorter + (longer - opposite) * (longer + opposite)) / 2;
 }
 
-/// The height of corner a over those before it, of which the first coordinates are known. 0 where
-/// rounding leaves none.
+/// The height of corner a over the previous corners, whose first coordinates are known. 0 if only
+/// rounding is left.
 template <class Corner>
 double SimplexLayout::height(int origin, Corner corner, int a, const double* known) const {
-    // that of an edge is its length, and that of a triangle follows from its area, without loss
+    // an edge's height is its length; a triangle's follows from its area without loss
     const double own = length(origin, corner(a));
     if (a == 0)
         return own;
     if (a == 1) {
         const double base = length(origin, corner(0)), opposite = length(corner(0), corner(1));
-        // a power of two, so that products of four lengths are numbers and no digit is lost
+        // a power of two: products of four lengths stay finite and no digit is lost
         const double unit = std::exp2(std::ilogb(std::max({base, own, opposite})));
         return 2 * unit * triangle_area(base / unit, own / unit, opposite / unit) / (base / unit);
     }

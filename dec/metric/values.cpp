@@ -18,7 +18,7 @@ bool are_equal(const Vector& values) {
                        [&](double value) { return bits(value) == bits(values[0]); });
 }
 
-/// The upper half of the number of single precision that is no smaller.
+/// The upper half of the smallest float that is not less.
 std::uint16_t upper_half(double value) {
     const auto near = static_cast<float>(value);
     const std::uint32_t above = std::bit_cast<std::uint32_t>(near) + (near < value ? 1 : 0);
@@ -46,7 +46,7 @@ const Vector& Values::vector() const {
 }
 
 bool Values::are_above(double least) const {
-    bool are = true; // without a branch for each, so that several are looked at at once
+    bool are = true; // branch-free, so that it vectorizes
     const Index count = values_ ? size_ : std::min<Index>(size_, 1);
     const double* const values = values_ ? values_ : &first_;
     for (Index i = 0; i < count; ++i)
@@ -57,13 +57,12 @@ bool Values::are_above(double least) const {
 Bounds::Bounds(const Vector& values) : size_(static_cast<Index>(values.size())) {
     if (size_ == 0)
         return;
-    // a power of two, so that nothing else is rounded
+    // a power of two, so scaling does not round
     constexpr double most = 1e300;
     const double largest = values.maxCoeff();
     unit_ = largest > 1 / most && largest < most ? std::ldexp(1, std::ilogb(largest)) : 1;
     const double inverse = 1 / unit_;
-    if (are_equal(
-            values)) { // rounded as any others, so that no bound hangs on those of other cells
+    if (are_equal(values)) { // rounded like any other, so no bound depends on other cells
         unit_ *= from_upper_half(upper_half(inverse * largest));
         return;
     }

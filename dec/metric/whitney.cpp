@@ -21,16 +21,16 @@ class WhitneyMass {
 public:
     WhitneyMass(int m, int j) : m_(m), j_(j), faces_(subsets(m + 1, j + 1)), wedge_(m, j) {}
 
-    /// At vertex v the form of a face has a value, the wedge of the gradients of the other
-    /// vertices, and is linear between; integrals of products of barycentric coordinates, v = w or
-    /// not, are as 2 to 1. Squares of values, not of products of gradients: flat simplices cost no
-    /// more digits than they must.
+    /// At vertex v the form of a face has as value the wedge of the gradients of the other
+    /// vertices; in between it is linear. Integrals of products of barycentric coordinates for v =
+    /// w and v != w are in the ratio 2 : 1. Uses squares of values, not of products of gradients,
+    /// so flat simplices lose no more digits than necessary.
     DenseMatrix operator()(const Points& points, std::span<const Index> vertices) const {
-        // in coordinates of the simplex's own space; those of all but one vertex span the dual
-        // lattice of the edges
+        // in coordinates of the simplex's own space; all gradients but one span the dual lattice of
+        // the edges
         const DenseMatrix given = barycentric_gradients(points, vertices);
         const DenseMatrix gradients = given * orthonormal_columns(given.bottomRows(m_).transpose());
-        const double volume = // those of all but one vertex are triangular in these axes
+        const double volume = // all gradients but one are triangular in these axes
             1 / (std::abs(gradients.bottomRows(m_).diagonal().prod()) * std::tgamma(m_ + 1.0));
         const auto size = static_cast<Index>(faces_.size());
         DenseMatrix mass = DenseMatrix::Zero(size, size);
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    /// Of each face, over j!.
+    /// Values of each face, divided by j!.
     DenseMatrix values_at(int v, const DenseMatrix& gradients) const {
         DenseMatrix values = DenseMatrix::Zero(static_cast<Index>(faces_.size()), wedge_.size());
         for (std::size_t a = 0; a < faces_.size(); ++a) {

@@ -124,7 +124,7 @@ void FlipHistory::apply(const Step& step, int k, Values& values) const {
         if (k == 2)
             turn(values, step.first);
     } else if (step.kind == Kind::flip) {
-        // klj has its part of the circulation: kl = part (jk + ki + il + lj) - lj - jk
+        // klj gets its part of the circulation: kl = part (jk + ki + il + lj) - lj - jk
         const double s = step.sign;
         const Term kl[] = {signed_term(s * (part - 1), jk), signed_term(s * part, ki),
                            signed_term(s * part, il), signed_term(s * (part - 1), lj)};
@@ -136,7 +136,7 @@ void FlipHistory::apply(const Step& step, int k, Values& values) const {
         const Term m[] = {{1 - part, step.vertices[0]}, {part, step.vertices[1]}};
         values.push_back(combine(values, m));
     } else if (k == 1) {
-        // imk has its part of the circulation: mk = part (ij + jk + ki) - part ij - ki
+        // imk gets its part of the circulation: mk = part (ij + jk + ki) - part ij - ki
         const Term im{part, step.edge}, mj{1 - part, step.edge};
         const Term mk[] = {signed_term(part, jk), signed_term(part - 1, ki)};
         values.push_back(combine(values, {&mj, 1}));
@@ -156,7 +156,7 @@ void FlipHistory::undo(const Step& step, int k, Values& values) const {
         if (k == 2)
             turn(values, step.first);
     } else if (step.kind == Kind::flip) {
-        // ijk has its part of the circulation: ij = part (jk + ki + il + lj) - jk - ki
+        // ijk gets its part of the circulation: ij = part (jk + ki + il + lj) - jk - ki
         const double s = step.sign;
         const Term ij[] = {signed_term(s * (part - 1), jk), signed_term(s * (part - 1), ki),
                            signed_term(s * part, il), signed_term(s * part, lj)};
@@ -208,7 +208,7 @@ Vector FlipHistory::carry_back(int k, const Vector& values) const {
 
 std::vector<std::array<Index, 2>> FlipHistory::edges_of_new_vertices() const {
     std::vector<std::array<Index, 2>> ends;
-    // of two neighbors on an edge, one that is new knows both ends
+    // of two neighbors on an edge, a new one knows both ends
     const auto known = [&](Index v) { return v < first_sizes_[0]; };
     for (const Step& step : steps_)
         if (step.kind == Kind::split) {

@@ -21,18 +21,17 @@ namespace polydec {
 
 namespace {
 
-/// The least part of its longest side by which the two others of a triangle must be longer
-/// together: below that, rounding of lengths leaves an area hardly a digit. The height is 3e-7 of
-/// the length then.
+/// Least relative amount by which two sides of a triangle must exceed its longest side: below it,
+/// rounding of lengths leaves hardly a digit of the area. The height is then 3e-7 of the length.
 constexpr double least_slack = 1e-13;
 
-/// Where points coincide (an edge is below the first part of the mean length), edges get the
-/// second: with less, stars there would be so large that those of all others are rounding beside
-/// them.
+/// If points coincide (an edge is below the first fraction of the mean length), edges are
+/// lengthened by the second. With less, stars there would be so large that all other stars would be
+/// at the level of their rounding.
 constexpr double coinciding = 1e-10, apart = 1e-5;
 
-/// Lengths as points have them that may coincide or lie on a line: not negative, and no side longer
-/// than both others beyond rounding.
+/// Lengths from points that may coincide or lie on a line: not negative, and no side longer than
+/// both others together beyond rounding.
 void check_roughly(const GluedSurface& surface, const Vector& lengths) {
     constexpr double rounding = 1e-9;
     const auto is_triangle = [&](Index t) {
@@ -44,7 +43,7 @@ void check_roughly(const GluedSurface& surface, const Vector& lengths) {
     for (Index t = 0; rough && t < surface.triangles(); ++t)
         rough = is_triangle(t);
     if (!rough)
-        check_lengths(surface, lengths); // says what is wrong
+        check_lengths(surface, lengths); // reports the defect
 }
 
 class Flipping {
@@ -86,18 +85,18 @@ public:
     }
 
 private:
-    /// The triangle beside a half-edge: the length of this, of the next and the last side, area.
+    /// The triangle beside a half-edge: lengths of this, the next and the last side; area.
     struct Beside {
         double a, b, c, area;
         double cotangent() const { return corner_cotangent(a, b, c, area); }
-        /// Rounding error of the cotangents of two such triangles: of lengths, whose squares
-        /// cancel, and by the shape.
+        /// Rounding error of the cotangents of two such triangles: from lengths, whose squares
+        /// cancel, and from the shape.
         double rounding() const {
             constexpr double few = 64 * std::numeric_limits<double>::epsilon();
             const double shape = triangle_circumradius(a, b, c, area) / a;
             return few * std::max(shape * shape, (a * a + b * b + c * c) / (4 * area));
         }
-        /// Where the apex is: along the half-edge from its tail.
+        /// Foot of the apex: position along the half-edge from its tail.
         double foot() const { return (a + (c - b) * ((c + b) / a)) / 2; }
         double height() const { return 2 * area / a; }
     };
@@ -138,7 +137,7 @@ private:
     NormalCoordinates crossings_;
     IntrinsicDelaunayOptions options_;
     IntrinsicStatistics statistics_;
-    /// By the means when they came, so that the order of flips does not depend on numbers.
+    /// Ordered by the means at insertion, so the order of flips does not depend on numbering.
     std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>,
                         std::greater<>>
         queue_;
@@ -147,7 +146,7 @@ private:
     Index boundary_edges_ = 0;
 };
 
-/// Measures the areas of all triangles; by how much sides must be longer so that all have some.
+/// Computes all areas; returns by how much sides must exceed so that every triangle has area.
 double Flipping::measure_all() {
     double missing = 0;
     for (const double l : lengths_)
@@ -162,8 +161,8 @@ double Flipping::measure_all() {
     return missing;
 }
 
-/// Flips of triangles without area would have lengths that are nothing but rounding. Lengthening
-/// all edges alike keeps whatever fits together fitting.
+/// Flips of triangles without area would produce lengths of pure rounding error. Lengthening all
+/// edges equally preserves every gluing.
 void Flipping::give_needles_some_area(double missing) {
     check_roughly(surface_, as_vector());
     const auto area = [&] { return std::accumulate(areas_.begin(), areas_.end(), 0.0); };
@@ -177,7 +176,7 @@ void Flipping::give_needles_some_area(double missing) {
     statistics_.added_area = before > 0 ? area() / before - 1 : 0;
 }
 
-/// The mean of the cotangents on both sides; 0 unless it is negative beyond rounding.
+/// Mean of the cotangents on both sides; 0 unless negative beyond rounding.
 double Flipping::negative_mean(Index edge) const {
     double sum = 0, rounding = 0;
     for (const Index h : surface_.halfedges(edge))
@@ -202,7 +201,7 @@ void Flipping::flip_all() {
         const auto [mean, edge] = queue_.top();
         queue_.pop();
         if (!surface_.can_flip(edge) || negative_mean(edge) != mean)
-            continue; // it came again when a triangle beside it changed
+            continue; // reinserted when an adjacent triangle changed
         flip(edge);
         if (statistics_.flips > limit)
             throw SolverFailure(fmt::format("{} flips of {} edges and no end: the surface has "
@@ -217,7 +216,7 @@ void Flipping::flip(Index edge) {
         surface_.reverse(turned);
         history_.reverse(turned);
     }
-    // both triangles laid flat: i at the origin, j on the first axis, k above it and l below
+    // both triangles laid flat: i at the origin, j on the first axis, k above and l below
     const auto [h, g] = surface_.halfedges(edge);
     const auto above = beside(h), below = beside(g);
     const double along = above.foot() - (below.a - below.foot());
@@ -225,7 +224,7 @@ void Flipping::flip(Index edge) {
     const double klj = triangle_area(diagonal, below.c, above.b);
     const double lki = triangle_area(diagonal, above.c, below.b);
     if (!(klj > 0 && lki > 0))
-        return stuck_.push_back(edge); // the corner at i or j is flat but for rounding
+        return stuck_.push_back(edge); // the corner at i or j is flat up to rounding
 
     history_.flip(surface_, edge, above.area / (above.area + below.area), klj / (klj + lki));
     crossings_.flip(surface_, edge);
@@ -240,7 +239,7 @@ void Flipping::flip(Index edge) {
     }
 }
 
-/// The angle inside the surface at one end of a boundary half-edge.
+/// The interior angle at one end of a boundary half-edge.
 double Flipping::boundary_corner(Index halfedge, FanEnd end) const {
     double angle = 0;
     for_each_corner(surface_, halfedge, end, [&](Index corner) {
@@ -256,8 +255,8 @@ bool Flipping::has_acute_corner(Index halfedge, FanEnd end) const {
     return boundary_corner(halfedge, end) <= std::numbers::pi / 2 + rounding;
 }
 
-/// Where to divide a boundary edge, as a part of it from its half-edge's tail. Splits on both sides
-/// of a sharp corner would provoke each other without end unless they have equal distances from it.
+/// Position of the split of a boundary edge, as a fraction from its half-edge's tail. Splits on
+/// both sides of a sharp corner would trigger each other forever unless at equal distances from it.
 double Flipping::place_of_split(Index edge) const {
     const Index h = surface_.halfedges(edge)[0];
     const bool tail = has_acute_corner(h, FanEnd::tail), head = has_acute_corner(h, FanEnd::head);
@@ -269,16 +268,16 @@ double Flipping::place_of_split(Index edge) const {
     return tail ? part : 1 - part;
 }
 
-/// Splits make boundary stars positive, but not as large as one likes: halves of a triangle can be
-/// like the whole.
+/// Splits make boundary stars positive, but not arbitrarily large: halves of a triangle can be
+/// similar to the whole.
 constexpr double most_a_split_can_promise = 1e-2;
 
 double Flipping::split_goal() const {
     return std::min(options_.tolerance, most_a_split_can_promise);
 }
 
-/// In every Delaunay triangulation the angles opposite to the two edges at a corner of angle t add
-/// up to pi - t at least, so one of these edges has a star of tan(t/2) / 2 at most.
+/// In every Delaunay triangulation the angles opposite the two edges at a corner of angle t sum to
+/// at least pi - t, so one of these edges has a star of at most tan(t/2) / 2.
 void Flipping::refuse_sharp_corners() const {
     for (Index e = 0; e < surface_.edges(); ++e) {
         if (!surface_.is_boundary(e))
@@ -298,8 +297,8 @@ void Flipping::refuse_sharp_corners() const {
     }
 }
 
-/// Splits all boundary edges that need it, together, so that their order does not matter: two of a
-/// triangle would both need it beside a sharp corner alone.
+/// Splits all boundary edges that need it at once, so their order does not matter: two edges of one
+/// triangle both need it only beside a sharp corner.
 bool Flipping::split_boundary() {
     const double goal = split_goal();
     std::vector<std::pair<Index, double>> places;
@@ -338,8 +337,8 @@ void Flipping::split(Index edge, double fraction) {
 IntrinsicDelaunay intrinsic_delaunay(GluedSurface surface, Vector lengths,
                                      const IntrinsicDelaunayOptions& options) {
     if (lengths.size() != surface.edges() || !lengths.allFinite())
-        check_lengths(surface, lengths); // says what is wrong
-    // products of lengths are numbers at every scale; by a power of two no digit changes
+        check_lengths(surface, lengths); // reports the defect
+    // keeps products of lengths finite at every scale; a power of two changes no digit
     constexpr int moderate = 40;
     const double longest = lengths.size() > 0 ? lengths.cwiseAbs().maxCoeff() : 0;
     const bool is_extreme = longest > 0 && std::abs(std::ilogb(longest)) > moderate;

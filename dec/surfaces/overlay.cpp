@@ -13,7 +13,7 @@ namespace polydec {
 
 namespace {
 
-/// A point on the side of a triangle that this half-edge runs along.
+/// A point on the side of a triangle along this half-edge.
 struct SidePoint {
     Index point;
     Index halfedge;
@@ -59,7 +59,7 @@ private:
 
     SidePoint point_at(Index corner) const { return {surface_.tail(corner), corner, 0}; }
 
-    /// The crossing of this number on a half-edge, counted from its tail.
+    /// The crossing with this number on a half-edge, counted from its tail.
     SidePoint point_on(Index halfedge, Index position) const {
         const Index e = surface_.edge(halfedge);
         const bool along = surface_.sign(halfedge) > 0;
@@ -68,7 +68,7 @@ private:
         const double place = places_[point - first_crossing_[0]];
         return {point, halfedge, along ? place : 1 - place};
     }
-    /// The same on the half-edge that ends at a corner, counted from there.
+    /// The same on the half-edge that ends at a corner, counted from the corner.
     SidePoint point_before(Index corner, Index position) const {
         const Index h = GluedSurface::previous(corner);
         return point_on(h, coordinates_.crossings(surface_.edge(h)) - 1 - position);
@@ -83,7 +83,7 @@ private:
     std::vector<std::array<Index, 2>> new_vertices_;
     std::vector<Index> first_crossing_;               // points on each edge
     std::vector<double> places_;                      // of crossings along these edges
-    std::vector<std::array<Index, 2>> ends_by_point_; // ends of the input's edge on which it lies
+    std::vector<std::array<Index, 2>> ends_by_point_; // ends of the input's edge that contains it
     std::vector<double> areas_;
     Overlay result_;
 };
@@ -141,7 +141,7 @@ void Cutter::cut_triangle(Index t) {
     cut_middle(t, corners);
 }
 
-/// What strands around a corner cut off: a triangle, and quadrilaterals behind it.
+/// The pieces that strands cut off around a corner: a triangle, and quadrilaterals behind it.
 void Cutter::cut_corner(Index corner, Index cuts) {
     for (Index r = 0; r < cuts; ++r) {
         Polygon piece{point_at(corner)};
@@ -153,7 +153,7 @@ void Cutter::cut_corner(Index corner, Index cuts) {
     }
 }
 
-/// What is left in the middle, with a fan of strands that begin at one of the corners.
+/// The remaining middle, with a fan of strands that begin at one of the corners.
 void Cutter::cut_middle(Index t, const NormalCoordinates::Corners& corners) {
     const auto rest_of_corner = [&](Index i) {
         const Index corner = 3 * t + i, cuts = corners.cut[i];
@@ -181,8 +181,8 @@ void Cutter::cut_middle(Index t, const NormalCoordinates::Corners& corners) {
     add(piece, t);
 }
 
-/// Which corner of the ordered piece each corner of a triangle is: the one opposite to the same
-/// edge, and with the same orientation.
+/// For each corner of a triangle its corner in the ordered piece: opposite the same edge, with the
+/// same orientation.
 std::array<int, 3> Cutter::corners_in_order(Index t) const {
     const int step = pieces_.orientation(t) > 0 ? 1 : 2;
     std::array<int, 3> order{};
@@ -201,7 +201,7 @@ std::array<int, 3> Cutter::corners_in_order(Index t) const {
     return order;
 }
 
-/// The triangle of the input on whose vertices and edges the corners of a piece lie.
+/// The triangle of the input whose vertices and edges contain the corners of a piece.
 std::optional<Index> Cutter::input_triangle(const Polygon& polygon) const {
     std::vector<Index> vertices;
     for (const SidePoint& corner : polygon)
@@ -231,7 +231,7 @@ void Cutter::add(const Polygon& polygon, Index t) {
     const auto triangle = input_triangle(polygon);
     if (!triangle)
         return;
-    // the plane of the triangle that it lies in, oriented as it is
+    // the plane of the triangle that contains it, oriented alike
     const auto corner = [&](int i) {
         return result_.points.row(K_.simplices(2)(*triangle, i)).eval();
     };

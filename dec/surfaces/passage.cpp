@@ -14,7 +14,7 @@ namespace polydec {
 
 namespace {
 
-/// The vertices that splits have made are called by numbers behind those of the input's points.
+/// Vertices added by splits are numbered after the input's points.
 OrderedSurface ordered(const SimplicialComplex& input, const GluedSurface& surface,
                        Index first_new_vertex) {
     std::vector<Index> names(static_cast<std::size_t>(surface.vertices()));

@@ -54,12 +54,12 @@ Points Places::at(int k, const Points& coordinates, const Points& values) const 
     return result;
 }
 
-/// Crosses facets that the place lies beyond, as long as there are pieces behind.
+/// Crosses facets that the place lies beyond, while there are pieces behind them.
 void Places::go_on(SimplexLayout& layout, Place& place) const {
     const Pieces& K = passage_.pieces();
     const int n = K.dimension();
     constexpr double rounding = 1e-12;
-    constexpr int many = 100; // around a cone the way may not come to an end
+    constexpr int many = 100; // around a cone the walk may not terminate
     const auto gradients = [&](Index t) {
         const Corners corners = layout.at(n, t);
         return barycentric_gradients(corners.points, corners.vertices);
@@ -77,7 +77,7 @@ void Places::go_on(SimplexLayout& layout, Place& place) const {
         if (other == around.end())
             return;
 
-        // down to the facet, and as far up on the other side
+        // down to the facet, and equally far up on the other side
         const auto along_height = [](const DenseMatrix& slopes, int corner) {
             return Vector(slopes * slopes.row(corner).transpose().normalized());
         };

@@ -16,8 +16,9 @@ double cross(Place a, Place b) {
     return (std::conj(a) * b).imag();
 }
 
-/// The triangles along one strand, laid flat from its first vertex at the origin on. The strand
-/// leaves each over an edge from P on its right to Q on its left, with what was passed behind.
+/// The triangles along one strand, laid flat, with its first vertex at the origin. The strand
+/// leaves each triangle across an edge from P on its right to Q on its left; passed triangles are
+/// behind it.
 class Strip {
 public:
     Strip(const GluedSurface& surface, const Vector& lengths)
@@ -47,7 +48,7 @@ public:
         R_ = P_ + direction * std::conj(from_P);
     }
 
-    /// Goes on to the side of that triangle that the strand leaves by.
+    /// Moves to the side of that triangle across which the strand leaves.
     void leave_by(Index side) {
         const bool is_next = side == GluedSurface::next(entered_);
         const bool has_P = is_next != tail_is_P_;
@@ -58,8 +59,7 @@ public:
 private:
     double length(Index halfedge) const { return lengths_[surface_.edge(halfedge)]; }
 
-    /// The third corner of a triangle from the first at 0 and the second at l, above the axis;
-    /// its distances are from the first and from the second.
+    /// The third corner of a triangle with corners 0 and l, above the axis, at these distances.
     static Place apex(double l, double first, double second) {
         return {(l + (first - second) * ((first + second) / l)) / 2,
                 2 * triangle_area(l, first, second) / l};
@@ -94,7 +94,7 @@ std::vector<double> strand_places(const GluedSurface& surface, const Vector& len
         for (std::size_t c = begin; c < end; ++c) {
             const auto& [P, Q] = edges[c - begin];
             const double place = cross(P, Q - P) / cross(strand, Q - P);
-            if (place > last) // rounding may exchange neighbors; this leaves out NaN too
+            if (place > last) // rounding may swap neighbors; also excludes NaN
                 last = std::min(place, 1.0);
             places[c] = last;
         }
