@@ -12,7 +12,7 @@
 
 namespace polydec {
 
-/// Base of all errors of polydec. The text says what is wrong, where, and what to do.
+/// Base of all errors of polydec. The text states the error, its place and a remedy.
 class Error : public std::runtime_error {
 public:
     /// Place of the error: the objects named in the text, by the same numbers; lists are complete

@@ -37,8 +37,8 @@ Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facet
 /// one entry per n-simplex. Throws InvalidInput for a wrong number of labels.
 std::vector<bool> facets_within_labels(const Pieces& complex, const std::vector<Index>& labels);
 
-/// A block that is not an open ball, hence not a cell: its pieces induce inconsistent orientations,
-/// its Euler number (the sum of (-1)^dim over its open simplices) is not (-1)^dimension, or a
+/// A block that is not an open ball, hence not a cell. Its pieces induce inconsistent orientations,
+/// or its Euler number (the sum of (-1)^dim over its open simplices) is not (-1)^dimension, or a
 /// vertex at it has lost all its edges.
 struct InadmissibleBlock {
     int dimension;

@@ -29,8 +29,8 @@ public:
 
     bool is_empty() const { return values_.size() == 0; }
 
-    /// One number per n-cell. Throws InvalidInput, naming the quantity and the cell of the input,
-    /// for a wrong number of values, for a value that is out of range or not finite, and if a cell
+    /// One number per n-cell. Throws InvalidInput, naming the quantity and the cell of the input:
+    /// for a wrong number of values; for a value that is out of range or not finite; and if a cell
     /// joins cells of the input with different values.
     Vector on(const Discretization& mesh, std::string_view what, Range range) const;
 

@@ -18,9 +18,9 @@ namespace polydec {
 ///
 /// Primal forms are fixed on the essential facets and their faces. On the boundary, the star maps
 /// values of a dual form to fluxes of a primal form, so dual forms are fixed on the natural facets
-/// and their faces. An essential facet may have no dual (see Cells::boundary_facets_without_dual):
-/// then the duals of this facet, of the n-cell beside it, and of cells with no other cofaces lie on
-/// the boundary, and dual forms are fixed there too. Primal n-forms are the stars of dual 0-forms,
+/// and their faces. An essential facet may have no dual (see Cells::boundary_facets_without_dual).
+/// Then dual forms are also fixed on this facet, on the n-cell beside it and on cells with no other
+/// cofaces, because their duals lie on the boundary. Primal n-forms are the stars of dual 0-forms,
 /// which need no duals of boundary facets. Robin's condition fixes nothing.
 ///
 /// Everything is measured in the unit of the cells; conditions are given in the unit of the input.

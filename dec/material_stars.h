@@ -43,10 +43,10 @@ HodgeStars weighted_stars(const Discretization& mesh, int k, const CellData& wei
 /// The mesh with these stars; the kind of stars is unchanged.
 Discretization with_material(const Discretization& mesh, int k, const CellData& weights);
 
-/// The mesh with stars for which Delta of functions is -div kappa grad, kappa > 0: kappa weights
-/// the star of 1-forms for primal functions, 1 / kappa the star of (n-1)-forms for dual functions.
-/// Throws like material_star, and for user-supplied stars that are matrices, whose parts by cell
-/// are unknown.
+/// The mesh with stars for which Delta of functions is -div kappa grad, kappa > 0. For primal
+/// functions kappa weights the star of 1-forms; for dual functions 1 / kappa weights the star of
+/// (n-1)-forms. Throws like material_star, and for user-supplied stars that are matrices, whose
+/// parts by cell are unknown.
 Discretization with_conductivity(const Discretization& mesh, Side side, const CellData& kappa);
 
 /// The mesh with stars for which forms of a side and degree are electric fields E, with energies

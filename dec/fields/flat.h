@@ -27,8 +27,8 @@ enum class Flat {
 /// The flat is computed on the simplices, to which the vector of a merged cell is copied, and
 /// mapped to merged cells by sums (primal) or means by volume (dual). The dual edge of a boundary
 /// facet ends at the facet's circumcenter. Source: Hirani 2003, ch. 5. If the star of (n-1)-cells
-/// knows no duals (see ChosenStars::is_over_duals), a dual form is the star of the fluxes through
-/// the facets. The flux is that of the mean vector at the facet's vertices, or of the mean by
+/// knows no duals (see ChosenStars::is_over_duals), a dual form is the star of fluxes through the
+/// facets, by the mean vector at a facet's vertices or, for vectors at n-cells, by the mean by
 /// volume over the cells beside it.
 /// After flips, ppp and pdp use the edges of the input and the passage. For dpp an edge is the
 /// segment between its ends: the integral of a constant depends on nothing else. Dual edges are

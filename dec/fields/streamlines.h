@@ -23,8 +23,8 @@ struct StreamlineOptions {
 /// closer than the spacing to another line or to itself. The same input gives the same lines. Time
 /// O(simplices log simplices + steps).
 ///
-/// Throws InvalidInput for a wrong number of vectors, for a vector that is not finite, naming its
-/// cell, for options that are not positive, if edges were flipped, and if only lengths are known.
+/// Throws InvalidInput for a wrong number of vectors, one that is not finite (naming its cell),
+/// options that are not positive, flipped edges, and if only lengths are known.
 Mesh streamlines(const Discretization& mesh, const DenseMatrix& vectors,
                  StreamlineOptions options = {});
 

@@ -23,9 +23,9 @@ struct FacetDefects {
 /// as close to each other as their facets. A facet without extent has no such dual.
 bool is_degenerate(double dual, double terms, double l, double height, double tolerance);
 
-/// Calls take(f, height, terms) for every facet f of every n-simplex with nonzero volume: the
-/// distance from the circumcenter of the facet to the simplex's, positive towards the simplex, and
-/// the scale of its error.
+/// Calls take(f, height, terms) for every facet f of every n-simplex with nonzero volume. `height`
+/// is the distance from the facet's circumcenter to the simplex's, positive towards the simplex;
+/// `terms` is the scale of its error.
 void for_each_height(const Geometry& geometry,
                      const std::function<void(Index, double, double)>& take);
 

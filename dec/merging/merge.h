@@ -58,8 +58,8 @@ CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOption
                                      const std::vector<bool>& stays = {});
 
 /// Volumes of merged cells, with duals set to 0 (see HodgeStar::zeros) where a center lies beyond
-/// the boundary but within the tolerance: rounding or jitter put it there, and it counts as lying
-/// on the boundary.
+/// the boundary but within the tolerance. Such centers, moved there by rounding or jitter, count as
+/// lying on the boundary.
 CellVolumes without_duals_beyond_the_boundary(const CellVolumes& volumes, const Merging& merging,
                                               const DegenerateFacets& degenerate);
 

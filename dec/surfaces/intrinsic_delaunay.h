@@ -52,9 +52,9 @@ struct IntrinsicDelaunay {
 /// and splits. Source: Bobenko, Springborn 2007, A discrete Laplace-Beltrami operator for
 /// simplicial surfaces; Fisher, Springborn, Bobenko, Schroeder 2006, An algorithm for the
 /// construction of intrinsic Delaunay triangulations. Throws InvalidInput, naming the edge or
-/// triangle, for lengths of no triangle, and, naming the vertex, for splits at a boundary corner
-/// whose angle t has tan(t/2) / 2 below the tolerance: in any triangulation one edge there has a
-/// smaller star. Throws SolverFailure if flips or splits do not terminate.
+/// triangle, for lengths of no triangle. Also throws it, naming the vertex, for splits at a
+/// boundary corner whose angle t has tan(t/2) / 2 below the tolerance: one edge there has a smaller
+/// star in any triangulation. Throws SolverFailure if flips or splits do not terminate.
 IntrinsicDelaunay intrinsic_delaunay(GluedSurface surface, Vector lengths,
                                      const IntrinsicDelaunayOptions& options = {});
 
