@@ -26,7 +26,7 @@ namespace {
 constexpr double least_slack = 1e-13;
 
 /// If points coincide (an edge is below the first fraction of the mean length), edges are
-/// lengthened by the second. With less, stars there would be so large that all other stars would be
+/// lengthened to the second. With less, stars there would be so large that all other stars would be
 /// at the level of their rounding.
 constexpr double coinciding = 1e-10, apart = 1e-5;
 

@@ -44,9 +44,9 @@ struct IntrinsicDelaunay {
 /// Flips interior edges until no star_1 is negative beyond rounding: 64 eps times the larger of
 /// (R/l)^2 and (a^2 + b^2 + c^2) / 4A of the adjacent triangles. Up to ties the result depends only
 /// on the surface, and on neither scale nor placement. If a triangle has almost no area, the same
-/// small length is added to all edges. It is the least that makes the sum of two sides of every
-/// triangle exceed the third by 1e-13 of the third, or by 1e-5 of the mean length where points
-/// coincide. If boundary edges may be split, they are halved, or divided at a power of two of the
+/// small length is added to all edges: the least with which two sides of every triangle together
+/// exceed the third by 1e-13 of it, and edges between coinciding points have 1e-5 of the mean
+/// length. If boundary edges may be split, they are halved, or divided at a power of two of the
 /// mean length from an end whose corner has at most a right angle. Edges are then flipped again,
 /// until no boundary star is below the tolerance. Time near-linear in the number of edges, flips
 /// and splits. Source: Bobenko, Springborn 2007, A discrete Laplace-Beltrami operator for
