@@ -27,7 +27,7 @@ namespace polydec {
 /// Source: Arnold, Falk, Winther 2006, sec. 2 and 7.
 class FormSpace {
 public:
-    /// Throws InvalidInput if there are no forms of that degree; if the number of conditions is not
+    /// Throws InvalidInput if there are no forms of that degree; unless conditions are uniform or
     /// one per facet; for dual 0-forms, naming the facet, where three or more n-cells meet: their
     /// difference along its dual is undefined; and for Robin's condition like robin_coefficients.
     FormSpace(const Cells& cells, Side side, int degree, const BoundaryConditions& conditions);

@@ -52,8 +52,8 @@ struct BoundaryConditions {
 BoundaryConditions built_in_conditions(Side side);
 
 /// Robin coefficients on the boundary facets with Robin's condition, 0 elsewhere: size(n-1). Throws
-/// InvalidInput, naming the facet, if a coefficient is missing, not positive or not finite, and if
-/// the number of conditions is not one per facet.
+/// InvalidInput, naming the facet, if a coefficient is missing, not positive or not finite, and
+/// unless conditions are uniform or one per facet.
 Vector robin_coefficients(const CellComplex& complex, const BoundaryConditions& conditions);
 
 /// Throws InvalidInput, saying that `what` does not support it, if a boundary facet has Robin's
@@ -75,7 +75,7 @@ struct BoundaryData {
 /// (Dirichlet)" or "no flow through the boundary (Neumann)"; n-forms: the same for their density;
 /// in between: "tangential part 0 on the boundary" or "normal part 0 on the boundary". Mixed
 /// conditions: all of them with their numbers of facets. Robin: "flow given" or "0". Without a
-/// boundary: "no boundary". Throws InvalidInput if the number of conditions is not one per facet.
+/// boundary: "no boundary". Throws InvalidInput unless conditions are uniform or one per facet.
 std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
                      const BoundaryData& data = {});
 
@@ -100,7 +100,7 @@ BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coeffic
 /// Marks the cells on which essential conditions fix primal forms: essential boundary facets and
 /// all their faces, in every degree. A complex relative to these cells carries the forms that
 /// vanish there; without marks, relative_complex is the absolute complex, natural everywhere.
-/// Throws InvalidInput for fixed vertices, and if the number of conditions is not one per facet.
+/// Throws InvalidInput for fixed vertices, and unless conditions are uniform or one per facet.
 CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions);
 
 /// The same for forms of one side and degree: for dual forms the conditions are exchanged first,
