@@ -143,7 +143,7 @@ protected:
     /// Throws SolverFailure if the value is not finite.
     double event(double time, const Vector& state) const;
 
-    /// Records a step. The end of a march may shorten its last step, which is no rejection.
+    /// Records an accepted step: the time and state at its end, and its length.
     void accept(double time, Vector state, double step);
     IntegratorReport& counts() { return report_; }
 

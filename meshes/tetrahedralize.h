@@ -8,7 +8,7 @@
 namespace polydec {
 
 /// Whether TetGen may add points on the surface. If not, quality and volume bounds are weaker near
-/// the surface, but its triangles stay those of the mesh.
+/// the surface, but its triangles stay unchanged.
 enum class BoundarySplitting { allowed, forbidden };
 
 struct MesherOptions {

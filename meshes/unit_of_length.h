@@ -8,10 +8,10 @@
 
 namespace polydec {
 
-/// A unit of length for a mesh that keeps products of its lengths in range. It is 1 if the longest
-/// edge (for points, its largest coordinate difference) is between 2^-40 and 2^40 (in more than six
-/// dimensions n, 2^-(240/n) and 2^(240/n)), else the power of 4 that scales it to 1 to 8. Vertex
-/// numbers must be valid.
+/// A unit of length for a mesh that keeps products of its lengths in range. The longest edge L (for
+/// points, its largest coordinate difference) determines it: 1 if L is between 2^-40 and 2^40 (in
+/// more than six dimensions n, 2^-(240/n) and 2^(240/n)), else the power of 4 that scales L to 1 to
+/// 8. Vertex numbers must be valid.
 double unit_of_length(const Mesh& mesh);
 double unit_of_length(const LengthMesh& mesh);
 
@@ -28,7 +28,7 @@ Mesh in_units(Mesh mesh, double unit);
 Points in_units(Points points, double unit);
 
 /// Converts a quantity measured in units (a power of 4), to an integer or half-integer power, to
-/// those of the input: value * unit^power, exact. None if the result is not a normal number.
+/// input units: value * unit^power, exact. None if the result is not a normal number.
 std::optional<double> in_input_units(double value, double unit, double power);
 
 /// The same for many values; values at rounding level relative to the largest may underflow. Throws

@@ -24,10 +24,10 @@ double weld_length(const Points& points);
 /// vertices take the median of each coordinate, so that the most frequent value survives; numbers
 /// ascend by the first vertex joined. Cells keep rows, corners and tags.
 ///
-/// No edge longer than `length` vanishes, no cell thicker than `length` is inverted, and no cell
-/// comes to lie on a distinct one of opposite orientation, as the sides of a thin plate would.
-/// Where that would happen, the length is halved, repeatedly if needed. Cells with shorter edges
-/// keep their row with a repeated corner; tidy omits them with a warning.
+/// No edge longer than `length` vanishes, and no cell thicker than `length` is inverted. No cell
+/// comes to lie on a distinct one of opposite orientation, like the sides of a thin plate. Where
+/// that would happen, the length is halved, repeatedly if needed. Cells with shorter edges keep
+/// their row with a repeated corner; tidy omits them with a warning.
 ///
 /// Any dimension; results do not depend on units or on the order of vertices and cells. Time O(v
 /// log v + cells). A warning of the mesh counts joined vertices. Vertices of no cell stay. Throws

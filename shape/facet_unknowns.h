@@ -6,7 +6,7 @@
 namespace polydec {
 
 /// Unknowns of facets, a fixed number `each` per facet. Simplex s has width = each (n+1) entries;
-/// those of its facet opposite corner i start at width s + each i.
+/// its facet opposite corner i starts at width s + each i.
 struct FacetUnknowns {
     Index count;
     std::vector<Index> unknowns; ///< -1 where functions are 0

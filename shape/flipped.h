@@ -12,9 +12,9 @@ struct FlippedShape {
 };
 
 /// The intrinsic Delaunay triangulation of a surface. Its larger angles make eigenvalue enclosures
-/// narrower. Vertices and edges of the boundary keep their numbers and conditions. Returns other
-/// shapes unchanged: those of another dimension than 2, with branching edges, or with nonuniform
-/// weights. Throws like intrinsic_delaunay.
+/// narrower. Vertices and edges of the boundary keep their numbers and conditions. Returns a shape
+/// unchanged if its dimension is not 2, edges branch, or weights are not uniform. Throws like
+/// intrinsic_delaunay.
 FlippedShape flipped(const Shape& shape);
 
 } // namespace polydec

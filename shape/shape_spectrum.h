@@ -13,8 +13,8 @@ namespace polydec {
 
 struct ShapeSpectrumOptions {
     /// Degree of the forms: 0, functions; n, densities, i.e. twisted functions with exchanged
-    /// conditions (see top_forms); 1 on a surface without weights, where the positive eigenvalues
-    /// are those of 0-forms and 2-forms together (Hodge).
+    /// conditions (see top_forms); 1 on a surface without weights, where 0-forms and 2-forms
+    /// together have the same positive eigenvalues (Hodge).
     int degree = 0;
     Index count = 10;
     int level = 2;    ///< 1 or 2, see CountOptions
@@ -50,10 +50,10 @@ struct ShapeSpectrum {
 /// Encloses the `count` smallest eigenvalues of a shape. Upper bounds are Rayleigh-Ritz values of
 /// conforming functions, integrated exactly, plus the radii of CertifiedEigensolver. An inertia
 /// count of its own proves every lower bound (see count_below), however it was found. If no count
-/// succeeds, the bound is that of the previous eigenvalue, with a warning. The bounds allow for the
-/// length_error of the shape. Proofs: docs/what-is-proved.md. Throws InvalidInput for a count below
-/// 1 or above the number of functions, another level or degree, a negative width, bisection at
-/// level 1 or in another dimension, and like check; SolverFailure if the upper bounds cannot be
+/// succeeds, it takes the bound of the previous eigenvalue, with a warning. The bounds allow for
+/// the length_error of the shape. Proofs: docs/what-is-proved.md. Throws InvalidInput for a count
+/// below 1 or above the number of functions, another level or degree, a negative width, bisection
+/// at level 1 or in another dimension, and like check; SolverFailure if the upper bounds cannot be
 /// computed.
 ShapeSpectrum shape_spectrum(const Shape& shape, const ShapeSpectrumOptions& options = {});
 

@@ -50,7 +50,7 @@ struct ShapeCounts : Answer {
 double coarseness(const Discretization& mesh, double eigenvalue);
 
 /// Advice that --of-shape gives more than eigenvalues of a mesh, and whether the mesh is coarse for
-/// them; empty if --of-shape does not apply. Side, degree and conditions are those of the forms.
+/// them; empty if --of-shape does not apply. Side, degree and conditions describe the forms.
 std::string advice_of_shape(const Discretization& mesh, const BoundaryConditions& conditions,
                             int degree, double coarse);
 

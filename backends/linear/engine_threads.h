@@ -7,9 +7,9 @@
 namespace polydec {
 
 /// Sets the number of BLAS threads during its lifetime: small dense blocks of sparse factors are
-/// slower on many threads than on one. Works for OpenBLAS; for one thread also for OpenMP, of which
-/// CHOLMOD otherwise takes four threads. Other BLAS keep their setting. Compiled with each engine,
-/// since a module sees its own libraries, and the program does not.
+/// slower on many threads than on one. Works for OpenBLAS; for one thread also for OpenMP, since
+/// CHOLMOD otherwise takes four OpenMP threads. Other BLAS keep their setting. Compiled with each
+/// engine, since a module sees its own libraries, and the program does not.
 class EngineThreads {
 public:
     /// Threads to set; with 0 nothing changes.

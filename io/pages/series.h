@@ -15,7 +15,7 @@ namespace polydec {
 /// Pictures of one mesh at ascending times, in the format of the extension. .pvd lists .vtu files
 /// in a folder of the same name beside it, for ParaView; .html is a page with a time slider and
 /// playback. Every file appears whole or not at all. A .pvd series is written as steps are added.
-/// After a crash it is readable, and its list lacks at most the last 1 of 32 steps, whose files
+/// After a crash it is readable; its list lacks at most the last 1/32 of the steps, whose files
 /// exist. A page is written at the end, and replaces an old one.
 class Series {
 public:

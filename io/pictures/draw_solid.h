@@ -73,8 +73,8 @@ struct SolidView {
 /// and the upward direction are three finite numbers each, and if both directions are parallel.
 SvgPoint seen_at(const SolidView& view, const Vector& point);
 
-/// The polygons to be painted, from far to near, without those of closed surfaces that are turned
-/// away. O(p log p) for p polygons. Throws like draw_solid.
+/// The polygons to be painted, from far to near; on closed surfaces, only those turned to the eye.
+/// O(p log p) for p polygons. Throws like draw_solid.
 std::vector<Index> painting_order(const SolidFaces& faces, const SolidView& view = {});
 
 /// The picture of the polygons, painted from far to near, lit from the upper left. The shapes are

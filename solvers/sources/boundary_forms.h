@@ -46,8 +46,8 @@ struct FacetValue {
 /// the units of the input. Throws InvalidInput for other forms and for a wrong number of marks.
 BoundaryForms boundary_data(const FormSpace& space, const std::vector<FacetValue>& values);
 
-/// Converts boundary data from the units of the input to those of a mesh of dimension n, measured
-/// in the given unit of length. Throws InvalidInput if a converted value is not a finite number.
+/// Converts boundary data from the units of the input to a mesh's unit of length, in dimension n.
+/// Throws InvalidInput if a converted value is not a finite number.
 BoundaryForms in_unit(const BoundaryForms& data, double unit, int n, int degree);
 
 } // namespace polydec

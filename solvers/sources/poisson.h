@@ -41,7 +41,7 @@ struct PoissonSolution {
 /// If no (k-1)-form exists (k = 0), or it can be eliminated (k = n with a diagonal star below), u
 /// alone is the unknown, and its star may have any sign. Otherwise the mixed method finds u and its
 /// flux together and inverts no star. With stars that are matrices it is the mixed method of finite
-/// element exterior calculus, for k = n that of Raviart and Thomas.
+/// element exterior calculus; for k = n, the method of Raviart and Thomas.
 ///
 /// With circumcentric stars, primal functions on triangles are linear finite elements, also after
 /// merging. The boundary value of a dual function stands at the circumcenter of its facet. If the

@@ -35,9 +35,9 @@ public:
         SolveReport report;
     };
 
-    /// `terms` are the magnitudes of the terms summed in f, then in g; by default |f| and |g|.
-    /// Residuals at rounding level relative to them count as 0. Throws SolverFailure if there is no
-    /// such x, because g is not in the range of D.
+    /// `terms` are the magnitudes of the terms summed in f, then in g; by default |f| and |g|. Data
+    /// and residuals at rounding level relative to them count as 0. Throws SolverFailure if there
+    /// is no such x, because g is not in the range of D.
     Values solve(const Vector& f, const Vector& g, const Vector& terms = {}) const;
 
     int domain_dimension() const { return domain_dimension_; }

@@ -6,9 +6,9 @@
 namespace polydec {
 
 /// Smallest eigenpairs of delta d on coexact primal k-forms, e.g. curl curl on divergence-free
-/// fields (k = 1: the modes of a cavity with essential walls). The kernel of delta d has at least
-/// the rank of d_(k-1), so the solver computes the certified spectrum of the Laplacian, which
-/// contains exact and coexact forms, and selects the coexact ones. Under natural conditions nothing
+/// fields (k = 1: the modes of a cavity with essential walls). The kernel of delta d alone is as
+/// large as the rank of d_(k-1). So the solver computes the certified spectrum of the Laplacian,
+/// with exact and coexact forms, and selects the coexact ones. Under natural conditions nothing
 /// flows through the boundary: the normal part is 0 there (for k = 0 the Neumann condition). Under
 /// essential conditions the tangential part is 0 (Dirichlet). The certificate is for the Laplacian:
 /// it also counts exact and harmonic forms.

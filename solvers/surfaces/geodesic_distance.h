@@ -37,8 +37,8 @@ struct Distance {
 /// source per component; several sources on a component cost two per call. Heat flows for a short
 /// time from the sources, which are held at one temperature. The gradient of its logarithm,
 /// normalized in every triangle, points towards them. The distance vanishes at the sources, and its
-/// gradient is the best fit of the opposite field. On scans and generated surfaces its error is 1
-/// to 3 % of the greatest distance on average, and 2 to 15 % at most, where shortest paths from
+/// gradient is the best fit of the opposite field. On scans and generated surfaces its error
+/// averages 1 to 3 % of the greatest distance. The maximum is 2 to 15 %, where shortest paths from
 /// several sides meet. Near a boundary corner that is its source, the error is 40 % of the distance
 /// there.
 class GeodesicDistance {

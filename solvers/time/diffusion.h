@@ -16,12 +16,12 @@ struct BoundaryLoads;
 struct FormEquations;
 
 /// The rate -nu Delta u of the forms of a space, and solutions of x + gamma nu Delta x = b, which
-/// free time steps from the mesh size. If star_k or star_(k-1) is a matrix, each solve has the
+/// free time steps from the mesh size. If star_k or star_(k-1) is a matrix, both solve for the
 /// codifferential as a second unknown. The inverse of star_(k-1) would be dense, or entries of very
 /// different sizes would lose the star's digits.
 ///
 /// Vectors of values have one entry per free cell (see kept). With a Robin condition, the outflow
-/// is the coefficient times the trace, plus data.
+/// is the coefficient times the trace, up to data.
 class Diffusion {
 public:
     /// nu is at least 0, length squared over time, in the input's units. Throws InvalidInput for
@@ -52,8 +52,8 @@ public:
     Vector form_of(const Vector& values, const BoundaryForms& data = {}) const;
 
     /// The free values of a form, with its other values replaced by data. If the mass M of a primal
-    /// form is a matrix, the free values x have the same moments as the form at the kept cells,
-    /// M_kk x = (M u)_k, so that fixed values may change in time.
+    /// form is a matrix, the free values x keep the moments of the form at the kept cells: M_kk x =
+    /// (M u)_k. So fixed values may change in time.
     Vector values_of(const Vector& form, const BoundaryForms& data) const;
     /// The free values of a form, or a rate, known at all cells.
     Vector values_of(const Vector& form) const;
@@ -62,8 +62,8 @@ public:
     void prepare(double gamma);
 
     /// Solves (I + gamma nu Delta) x = u - explicit_part nu Delta u, with explicit_part at most
-    /// gamma. Throws like LinearSolver, and SolverFailure if the norm of x exceeds that of u: then
-    /// the Laplacian has negative eigenvalues.
+    /// gamma. Throws like LinearSolver, and SolverFailure if x has a larger norm than u: then the
+    /// Laplacian has negative eigenvalues.
     Vector solve(const Vector& values, double explicit_part = 0) const;
 
     /// Identifies everything that determines rates and solutions: cells, stars, conditions,
