@@ -67,7 +67,7 @@ BoundaryForms in_unit(const BoundaryForms& data, double unit, int n, int degree)
     const auto taken = [&](const Vector& values, int power, const char* what) {
         return form_in_input_units(values, unit, -power, what);
     };
-    // relative to u, whose values are the same
+    // exponents relative to u, whose values are unit-free
     return {data.values, taken(data.codifferential, -2, "codifferentials on the boundary"),
             taken(data.flow, n - 2 * degree, "flows through the boundary"),
             taken(data.derivative_flow, n - 2 * degree - 2, "flows of derivatives")};

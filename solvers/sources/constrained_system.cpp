@@ -26,7 +26,7 @@ void check_sizes(const ConstrainedSystem& system) {
                                        system.weights.size()));
 }
 
-/// Only ratios of weights matter: a power of two makes the largest 1 to 2.
+/// Scales weights, of which only ratios matter, by a power of two: the largest is then 1 to 2.
 void normalize(Vector& weights) {
     const double largest = weights.size() > 0 ? weights.maxCoeff() : 0;
     if (largest > 0 && std::isfinite(largest))
@@ -141,14 +141,14 @@ std::vector<std::string> warning_of(const Compatibility& compatibility) {
 
 ConstrainedSolver::ConstrainedSolver(ConstrainedSystem&& system, const std::string& engine)
     : solver_(make_linear_solver(engine)) {
-    SparseMatrix A; // what moves would be copied
+    SparseMatrix A; // swapped: a move would copy it
     A.swap(system.A);
     system_ = std::move(system);
     system_.A.swap(A);
     check_sizes(system_);
     components_ = {system_.A, system_.fixed, system_.tied, system_.weights};
 
-    // one unknown of each free component is set to zero for the time being
+    // one unknown of each free component is temporarily set to zero
     std::vector<bool> grounded(components_.count(), false);
     for (Index i = 0; i < system_.A.rows(); ++i) {
         if (system_.fixed[i])
@@ -179,7 +179,7 @@ Solution ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) c
     for (Index i = 0; i < n; ++i)
         if (system_.fixed[i])
             u[i] = fixed_values[i];
-    // no free component has a fixed neighbor, so there it is b
+    // free components have no fixed neighbors, so there the right side equals b
     Vector right_side = b - system_.A * u;
     for (Index i = 0; i < n; ++i)
         if (system_.fixed[i])

@@ -21,7 +21,7 @@ double sign(int exponent) {
     return exponent % 2 == 0 ? 1 : -1;
 }
 
-/// From values of the cells that are not marked to those of all, 0 at the others.
+/// Maps values of unmarked cells to values of all cells, 0 at marked ones.
 SparseMatrix all_but(const std::vector<bool>& marks) {
     std::vector<Index> cells;
     for (std::size_t s = 0; s < marks.size(); ++s)
@@ -30,9 +30,9 @@ SparseMatrix all_but(const std::vector<bool>& marks) {
     return inclusion(cells, static_cast<Index>(marks.size()));
 }
 
-/// d_k^T star_(k+1) d_k over the cells where dw follows from w: all but those that are left out
-/// without data on all their faces. Stars that are matrices couple these with the free ones. What
-/// is no more than rounding connects nothing.
+/// d_k^T star_(k+1) d_k over the cells where w determines dw: all except cells that are left out
+/// and lack data on some face. Stars that are matrices couple these with the free ones. Entries at
+/// rounding level are dropped.
 SparseMatrix upper_stiffness(const FormSpace& space, int k) {
     const CellComplex& complex = space.cells().complex();
     const HodgeStar star = space.cells().stars()[k + 1];
@@ -62,8 +62,8 @@ SparseMatrix transpose_of(const SparseMatrix& A) {
     return A.transpose();
 }
 
-/// Where the center of an n-cell lies on the boundary and the cell is left out for it: from values
-/// at its facets there to that of the cell, their mean.
+/// For n-cells left out because their center is on the boundary: maps values at their facets there
+/// to the value of the cell, the mean.
 SparseMatrix centers_on_the_boundary(const CellComplex& complex, const FormSpace& space) {
     const int n = complex.dimension();
     const CellMarks &fixed = space.fixed(), &left_out = space.left_out();
@@ -83,8 +83,8 @@ SparseMatrix centers_on_the_boundary(const CellComplex& complex, const FormSpace
     return result;
 }
 
-/// What is known of a primal k-form w on the boundary: w, delta w, and over the duals there star w
-/// and star dw. Dual forms are stars of primal ones.
+/// Boundary data of a primal k-form w: w, delta w, and star w and star dw over the duals there.
+/// Dual forms are stars of primal ones.
 struct PrimalData {
     Vector w, below, star_w, star_dw;
 };
@@ -124,7 +124,7 @@ Vector ones_at(const CellMarks& marks, int k) {
     return result;
 }
 
-/// What data at the duals within the boundary add to d^T of what a k-form has over the duals.
+/// The contribution of data at duals within the boundary to d^T of a k-form over duals.
 SparseMatrix boundary_part(const CellComplex& complex, int k) {
     const int n = complex.dimension();
     if (k < 0 || k == n)
@@ -180,7 +180,7 @@ FormEquations::FormEquations(const FormSpace& space, const CellComplex& complex,
 
 namespace {
 
-/// Adds A x to a sum, and its size to that of the terms.
+/// Adds A x to a sum, and its magnitude to the terms.
 void add(Vector& sum, Vector& terms, double sign_of, const SparseMatrix& A, const Vector& x) {
     if (x.isZero(0))
         return;

@@ -16,7 +16,7 @@ namespace polydec {
 
 namespace {
 
-/// The star below counts with the layer that Robin's condition adds to it.
+/// The star below includes the layer from Robin's condition.
 void check_stars(const FormSpace& space) {
     const HodgeStars stars = relative_stars(space.relative(), space.cells().stars());
     const Side side = space.side();
@@ -44,7 +44,7 @@ public:
     Forms(const FormSpace& space, const std::string& engine) : of_(space), side_(space.side()) {
         const CellComplex complex = space.relative().complex;
         harmonic_.resize(of_.kept.cols(), 0);
-        if (homology_generators(complex, of_.k).cols() > 0) // takes no work where there are none
+        if (homology_generators(complex, of_.k).cols() > 0) // cheap if there are none
             harmonic_ = polydec::harmonic_forms(
                 FormSpace::vanishing_on({complex, space.inside().stars()}, Side::primal, of_.k),
                 engine);
@@ -76,7 +76,7 @@ public:
         terms << P * b_terms, P_below * g_terms;
         constexpr double rounding = 1e-14;
         if (free.norm() <= rounding * terms.head(free.size()).norm())
-            free.setZero(); // what rounding left of harmonic data has a harmonic part itself
+            free.setZero(); // the rounding error of harmonic data has a harmonic part itself
         const auto [x, s, report] = solver_->solve(free, P_below * g, terms);
 
         w += of_.kept * x;
@@ -89,14 +89,14 @@ public:
     }
 
 private:
-    /// Of the space, from the primal ones that it has or has the stars of.
+    /// Form values of the space from primal ones: equal to them, or their stars.
     template <class Values>
     Values form(Values w) const {
         return side_ == Side::primal ? w : Values(of_.M * w);
     }
 
-    /// Of primal forms the harmonic ones whose traces on Robin's facets are 0: to all others the
-    /// condition adds energy.
+    /// Keeps the harmonic primal forms with zero traces on Robin facets; the condition adds energy
+    /// to all others.
     void keep_free_of_robin() {
         if (harmonic_.cols() == 0 || of_.robin.nonZeros() == 0)
             return;

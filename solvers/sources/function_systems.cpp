@@ -20,8 +20,8 @@ Definiteness by_sign(const Vector& weights) {
     return (weights.array() >= 0).all() ? Definiteness::semidefinite : Definiteness::indefinite;
 }
 
-/// Functions are determined by one number at each cell: their value at a 0-cell, their density on
-/// an n-cell. Their integrals over the cells or their duals are N times that.
+/// Functions have one number per cell: the value at a 0-cell, the density on an n-cell. The
+/// integrals over the cells or their duals are N times that.
 class Functions : public PoissonSystem {
 public:
     DenseMatrix harmonic_forms() const override {
@@ -46,7 +46,7 @@ protected:
     /// The integrals of a form of the space.
     Vector integrals(const Vector& form) const { return are_values_ ? Vector(N_ * form) : form; }
 
-    /// What is found, of one number at each cell, and of the right side that they are found from.
+    /// The result from one number per cell, and from their right-hand side.
     Found found(Vector numbers, const Vector& right_side, Vector flux, SolveReport report,
                 const Compatibility& compatibility, const Vector& harmonic) const {
         const FreeComponents& free = components();
@@ -134,7 +134,7 @@ SparseMatrix volumes_of(const FormSpace& space) {
         space.cells().stars().volumes().primal(space.cells().dimension()).asDiagonal());
 }
 
-/// Of densities on n-cells: what flows in and out of them.
+/// Balances of densities on n-cells: inflow and outflow.
 class Balances : public Functions {
 protected:
     explicit Balances(const FormSpace& space)
@@ -149,7 +149,7 @@ protected:
                     tied_[cell] = true;
     }
 
-    /// What is left of sources beside fluxes.
+    /// The sources minus the divergence of the flux.
     Vector left(const Vector& sources, const Vector& flux) const {
         Vector result = sources - divergence_ * flux;
         check_loads("the right-hand side of the balance", result, of_.dimension);
@@ -157,12 +157,12 @@ protected:
     }
 
     SparseMatrix divergence_;
-    std::vector<bool> tied_; // cells beside a boundary through which something unknown flows
+    std::vector<bool> tied_; // cells beside a boundary facet with unknown flux
 };
 
-/// What flows through a facet per difference of the densities beside it, or of one and the
-/// boundary's: |f| over the length of its dual, with Robin's layer; 0 where it is given. Throws
-/// InvalidInput, naming the facet, where that is not defined.
+/// The flux through a facet per difference of the densities beside it, or of one density and the
+/// boundary value: |f| over the length of its dual, with Robin's layer; 0 if the flux is given.
+/// Throws InvalidInput, naming the facet, if it is not defined.
 Vector conductances(const FormSpace& space, const FormEquations& of) {
     const Cells cells = space.cells();
     const int facets = cells.dimension() - 1;
@@ -232,12 +232,12 @@ private:
                                  .degree = of_.dimension};
         result.A =
             gram_of_rows(space.cells().complex().incidences(of_.dimension - 1), conductances_);
-        result.A.prune(0.0); // what cancels is no connection
+        result.A.prune(0.0); // cancelled entries are no connections
         return result;
     }
 
-    /// Through facets without dual flows what the balance of the cell beside them asks for, shared
-    /// by area.
+    /// Sets fluxes through facets without dual by the balance of the cell beside them, shared by
+    /// area.
     void close(Vector& flux, const Vector& sources) const {
         if (closing_.isZero(0))
             return;
@@ -251,16 +251,16 @@ private:
             }
     }
 
-    Vector conductances_, closing_; // of facets; the second their areas, 0 where they have a dual
+    Vector conductances_, closing_; // of facets; the second: areas, 0 where there is a dual
     ConstrainedSolver solver_;
 };
 
-/// The star of fluxes with Robin's layer, which resists them.
+/// The star of fluxes with Robin's layer, a resistance to the flux.
 SparseMatrix resistances(const FormEquations& of) {
     return of.robin_below.nonZeros() > 0 ? SparseMatrix(of.M_below + of.robin_below) : of.M_below;
 }
 
-/// M flux - divergence^T u = -g, divergence flux = the sources; of the free fluxes.
+/// M flux - divergence^T u = -g, divergence flux = the sources; for the free fluxes.
 class FluxSystem final : public Balances {
 public:
     FluxSystem(const FormSpace& space, const std::string& engine)

@@ -46,7 +46,7 @@ double unit_of(const Vector& diagonal) {
     return std::abs(exponent) <= harmless ? 1 : std::ldexp(1.0, exponent - (exponent & 1));
 }
 
-/// The star of the forms over a unit, a power of 4 by which squares of its entries are numbers.
+/// The star of the forms over a unit, a power of 4 that keeps squares of its entries in range.
 struct ScaledStar {
     double unit;
     SparseMatrix matrix;
@@ -73,8 +73,8 @@ public:
     virtual Part of(const Vector& w) const = 0;
 };
 
-/// D x for the x, 0 but at some of its cells, for which it is nearest to w. D are the columns of
-/// these cells, whose rank is full, and D^T M comes with it.
+/// D x nearest to w, with x supported on some cells. D has the columns of these cells and full
+/// rank; D^T M comes with it.
 class LeastSquares final : public Projection {
 public:
     LeastSquares(SparseMatrix D, SparseMatrix weighted_transpose, std::vector<Index> cells,
@@ -94,7 +94,7 @@ public:
 
     Part of(const Vector& w) const override {
         Vector x = Vector::Zero(D_.cols());
-        // the second pass removes what rounding left of the first
+        // the second pass removes the rounding error of the first
         for (int pass = 0; solver_ && pass < 2; ++pass) {
             const Vector left = w - D_ * x;
             const Vector force = weighted_transpose_ * left;
@@ -112,8 +112,8 @@ private:
     std::unique_ptr<LinearSolver> solver_;
 };
 
-/// M^-1 d^T c for the c for which it is nearest to w, where M^-1 is dense: what the closed form
-/// nearest to w leaves, whose multipliers c are.
+/// M^-1 d^T c nearest to w, for a dense M^-1: the rest of w after its nearest closed form, with c
+/// as multipliers.
 class ByMultipliers final : public Projection {
 public:
     ByMultipliers(const SparseMatrix& d, SparseMatrix M, const std::string& engine,
@@ -131,8 +131,8 @@ private:
     SaddleSolver solver_;
 };
 
-/// Makes the columns orthonormal in an inner product, by Gram and Schmidt twice, a block at a time
-/// against all before it.
+/// Makes the columns orthonormal in an inner product, by Gram-Schmidt twice, each block against all
+/// earlier ones.
 void orthonormalize(DenseMatrix& columns, const SparseMatrix& M) {
     constexpr Index width = 32;
     for (Index begin = 0; begin < columns.cols(); begin += width) {
@@ -179,7 +179,7 @@ HodgeSolver::HodgeSolver(const FormSpace& space, const std::string& linear_solve
         const SparseMatrix above = rows_of(derivative(complex, k), cofaces);
         coexact = least_squares(star.inverse.matrix() * transposed(above), above, cofaces, k + 1);
     } else {
-        star.inverse* Vector::Zero(star.inverse.cols()); // refuses what is not definite
+        star.inverse* Vector::Zero(star.inverse.cols()); // throws for an indefinite star
         coexact =
             std::make_unique<ByMultipliers>(derivative(complex, k), star.matrix, linear_solver, n);
     }
@@ -199,7 +199,7 @@ HodgeParts HodgeSolver::decompose(const Cochain& form) const {
 
     const auto [potential, da] = exact->of(w);
     const auto [c, delta] = coexact->of(w);
-    // star delta = d^T c, which is the dual derivative of c up to this sign
+    // star delta = d^T c, the dual derivative of c up to this sign
     const double dual_sign = k % 2 == 0 ? -1 : 1;
     const double star_star = k * (n - k) % 2 == 0 ? 1 : -1;
     const Vector copotential = dual_sign * c;
@@ -210,8 +210,8 @@ HodgeParts HodgeSolver::decompose(const Cochain& form) const {
         const int degree = side == Side::primal ? j : n - j;
         return Cochain{side, degree, j >= 0 && j <= n ? cells.extend(j, of_free) : of_free};
     };
-    // by the star over the unit, a dual form is as if w were the unit times as large, and then c is
-    // what it should be; of a primal one c lacks the unit
+    // with the star over the unit, a dual form behaves like w times the unit, and c is right; for a
+    // primal one c lacks the unit
     if (primal)
         return {part(da), part(delta), part(w - da - delta), beside(Side::primal, k - 1, potential),
                 beside(Side::dual, k + 1, star.unit * copotential)};
@@ -231,7 +231,7 @@ DenseMatrix HodgeSolver::harmonic_forms() const {
         forms.col(i) = w - coexact->of(w).form;
     }
     orthonormalize(forms, star.matrix);
-    // so far of norm 1 by the star over the unit
+    // so far of norm 1 in the star over the unit
     const double root = std::sqrt(star.unit);
     if (space_.side() == Side::primal)
         return space_.extend(DenseMatrix(forms / root));

@@ -23,7 +23,7 @@ bool is_alone(const FormSpace& space) {
             is_two_sided(space.cells().complex()));
 }
 
-/// Where stars may have any sign, what the negative entries of that of fluxes do.
+/// Warnings about negative entries of the star of fluxes, where stars may have any sign.
 std::vector<std::string> warnings_of(const FormSpace& space) {
     if (!is_alone(space))
         return {};
@@ -65,7 +65,7 @@ PoissonSolution PoissonSolver::solve(const Cochain& f, const BoundaryForms& data
     const double unit = space_.cells().unit();
     auto [form, flux, removed, report, compatibility] = system_->solve(
         in_input_units(f.values, unit, 2, "source"), in_unit(data, unit, n, degree), harmonic);
-    // relative to values of u, which are the same in both units
+    // exponents relative to u, whose values are equal in both units
     const int power = side == Side::primal ? -2 : 2 * k - n - 2;
     PoissonSolution solution{{side, degree, std::move(form)},
                              {Side::primal, k - 1, {}},
@@ -76,7 +76,7 @@ PoissonSolution PoissonSolver::solve(const Cochain& f, const BoundaryForms& data
     solution.warnings.insert(solution.warnings.end(), warnings_.begin(), warnings_.end());
     try {
         solution.flux.values = form_in_input_units(flux, unit, power, "fluxes");
-    } catch (const InvalidInput& beyond) { // u may be a number where its flux is none
+    } catch (const InvalidInput& beyond) { // u may be in range although its flux is not
         solution.warnings.emplace_back(beyond.what());
     }
     return solution;

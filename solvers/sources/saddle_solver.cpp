@@ -18,9 +18,9 @@ namespace polydec {
 
 namespace {
 
-/// The diagonal below M, of rows whose D diag(M)^-1 D^T has diagonal 1. Pivots of this size cost
-/// half of the digits, and refinement gives them back; parts of c are refined by this over their
-/// eigenvalue, which are the squared frequencies of the mesh over the largest.
+/// The diagonal below M, for rows scaled so that D diag(M)^-1 D^T has diagonal 1. Pivots of this
+/// size cost half of the digits, and refinement recovers them. It reduces the error in parts of c
+/// by this number over their eigenvalue: the squared mesh frequency over the largest.
 constexpr double below = 1e-8;
 
 /// 1 over the roots of the diagonals of M and of D diag(M)^-1 D^T.
@@ -38,8 +38,8 @@ Vector scales_of(const SparseMatrix& M, const SparseMatrix& D) {
     return result;
 }
 
-/// The same of semidefinite M and C: what both equations make of a single x, and of a single c.
-/// Rows of nothing have the scale 1.
+/// The same for semidefinite M and C: from both equations for a single x, and for a single c. Empty
+/// rows have the scale 1.
 Vector scales_of(const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C) {
     check_as_many("columns of constraints", D.cols(), M.rows());
     check_as_many("rows of constraints", D.rows(), C.rows());
@@ -63,7 +63,7 @@ Vector scales_of(const SparseMatrix& M, const SparseMatrix& D, const SparseMatri
     return result.unaryExpr([](double sum) { return sum == 0 ? 1 : 1 / std::sqrt(sum); });
 }
 
-/// M above, D beside and below, -C; scaled, with these diagonals of M and below it.
+/// The matrix with M above, D beside and below, -C; scaled, with these diagonals at M and below it.
 SparseMatrix saddle(const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C,
                     const Vector& scales, double of_M, double of_C) {
     const auto with_diagonal = [](const SparseMatrix& A, double factor, double number,
@@ -109,7 +109,7 @@ SaddleSolver::SaddleSolver(Vector scales, const SparseMatrix& M, const SparseMat
                        {.symmetry = Symmetry::symmetric,
                         .domain_dimension = domain_dimension,
                         .many_solves = true});
-    // on what D takes to 0, M decides on the signs
+    // on the kernel of D, M determines the signs
     if (const auto negative = solver_->negative_pivots(); negative && *negative != D.rows())
         throw InvalidInput(fmt::format("a matrix is given as inner products that has {} negative "
                                        "eigenvalues: expected a positive definite one",
@@ -130,7 +130,7 @@ SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g,
             std::max(size_of_data, terms.cwiseProduct(scales_).lpNorm<Eigen::Infinity>());
     }
     Vector y = Vector::Zero(b.size()), left = b;
-    // corrections shrink until they are rounding, at the latest that of the residual
+    // corrections shrink to rounding level, at the latest that of the residual
     constexpr int most = 100;
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     double before = std::numeric_limits<double>::infinity();

@@ -19,14 +19,14 @@ namespace polydec {
 
 namespace {
 
-constexpr double cluster_width = 1e-6; // relative; eigenvalues nearer than this belong together
+constexpr double cluster_width = 1e-6; // relative; nearer eigenvalues belong together
 
-/// Eigenvalues that belong together, begin .. end - 1.
+/// Eigenvalues in a cluster, begin .. end - 1.
 struct Cluster {
     Index begin, end;
 };
 
-/// All clusters but the last, which may have been cut, unless these are all eigenvalues.
+/// All clusters except the last, which may be incomplete unless these are all eigenvalues.
 std::vector<Cluster> whole_clusters(const Spectrum& found, Index size) {
     const Vector &values = found.eigenvalues, &radii = found.radii;
     const auto count = static_cast<Index>(values.size());
@@ -49,9 +49,9 @@ bool may_be_zero(const Spectrum& found, Index i) {
     return std::abs(found.eigenvalues[i]) <= found.radii[i];
 }
 
-/// As many as d_k has independent rows: what is left of all k-forms beside harmonic and exact ones.
+/// The rank of d_k: the number of k-forms minus harmonic and exact ones.
 Index coexact_forms(const CellComplex& complex, const std::vector<Index>& betti, int k) {
-    Index coexact = 0; // of the degree below, which d maps to the exact ones of this
+    Index coexact = 0; // of the degree below, which d maps to the exact forms of this degree
     for (int j = 0; j <= k; ++j)
         coexact = complex.size(j) - betti[j] - coexact;
     return coexact;
@@ -63,7 +63,7 @@ Index coexact_forms(const CellComplex& complex, const std::vector<Index>& betti,
                                     zeros, harmonic, k));
 }
 
-/// Zeros are as many as there are harmonic forms; more cannot be told from small eigenvalues.
+/// Requires as many zeros as harmonic forms; more zeros could be small eigenvalues.
 void check_zeros(const Spectrum& found, Index harmonic) {
     Index zeros = 0;
     for (Index i = 0; i < found.eigenvalues.size(); ++i)
@@ -72,7 +72,7 @@ void check_zeros(const Spectrum& found, Index harmonic) {
         refuse_to_tell(zeros, harmonic, found.degree);
 }
 
-/// The coexact forms in the space of a cluster. It is invariant under delta d, which on it has the
+/// The coexact forms in the space of a cluster. The space is invariant under delta d, with the
 /// cluster's eigenvalue on coexact forms and 0 on exact ones.
 DenseMatrix coexact_modes(const SparseMatrix& d, const SparseMatrix& upper_star,
                           const DenseMatrix& modes, double eigenvalue) {
@@ -83,7 +83,7 @@ DenseMatrix coexact_modes(const SparseMatrix& d, const SparseMatrix& upper_star,
     return modes * eigen.eigenvectors().rightCols(modes.cols() - exact);
 }
 
-/// All coexact modes in whole clusters, a column each.
+/// All coexact modes in complete clusters, one per column.
 DenseMatrix coexact_modes(const CellComplex& complex, const HodgeStars& stars,
                           const Spectrum& found, Index harmonic) {
     const int k = found.degree;
@@ -144,7 +144,7 @@ Spectrum coexact_spectrum(const FormSpace& space, const SpectrumOptions& options
     all.count = betti[k] + 2 * options.count + 10;
     if (all.count > size / 2)
         all.count = size;
-    // measured in the unit of the mesh until coexact modes are found
+    // in the unit of the mesh until coexact modes are found
     const auto on_inside = FormSpace::vanishing_on({complex, inside.stars()}, Side::primal, k);
     while (true) {
         Spectrum found = spectrum(on_inside, all);

@@ -12,8 +12,8 @@ namespace polydec {
 
 namespace {
 
-/// The largest share of an entry of star_k that is uncertain; below 1, or it would not be positive.
-/// Matrices are taken as they are given.
+/// The largest relative uncertainty of an entry of star_k; below 1, else the entry might not be
+/// positive. Matrices count as exact.
 double mass_share(const HodgeStar& star) {
     if (!star.is_diagonal())
         return 0;
@@ -38,14 +38,14 @@ GramPart inverse_part(SparseMatrix F, const HodgeStar& star) {
             weights.cwiseAbs().array() * shares.array() / (1 - shares.array().min(0.5))};
 }
 
-/// How far the entries of a product of incidences and a matrix may be from exact.
+/// Error bounds of the entries of a product of incidences and a matrix.
 SparseMatrix sum_errors(const SparseMatrix& incidences, const SparseMatrix& matrix) {
     const double unit = std::numeric_limits<double>::epsilon();
     return unit * SparseMatrix(incidences.cwiseAbs() * matrix.cwiseAbs());
 }
 
-/// Whose inverse is kept apart beside a matrix star_k, where all cells around one would become
-/// neighbors.
+/// Such a star's inverse is kept factored beside a matrix star_k; else all cells around one would
+/// become neighbors.
 bool has_positive_diagonal(const HodgeStar& star) {
     return star.is_diagonal() && star.zeros().empty() && star.negatives().empty();
 }

@@ -53,7 +53,7 @@ std::vector<std::string> warning_of_negative_values(const Spectrum& spectrum,
                         duals == 1 ? "has" : "have", positive_stars(n))};
 }
 
-/// The forms with the eigenvalue 0, where there are so many of them that a direct way pays.
+/// The forms with the eigenvalue 0, if there are so many that a direct method is faster.
 DenseMatrix kernel(const Cells& inside, const SpectrumOptions& options, int k, Index zeros,
                    bool is_dual_function) {
     constexpr Index many = 10;
@@ -80,7 +80,7 @@ std::vector<std::string> warning_of_rough_values(const std::vector<Index>& rough
 void use_input_units(Spectrum& spectrum, double unit) {
     if (unit == 1)
         return;
-    auto& shift = spectrum.certificate.shift; // behind them all, where they are rounding alone
+    auto& shift = spectrum.certificate.shift; // above all values, which are rounding only
     const double largest = std::max(spectrum.eigenvalues.cwiseAbs().maxCoeff(), std::abs(shift));
     in_input_units(Vector::Constant(1, largest), unit, -2, "eigenvalues");
     const auto convert = [&](double& value) { value = std::ldexp(value, -2 * std::ilogb(unit)); };
@@ -88,7 +88,7 @@ void use_input_units(Spectrum& spectrum, double unit) {
     std::for_each(spectrum.residuals.begin(), spectrum.residuals.end(), convert);
     std::for_each(spectrum.radii.begin(), spectrum.radii.end(), convert);
     convert(shift);
-    // the value and the radius are each off by half of the least number there is
+    // the value and the radius each have an error of half the least positive number
     for (double& radius : spectrum.radii)
         if (radius < std::numeric_limits<double>::min())
             radius += std::numeric_limits<double>::denorm_min();

@@ -32,8 +32,8 @@ ConstrainedSystem poisson_system(const Triangles& surface, const SurfaceMetric& 
     return system;
 }
 
-/// What decides on the direction of the gradient of the heat in a triangle: its logarithms, which
-/// are nearly linear where the heat fades exponentially; or, where some are none, the values.
+/// The values that determine the direction of the heat gradient in a triangle: logarithms, nearly
+/// linear where heat decays exponentially; or the heat itself if a logarithm is undefined.
 Eigen::Vector3d levels(const Eigen::Vector3d& u) {
     if (u.minCoeff() > 0)
         return Eigen::Vector3d(std::log(u[0] / u.maxCoeff()), std::log(u[1] / u.maxCoeff()),
@@ -50,7 +50,7 @@ std::array<Eigen::Vector2d, 3> layout(const Triangles& surface, const SurfaceMet
             Eigen::Vector2d(metric.cotangents[3 * t + 1] * height, height)};
 }
 
-/// For every vertex, the integral of X . grad(hat function), X the unit vectors against grad u.
+/// For every vertex, the integral of X . grad(hat function), with unit vectors X against grad u.
 Vector against_gradient(const Triangles& surface, const SurfaceMetric& metric, const Vector& u) {
     Vector b = Vector::Zero(surface.vertices());
     for (Index t = 0; t < surface.triangles(); ++t) {
@@ -63,7 +63,7 @@ Vector against_gradient(const Triangles& surface, const SurfaceMetric& metric, c
         const Eigen::Vector3d f = levels(
             {u[surface.tail(3 * t)], u[surface.tail(3 * t + 1)], u[surface.tail(3 * t + 2)]});
         const Eigen::Vector2d gradient = (f[1] - f[0]) * hats[1] + (f[2] - f[0]) * hats[2];
-        // a difference that is rounding has no direction
+        // a difference at rounding level has no direction
         const double size = std::max(hats[1].norm(), hats[2].norm());
         if (!(gradient.norm() > 1e-12 * size))
             continue;
@@ -73,8 +73,8 @@ Vector against_gradient(const Triangles& surface, const SurfaceMetric& metric, c
     return b;
 }
 
-/// Marks the vertices opposite to an edge between two sources: away from such an edge the distance
-/// grows evenly.
+/// Marks the vertices opposite to an edge between two sources: the distance grows evenly away from
+/// such an edge.
 std::vector<bool> beside_source_edges(const Triangles& surface,
                                       const std::vector<bool>& is_source) {
     std::vector<bool> marks(is_source.size(), false);
@@ -84,10 +84,10 @@ std::vector<bool> beside_source_edges(const Triangles& surface,
     return marks;
 }
 
-/// What to subtract on each component from a function that is 0 at the sources. Around a source
-/// that stands alone the distance has a kink, of which a function that is linear on triangles knows
-/// nothing, so that all its other values are off by the same. Its neighbors tell by how much: their
-/// distances are the lengths of the edges to it.
+/// The constant to subtract on each component from a function that is 0 at the sources. Around an
+/// isolated source the distance has a kink that piecewise linear functions miss, so all other
+/// values have the same offset. Its neighbors determine the offset: their distances are the lengths
+/// of their edges to it.
 Vector shifts(const Triangles& surface, const SurfaceMetric& metric, std::span<const Index> sources,
               const Vector& distance) {
     constexpr double far = std::numeric_limits<double>::infinity();
@@ -121,7 +121,7 @@ struct HeatDistance::Parts {
     std::string engine;
     HeatStep step;
     std::optional<ConstrainedSolver> poisson;
-    bool is_for_single_sources = false; // the pins of the last one
+    bool is_for_single_sources = false; // the pins of the factorization
 
     Parts(const Triangles& surface_, const Vector& lengths, double time_scale,
           const std::string& engine_)
@@ -134,9 +134,9 @@ struct HeatDistance::Parts {
         return Eigen::Index(pins.size()) == metric.mean_lengths.size();
     }
 
-    /// Heat that is held at 1 at the pins. Alone on its component, one that pours out heat is held
-    /// at some constant, so that a factorization serves them all. Of several, one with little area
-    /// around it would get hotter than the others, and heat would flow to these.
+    /// Heat with one value at the pins of a component. A single pin emits heat, which gives it some
+    /// constant value, so one factorization serves all pins. Several pins are held at 1: else a pin
+    /// with little area around it would get hotter than the others and heat them.
     Vector heat(std::span<const Index> pins) const {
         Vector b = Vector::Zero(surface.vertices());
         if (!is_single(pins))
@@ -146,8 +146,8 @@ struct HeatDistance::Parts {
         return step.from(surface, metric, b).u;
     }
 
-    /// The function that is 0 at the pins and fits b elsewhere. If they are one on each component,
-    /// others differ by a constant alone, and a factorization serves them all.
+    /// The function that is 0 at the pins and fits b elsewhere. With one pin per component, pins
+    /// change it only by a constant, so one factorization serves them all.
     Vector fit(const Vector& b, std::span<const Index> pins) {
         const bool single = is_single(pins);
         if (!(single && poisson && is_for_single_sources)) {

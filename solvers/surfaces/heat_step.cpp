@@ -13,8 +13,8 @@ namespace polydec {
 
 namespace {
 
-/// Takes the unknowns of value 1 out of a symmetric system, whose diagonal stays, and gives the
-/// right side that they make.
+/// Eliminates the unknowns of value 1 from a symmetric system, keeping its diagonal; returns their
+/// contribution to the right-hand side.
 Vector hold(SparseMatrix& A, const std::vector<Index>& held) {
     Vector marks = Vector::Zero(A.rows());
     for (const Index v : held)
@@ -67,8 +67,8 @@ HeatFlow HeatStep::from(const Triangles& surface, const SurfaceMetric& metric,
 }
 
 Vector HeatStep::longer(const SurfaceMetric& metric, const Vector& u) const {
-    // A factorization keeps the digits of a heat that fades by the same factor with every edge,
-    // until numbers underflow. Iterating keeps those alone that are not far below the largest.
+    // A factorization keeps the digits of heat that decays by a constant factor per edge, until
+    // underflow. Iteration keeps only digits of values not far below the largest.
     const std::string& name = solver_->report().engine;
     const EngineTraits traits =
         has_linear_solver(name) ? make_linear_solver(name)->traits() : solver_->traits();

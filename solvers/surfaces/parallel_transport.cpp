@@ -39,8 +39,8 @@ private:
     std::vector<Eigen::Triplet<double, Index>> entries_;
 };
 
-/// M + t L for vectors, L the connection Laplacian: the weight of an edge times the squared
-/// difference between the vector at its head and that carried there from its tail.
+/// M + t L for vectors, L the connection Laplacian: edge weight times the squared difference of the
+/// vector at the head and the vector transported there from the tail.
 SparseMatrix vector_heat_matrix(const GluedSurface& surface, const SurfaceMetric& metric,
                                 const TangentFrames& frames, const Vector& times) {
     ComplexEntries entries;
@@ -56,7 +56,7 @@ SparseMatrix vector_heat_matrix(const GluedSurface& surface, const SurfaceMetric
     return entries.matrix(surface.vertices());
 }
 
-/// The differences cost no energy below 0 if no weight is below 0; else, with curvature, they may.
+/// Nonnegative weights make L semidefinite; negative ones, with curvature, may not.
 Definiteness definiteness(const GluedSurface& surface, const SurfaceMetric& metric) {
     for (Index e = 0; e < surface.edges(); ++e) {
         const auto& [h, g] = surface.halfedges(e);
@@ -67,11 +67,11 @@ Definiteness definiteness(const GluedSurface& surface, const SurfaceMetric& metr
     return Definiteness::positive;
 }
 
-/// What flows in a step: in the columns of functions, heat 1 from every source and heat of the size
-/// of the vector there; and the vectors.
+/// The heat of one step: in the columns of functions, heat 1 from every source, and heat as large
+/// as the vector there; and the vectors.
 struct Heat {
     DenseMatrix functions;
-    Vector vectors; // real and imaginary part in turn
+    Vector vectors; // real and imaginary parts interleaved
 };
 
 void check_vectors(const GluedSurface& surface, std::span<const Index> sources,
@@ -124,7 +124,7 @@ struct ParallelTransport::Parts {
         return solver;
     }
 
-    /// From vectors of size 1 at most at the sources.
+    /// From vectors of norm at most 1 at the sources.
     Heat heat(std::span<const Index> sources, const TangentVectors& at_sources) const {
         DenseMatrix sizes = DenseMatrix::Zero(surface.vertices(), 2);
         Vector blocks = Vector::Zero(2 * Eigen::Index(surface.vertices()));

@@ -18,7 +18,7 @@ Triangles triangles_of(const Discretization& mesh) {
     return Triangles(mesh.input());
 }
 
-/// The corner of a simplex, in the order of its vertices, that a half-edge begins at.
+/// The corner of a simplex, in vertex order, where a half-edge begins.
 int corner(const Pieces& pieces, Index halfedge) {
     const int i = halfedge % 3;
     return pieces.orientation(Triangles::triangle(halfedge)) > 0 ? i : (3 - i) % 3;
@@ -36,7 +36,7 @@ struct SurfacePaths::Parts {
           surface(triangles_of(given)),
           paths(surface, given.input_geometry().volumes().primal(1), sources) {}
 
-    /// Where the tail of a half-edge lies, as a row.
+    /// The point of the tail of a half-edge, as a row.
     Eigen::RowVectorXd place(Index halfedge) const {
         const PlacedSimplices places = mesh.places();
         const Index row =

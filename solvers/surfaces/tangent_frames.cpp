@@ -42,7 +42,7 @@ void check_orientation(const GluedSurface& surface) {
             {.degree = 1, .cells = {incoherent}});
 }
 
-/// For every vertex, a half-edge from it that has no other one before, or else the first.
+/// For every vertex, an outgoing half-edge without predecessor, or else the first one.
 std::vector<Index> first_halfedges(const GluedSurface& surface) {
     std::vector<Index> first(std::size_t(surface.vertices()), -1);
     for (Index h = 0; h < 3 * surface.triangles(); ++h) {
@@ -55,8 +55,8 @@ std::vector<Index> first_halfedges(const GluedSurface& surface) {
 
 /// The triangles around a vertex, one after the other.
 struct Fan {
-    std::vector<Index> halfedges; // from the vertex, one for each corner there
-    Index last = -1;              // the half-edge to the vertex that ends the last corner
+    std::vector<Index> halfedges; // from the vertex, one per corner
+    Index last = -1;              // ends the last corner; points to the vertex
     bool closed = false;
 };
 

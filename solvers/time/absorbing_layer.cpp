@@ -17,9 +17,9 @@ namespace polydec {
 
 namespace {
 
-using Axes = std::uint32_t; // a bit for each direction in which a cell extends
+using Axes = std::uint32_t; // one bit per direction in which a cell extends
 
-/// Where cells of one degree are, and which way they lie.
+/// The places and directions of the cells of one degree.
 struct LayerCells {
     Points centers;
     std::vector<Axes> axes;
@@ -42,7 +42,7 @@ LayerCells cells_of(const Discretization& mesh, const std::vector<Index>& kept, 
     return result;
 }
 
-/// The rates of decay over the depth, a column for each direction, at places.
+/// The rates of decay over the depth, one column per direction, at places.
 class Profile {
 public:
     explicit Profile(const AbsorbingLayer& layer)
@@ -71,7 +71,7 @@ public:
 private:
     static constexpr double rounding = 1e-9;
 
-    /// A plane in space has no sides above and below it.
+    /// A mesh without extent in a direction has no sides there.
     bool has(int a, int end) const {
         return layer_.sides.empty() ? high_[a] > low_[a] : layer_.sides[a][end];
     }
@@ -81,8 +81,8 @@ private:
     Eigen::RowVectorXd low_, high_;
 };
 
-/// The direction in which an entry of d between two cells differentiates; -1 if they do not lie
-/// along the axes.
+/// The direction of differentiation of an entry of d between two cells; -1 if they are not parallel
+/// to the axes.
 int direction(Axes one, Axes other) {
     const Axes difference = one ^ other;
     if (std::popcount(difference) != 1 || ((one & other) != one && (one & other) != other))
@@ -90,8 +90,8 @@ int direction(Axes one, Axes other) {
     return std::countr_zero(difference);
 }
 
-/// The memory of what d adds up for cells of its rows; nothing where one of them, whose number it
-/// puts into bad, is not parallel to the axes.
+/// The memory of the derivatives on the cells of the rows; none if one of them is not parallel to
+/// the axes: `bad` then gets its number.
 LayerMemory memory(const SparseMatrix& d, const LayerCells& rows, const LayerCells& columns,
                    int degree, const Profile& profile, double time_step, Index& bad) {
     std::vector<Eigen::Triplet<double, Index>> entries;

@@ -20,9 +20,8 @@ namespace polydec {
 
 namespace {
 
-/// M_k + t (d^T M_(k+1) d + weights, if there are), and beside it t times d^T M_k and, negative,
-/// M_(k-1): of a form and its codifferential. Quasi-definite, so that it has factors in every
-/// order.
+/// The mixed matrix of a form and its codifferential: M_k + t (d^T M_(k+1) d + weights, if any),
+/// off the diagonal t d^T M_k, and -t M_(k-1). Quasi-definite, so it has factors in every order.
 SparseMatrix mixed_step(const FormSpace& space, double t) {
     const Cells inside = space.inside();
     const CellComplex& complex = inside.complex();
@@ -40,7 +39,7 @@ SparseMatrix mixed_step(const FormSpace& space, double t) {
     return block_matrix(A, t * (below * mass), -t * Operator::star(stars[k - 1]));
 }
 
-/// The coefficient in squares of the unit of length.
+/// The coefficient in the squared unit of length.
 double in_unit_of(const Cells& cells, double coefficient) {
     return in_input_units(Vector{{coefficient}}, cells.unit(), -2, "coefficient of diffusion")[0];
 }
@@ -54,7 +53,7 @@ bool has_any(const BoundaryForms& data) {
 
 struct Diffusion::Space {
     FormSpace of;
-    Lazy<FormEquations> equations = {}; // which data need alone
+    Lazy<FormEquations> equations = {}; // only for data
 };
 
 Diffusion::Diffusion(const FormSpace& space, double nu, const std::string& linear_solver)
@@ -122,7 +121,7 @@ void Diffusion::prepare(double gamma) {
     solver_->factorize(A, facts_);
 }
 
-/// The resolvent of a semidefinite operator shortens every form.
+/// The resolvent of a semidefinite operator is a contraction.
 void Diffusion::check_growth(const Vector& before, const Vector& after) const {
     constexpr double rounding = 1e-9;
     const double from = before.dot(mass_ * before), to = after.dot(mass_ * after);
@@ -165,7 +164,7 @@ BoundaryLoads Diffusion::loads(const BoundaryForms& data) const {
     return equations().loads_of_free_values(in_unit(data, unit_, mass_.dimension(), degree_));
 }
 
-/// What the mass makes of fixed values, as values of the kept cells.
+/// The contribution of fixed values to the mass term of the kept cells.
 Vector Diffusion::moved(const Vector& fixed) const {
     if (!space_ || mass_.is_diagonal())
         return Vector::Zero(size());

@@ -17,7 +17,7 @@ namespace polydec {
 
 namespace {
 
-/// Sizes of cells, by which values are coefficients; where one is nothing, the mean.
+/// Sizes of cells, which turn values into coefficients; zero sizes become the mean.
 Vector sizes_of_cells(const CellVolumes& volumes, Side side, int degree) {
     Vector sizes =
         side == Side::primal ? volumes.primal(degree) : volumes.dual(volumes.dimension() - degree);
@@ -27,9 +27,8 @@ Vector sizes_of_cells(const CellVolumes& volumes, Side side, int degree) {
     return mean > 0 ? Vector(sizes.cwiseMax(least * mean)) : Vector::Ones(sizes.size());
 }
 
-/// The time to measure in, so that rates of diffusion are ordinary numbers: 1 where the largest
-/// coefficient in the unit of the mesh is between 2^-80 and 2^80, else the power of two by which it
-/// becomes 1 to 2.
+/// The unit of time that keeps diffusion rates in range: 1 if the largest coefficient in the unit
+/// of the mesh is between 2^-80 and 2^80, else the power of two that scales it to 1 to 2.
 double unit_of_time(const std::vector<Unknown>& unknowns) {
     constexpr int moderate = 80;
     std::optional<int> largest;
@@ -50,8 +49,8 @@ IntegratorOptions in_unit(IntegratorOptions steps, double unit) {
 
 } // namespace
 
-/// The unknowns, and how their values are one vector: those of the cells that nothing fixes, one
-/// unknown behind the other. An integrator has times in a unit, all else has those of the caller.
+/// The unknowns, and their free values as one vector, one unknown after the other. The integrator
+/// has scaled times; all others are the caller's.
 struct Evolution::Equation {
     struct Part {
         Unknown unknown;

@@ -23,7 +23,7 @@ namespace polydec {
 
 namespace {
 
-/// The cells that E and B live on.
+/// The cells that carry E and B.
 struct Degrees {
     int E, B;
     int low() const { return std::min(E, B); }
@@ -56,8 +56,8 @@ void check_wave_stars(const FormSpace& space) {
                            stars[on.B].place(negative));
 }
 
-/// Of both sides by primal forms: star_k d star_(k-1)^-1 d^T has the eigenvalues of the product
-/// the other way around but for zeros.
+/// Both sides use primal forms: star_k d star_(k-1)^-1 d^T has the eigenvalues of the reversed
+/// product, except for zeros.
 double longest_step(const FormSpace& space) {
     const int k = degrees(space).low();
     space.refuse_robin("a wave");
@@ -67,7 +67,7 @@ double longest_step(const FormSpace& space) {
     const Operator d = Operator::derivative(complex, k);
     if (complex.incidences(k).size() == 0)
         return std::numeric_limits<double>::infinity();
-    // in the scale in which the mass is 1: R^-T d^T star_(k+1) d R^-1, star_k = R^T R
+    // in the scale of unit mass: R^-T d^T star_(k+1) d R^-1, star_k = R^T R
     const auto mass = make_mass(weights(inside.stars()[k]));
     const Operator stiffness = d.transposed() * Operator::star(inside.stars()[k + 1]) * d;
     const SymmetricOperator A{mass->size(), [&](const Vector& x, Vector& y) {
@@ -81,8 +81,7 @@ double longest_step(const FormSpace& space) {
     return 2 / std::sqrt(largest.values[0]);
 }
 
-/// Both in the unit of the mesh; what is said in that of the input. Any step is stable where
-/// nothing swings.
+/// Both in the unit of the mesh; messages use the input's. Any step is stable without oscillations.
 double chosen_step(const FormSpace& space, double time_step, double unit) {
     const double limit = longest_step(space);
     if (time_step == 0)
@@ -113,7 +112,7 @@ void check_loss(const char* what, const Vector& loss, Index values) {
                                            i, what, loss[i]));
 }
 
-/// M R by the square roots of R, symmetric where M is no diagonal.
+/// M R from square roots of R, so that it is symmetric if M is not diagonal.
 SparseMatrix loss_matrix(const HodgeStar& star, const Vector& loss) {
     const Vector root = loss.cwiseSqrt();
     return root.asDiagonal() * star.matrix() * root.asDiagonal();
@@ -129,7 +128,7 @@ double stable_step(const FormSpace& space) {
     return space.cells().unit() * longest_step(space);
 }
 
-/// Leapfrog steps, in the unit of the mesh but for E and B of a state.
+/// Leapfrog steps, in the unit of the mesh except for E and B of a state.
 struct Waves::Scheme {
     /// Values of one degree, as they change in a step.
     struct Field {
@@ -222,8 +221,8 @@ void Waves::Scheme::Field::put_back(Vector&& of_kept, Vector& values) const {
     values(kept) = of_kept;
 }
 
-/// By the midpoint rule: the loss is that of the mean of the values before and after. Dual values
-/// are stars of primal ones, which lose as primal ones do.
+/// The midpoint rule: the loss applies to the mean of the values before and after. Dual values are
+/// stars of primal ones, with the same loss.
 void Waves::Scheme::Field::advance(Vector& values, Vector rate, double time_step) const {
     if (star_of)
         values += *star_of * mid->solve(time_step * (rate - lost * Vector(mass * values)));
@@ -236,7 +235,7 @@ void Waves::Scheme::Field::advance(Vector& values, Vector rate, double time_step
         values += time_step * rate;
 }
 
-/// E as the conditions have it, and its B half a step before; no memories.
+/// E under the conditions, and its B half a step before; no memories.
 std::vector<Vector> Waves::Scheme::begun(const Vector& start, const Vector& upper) const {
     std::vector<Vector> state{Vector(E.whole), Vector(B.whole), {}, {}};
     space.check({space.side(), space.degree(), start});
