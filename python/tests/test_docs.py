@@ -26,7 +26,8 @@ def test_a_wrong_block_is_told():
     assert doctest.DocTestRunner(verbose=False).run(wrong, out=lambda text: None).failed == 1
 
 
-def test_blocks_of_the_readme_run():
+def test_blocks_of_the_readme_run(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path) # for the page that one writes
     blocks = [part.split("```")[0] for part in
               (ROOT / "README.md").read_text().split("```python\n")[1:]]
     assert blocks

@@ -4,9 +4,11 @@ import hashlib
 import json
 import os
 import pty
+import re
 import shutil
 import signal
 import stat
+from pathlib import Path
 
 import command
 from command import TestCase, golden
@@ -245,6 +247,28 @@ class Folders(TestCase):
                             f"{out}: ", f"folder {closed}", "writable")
         # what is only added to needs no more than itself
         self.succeed("reproduce", "fig6", "--levels", "1", "--out", "closed/out")
+
+
+class Readme(TestCase):
+    """The README shows commands that run, and lists every command."""
+    TEXT = (Path(__file__).resolve().parents[2] / "README.md").read_text(encoding="utf-8")
+
+    def test_its_commands_run(self):
+        lines = self.TEXT.split("```sh\n")[1].split("```")[0].splitlines()
+        for line in lines:
+            words = line.split()
+            self.assertEqual(words.pop(0), "polydec")
+            self.succeed(*words)
+            if "-o" in words:
+                self.assertIn(words[-1], os.listdir(self.folder))
+        self.assertGreaterEqual(len(lines), 5)
+
+    def test_its_table_lists_every_command(self):
+        help_text = re.split("(?i)commands:\n", self.succeed("--help").out)[1].split("\n\n")[0]
+        listed = re.findall(r"^\| `([a-z-]+)` \|", self.TEXT, re.MULTILINE)
+        commands = re.findall(r"^ {1,4}([a-z-]+) ", help_text, re.MULTILINE)
+        self.assertGreater(len(commands), 10)
+        self.assertEqual(sorted(listed), sorted([*commands, "polydec-mpi"]))
 
 
 if __name__ == "__main__":
