@@ -63,13 +63,29 @@ void mark_faces(const CellComplex& complex, CellMarks& marks) {
     }
 }
 
+std::vector<BoundaryFacet> boundary_facets(const CellComplex& complex) {
+    const int n = complex.dimension();
+    std::vector<BoundaryFacet> facets;
+    std::vector<Index> place(static_cast<std::size_t>(complex.size(n - 1)), -1);
+    for (Index f = 0; f < complex.size(n - 1); ++f)
+        if (complex.coface_counts(n - 1)[f] == 1) {
+            place[f] = static_cast<Index>(facets.size());
+            facets.push_back({f, -1, 0});
+        }
+    for (Index t = 0; n > 0 && t < complex.size(n); ++t)
+        for (const auto& [f, sign] : complex.incidences(n - 1)[t])
+            if (place[f] >= 0)
+                facets[place[f]] = {f, t, sign};
+    return facets;
+}
+
 CellMarks boundary_cells(const CellComplex& complex) {
     const int n = complex.dimension();
     CellMarks marks;
     for (int k = 0; k <= n; ++k)
         marks.emplace_back(complex.size(k), false);
-    for (Index f = 0; f < complex.size(n - 1); ++f)
-        marks[n - 1][f] = complex.coface_counts(n - 1)[f] == 1;
+    for (const BoundaryFacet& on : boundary_facets(complex))
+        marks[n - 1][on.facet] = true;
     mark_faces(complex, marks);
     return marks;
 }

@@ -15,6 +15,15 @@ void check_marks(const CellComplex& complex, const CellMarks& marks);
 /// Throws like check_marks.
 void mark_faces(const CellComplex& complex, CellMarks& marks);
 
+/// A facet with one coface.
+struct BoundaryFacet {
+    Index facet, cell; ///< numbers of the (n-1)-cell and of the n-cell beside it
+    int outward;       ///< 1 if the facet is oriented as the boundary of the n-cell is, else -1
+};
+
+/// The facets of the boundary, in the order of their numbers. Linear time.
+std::vector<BoundaryFacet> boundary_facets(const CellComplex& complex);
+
 /// Marks the cells of the boundary: facets with one coface, and their faces of every degree.
 CellMarks boundary_cells(const CellComplex& complex);
 

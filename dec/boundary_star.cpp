@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/checks.h"
 #include "base/errors.h"
+#include "complex/components.h"
 #include "dec/forms/cells.h"
 #include "dec/merging/merged_cells.h"
 #include "dec/metric/dual_parts.h"
@@ -18,10 +19,9 @@ Vector on_boundary(const CellComplex& complex, int k, const Vector& weights) {
     const int n = complex.dimension();
     check_number("the star within the boundary of degree", k, 0, n - 1);
     check_as_many("weights of facets", weights.size(), complex.size(n - 1));
-    Vector result = weights;
-    for (Index f = 0; f < result.size(); ++f)
-        if (complex.coface_counts(n - 1)[f] != 1)
-            result[f] = 0;
+    Vector result = Vector::Zero(weights.size());
+    for (const BoundaryFacet& on : boundary_facets(complex))
+        result[on.facet] = weights[on.facet];
     return result;
 }
 

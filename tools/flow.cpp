@@ -17,6 +17,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -87,15 +88,16 @@ struct Given {
 };
 
 std::string boundary_in_words(const std::vector<FlowBoundary>& facets, const CellComplex& complex) {
-    std::array<Index, 3> counts{};
-    const auto& cofaces = complex.coface_counts(complex.dimension() - 1);
-    for (Index f = 0; f < static_cast<Index>(facets.size()); ++f)
-        if (cofaces[f] == 1)
-            ++counts[static_cast<std::size_t>(facets[f])];
-    if (counts == std::array<Index, 3>{})
+    const std::vector<BoundaryFacet> boundary = boundary_facets(complex);
+    if (boundary.empty())
         return "no boundary";
-    return fmt::format("boundary facets: {} with free slip, {} without slip, {} open", counts[0],
-                       counts[1], counts[2]);
+    const auto count = [&](FlowBoundary kind) {
+        return std::count_if(boundary.begin(), boundary.end(),
+                             [&](const BoundaryFacet& on) { return facets[on.facet] == kind; });
+    };
+    return fmt::format("boundary facets: {} with free slip, {} without slip, {} open",
+                       count(FlowBoundary::free_slip), count(FlowBoundary::no_slip),
+                       count(FlowBoundary::open));
 }
 
 struct Flowed : Answer {

@@ -64,8 +64,8 @@ Vector robin_coefficients(const CellComplex& complex, const BoundaryConditions& 
     const int n = complex.dimension();
     const std::vector<double>& given = conditions.coefficients;
     Vector result = Vector::Zero(complex.size(n - 1));
-    for (Index f = 0; f < result.size(); ++f) {
-        if (complex.coface_counts(n - 1)[f] != 1 || conditions.at(f) != BoundaryCondition::robin)
+    for (const auto& [f, cell, outward] : boundary_facets(complex)) {
+        if (conditions.at(f) != BoundaryCondition::robin)
             continue;
         if (given.size() != 1 && std::ssize(given) != result.size())
             throw InvalidInput(fmt::format("{} coefficients of Robin's condition are given: "
@@ -87,8 +87,8 @@ void refuse_robin(const CellComplex& complex, const BoundaryConditions& conditio
                   const char* what) {
     check_facets(complex, conditions);
     const int n = complex.dimension();
-    for (Index f = 0; f < complex.size(n - 1); ++f)
-        if (complex.coface_counts(n - 1)[f] == 1 && conditions.at(f) == BoundaryCondition::robin)
+    for (const auto& [f, cell, outward] : boundary_facets(complex))
+        if (conditions.at(f) == BoundaryCondition::robin)
             throw InvalidInput(fmt::format("facet {} has Robin's condition, which {} cannot have: "
                                            "PoissonSolver, Diffusion and spectrum can",
                                            f, what),
@@ -102,12 +102,11 @@ std::string in_words(const BoundaryConditions& conditions, const CellComplex& co
     std::int64_t facets = 0, essential = 0, robin = 0;
     const auto& marks = conditions.fixed_vertices;
     const auto fixed = std::count(marks.begin(), marks.end(), true);
-    for (Index f = 0; f < complex.size(n - 1); ++f)
-        if (complex.coface_counts(n - 1)[f] == 1) {
-            ++facets;
-            essential += conditions.at(f) == BoundaryCondition::essential ? 1 : 0;
-            robin += conditions.at(f) == BoundaryCondition::robin ? 1 : 0;
-        }
+    for (const BoundaryFacet& on : boundary_facets(complex)) {
+        ++facets;
+        essential += conditions.at(on.facet) == BoundaryCondition::essential ? 1 : 0;
+        robin += conditions.at(on.facet) == BoundaryCondition::robin ? 1 : 0;
+    }
     return in_words(facets, essential, degree, n, data, robin) +
            (fixed == 0 ? ""
                        : fmt::format(", values {} at {} vert{}", data.values ? "given" : "0", fixed,
@@ -136,18 +135,16 @@ std::string in_words(std::int64_t facets, std::int64_t essential, int degree, in
 
 void require_essential(const CellComplex& complex, const BoundaryConditions& conditions,
                        const std::string& what) {
-    const auto& cofaces = complex.coface_counts(complex.dimension() - 1);
-    const auto boundary = std::count(cofaces.begin(), cofaces.end(), 1);
+    const auto boundary = boundary_facets(complex);
     const auto& fixed = conditions.fixed_vertices;
-    bool any = boundary == 0 || std::find(fixed.begin(), fixed.end(), true) != fixed.end();
-    for (std::size_t f = 0; f < cofaces.size() && !any; ++f)
-        any =
-            cofaces[f] == 1 && conditions.at(static_cast<Index>(f)) == BoundaryCondition::essential;
+    bool any = boundary.empty() || std::find(fixed.begin(), fixed.end(), true) != fixed.end();
+    for (const BoundaryFacet& on : boundary)
+        any = any || conditions.at(on.facet) == BoundaryCondition::essential;
     if (!any)
         throw InvalidInput(fmt::format("{} gives values on none of the {} facets of the boundary: "
                                        "expected some; no condition there is the natural one, and "
                                        "values inside are those of fixed vertices",
-                                       what, boundary));
+                                       what, boundary.size()));
 }
 
 BoundaryConditions BoundaryConditions::essential(const std::vector<bool>& marks) const {
@@ -201,9 +198,8 @@ CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& 
     CellMarks marks;
     for (int k = 0; k <= n; ++k)
         marks.emplace_back(complex.size(k), false);
-    for (Index f = 0; f < complex.size(n - 1); ++f)
-        marks[n - 1][f] = complex.coface_counts(n - 1)[f] == 1 &&
-                          conditions.at(f) == BoundaryCondition::essential;
+    for (const BoundaryFacet& on : boundary_facets(complex))
+        marks[n - 1][on.facet] = conditions.at(on.facet) == BoundaryCondition::essential;
     mark_faces(complex, marks);
     return marks;
 }

@@ -79,9 +79,11 @@ void water() {
     for (polydec::Index c = 0; c < cells.rows(); ++c)
         state.depth[c] += 0.2 * std::exp(-10 * (cells(c, 0) - 1) * (cells(c, 0) - 1));
     const double mass = water.mass(state), energy = water.energy(state);
-    const double step = 0.5 * water.stable_step(state);
-    for (int i = 0; i < 200; ++i)
-        state = water.step(state, step);
+    polydec::Evolution run({{{planet, polydec::Side::dual, 0}, state.depth},
+                            {{planet, polydec::Side::primal, 1}, state.flux}},
+                           water, {.steps = {.relative_tolerance = 1e-8}});
+    run.march(5);
+    state = {run.forms()[0].values, run.forms()[1].values};
     std::cout << "mass kept to 1e-14: "
               << (std::abs(water.mass(state) / mass - 1) < 1e-14 ? "yes" : "no")
               << ", energy to 1e-6: "

@@ -16,14 +16,15 @@ namespace {
 
 /// Free slip at all facets but those marked; one mark may stand for all of them.
 std::vector<FlowBoundary> boundary_of(const std::vector<bool>& no_slip,
-                                      const std::vector<bool>& open, Index facets) {
+                                      const std::vector<bool>& others, FlowBoundary kind,
+                                      Index facets) {
     const auto holds = [](const std::vector<bool>& marks, Index i) {
         return marks[marks.size() == 1 ? 0 : i];
     };
     std::vector<FlowBoundary> result(facets, FlowBoundary::free_slip);
     for (Index i = 0; i < facets; ++i)
-        if (holds(open, i))
-            result[i] = FlowBoundary::open;
+        if (holds(others, i))
+            result[i] = kind;
         else if (holds(no_slip, i))
             result[i] = FlowBoundary::no_slip;
     return result;
@@ -39,13 +40,13 @@ void add_flow(py::module_& module) {
                          const std::vector<bool>& no_slip, const std::vector<bool>& open,
                          const Numbers& boundary_flux, const Numbers& wall_velocity,
                          const Numbers& rotation, const std::string& engine) {
-        const FlowOptions options{
-            .viscosity = viscosity,
-            .facets = boundary_of(no_slip, open, mesh.complex().size(mesh.dimension() - 1)),
-            .boundary_flux = vector(boundary_flux),
-            .wall_velocity = rows(wall_velocity),
-            .rotation = vector(rotation),
-            .linear_solver = engine};
+        const FlowOptions options{.viscosity = viscosity,
+                                  .facets = boundary_of(no_slip, open, FlowBoundary::open,
+                                                        mesh.size(mesh.dimension() - 1)),
+                                  .boundary_flux = vector(boundary_flux),
+                                  .wall_velocity = rows(wall_velocity),
+                                  .rotation = vector(rotation),
+                                  .linear_solver = engine};
         return guarded<IncompressibleFlow>(mesh, options);
     }));
     const std::pair<const char*, FlowMap> maps[] = {
@@ -126,17 +127,6 @@ void add_shallow_water(py::module_& module) {
                  return parts_of(self.use(
                      [&, now = water(depth, flux)](ShallowWater& of) { return of.rate(now); }));
              })
-        .def("step",
-             [](Flow& self, const Numbers& depth, const Numbers& flux, double dt, Index steps) {
-                 Water now = water(depth, flux);
-                 self.use([&](const ShallowWater& of) {
-                     for (Index i = 0; i < steps; ++i) {
-                         now = of.step(now, dt);
-                         check_signals();
-                     }
-                 });
-                 return parts_of(std::move(now));
-             })
         .def("potential_vorticity", [](Flow& self, const Numbers& depth, const Numbers& flux) {
             return array(self.use([&, now = water(depth, flux)](const ShallowWater& of) {
                 return of.potential_vorticity(now);
@@ -160,11 +150,12 @@ void add_stokes(py::module_& module) {
     using Solver = Guarded<StokesSolver>;
     py::class_<Solver>(module, "StokesSolver")
         .def(py::init([](const Cells& of, double viscosity, const std::vector<bool>& no_slip,
-                         const std::vector<bool>& open, const std::string& engine) {
-            const StokesOptions options{
-                .viscosity = viscosity,
-                .facets = boundary_of(no_slip, open, of.complex().size(of.dimension() - 1)),
-                .linear_solver = engine};
+                         const std::vector<bool>& known, const std::string& engine) {
+            const StokesOptions options{.viscosity = viscosity,
+                                        .facets =
+                                            boundary_of(no_slip, known, FlowBoundary::pressure,
+                                                        of.size(of.dimension() - 1)),
+                                        .linear_solver = engine};
             return guarded<StokesSolver>(of, options);
         }))
         .def("solve", [](Solver& self, int degree, const Numbers& force,

@@ -236,9 +236,11 @@ class ShallowWater:
     >>> sphere = polydec.discretize(polydec.meshes.goldberg(4))
     >>> water = polydec.ShallowWater(sphere, rotation=2 * sphere.points[:, 2])
     >>> depth, flux = 1 + 0.1 * sphere.centers(2)[:, 0], np.zeros(sphere.size(1))
-    >>> dt = 0.5 * water.stable_step(depth, flux)
-    >>> later = water.step(depth, flux, dt, 10)
-    >>> bool(abs(water.mass(*later) / water.mass(depth, flux) - 1) < 1e-13)
+    >>> start = [sphere.cochain(depth, 0, "dual"), sphere.cochain(flux, 1)]
+    >>> run = polydec.Evolution(sphere, start, reaction=water)
+    >>> run.march(0.5)
+    False
+    >>> bool(abs(water.mass(*run.forms) / water.mass(depth, flux) - 1) < 1e-13)
     True
     """
 
@@ -255,11 +257,10 @@ class ShallowWater:
         """dh/dt and the rate of the flux."""
         return self._water.rate(_densities(depth), _fluxes(flux))
 
-    def step(self, depth: npt.ArrayLike, flux: npt.ArrayLike, time_step: float,
-             steps: int = 1) -> tuple[Floats, Floats]:
-        """Depth and flux after `steps` steps of length `time_step`, by the classical Runge-Kutta
-        scheme. Ctrl-C stops between two steps."""
-        return self._water.step(_densities(depth), _fluxes(flux), time_step, steps)
+    def __call__(self, t: float, depth: npt.ArrayLike,
+                 flux: npt.ArrayLike) -> tuple[Floats, Floats]:
+        """`rate`, as the reaction of an `Evolution` of depth (a dual 0-form) and flux."""
+        return self.rate(depth, flux)
 
     def stable_step(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> float:
         """Stable time step for waves and advection."""

@@ -320,14 +320,14 @@ class StokesSolver:
 
     The net flux out of every cell is 0 to rounding. Each boundary facet has two conditions: normal
     and tangential velocity (no slip), normal velocity and vorticity (slip), or pressure and
-    tangential velocity (open). Data that are not given are 0.
+    tangential velocity. Data that are not given are 0.
 
     Parameters
     ----------
     complex : Cells, or a mesh as `discretize` takes it
     viscosity : float
         nu > 0.
-    no_slip, open : bool or array of bool or callable
+    no_slip, pressure_on : bool or array of bool or callable
         Facets, as for `IncompressibleFlow`; the flow slips along all others.
     engine : str
         Engine name; see `backends`.
@@ -339,23 +339,23 @@ class StokesSolver:
 
     Examples
     --------
-    Flow between two plates with open ends; the pressure falls by 2 nu per unit length:
+    Flow between two plates with known pressure at the ends; the pressure falls by 2 nu per unit length:
 
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.grid(8, 8))
     >>> x = square.facet_sites()[:, 0]
-    >>> flow = polydec.StokesSolver(square, open=abs(x - 0.5) > 0.49).solve(pressure=2 * (1 - x))
+    >>> flow = polydec.StokesSolver(square, pressure_on=abs(x - 0.5) > 0.49).solve(pressure=2 * (1 - x))
     >>> through = abs(flow.flux.values[x < 1e-9]).sum()
     >>> bool(abs(through - 1 / 6) < 0.01)
     True
     """
 
     def __init__(self, complex: CellsLike, *, viscosity: float = 1.0, no_slip: Any = True,
-                 open: Any = False, engine: str = "auto") -> None:
+                 pressure_on: Any = False, engine: str = "auto") -> None:
         self._complex = complex = as_cells(complex)
         self._solver = _core.StokesSolver(complex._cells, viscosity,
                                           facet_marks(complex, no_slip),
-                                          facet_marks(complex, open), engine)
+                                          facet_marks(complex, pressure_on), engine)
 
     def solve(self, *, force: Form | None = None, through: npt.ArrayLike | None = None,
               along: npt.ArrayLike | None = None, vorticity: npt.ArrayLike | None = None,
@@ -367,14 +367,14 @@ class StokesSolver:
         force : Cochain or array_like, optional
             The flux of f, a primal (n-1)-form.
         through : array_like, optional
-            Flux through the boundary facets that are not open.
+            Flux through the boundary facets with a known flux.
         along : array_like, optional
             Tangential velocity: integrals of the star of the flux over the duals of (n-2)-cells
             within the boundary, as from `boundary_de_rham`. This star is u for odd n, else -u.
         vorticity : array_like, optional
             Vorticity on slip facets, a primal (n-2)-form.
         pressure : array_like, optional
-            Pressure at open facets, one value per (n-1)-cell.
+            Pressure at facets where it is known, one value per (n-1)-cell.
         """
         n = self._complex.dim
         none = np.zeros(self._complex.size(n - 1))

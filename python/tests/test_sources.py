@@ -178,8 +178,8 @@ def test_slow_flows_between_open_ends(mesh):
     c = polydec.discretize(mesh)
     x = c.facet_sites()[:, 0]
     ends = c.boundary_facets() & (abs(x - 0.5) > 0.49)
-    flow = polydec.StokesSolver(c, open=ends).solve(pressure=2 * (1 - x))
+    flow = polydec.StokesSolver(c, pressure_on=ends).solve(pressure=2 * (1 - x))
     assert abs(abs(flow.flux.values[ends]).sum() - 1 / 3) < 0.03
     assert abs(flow.pressure.values.mean() - 1) < 0.01
     with pytest.raises(polydec.InvalidInput, match=said(1, "flows", "held back")):
-        polydec.StokesSolver(c, no_slip=False, open=ends)
+        polydec.StokesSolver(c, no_slip=False, pressure_on=ends)

@@ -20,14 +20,14 @@ struct FlowProjection::Solver {
     std::optional<ConstrainedSolver> poisson;
     std::optional<SaddleSolver> saddle;
 
-    Solver(const FlowOperators& flow, double theta) : divergence(flow.divergence) {
+    Solver(const FlowOperators& flow, double theta) : divergence(flow.spaces.divergence) {
         const auto& engine = flow.options.linear_solver;
-        if (theta * flow.options.viscosity == 0 && flow.unknown_star.is_diagonal()) {
-            weights = flow.unknown_star.inverse();
+        if (theta * flow.options.viscosity == 0 && flow.flux_star.is_diagonal()) {
+            weights = flow.flux_star.inverse();
             ConstrainedSystem system;
             system.A = divergence * weights.asDiagonal() * SparseMatrix(divergence.transpose());
             system.fixed.assign(static_cast<std::size_t>(divergence.rows()), false);
-            system.tied = flow.tied;
+            system.tied = flow.spaces.tied;
             system.weights = flow.mesh.volumes().primal(flow.n);
             system.definiteness = Definiteness::semidefinite;
             system.domain_dimension = flow.n;
@@ -37,17 +37,14 @@ struct FlowProjection::Solver {
     }
 
     static SparseMatrix matrix(const FlowOperators& flow, double theta) {
-        SparseMatrix M = flow.unknown_star.matrix();
+        SparseMatrix M = flow.flux_star.matrix();
         const double factor = theta * flow.options.viscosity;
         if (factor == 0)
             return M;
-        const SparseMatrix whole = (flow.star * flow.curl).matrix();
-        std::vector<Eigen::Triplet<double, Index>> entries;
-        for (Index i = 0; i < static_cast<Index>(flow.unknown.size()); ++i)
-            for (SparseMatrix::InnerIterator entry(whole, flow.unknown[i]); entry; ++entry)
-                entries.emplace_back(i, static_cast<Index>(entry.col()), entry.value());
-        SparseMatrix B(M.rows(), whole.cols());
-        B.setFromTriplets(entries.begin(), entries.end());
+        const FormSpace& vorticity = flow.spaces.vorticity;
+        const SparseMatrix free = inclusion(flow.spaces.flux.free(), flow.mesh.size(flow.n - 1));
+        const SparseMatrix B = SparseMatrix(free.transpose()) * (flow.star * flow.curl).matrix() *
+                               inclusion(vorticity.free(), flow.mesh.size(flow.n - 2));
         const Vector inverse = factor * flow.vorticity_star.inverse();
         M += SparseMatrix(B * inverse.asDiagonal() * SparseMatrix(B.transpose()));
         return M;
@@ -90,11 +87,11 @@ FlowProjection::Flow FlowProjection::solve_at_rest(const Vector& momentum) const
 
 FlowProjection::Flow FlowProjection::solve(const Vector& momentum, const Vector& boundary) const {
     const FlowOperators& flow = *operators_;
-    const Vector f = flow.unknowns_of(momentum - flow.star * boundary);
+    const Vector f = flow.spaces.flux.restrict(Vector(momentum - flow.star * boundary));
     const Vector g = -(Operator::derivative(flow.mesh.complex(), flow.n - 1) * boundary);
     auto [x, c] = solver_->solve(f, g);
     Vector flux = boundary;
-    flux(flow.unknown) = x;
+    flux(flow.spaces.flux.free()) = x;
     return {flow.in_input(flux, flow.n, "fluxes"), std::move(c)};
 }
 

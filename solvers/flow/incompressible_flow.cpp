@@ -55,8 +55,7 @@ Vector IncompressibleFlow::project(const Vector& flux) const {
 
 Vector IncompressibleFlow::vorticity(const Vector& w) const {
     const auto& flow = *parts_->operators;
-    const Vector z = flow.swirling.extend(flow.n - 2, flow.vorticity(parts_->fluxes(w), 1));
-    return flow.in_input(z, flow.n - 2, "vorticities");
+    return flow.in_input(flow.vorticity(parts_->fluxes(w), 1), flow.n - 2, "vorticities");
 }
 
 Vector IncompressibleFlow::inertia(const Vector& w) const {
@@ -88,11 +87,8 @@ Cochain IncompressibleFlow::pressure(const Vector& w) const {
     const Vector c = parts_->projection.solve_at_rest(inertia(w) + friction(w)).multiplier;
     const Vector total = -flow.in_input(c, 2, "pressures");
     Vector p = total - parts_->advection.kinetic_energy(w);
-    bool open = false;
-    for (const bool tied : flow.tied)
-        open = open || tied;
     const Vector& volumes = flow.mesh.volumes().primal(flow.n);
-    if (!open)
+    if (flow.spaces.open.empty())
         p.array() -= volumes.dot(p) / volumes.sum();
     return {Side::dual, 0, std::move(p)};
 }
@@ -125,7 +121,7 @@ double IncompressibleFlow::ratio_of_energies(const Vector& w, const Vector& othe
 
 double IncompressibleFlow::enstrophy(const Vector& w) const {
     const auto& flow = *parts_->operators;
-    const Vector z = flow.vorticity(parts_->fluxes(w), 1);
+    const Vector z = flow.spaces.vorticity.restrict(flow.vorticity(parts_->fluxes(w), 1));
     return parts_->in_input(z.dot(flow.vorticity_star * z) / 2, flow.n, "the enstrophy of a flow");
 }
 

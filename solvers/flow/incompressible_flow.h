@@ -14,14 +14,14 @@ namespace polydec {
 
 struct FlowOptions {
     double viscosity = 0; ///< nu, length^2 over time
-    /// Where it is open the total pressure is 0, and there is no vorticity.
+    /// A known pressure is the total one, and is 0.
     FlowBoundary everywhere = FlowBoundary::free_slip;
     std::vector<FlowBoundary> facets = {}; ///< empty, or one for each (n-1)-cell
     /// Through the boundary, a primal (n-1)-form of which the values at boundary facets that are
     /// not open count; empty: nothing.
     Vector boundary_flux = {};
-    /// Of walls without slip, a row of N components for each (n-1)-cell, of which the part along
-    /// the boundary counts; empty: walls at rest.
+    /// Velocities along facets that have one, such as moving walls without slip: a row of N
+    /// components for each (n-1)-cell, of which the part along the boundary counts; empty: 0.
     Points wall_velocity = {};
     /// Vorticity of the frame, as of a planet: a primal (n-2)-form (n = 2: at vertices); or empty.
     Vector rotation = {};

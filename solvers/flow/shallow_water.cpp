@@ -3,8 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "complex/relative.h"
-#include "dec/forms/boundary_conditions.h"
+#include "dec/form_space.h"
 #include "dec/forms/derivative.h"
 #include "dec/positive_mass.h"
 #include "meshes/unit_of_length.h"
@@ -14,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace polydec {
 
@@ -63,14 +63,15 @@ struct ShallowWater::Parts {
           divergence(derivative(mesh.complex(), 1)),
           sides(divergence.cwiseAbs().transpose()),
           at_vertices(means_at_vertices(mesh)) {
-        const auto inside = relative_to_boundary(mesh.complex());
-        const HodgeStar inner = relative_stars(inside, mesh.stars())[1];
+        const FormSpace inside(mesh, Side::primal, 1, BoundaryCondition::essential);
+        const HodgeStar inner = inside.inside().stars()[1];
         inner.require_diagonal();
         check_positive_mass(inner, Side::primal, 1);
         check_positive_mass(mesh.stars()[0], Side::primal, 0);
-        star = inside.extend(1, inner.diagonal());
-        for (Index e = 0; e < star.size(); ++e)
-            wall.push_back(mesh.complex().coface_counts(1)[e] == 1);
+        star = inside.extend(Vector(inner.diagonal()));
+        wall.assign(static_cast<std::size_t>(star.size()), false);
+        for (const BoundaryFacet& on : boundary_facets(mesh.complex()))
+            wall[on.facet] = true;
         if (options.rotation.size() == 0)
             options.rotation = Vector::Zero(vertex_areas.size());
         if (options.bottom.size() == 0)
@@ -139,16 +140,10 @@ ShallowWater::State ShallowWater::rate(const State& state) const {
     return result;
 }
 
-ShallowWater::State ShallowWater::step(const State& state, double time_step) const {
-    const auto moved = [&](const State& by, double part) {
-        return State{state.depth + part * time_step * by.depth,
-                     state.flux + part * time_step * by.flux};
-    };
-    const State a = rate(state), b = rate(moved(a, 0.5)), c = rate(moved(b, 0.5)),
-                d = rate(moved(c, 1));
-    return moved({(a.depth + 2 * b.depth + 2 * c.depth + d.depth) / 6,
-                  (a.flux + 2 * b.flux + 2 * c.flux + d.flux) / 6},
-                 1);
+std::vector<Vector> ShallowWater::operator()(double, const std::vector<Cochain>& forms) const {
+    check_as_many("forms of shallow water", std::ssize(forms), 2);
+    State change = rate({forms[0].values, forms[1].values});
+    return {std::move(change.depth), std::move(change.flux)};
 }
 
 double ShallowWater::stable_step(const State& state) const {

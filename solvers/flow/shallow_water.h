@@ -2,8 +2,10 @@
 #pragma once
 
 #include "dec/discretization.h"
+#include "dec/forms/cochain.h"
 
 #include <memory>
+#include <vector>
 
 namespace polydec {
 
@@ -18,7 +20,8 @@ struct ShallowWaterOptions {
 /// dual 0-form, u a dual 1-form along the duals of edges, so that w = star^-1 u is its flux. Walls
 /// are not crossed and have free slip. The term of the vorticity is that of Advection, which does
 /// no work, and kinetic energy and mass fluxes are derivatives of the energy: mass is kept to
-/// rounding, energy but for steps in time, whatever the mesh. Needs positive diagonal stars. All is
+/// rounding, energy but for steps in time, whatever the mesh. Marched by
+/// Evolution (see below). Needs positive diagonal stars. All is
 /// in the units of the input.
 /// Source: Thuburn, Ringler, Skamarock, Klemp 2009 and Ringler et al. 2010 for the form; Arakawa,
 /// Lamb 1981 for the principle.
@@ -38,8 +41,8 @@ public:
     /// is not above 0.
     State rate(const State& state) const;
 
-    /// One step of the classical Runge-Kutta scheme, of fourth order.
-    State step(const State& state, double time_step) const;
+    /// The reaction of an Evolution of the depth and the flux: their rates, as rate() gives them.
+    std::vector<Vector> operator()(double time, const std::vector<Cochain>& forms) const;
 
     /// A step that waves and the flow allow: 1 over how often they cross a cell in a second.
     double stable_step(const State& state) const;

@@ -5,7 +5,6 @@
 #include "dec/discretization.h"
 #include "dec/forms/cochain.h"
 #include "solvers/flow/flow_boundary.h"
-#include "solvers/sources/constrained_system.h"
 
 #include <memory>
 #include <string>
@@ -25,25 +24,25 @@ struct StokesOptions {
 /// What is known of a slow flow on the boundary; what is empty is 0.
 struct StokesData {
     Vector through = {};   ///< what flows through facets that are not open; size(n-1)
-    Vector along = {};     ///< without slip and at open facets, the tangential velocity: integrals
-                           ///< of star u over the duals within the boundary of the (n-2)-cells (see
-                           ///< boundary_de_rham); size(n-2)
+    Vector along = {};     ///< where the velocity along facets is known, the tangential velocity:
+                           ///< integrals of star u over the duals within the boundary of the
+                           ///< (n-2)-cells (see boundary_de_rham); size(n-2)
     Vector vorticity = {}; ///< where the flow slips, delta u on (n-2)-cells; size(n-2)
-    Vector pressure = {};  ///< at open facets; size(n-1)
+    Vector pressure = {};  ///< where it is known; size(n-1)
 };
 
 /// A slow flow: what flows through the facets, how it turns, and its pressure.
 struct StokesFlow {
     Cochain flux;      ///< primal (n-1)-form, as facets are oriented
     Cochain vorticity; ///< delta of it, a primal (n-2)-form
-    Cochain pressure;  ///< dual 0-form, of mean 0 where no facet is open
+    Cochain pressure;  ///< dual 0-form, of mean 0 where it is known nowhere
     SolveReport report;
 };
 
 /// Stokes' problem -nu Delta u + grad p = f, div u = 0: nu d w + grad p = f and w = delta u for the
 /// flux u, a primal (n-1)-form, with one factorization. At each facet of the boundary two things
-/// are known: the velocity through it and along it (without slip), that through it and the
-/// vorticity (free slip), or the pressure and the velocity along it (open). No flow is lost: d flux
+/// are known (see FlowBoundary); the vorticity where walls slip can be other than 0. The pressure
+/// and no vorticity do not determine a flow. No flow is lost: d flux
 /// = 0 in every cell to rounding. On grids it is the scheme of markers and cells. Source: Dubois
 /// 2002 (vorticity, velocity, pressure); Harlow, Welch 1965 (grids). An object is used by one
 /// thread at a time. On a mesh all is in the units of the input.

@@ -5,14 +5,17 @@
 #include "dec/fields/de_rham.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
+#include "solvers/flow/incompressible_flow.h"
 #include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
+#include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -44,7 +47,7 @@ struct Openings {
     std::vector<FlowBoundary> of(const Points& facets) const {
         std::vector<FlowBoundary> result;
         for (Index f = 0; f < facets.rows(); ++f)
-            result.push_back(left_open && facets(f, 0) < 1e-9      ? FlowBoundary::open
+            result.push_back(left_open && facets(f, 0) < 1e-9      ? FlowBoundary::pressure
                              : bottom_slips && facets(f, 1) < 1e-9 ? FlowBoundary::free_slip
                                                                    : FlowBoundary::no_slip);
         return result;
@@ -123,6 +126,21 @@ INSTANTIATE_TEST_SUITE_P(
         Row{{"cubes", 4, 8}, 1.5, 1.3}, Row{{"bcc", 2, 4, StarKind::galerkin}, 1.3, 0.9}),
     name_of<Row>);
 
+/// Walls of all kinds meet: at the left the pressure is known, at the bottom the flow slips.
+TEST(Flows, have_the_vorticity_that_flows_in_time_have) {
+    for (const Case& on : {Case{"squares"}, Case{"hexagons"}, Case{"triangles"},
+                           Case{"hexagons", 8, 16, StarKind::galerkin}, Case{"cubes", 4}}) {
+        SCOPED_TRACE(on);
+        const auto& mesh = on.mesh(on.coarse);
+        const int n = mesh.dimension();
+        const auto facets = Openings{true, true}.of(facet_sites(mesh));
+        const auto slow = StokesSolver(mesh, {.facets = facets})
+                              .solve({Side::primal, n - 1, random_vector(mesh.size(n - 1), 1)});
+        const Vector z = IncompressibleFlow(mesh, {.facets = facets}).vorticity(slow.flux.values);
+        EXPECT_LE((z - slow.vorticity.values).norm(), 1e-10 * z.norm());
+    }
+}
+
 /// Through a strip of the length 2 and the width 1, whose ends are open, for this difference of
 /// pressures: what flows, all but 1/12 of the difference by length and viscosity.
 double channel_error(const std::string& shape, int cells, double difference) {
@@ -136,7 +154,7 @@ double channel_error(const std::string& shape, int cells, double difference) {
     };
     StokesOptions options{.viscosity = 0.5};
     for (Index f = 0; f < facets.rows(); ++f)
-        options.facets.push_back(at_end(f) ? FlowBoundary::open : FlowBoundary::no_slip);
+        options.facets.push_back(at_end(f) ? FlowBoundary::pressure : FlowBoundary::no_slip);
     const Vector pressure = (length - facets.col(0).array()) / length * difference;
     const auto flow =
         StokesSolver(mesh, options)
@@ -163,9 +181,13 @@ TEST(Channel, whose_walls_hold_nothing_back_is_refused) {
     const Points facets = facet_sites(mesh);
     StokesOptions options;
     for (Index f = 0; f < facets.rows(); ++f)
-        options.facets.push_back(std::abs(facets(f, 0) - 0.5) > 0.49 ? FlowBoundary::open
+        options.facets.push_back(std::abs(facets(f, 0) - 0.5) > 0.49 ? FlowBoundary::pressure
                                                                      : FlowBoundary::free_slip);
     EXPECT_TRUE(says(refusal([&] { StokesSolver(mesh, options); }), {"1 flows", "holes", "wall"}));
+    std::replace(options.facets.begin(), options.facets.end(), FlowBoundary::pressure,
+                 FlowBoundary::open);
+    EXPECT_TRUE(says(refusal([&] { StokesSolver(mesh, options); }),
+                     {"facet", "open", "undetermined", "FlowBoundary::pressure"}));
     for (auto& kind : options.facets)
         kind = FlowBoundary::free_slip;
     EXPECT_EQ(refusal([&] { StokesSolver(mesh, options); }), "accepted");

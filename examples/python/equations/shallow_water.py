@@ -9,6 +9,9 @@ water = polydec.ShallowWater(planet, rotation=2 * planet.points[:, 2])
 depth = polydec.de_rham(planet, 0, lambda x: 1 + 0.2 * np.exp(8 * (x[:, 0] - 1)), side="dual")
 flux = np.zeros(planet.size(1))
 mass, energy = water.mass(depth, flux), water.energy(depth, flux)
-depth, flux = water.step(depth, flux, 0.5 * water.stable_step(depth, flux), 200)
+run = polydec.Evolution(planet, [depth, planet.cochain(flux, 1)], reaction=water,
+                        relative_tolerance=1e-8)
+run.march(5)
+depth, flux = run.forms
 print(f"highest {depth.max():g}, of the mass is kept {water.mass(depth, flux) / mass:g}, "
       f"of the energy {water.energy(depth, flux) / energy:g}")

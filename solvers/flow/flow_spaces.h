@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/form_space.h"
+#include "solvers/flow/flow_boundary.h"
+#include "solvers/sources/constrained_system.h"
+
+#include <vector>
+
+namespace polydec {
+
+/// The spaces that flows are sought in: fluxes, primal (n-1)-forms that are fixed on facets with
+/// known flux; vorticities, primal (n-2)-forms that are fixed on facets without vorticity. Where
+/// walls with and without slip meet, there is none.
+struct FlowSpaces {
+    /// `facets` is empty or has one entry for each (n-1)-cell. Throws InvalidInput for n < 2 and
+    /// for another number of entries.
+    FlowSpaces(const Cells& cells, FlowBoundary everywhere,
+               const std::vector<FlowBoundary>& facets);
+
+    /// Throws InvalidInput where this flux leads more into a component than out of it, and nothing
+    /// is open there.
+    void check_balance(const Vector& flux) const;
+
+    FormSpace flux, vorticity;
+    std::vector<BoundaryFacet> open;    // with a known pressure
+    std::vector<BoundaryFacet> dragged; // with a known velocity along them
+    SparseMatrix divergence;            // d_(n-1) of the free fluxes
+    std::vector<bool> tied;             // n-cells at an open facet
+    FreeComponents loose;               // n-cells whose pressure is known up to a constant
+};
+
+} // namespace polydec
