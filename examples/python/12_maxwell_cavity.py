@@ -7,8 +7,8 @@ import numpy as np
 import polydec
 
 box = polydec.discretize(polydec.meshes.kuhn([8, 8, 8]))
-cavity = box.conditioned(degree=1)
-modes = polydec.spectrum(cavity, degree=1, count=17, coexact=True)
+cavity = polydec.FormSpace(box, 1, essential=True)
+modes = polydec.spectrum(cavity.inside, degree=1, count=17, coexact=True)
 
 print("eigenvalues / pi^2, to tell from 2, 3, 5 and 6:",
       *(f"{value / np.pi ** 2:.3f}" for value in modes.eigenvalues))
@@ -18,9 +18,9 @@ print("proved: none is missing" if modes.certificate.complete else "not proved")
 # wave sin(2 pi x) sin(pi y) along z.
 wave = polydec.de_rham(box, 1, lambda p: np.column_stack(
     [0 * p[:, 0], 0 * p[:, 0], np.sin(2 * np.pi * p[:, 0]) * np.sin(np.pi * p[:, 1])]))
-wanted, six, mass = cavity.restrict(1, wave), modes.modes[:, 5:11], cavity.star(1)
+wanted, six, mass = cavity.restrict(wave), modes.modes[:, 5:11], cavity.inside.star(1)
 found = six @ (six.T @ (mass * wanted))
 print(f"of a wave of 5 pi^2 found: {np.sqrt(found @ (mass * found) / (wanted @ (mass * wanted))):.3f}")
-vertical = polydec.sharp_pd(box, cavity.extend(1, found))[:, 2]
+vertical = polydec.sharp_pd(box, cavity.extend(found))[:, 2]
 polydec.view(box, {"E_z": vertical}, degree=0, side="dual",
              title="A standing wave in a box, of eigenvalue 5 pi^2").save("maxwell_cavity.html")

@@ -11,23 +11,23 @@ Floats = npt.NDArray[np.float64]
 
 def run(name: str, mesh: polydec.Mesh) -> None:
     box = polydec.discretize(mesh, star="circumcentric")
-    inside = box.conditioned(degree=1)
-    steps = int(np.ceil(0.4 / (0.9 * polydec.stable_step(inside, 1))))
+    space = polydec.FormSpace(box, 1, essential=True)
+    steps = int(np.ceil(0.4 / (0.9 * polydec.stable_step(space.inside, 1))))
 
     # initially a vertical field in the middle of the box; light has speed 1
     def pulse(p: Floats) -> Floats:
         strength = np.exp(-((p - 0.5) ** 2).sum(axis=1) / 0.01)
         return np.outer(strength, [0, 0, 1])
 
-    E = inside.restrict(1, polydec.de_rham(box, 1, pulse))
-    light = polydec.Waves(inside, E, degree=1, time_step=0.4 / steps)
+    E = space.restrict(polydec.de_rham(box, 1, pulse))
+    light = polydec.Waves(space.inside, E, degree=1, time_step=0.4 / steps)
     begin, drift = light.energy, 0.0
     for _, E, _ in light.frames(light.time_step * np.arange(1, steps + 1)):
         drift = max(drift, abs(light.energy / begin - 1))
     print(f"{name}: {len(E)} edges, {steps} steps, energy "
           f"{'kept to rounding' if drift < 1e-12 else 'lost'}")
 
-    vertical = polydec.sharp_pd(box, inside.extend(1, E))[:, 2]
+    vertical = polydec.sharp_pd(box, space.extend(E))[:, 2]
     polydec.view(box, {"E_z": vertical}, degree=3,
                  title="A pulse at time 0.4: E upwards").save(f"{name}.html")
 

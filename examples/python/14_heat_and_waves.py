@@ -11,8 +11,9 @@ Floats = npt.NDArray[np.float64]
 
 def run(n: int, cells: int) -> None:
     box = polydec.discretize(polydec.meshes.kuhn([cells] * n))
-    inside = box.conditioned()
-    start = inside.restrict(0, np.prod(np.sin(np.pi * box.points), axis=1))
+    space = polydec.FormSpace(box, essential=True)
+    inside = space.inside
+    start = space.restrict(np.prod(np.sin(np.pi * box.points), axis=1))
 
     def amplitude(u: Floats) -> float:
         return inside.inner_product(start, u, 0) / inside.inner_product(start, start, 0)

@@ -154,16 +154,23 @@ BoundaryConditions conditions_of(const std::vector<bool>& essential, const Numbe
     return conditions;
 }
 
-/// The cells on which forms obey conditions, and their numbers in the whole.
-py::tuple conditioned_cells(const Cells& of, const std::string& side, int degree,
-                            const GivenConditions& conditions) {
-    const FormSpace space = space_of(of, side, degree, conditions);
-    space.refuse_robin("a selection of cells");
-    const Cells inside = unlocked([&] { return space.inside(); });
-    py::list cells;
-    for (const auto& numbers : space.relative().cells)
-        cells.append(array(std::vector<Index>(numbers)));
-    return py::make_tuple(inside, cells);
+void add_spaces(py::module_& module) {
+    py::class_<FormSpace>(module, "FormSpace")
+        .def(py::init(&space_of))
+        .def("cells",
+             [](const FormSpace& space) {
+                 py::list cells;
+                 for (const auto& numbers : space.relative().cells)
+                     cells.append(array(std::vector<Index>(numbers)));
+                 return cells;
+             })
+        .def("inside",
+             [](const FormSpace& space) { return unlocked([&] { return space.inside(); }); })
+        .def("stiffness",
+             [](const FormSpace& space) {
+                 return matrix([&] { return space.stiffness().matrix(); });
+             })
+        .def("in_words", &FormSpace::in_words);
 }
 
 } // namespace
@@ -193,11 +200,11 @@ void add_calculus(py::module_& module) {
                  return array(std::vector<Index>(counts.begin(), counts.end()));
              })
         .def("betti_numbers",
-             [](const Cells& of) { return unlocked([&] { return betti_numbers(of.complex()); }); })
-        .def("conditioned", &conditioned_cells);
+             [](const Cells& of) { return unlocked([&] { return betti_numbers(of.complex()); }); });
     add_matrices(calculus);
     add_stars(calculus);
     add_forms(calculus);
+    add_spaces(module);
 }
 
 } // namespace polydec::python

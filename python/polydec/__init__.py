@@ -16,7 +16,7 @@ import os as _os
 
 from . import _core, meshes
 from ._core import __version__
-from ._cells import Cells, ConditionedCells
+from ._cells import Cells
 from ._cochain import Cochain
 from ._complex import Complex, Merging, discretize
 from ._distance import (GeodesicDistance, ParallelTransport, ShortestPath, SurfacePaths,
@@ -42,15 +42,16 @@ from ._shape import (CountBelow, PoissonError, ShapeSpectrum, count_below, goal_
                      shape_spectrum)
 from ._sources import (CurlCurlSolution, PoissonSolution, PoissonSolver, StokesFlow, StokesSolver,
                        outward_flow, poisson)
+from ._space import FormSpace
 from ._spectra import Certificate, Eigenpairs, Spectrum, smallest_eigenpairs, spectrum
 from ._view import Page, Series, view, write_vtu
 from ._waves import AbsorbingLayer, Waves, stable_step, wave
 
 __all__ = [
     "__version__", "meshes", "AbsorbingLayer", "Backend", "BackendUnavailable", "CellList",
-    "Cells", "Certificate", "Cochain", "Complex", "ConditionedCells", "CountBelow",
+    "Cells", "Certificate", "Cochain", "Complex", "CountBelow",
     "CurlCurlSolution", "Eigenpairs", "Error", "Evolution",
-    "Flow", "FluxTransport", "GeodesicDistance",
+    "Flow", "FluxTransport", "FormSpace", "GeodesicDistance",
     "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
     "IoError", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page",
     "ParallelTransport", "PeriodicMesh", "PoissonError", "PoissonSolution",

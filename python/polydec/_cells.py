@@ -9,7 +9,7 @@ import numpy.typing as npt
 import scipy.sparse.linalg
 
 from . import _core
-from ._arrays import Floats, Integers, floats, marks, matrix_parts
+from ._arrays import Floats, Integers, floats, matrix_parts
 from ._errors import InvalidInput
 
 if TYPE_CHECKING:
@@ -221,31 +221,6 @@ class Cells:
         """The same cells with a symmetric positive definite sparse matrix as the star of k-forms."""
         return Cells(self._cells.with_star(k, matrix_parts(star, f"the star of degree {k}")))
 
-    def conditioned(self, essential: Any = True, *, degree: int = 0,
-                    side: str = "primal") -> ConditionedCells:
-        """The cells on which forms obey homogeneous conditions on the boundary.
-
-        Parameters
-        ----------
-        essential : bool or array of bool, shape (size(n-1),)
-            Facets where the form is 0 (Dirichlet's condition for 0-forms). On the other facets the
-            flux through the boundary is 0 (Neumann's condition).
-        degree, side
-            Degree and side of the forms.
-
-        Examples
-        --------
-        >>> import polydec
-        >>> square = polydec.discretize(polydec.meshes.well_centered(8))
-        >>> inside = square.conditioned()
-        >>> inside.shape[0] == square.shape[0] - square.boundary_facets().sum()
-        True
-        """
-        marked = marks(essential, np.zeros((0, 0)), self.size(self.dim - 1))
-        conditions = _core.Conditions(marked, np.zeros(0), [])
-        inside, numbers = self._cells.conditioned(side, degree, conditions)
-        return ConditionedCells(inside, numbers, self.shape)
-
     def _inverts(self, side: str, k: int, laplacian: bool) -> bool:
         """Whether the operator is dense because it contains the inverse of a star matrix."""
         if side not in ("primal", "dual"):
@@ -262,33 +237,6 @@ class Cells:
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(map(str, self.shape))} cells)"
-
-
-class ConditionedCells(Cells):
-    """The cells on which forms obey conditions on the boundary; see `Cells.conditioned`.
-
-    Attributes
-    ----------
-    cells : list of numpy.ndarray
-        For each degree, the numbers of these cells among all cells.
-    """
-
-    def __init__(self, inside: _core.Cells, cells: list[Integers],
-                 whole: tuple[int, ...]) -> None:
-        super().__init__(inside)
-        self.cells = cells
-        self._whole = whole
-
-    def restrict(self, k: int, values: npt.ArrayLike) -> Floats:
-        """Restricts values on all k-cells to these k-cells."""
-        return np.asarray(values, dtype=np.float64)[self.cells[k]]
-
-    def extend(self, k: int, values: npt.ArrayLike) -> Floats:
-        """Extends values to all k-cells, by 0 on the cells left out."""
-        array = np.asarray(values, dtype=np.float64)
-        result = np.zeros((self._whole[k],) + array.shape[1:])
-        result[self.cells[k]] = array
-        return result
 
 
 class Degree:

@@ -51,7 +51,7 @@ class Waves(Run):
     """Waves of k-forms on either side: E, a k-form at time t, and B, a (k+1)-form at t - dt / 2.
 
     A step is ``B -= dt d E``, ``E += dt delta B``: Maxwell's equations for k = 1 in space, the
-    scalar wave equation for k = 0. On ``complex.conditioned(degree=k)`` E vanishes on the
+    scalar wave equation for k = 0. On ``FormSpace(complex, k, essential=True).inside`` E vanishes on the
     boundary; otherwise primal forms have no outflow.
 
     Parameters

@@ -248,12 +248,13 @@ def test_waves_of_either_side_keep_their_energy(name, k, side):
 
 def test_essential_waves_are_those_of_conditioned_cells():
     box = complex_of("kuhn")
-    inside = box.conditioned(degree=1)
+    space = polydec.FormSpace(box, 1, essential=True)
+    inside = space.inside
     assert polydec.stable_step(box, 1, essential=True) == polydec.stable_step(inside, 1)
-    E = inside.restrict(1, np.cos(np.arange(box.size(1))))
+    E = space.restrict(np.cos(np.arange(box.size(1))))
     within, _ = polydec.wave(inside, E, 1.0, degree=1)
-    whole, _ = polydec.wave(box, inside.extend(1, E), 1.0, degree=1, essential=True)
-    assert np.array_equal(inside.extend(1, within), whole)
+    whole, _ = polydec.wave(box, space.extend(E), 1.0, degree=1, essential=True)
+    assert np.array_equal(space.extend(within), whole)
 
 
 def test_sources_and_losses(square):
@@ -286,7 +287,7 @@ def test_absorbing_layers():
         pass
     assert np.array_equal(waves.forms[0], again.forms[0])
     with pytest.raises(polydec.InvalidInput, match=said("layer", "mesh")):
-        inside = line.conditioned()
+        inside = polydec.FormSpace(line, essential=True).inside
         polydec.Waves(inside, np.zeros(inside.size(0)), layer=2.0)
 
 

@@ -186,17 +186,24 @@ def test_own_cells():
 
 
 def test_conditions_leave_cells_out(square):
-    inside = square.conditioned(degree=0)
-    assert [len(cells) for cells in inside.cells] == list(inside.shape)
+    space = polydec.FormSpace(square, essential=True)
+    assert [len(cells) for cells in space.cells] == list(space.inside.shape)
     on_boundary = square.boundary_facets()
     vertices = np.unique(square.incidence(0)[on_boundary].indices)
     kept = np.setdiff1d(np.arange(square.size(0)), vertices)
-    assert np.array_equal(inside.cells[0], kept)
-    assert near(inside.stiffness(0), square.stiffness(0)[kept][:, kept], 1e-15)
+    assert np.array_equal(space.free, kept)
+    assert near(space.stiffness(), square.stiffness(0)[kept][:, kept], 1e-15)
     values = np.arange(len(kept), dtype=float)
-    assert np.array_equal(inside.restrict(0, inside.extend(0, values)), values)
-    half = square.conditioned(on_boundary & (square.centers(1)[:, 0] < 0.5))
-    assert inside.size(0) < half.size(0) < square.size(0)
+    assert np.array_equal(space.restrict(space.extend(values)), values)
+    half = polydec.FormSpace(square, essential=on_boundary & (square.centers(1)[:, 0] < 0.5))
+    assert len(space.free) < len(half.free) < square.size(0)
+    cooled = polydec.FormSpace(square, robin=2.0)
+    assert len(cooled.free) == square.size(0)
+    around = (cooled.stiffness() - square.stiffness(0)).sum()
+    assert np.isclose(around, 2.0 * square.volumes(1)[on_boundary].sum())
+    assert "essential" in repr(space) or "Dirichlet" in repr(space)
+    with pytest.raises(polydec.InvalidInput, match=said("degree", "7")):
+        polydec.FormSpace(square, 7)
 
 
 def test_degrees_that_there_are_not(square):

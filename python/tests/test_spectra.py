@@ -48,9 +48,9 @@ def test_conditions(square):
     assert abs(natural.eigenvalues[0]) < 1e-10
     essential = polydec.spectrum(square, count=5, essential=True)
     assert np.allclose(essential.eigenvalues[0], 2 * np.pi ** 2, rtol=0.1)
-    inside = square.conditioned()
-    assert np.allclose(polydec.spectrum(inside, count=5).eigenvalues, essential.eigenvalues)
-    on_boundary = np.setdiff1d(np.arange(square.size(0)), inside.cells[0])
+    space = polydec.FormSpace(square, essential=True)
+    assert np.allclose(polydec.spectrum(space.inside, count=5).eigenvalues, essential.eigenvalues)
+    on_boundary = np.setdiff1d(np.arange(square.size(0)), space.free)
     assert abs(essential.modes[on_boundary]).max() == 0
     left = polydec.spectrum(square, count=3, essential=lambda x: x[:, 0] < 1e-9)
     assert np.allclose(left.eigenvalues[0], np.pi ** 2 / 4, rtol=0.1)
@@ -59,8 +59,8 @@ def test_conditions(square):
 def test_coexact_spectrum():
     box = complex_of("kuhn")
     curl = polydec.spectrum(box, degree=1, count=5, coexact=True, essential=True)
-    d, star = box.conditioned(degree=1).d(1), box.conditioned(degree=1).star(2)
-    kept = box.conditioned(degree=1).cells[1]
+    space = polydec.FormSpace(box, 1, essential=True)
+    d, star, kept = space.inside.d(1), space.inside.star(2), space.free
     for value, mode in zip(curl.eigenvalues, curl.modes[kept].T):
         curl_curl = d.T @ (star * (d @ mode))
         assert np.allclose(curl_curl, value * box.star(1)[kept] * mode, atol=1e-8)

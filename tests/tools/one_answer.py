@@ -121,8 +121,8 @@ def heat(mesh, side):
 def hodge(mesh, side):
     def python(mesh):
         form = polydec.de_rham(mesh, 1, swirl, side=side)
-        space = mesh.conditioned(side == "dual", degree=1, side=side)
-        form = space.restrict(1 if side == "primal" else mesh.dim - 1, form)
+        space = polydec.FormSpace(mesh, 1, side=side, essential=side == "dual")
+        form, space = space.restrict(form), space.inside
         parts = polydec.hodge_decomposition(space, form, degree=1, side=side)
         norms = {name: space.norm(getattr(parts, name))
                  for name in ("exact", "coexact", "harmonic")}

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: MIT
+"""Flaws of backends/; see mutate.py."""
+
+MUTANTS = {
+    "groups_as_if_orthogonal": ("backends/spectra/found_pairs.cpp",
+                                "                others_[i] += share;\n                others_[j] += share;\n", "",
+                                "KeptSpectra.are_right_whatever_they_are_begun_with"),
+    "zeros_searched": ("backends/spectra/found_pairs.cpp", "    pairs.take(Y, pencil.enclose(Y));", "",
+                       "SpectraOfManyPieces.have_a_zero_for_each_and_for_each_hole"),
+    "midpoint_out_of_the_middle": ("backends/integrators/additive_table.cpp",
+                                   "one_stage(2, 0.5)", "one_stage(2, 0.45)",
+                                   "Robin.lets_heat_fade_as_its_closed_form"),
+    "plan_forgotten_between_frames": ("backends/integrators/runge_kutta.cpp",
+                                      "if (until != end_ || !is_fixed())", "if (true)",
+                                      "slepc.shift_and_invert_goes_through_engines_of_all_kinds"),
+    "last_stage_is_no_end": ("backends/integrators/runge_kutta.cpp",
+                             "Vector next = is_end ? stage_ : state()",
+                             "Vector next = state()"),
+    "inertia_hidden": ("backends/spectra/inertia.cpp", "return *negative - matrices_.hidden;",
+                       "return *negative - matrices_.hidden + 1;",
+                       "PeriodicBox.has_the_eigenvalues_of_plane_waves"),
+}
