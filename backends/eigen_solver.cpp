@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "backends/eigen_solver.h"
 
-#include "base/memory.h"
 #include "base/random.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 
 #include "backends/builtin_engines.h"
 #include "backends/engine_folder.h"
-#include "base/child_process.h"
 #include "base/errors.h"
+#include "system/child_process.h"
 
 #include <fmt/format.h>
 

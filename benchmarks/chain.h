@@ -3,7 +3,7 @@
 
 #include "benchmarks/bytes.h"
 #include "benchmarks/measure.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 
 #include <functional>
 #include <memory>

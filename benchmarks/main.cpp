@@ -7,11 +7,11 @@
 #include "backends/blas.h"
 #include "backends/registry.h"
 #include "base/errors.h"
-#include "base/memory.h"
 #include "benchmarks/bandwidth.h"
 #include "benchmarks/memory.h"
 #include "benchmarks/rows.h"
 #include "benchmarks/threads.h"
+#include "system/memory.h"
 
 #include <algorithm>
 #include <cstdio>

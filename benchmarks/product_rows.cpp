@@ -4,8 +4,8 @@
 #include "dec/forms/cochain.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
 #include "dec/metric/circumcentric_volumes.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 

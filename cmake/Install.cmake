@@ -2,7 +2,7 @@
 # What `cmake --install` puts where, and the package that find_package(polydec) finds there.
 include(CMakePackageConfigHelpers)
 
-# The include directory that is exported is include/polydec itself, so that #include "dec/forms/star.h"
+# The include directory that is exported is include/polydec itself, so that #include "dec/stars/star.h"
 # and <polydec.h> read the same before and after installing.
 set(polydec_include_dir ${CMAKE_INSTALL_INCLUDEDIR}/polydec)
 set(polydec_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/polydec)

@@ -3,10 +3,10 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "base/memory.h"
 #include "complex/disjoint_sets.h"
 #include "complex/faces.h"
 #include "complex/size_estimate.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/forms/star_kind.h"
 #include "dec/merging/merge.h"
 #include "dec/metric/centers.h"
+#include "dec/stars/star_kind.h"
 
 namespace polydec {
 

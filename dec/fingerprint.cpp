@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fingerprint.h"
 
+#include "dec/boundary/form_space.h"
 #include "dec/discretization.h"
-#include "dec/form_space.h"
 
 #include <bit>
 

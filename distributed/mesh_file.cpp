@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/mesh_file.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "base/printable.h"
-#include "base/regular_file.h"
 #include "dec/merging/flat_simplices.h"
 #include "distributed/read_parts.h"
 #include "distributed/shared_folder.h"
@@ -12,6 +10,8 @@
 #include "io/meshes/read_mesh.h"
 #include "io/source_file.h"
 #include "meshes/tidy.h"
+#include "system/atomic_file.h"
+#include "system/regular_file.h"
 
 #include <fmt/format.h>
 

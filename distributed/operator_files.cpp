@@ -3,7 +3,7 @@
 
 #include "backends/linear/petsc_session.h"
 #include "base/errors.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "distributed/petsc_calls.h"
 #include "distributed/shared_folder.h"
 #include "meshes/unit_of_length.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "distributed/petsc_calls.h"
 
 namespace polydec {

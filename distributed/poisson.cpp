@@ -3,11 +3,11 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/forms/star.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/rounding.h"
+#include "dec/stars/star.h"
 #include "distributed/petsc_calls.h"
 #include "distributed/piece_rows.h"
 

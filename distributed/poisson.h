@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/forms/boundary_conditions.h"
+#include "dec/boundary/boundary_conditions.h"
 #include "distributed/discretize.h"
 #include "distributed/shared_solver.h"
 

@@ -3,8 +3,8 @@
 
 #include "backends/linear/petsc_session.h"
 #include "base/errors.h"
-#include "base/memory.h"
 #include "distributed/communicator.h"
+#include "system/memory.h"
 
 #include <algorithm>
 #include <chrono>

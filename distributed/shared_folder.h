@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/atomic_folder.h"
 #include "distributed/ranks.h"
+#include "system/atomic_folder.h"
 
 #include <memory>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "distributed/petsc_calls.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "distributed/ksp.h"
 #include "distributed/petsc_calls.h"
 #include "distributed/shared_lanczos.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "io/checkpoint.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "base/printable.h"
 #include "dec/fingerprint.h"
 #include "io/byte_reader.h"
 #include "io/source_file.h"
+#include "system/atomic_file.h"
 
 #include <fmt/format.h>
 

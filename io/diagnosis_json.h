@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/diagnosis.h"
+#include "dec/diagnosis/diagnosis.h"
 #include "io/json_writer.h"
 
 #include <array>

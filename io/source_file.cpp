@@ -2,8 +2,8 @@
 #include "io/source_file.h"
 
 #include "base/errors.h"
-#include "base/memory.h"
-#include "base/regular_file.h"
+#include "system/memory.h"
+#include "system/regular_file.h"
 
 #include <fmt/format.h>
 

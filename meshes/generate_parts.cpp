@@ -2,7 +2,7 @@
 #include "meshes/generate_parts.h"
 
 #include "base/errors.h"
-#include "base/memory.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 

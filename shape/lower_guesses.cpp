@@ -4,7 +4,7 @@
 #include "backends/registry.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
-#include "base/memory.h"
+#include "system/memory.h"
 
 #include <algorithm>
 #include <cmath>

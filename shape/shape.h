@@ -2,9 +2,9 @@
 #pragma once
 
 #include "complex/pieces.h"
+#include "dec/boundary/boundary_conditions.h"
 #include "dec/cell_data.h"
 #include "dec/discretization.h"
-#include "dec/forms/boundary_conditions.h"
 
 namespace polydec {
 

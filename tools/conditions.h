@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dec/boundary/form_space.h"
 #include "dec/discretization.h"
-#include "dec/form_space.h"
 #include "tools/expression.h"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/atomic_file.h"
 #include "base/printable.h"
 #include "io/pictures/draw_structure.h"
+#include "system/atomic_file.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/messages.h"

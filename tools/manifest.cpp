@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tools/manifest.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
-#include "base/folder_names.h"
 #include "base/printable.h"
-#include "base/regular_file.h"
 #include "io/source_file.h"
+#include "system/atomic_file.h"
+#include "system/folder_names.h"
+#include "system/regular_file.h"
 #include "tools/outputs.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/memory.h"
+#include "system/memory.h"
 
 #include <filesystem>
 #include <string>

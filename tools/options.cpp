@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tools/options.h"
 
-#include "base/memory.h"
 #include "base/printable.h"
 #include "examples/paper/process.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tools/outputs.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "base/printable.h"
-#include "base/regular_file.h"
 #include "io/pictures/draw_cells.h"
 #include "io/source_file.h"
+#include "system/atomic_file.h"
+#include "system/regular_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

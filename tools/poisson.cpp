@@ -2,10 +2,10 @@
 #include "solvers/sources/poisson.h"
 
 #include "base/errors.h"
-#include "base/memory.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/material_stars.h"
+#include "dec/stars/material_stars.h"
 #include "meshes/unit_of_length.h"
+#include "system/memory.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/conditions.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/choose_stars.h"
+#include "dec/stars/choose_stars.h"
 #include "solvers/spectra/spectrum.h"
 #include "tools/answer.h"
 

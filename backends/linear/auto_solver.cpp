@@ -3,7 +3,7 @@
 
 #include "backends/builtin_engines.h"
 #include "backends/registry.h"
-#include "base/memory.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "backends/linear/checked_solver.h"
 
-#include "base/memory.h"
 #include "base/row_sum_norm.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 

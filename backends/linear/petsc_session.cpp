@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/linear/petsc_session.h"
 
-#include "base/memory.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 

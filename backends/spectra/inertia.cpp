@@ -2,8 +2,8 @@
 #include "backends/spectra/inertia.h"
 
 #include "backends/registry.h"
-#include "base/memory.h"
 #include "base/row_sum_norm.h"
+#include "system/memory.h"
 
 #include <algorithm>
 #include <cmath>

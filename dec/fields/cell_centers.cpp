@@ -2,7 +2,7 @@
 #include "dec/fields/cell_centers.h"
 
 #include "base/decompositions.h"
-#include "dec/developed_cells.h"
+#include "dec/fields/developed_cells.h"
 #include "dec/forms/cochain.h"
 #include "dec/glued_box.h"
 #include "dec/metric/cell_volumes.h"

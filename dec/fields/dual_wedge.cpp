@@ -4,13 +4,13 @@
 #include "base/decompositions.h"
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
-#include "dec/forms/star.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/permutation_sign.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/subsets.h"
+#include "dec/stars/star.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,12 +5,12 @@
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/input_units.h"
-#include "dec/forms/star.h"
 #include "dec/glued_box.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/inverse_star.h"
 #include "dec/metric/simplex_geometry.h"
+#include "dec/stars/star.h"
 #include "dec/surfaces/places.h"
 
 #include <fmt/format.h>

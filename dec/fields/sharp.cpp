@@ -7,10 +7,10 @@
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/input_units.h"
-#include "dec/forms/star.h"
 #include "dec/glued_box.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/simplex_geometry.h"
+#include "dec/stars/star.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,10 +2,10 @@
 #include "dec/fields/transfer.h"
 
 #include "base/errors.h"
-#include "dec/forms/star.h"
 #include "dec/glued_box.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/simplex_geometry.h"
+#include "dec/stars/star.h"
 #include "dec/surfaces/overlay.h"
 
 #include <fmt/format.h>

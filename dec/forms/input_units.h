@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "meshes/unit_of_length.h"
 
 #include <type_traits>

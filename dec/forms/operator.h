@@ -2,7 +2,7 @@
 #pragma once
 
 #include "complex/cell_complex.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 
 #include <memory>
 #include <variant>

@@ -3,11 +3,11 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
-#include "base/memory.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/whitney.h"
+#include "system/memory.h"
 
 #include <Eigen/SparseQR>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "examples/paper/process.h"
 
-#include "base/memory.h"
-#include "base/unfinished.h"
 #include "examples/paper/console.h"
+#include "system/memory.h"
+#include "system/unfinished.h"
 
 #include <fmt/format.h>
 

@@ -13,7 +13,7 @@ enum ExitCode {
 
 /// The main function of programs in this folder and in tools/. Returns the exit code of `work`, or
 /// of the error that `work` throws, and prints its text to standard error after the program's name.
-/// No unfinished file remains (base/unfinished.h) however the program ends: by a signal, by a
+/// No unfinished file remains (system/unfinished.h) however the program ends: by a signal, by a
 /// library that calls exit(), or by an error that cannot be passed on. A signal ends the program
 /// unless it was ignored before. A broken pipe is an ordinary error. Allocates no memory once
 /// memory is short.

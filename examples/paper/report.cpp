@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "examples/paper/report.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
+#include "system/atomic_file.h"
 
 #include <fmt/format.h>
 

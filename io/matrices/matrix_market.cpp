@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/matrices/matrix_market.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "io/number_text.h"
+#include "system/atomic_file.h"
 
 #include <fmt/format.h>
 

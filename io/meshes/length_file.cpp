@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/length_file.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "io/meshes/readers.h"
 #include "io/number_text.h"
 #include "io/scanner.h"
+#include "system/atomic_file.h"
 
 #include <fmt/format.h>
 

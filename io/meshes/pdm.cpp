@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/pdm.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "io/byte_reader.h"
 #include "io/meshes/readers.h"
 #include "io/meshes/write_mesh.h"
+#include "system/atomic_file.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/vtk_grid.h"
 
-#include "base/memory.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 #include "io/meshes/vtu_arrays.h"
 
 #include "base/errors.h"
-#include "base/memory.h"
 #include "io/base64.h"
 #include "io/inflate.h"
 #include "io/scanner.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 

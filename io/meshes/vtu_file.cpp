@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/vtu_file.h"
 
-#include "base/memory.h"
 #include "io/scanner.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/write_mesh.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "io/meshes/readers.h"
 #include "io/number_text.h"
 #include "io/source_file.h"
+#include "system/atomic_file.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/album.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "base/printable.h"
 #include "io/pages/page_template.h"
 #include "io/pages/page_text.h"
 #include "io/source_file.h"
 #include "io/xml_text.h"
+#include "system/atomic_file.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/page.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/sharp.h"
@@ -9,6 +8,7 @@
 #include "io/pages/page_header.h"
 #include "io/pages/page_template.h"
 #include "io/pages/page_text.h"
+#include "system/atomic_file.h"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/series.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "base/printable.h"
 #include "io/number_text.h"
 #include "io/pictures/draw_cells.h"
 #include "io/source_file.h"
 #include "io/xml_text.h"
+#include "system/atomic_file.h"
 
 #include <fmt/format.h>
 

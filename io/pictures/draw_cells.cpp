@@ -6,9 +6,9 @@
 #include "complex/corners.h"
 #include "dec/fields/sharp.h"
 #include "dec/fields/transfer.h"
-#include "dec/forms/star.h"
 #include "dec/glued_box.h"
 #include "dec/metric/simplex_metric.h"
+#include "dec/stars/star.h"
 #include "dec/surfaces/overlay.h"
 #include "io/pictures/vtu_solids.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/pictures/pvtu.h"
 
-#include "base/atomic_file.h"
 #include "io/xml_text.h"
+#include "system/atomic_file.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/pictures/vtu.h"
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "io/base64.h"
 #include "io/xml_text.h"
+#include "system/atomic_file.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/tetgen/run_tetgen.h"
 
-#include "base/child_process.h"
 #include "base/errors.h"
-#include "base/held_signals.h"
-#include "base/temporary_folder.h"
 #include "meshes/tetgen/tetgen_files.h"
+#include "system/child_process.h"
+#include "system/held_signals.h"
+#include "system/temporary_folder.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>

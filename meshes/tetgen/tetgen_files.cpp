@@ -2,7 +2,7 @@
 #include "meshes/tetgen/tetgen_files.h"
 
 #include "base/errors.h"
-#include "base/regular_file.h"
+#include "system/regular_file.h"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 #include "backends/registry.h"
 #include "base/checks.h"
 #include "base/errors.h"
-#include "base/memory.h"
 #include "base/parallel.h"
 #include "python/bindings/convert.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 

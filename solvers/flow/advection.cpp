@@ -4,13 +4,13 @@
 #include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
-#include "dec/developed_cells.h"
+#include "dec/boundary/two_sided.h"
+#include "dec/fields/developed_cells.h"
 #include "dec/forms/input_units.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/permutation_sign.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/subsets.h"
-#include "dec/two_sided.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "solvers/flow/flux_transport.h"
 
 #include "base/checks.h"
-#include "dec/two_sided.h"
+#include "dec/boundary/two_sided.h"
 #include "meshes/unit_of_length.h"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/form_space.h"
+#include "dec/boundary/form_space.h"
 #include "dec/forms/derivative.h"
-#include "dec/positive_mass.h"
+#include "dec/stars/positive_mass.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/flow/advection.h"
 

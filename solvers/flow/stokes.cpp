@@ -5,7 +5,7 @@
 #include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/forms/derivative.h"
-#include "dec/positive_mass.h"
+#include "dec/stars/positive_mass.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/flow/flow_spaces.h"
 #include "solvers/sources/saddle_solver.h"

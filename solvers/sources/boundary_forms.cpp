@@ -3,7 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/forms/boundary_conditions.h"
+#include "dec/boundary/boundary_conditions.h"
 #include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>

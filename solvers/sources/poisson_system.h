@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/form_space.h"
+#include "dec/boundary/form_space.h"
 #include "solvers/sources/boundary_forms.h"
 #include "solvers/sources/constrained_system.h"
 

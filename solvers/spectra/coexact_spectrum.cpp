@@ -6,7 +6,7 @@
 #include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/forms/derivative.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "solvers/spectra/laplacian_pencil.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "solvers/spectra/laplacian_pencil.h"
 
 #include "dec/forms/derivative.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,7 +3,7 @@
 
 #include "backends/spectra/pencil.h"
 #include "complex/cell_complex.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 
 namespace polydec {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backends/spectra/certified_eigensolver.h"
-#include "dec/form_space.h"
+#include "dec/boundary/form_space.h"
 
 namespace polydec {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/memory.h"
 #include "complex/surfaces/glued_surface.h"
+#include "system/memory.h"
 
 #include <memory>
 #include <span>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backends/linear_solver.h"
+#include "dec/boundary/form_space.h"
 #include "dec/fingerprint.h"
-#include "dec/form_space.h"
 #include "solvers/sources/boundary_forms.h"
 
 #include <memory>

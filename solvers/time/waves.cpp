@@ -5,10 +5,10 @@
 #include "backends/spectra/mass.h"
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/advice.h"
+#include "dec/diagnosis/advice.h"
 #include "dec/forms/operator.h"
-#include "dec/forms/star.h"
-#include "dec/positive_mass.h"
+#include "dec/stars/positive_mass.h"
+#include "dec/stars/star.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/spectra/laplacian_pencil.h"
 

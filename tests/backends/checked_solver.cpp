@@ -2,7 +2,7 @@
 #include "backends/linear/checked_solver.h"
 
 #include "base/decompositions.h"
-#include "base/memory.h"
+#include "system/memory.h"
 #include "tests/backends/matrices.h"
 #include "tests/support/says.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/atomic_file.h"
+#include "system/atomic_file.h"
 
 #include "tests/io/support.h"
 #include "tests/support/says.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/atomic_folder.h"
+#include "system/atomic_folder.h"
 
 #include "tests/io/support.h"
 #include "tests/support/says.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "base/child_process.h"
+#include "system/child_process.h"
 
 #include "base/errors.h"
-#include "base/held_signals.h"
-#include "base/temporary_folder.h"
+#include "system/held_signals.h"
+#include "system/temporary_folder.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "base/memory.h"
+#include "system/memory.h"
 
-#include "base/control_group.h"
 #include "base/errors.h"
+#include "system/control_group.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 

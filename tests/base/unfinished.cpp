@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/unfinished.h"
+#include "system/unfinished.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 #include "complex/size_estimate.h"
 
 #include "base/errors.h"
-#include "base/memory.h"
 #include "complex/simplicial_complex.h"
 #include "meshes/generate.h"
+#include "system/memory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/boundary_conditions.h"
+#include "dec/boundary/boundary_conditions.h"
 
+#include "dec/boundary/form_space.h"
 #include "dec/discretization.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/form_space.h"
 #include "dec/forms/derivative.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/circumcentric.h"

@@ -3,9 +3,9 @@
 
 #include "dec/discretization.h"
 #include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/dual_parts.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"

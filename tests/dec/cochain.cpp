@@ -3,8 +3,8 @@
 
 #include "dec/forms/derivative.h"
 #include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
 #include "dec/metric/dual_parts.h"
+#include "dec/stars/star.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"

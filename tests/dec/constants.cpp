@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/components.h"
 #include "dec/forms/derivative.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"

@@ -2,9 +2,9 @@
 #include "dec/fields/de_rham.h"
 
 #include "dec/forms/derivative.h"
-#include "dec/forms/star.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/subsets.h"
+#include "dec/stars/star.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"

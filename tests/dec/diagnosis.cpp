@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/diagnosis.h"
+#include "dec/diagnosis/diagnosis.h"
 
 #include "base/decompositions.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/branches.h"

@@ -2,8 +2,8 @@
 #include "dec/fields/dual_wedge.h"
 
 #include "dec/fields/de_rham.h"
-#include "dec/forms/star.h"
 #include "dec/merging/lift.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/dec/discretized.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/form_space.h"
+#include "dec/boundary/form_space.h"
 
 #include "dec/discretization.h"
 #include "dec/fingerprint.h"

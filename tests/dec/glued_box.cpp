@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/glued_box.h"
 
+#include "dec/boundary/boundary_conditions.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/fields/flat.h"
@@ -9,7 +10,6 @@
 #include "dec/fields/sharp.h"
 #include "dec/fields/transfer.h"
 #include "dec/fields/whitney_interpolation.h"
-#include "dec/forms/boundary_conditions.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "meshes/periodic.h"

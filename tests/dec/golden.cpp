@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 #include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "tests/support/golden_numbers.h"
 #include "tests/support/matrices.h"
 

@@ -2,8 +2,8 @@
 #include "complex/homology.h"
 #include "complex/relative.h"
 #include "dec/forms/derivative.h"
-#include "dec/forms/star.h"
 #include "dec/merging/lift.h"
+#include "dec/stars/star.h"
 #include "tests/support/golden_forms.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "base/decompositions.h"
 #include "complex/homology.h"
 #include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "tests/support/over_meshes.h"
 
 #include <gtest/gtest.h>

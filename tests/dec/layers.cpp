@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 #include "dec/discretization.h"
-#include "dec/forms/star.h"
 #include "dec/merging/facet_defects.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"
 #include "meshes/rearrange.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/length_mesh.h"
 
+#include "dec/diagnosis/well_defined.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/fields/dual_wedge.h"
@@ -11,7 +12,6 @@
 #include "dec/fields/whitney_interpolation.h"
 #include "dec/merging/facet_kinds.h"
 #include "dec/metric/circumsphere.h"
-#include "dec/well_defined.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"

@@ -2,8 +2,8 @@
 #include "dec/merging/lift.h"
 
 #include "base/decompositions.h"
-#include "base/memory.h"
 #include "dec/forms/derivative.h"
+#include "system/memory.h"
 #include "tests/dec/products.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"

@@ -2,8 +2,8 @@
 #include "dec/merging/merge.h"
 
 #include "complex/homology.h"
-#include "dec/forms/star.h"
 #include "dec/merging/facet_defects.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/hand_made.h"

@@ -3,7 +3,7 @@
 
 #include "dec/forms/derivative.h"
 #include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/glued.h"

@@ -3,7 +3,7 @@
 #include "complex/components.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 

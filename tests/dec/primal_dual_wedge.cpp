@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/wedge.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "tests/dec/products.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/diagnosis.h"
+#include "dec/boundary/form_space.h"
+#include "dec/diagnosis/diagnosis.h"
 #include "dec/discretization.h"
-#include "dec/form_space.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/glued.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 
 #include "base/errors.h"
 #include "dec/forms/cochain.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/components.h"
 #include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "tests/support/merged.h"
 

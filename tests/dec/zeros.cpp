@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "dec/discretization.h"
-#include "dec/forms/star.h"
 #include "dec/metric/circumsphere.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"
 #include "tests/support/hand_made.h"

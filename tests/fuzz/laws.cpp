@@ -2,9 +2,9 @@
 #include "tests/fuzz/laws.h"
 
 #include "complex/homology.h"
-#include "dec/diagnosis.h"
+#include "dec/diagnosis/diagnosis.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "solvers/sources/poisson.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/topology.h"

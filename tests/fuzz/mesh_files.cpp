@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/memory.h"
 #include "io/matrices/parse_matrix_market.h"
 #include "io/meshes/readers.h"
+#include "system/memory.h"
 #include "tests/fuzz/targets.h"
 
 #include <algorithm>

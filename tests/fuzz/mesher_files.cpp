@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/temporary_folder.h"
 #include "meshes/tetgen/tetgen_files.h"
+#include "system/temporary_folder.h"
 #include "tests/fuzz/targets.h"
 
 #include <filesystem>

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import sources
 
-CHAIN = ["base", "backends", "complex", "meshes", "dec", "shape", "solvers", "io", "distributed", "polydec.h", "python",
-         "examples", "tools"]
+CHAIN = ["base", "system", "backends", "complex", "meshes", "dec", "shape", "solvers", "io", "distributed",
+         "polydec.h", "python", "examples", "tools"]
 LAST = {"tests", "benchmarks"}
 WITHOUT_DIMENSION = {"complex", "dec"}
 UMBRELLA = "polydec.h"

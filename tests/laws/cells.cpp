@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "meshes/rearrange.h"
 #include "tests/laws/over_hostile_meshes.h"
 #include "tests/support/families.h"

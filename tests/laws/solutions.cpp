@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "solvers/sources/poisson.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/laws/over_hostile_meshes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 #include "dec/discretization.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
 #include "tests/support/says.h"

@@ -3,8 +3,8 @@
 
 #include "backends/registry.h"
 #include "base/errors.h"
-#include "base/temporary_folder.h"
 #include "meshes/tetrahedralize.h"
+#include "system/temporary_folder.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 

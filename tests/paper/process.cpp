@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "examples/paper/process.h"
 
-#include "base/held_signals.h"
+#include "system/held_signals.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 // circumcentric stars refuse on most of them.
 #include "base/errors.h"
 #include "complex/homology.h"
-#include "dec/well_defined.h"
+#include "dec/diagnosis/well_defined.h"
 #include "io/meshes/read_mesh.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/spectra/spectrum.h"

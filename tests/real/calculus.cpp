@@ -5,7 +5,7 @@
 // (worst_share): so the bound is one of rounding, wherever cells are thin and lifts are large.
 #include "dec/fields/interior_product.h"
 #include "dec/forms/derivative.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "solvers/sources/hodge.h"
 #include "tests/real/surfaces.h"
 #include "tests/support/refusal.h"

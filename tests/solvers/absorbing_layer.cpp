@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "dec/boundary/boundary_conditions.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/boundary_conditions.h"
 #include "meshes/generate.h"
 #include "solvers/time/waves.h"
 #include "tests/support/circumcentric.h"

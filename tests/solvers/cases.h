@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/forms/boundary_conditions.h"
-#include "dec/forms/star_kind.h"
+#include "dec/boundary/boundary_conditions.h"
+#include "dec/stars/star_kind.h"
 #include "tests/solvers/smooth_waves.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "dec/boundary/form_space.h"
+#include "dec/diagnosis/well_defined.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/form_space.h"
-#include "dec/forms/star.h"
-#include "dec/well_defined.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/sources/hodge.h"

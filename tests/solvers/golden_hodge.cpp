@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/boundary_conditions.h"
+#include "dec/boundary/boundary_conditions.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/support/golden_forms.h"

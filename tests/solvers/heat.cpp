@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/decompositions.h"
 #include "base/errors.h"
-#include "dec/form_space.h"
+#include "dec/boundary/form_space.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
+#include "dec/boundary/boundary_conditions.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/forms/boundary_conditions.h"
 #include "solvers/sources/hodge.h"
 #include "tests/solvers/flow_samples.h"
 #include "tests/support/circumcentric.h"

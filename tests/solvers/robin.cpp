@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "dec/boundary/form_space.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/form_space.h"
 #include "meshes/generate.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/sources/poisson.h"

@@ -4,7 +4,7 @@
 #include "backends/spectra/inertia.h"
 #include "backends/spectra/scaled_pencil.h"
 #include "complex/homology.h"
-#include "dec/form_space.h"
+#include "dec/boundary/form_space.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "solvers/spectra/coexact_spectrum.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/time/waves.h"
 
+#include "dec/boundary/boundary_conditions.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/boundary_conditions.h"
-#include "dec/material_stars.h"
+#include "dec/stars/material_stars.h"
 #include "meshes/generate.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"

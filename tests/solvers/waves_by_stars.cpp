@@ -2,8 +2,8 @@
 //
 // Waves by stars that are no diagonal.
 #include "base/decompositions.h"
+#include "dec/boundary/boundary_conditions.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/boundary_conditions.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "solvers/time/waves.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "complex/relative.h"
+#include "dec/boundary/boundary_conditions.h"
 #include "dec/discretization.h"
-#include "dec/forms/boundary_conditions.h"
 #include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/sources/hodge.h"

@@ -4,7 +4,7 @@
 #include "base/decompositions.h"
 #include "complex/cell_complex.h"
 #include "dec/forms/derivative.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 
 namespace polydec::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/golden_numbers.h"
 
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "tests/support/read_golden.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/printable.h"
-#include "dec/forms/star.h"
+#include "dec/stars/star.h"
 #include "distributed/connected.h"
 #include "distributed/piece_rows.h"
 #include "io/diagnosis_json.h"

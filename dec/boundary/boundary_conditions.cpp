@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "dec/boundary/boundary_conditions.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+void check_facets(const CellComplex& complex, const BoundaryConditions& conditions) {
+    const int n = complex.dimension();
+    if (!conditions.facets.empty() &&
+        static_cast<Index>(conditions.facets.size()) != complex.size(n - 1))
+        throw InvalidInput(fmt::format("{} boundary conditions are given: expected one for each of "
+                                       "the {} {}-cells, or one for all",
+                                       conditions.facets.size(), complex.size(n - 1), n - 1));
+}
+
+/// For a form of this degree; `where` is "the boundary" or a number of its facets.
+std::string in_words(BoundaryCondition condition, int degree, int n, const BoundaryData& data,
+                     const std::string& where) {
+    if (condition == BoundaryCondition::robin)
+        return fmt::format("{} times a coefficient plus flow {} on {} ({})",
+                           degree > 0 && degree < n ? "tangential part" : "values",
+                           data.flow ? "given" : "0", where,
+                           degree > 0 && degree < n ? "impedance" : "Robin");
+    const bool essential = condition == BoundaryCondition::essential;
+    if (degree > 0 && degree < n)
+        return fmt::format("{} part {} on {}", essential ? "tangential" : "normal",
+                           (essential ? data.values : data.flow) ? "given" : "0", where);
+    // the star maps an n-form to its density, a 0-form
+    if (essential == (degree == 0))
+        return fmt::format("values {} on {} (Dirichlet)", data.values ? "given" : "0", where);
+    return fmt::format("{} through {} (Neumann)", data.flow ? "flow given" : "no flow", where);
+}
+
+} // namespace
+
+BoundaryConditions built_in_conditions(Side side) {
+    return {side == Side::primal ? BoundaryCondition::natural : BoundaryCondition::essential};
+}
+
+BoundaryConditions exchanged(BoundaryConditions conditions) {
+    const auto other = [](BoundaryCondition condition) {
+        return condition == BoundaryCondition::essential ? BoundaryCondition::natural
+               : condition == BoundaryCondition::natural ? BoundaryCondition::essential
+                                                         : condition;
+    };
+    conditions.everywhere = other(conditions.everywhere);
+    std::transform(conditions.facets.begin(), conditions.facets.end(), conditions.facets.begin(),
+                   other);
+    return conditions;
+}
+
+Vector robin_coefficients(const CellComplex& complex, const BoundaryConditions& conditions) {
+    check_facets(complex, conditions);
+    const int n = complex.dimension();
+    const std::vector<double>& given = conditions.coefficients;
+    Vector result = Vector::Zero(complex.size(n - 1));
+    for (const auto& [f, cell, outward] : boundary_facets(complex)) {
+        if (conditions.at(f) != BoundaryCondition::robin)
+            continue;
+        if (given.size() != 1 && std::ssize(given) != result.size())
+            throw InvalidInput(fmt::format("{} coefficients of Robin's condition are given: "
+                                           "expected one for all facets, or one for each of the "
+                                           "{} {}-cells",
+                                           given.size(), result.size(), n - 1));
+        result[f] = given.size() == 1 ? given[0] : given[f];
+        if (!(result[f] > 0) || !std::isfinite(result[f]))
+            throw InvalidInput(fmt::format("the coefficient of Robin's condition at {}-cell {} is "
+                                           "{}: expected a positive number; 0 is the natural "
+                                           "condition",
+                                           n - 1, f, result[f]),
+                               {.degree = n - 1, .cells = {f}});
+    }
+    return result;
+}
+
+void refuse_robin(const CellComplex& complex, const BoundaryConditions& conditions,
+                  const char* what) {
+    check_facets(complex, conditions);
+    const int n = complex.dimension();
+    for (const auto& [f, cell, outward] : boundary_facets(complex))
+        if (conditions.at(f) == BoundaryCondition::robin)
+            throw InvalidInput(fmt::format("facet {} has Robin's condition, which {} cannot have: "
+                                           "PoissonSolver, Diffusion and spectrum can",
+                                           f, what),
+                               {.degree = n - 1, .cells = {f}});
+}
+
+std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
+                     const BoundaryData& data) {
+    check_facets(complex, conditions);
+    const int n = complex.dimension();
+    std::int64_t facets = 0, essential = 0, robin = 0;
+    const auto& marks = conditions.fixed_vertices;
+    const auto fixed = std::count(marks.begin(), marks.end(), true);
+    for (const BoundaryFacet& on : boundary_facets(complex)) {
+        ++facets;
+        essential += conditions.at(on.facet) == BoundaryCondition::essential ? 1 : 0;
+        robin += conditions.at(on.facet) == BoundaryCondition::robin ? 1 : 0;
+    }
+    return in_words(facets, essential, degree, n, data, robin) +
+           (fixed == 0 ? ""
+                       : fmt::format(", values {} at {} vert{}", data.values ? "given" : "0", fixed,
+                                     fixed == 1 ? "ex" : "ices"));
+}
+
+std::string in_words(std::int64_t facets, std::int64_t essential, int degree, int n,
+                     const BoundaryData& data, std::int64_t robin) {
+    if (facets == 0)
+        return "no boundary";
+    const auto words = [&](BoundaryCondition condition, std::int64_t count) {
+        return in_words(condition, degree, n, data,
+                        count == facets ? "the boundary"
+                                        : fmt::format("{} of {} boundary facets", count, facets));
+    };
+    std::string result;
+    const auto add = [&](BoundaryCondition condition, std::int64_t count) {
+        if (count > 0)
+            result += (result.empty() ? "" : ", ") + words(condition, count);
+    };
+    add(BoundaryCondition::essential, essential);
+    add(BoundaryCondition::natural, facets - essential - robin);
+    add(BoundaryCondition::robin, robin);
+    return result;
+}
+
+void require_essential(const CellComplex& complex, const BoundaryConditions& conditions,
+                       const std::string& what) {
+    const auto boundary = boundary_facets(complex);
+    const auto& fixed = conditions.fixed_vertices;
+    bool any = boundary.empty() || std::find(fixed.begin(), fixed.end(), true) != fixed.end();
+    for (const BoundaryFacet& on : boundary)
+        any = any || conditions.at(on.facet) == BoundaryCondition::essential;
+    if (!any)
+        throw InvalidInput(fmt::format("{} gives values on none of the {} facets of the boundary: "
+                                       "expected some; no condition there is the natural one, and "
+                                       "values inside are those of fixed vertices",
+                                       what, boundary.size()));
+}
+
+BoundaryConditions BoundaryConditions::essential(const std::vector<bool>& marks) const {
+    BoundaryConditions result = *this;
+    result.facets.resize(marks.size(), everywhere);
+    for (std::size_t f = 0; f < marks.size(); ++f)
+        if (marks[f])
+            result.facets[f] = BoundaryCondition::essential;
+    return result;
+}
+
+BoundaryConditions BoundaryConditions::robin(const std::vector<bool>& marks,
+                                             double coefficient) const {
+    BoundaryConditions result = essential(marks);
+    const double others = coefficients.size() == 1 ? coefficients[0] : 0;
+    if (coefficients.size() <= 1)
+        result.coefficients.assign(marks.size(), others);
+    for (std::size_t f = 0; f < std::min(marks.size(), result.coefficients.size()); ++f)
+        if (marks[f]) {
+            result.facets[f] = BoundaryCondition::robin;
+            result.coefficients[f] = coefficient;
+        }
+    return result;
+}
+
+BoundaryConditions essential_where(const Points& sites,
+                                   const std::function<bool(const Vector& site)>& predicate) {
+    std::vector<bool> marks;
+    for (Index f = 0; f < sites.rows(); ++f)
+        marks.push_back(predicate(sites.row(f).transpose()));
+    return BoundaryConditions(BoundaryCondition::natural).essential(marks);
+}
+
+BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coefficient) {
+    const auto replace = [](BoundaryCondition& condition) {
+        if (condition == BoundaryCondition::natural)
+            condition = BoundaryCondition::robin;
+    };
+    replace(conditions.everywhere);
+    std::for_each(conditions.facets.begin(), conditions.facets.end(), replace);
+    conditions.coefficients = {coefficient};
+    return conditions;
+}
+
+CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions) {
+    check_facets(complex, conditions);
+    if (!conditions.fixed_vertices.empty())
+        throw InvalidInput("values are given at vertices, which primal 0-forms alone can have: "
+                           "give those of other forms on facets of the boundary");
+    const int n = complex.dimension();
+    CellMarks marks;
+    for (int k = 0; k <= n; ++k)
+        marks.emplace_back(complex.size(k), false);
+    for (const BoundaryFacet& on : boundary_facets(complex))
+        marks[n - 1][on.facet] = conditions.at(on.facet) == BoundaryCondition::essential;
+    mark_faces(complex, marks);
+    return marks;
+}
+
+CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions,
+                          Side side, int degree) {
+    if (side == Side::dual)
+        return essential_cells(complex, exchanged(conditions));
+    auto on_facets = conditions;
+    if (degree == 0)
+        on_facets.fixed_vertices = {};
+    auto marks = essential_cells(complex, on_facets);
+    if (degree > 0 || conditions.fixed_vertices.empty())
+        return marks;
+    check_as_many("marks of fixed vertices", std::ssize(conditions.fixed_vertices),
+                  complex.size(0));
+    for (Index v = 0; v < complex.size(0); ++v)
+        marks[0][v] = marks[0][v] || conditions.fixed_vertices[v];
+    return marks;
+}
+
+CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes& volumes) {
+    bool whole = true;
+    for (int k = 0; k <= relative.complex.dimension(); ++k)
+        whole = whole && relative.complex.size(k) == relative.whole_sizes[k];
+    if (whole) {
+        check_fit(relative.complex, volumes);
+        return volumes;
+    }
+    std::vector<Vector> primal, dual, terms, rounding;
+    auto numbers = relative.cells;
+    for (int k = 0; k <= relative.complex.dimension(); ++k) {
+        primal.push_back(relative.restrict(k, volumes.primal(k)));
+        dual.push_back(relative.restrict(k, volumes.dual(k)));
+        terms.push_back(relative.restrict(k, volumes.terms(k).vector()));
+        rounding.push_back(relative.restrict(k, volumes.rounding(k).vector()));
+        for (Index& cell : numbers[k])
+            cell = volumes.number(k, cell);
+    }
+    return CellVolumes(std::move(primal), std::move(dual), std::move(terms), std::move(rounding))
+        .numbered(std::move(numbers));
+}
+
+HodgeStars relative_stars(const RelativeComplex& relative, const HodgeStars& stars) {
+    HodgeStars result = relative_volumes(relative, stars.volumes());
+    for (int k = 0; k <= stars.dimension(); ++k) {
+        if (stars[k].is_diagonal())
+            continue;
+        const SparseMatrix kept = inclusion(relative.cells[k], relative.whole_sizes[k]);
+        result = result.with(k, SparseMatrix(kept.transpose()) * stars[k].matrix() * kept);
+    }
+    return result;
+}
+
+SparseMatrix dual_boundary_derivative(const CellComplex& complex, int j) {
+    const int n = complex.dimension(), k = n - j - 1;
+    check_number("boundary data of dual forms of degree", j, 0, n);
+    const auto marks = boundary_cells(complex);
+    const IncidenceMatrix cofaces = complex.boundary(n);
+    SparseMatrix B(complex.size(k), complex.size(k));
+    if (B.rows() == 0)
+        return B; // Eigen could not compress it
+    B.reserve(Eigen::VectorXi::Ones(complex.size(k)));
+    for (Index s = 0; s < complex.size(k); ++s) {
+        if (!marks[k][s])
+            continue;
+        // within the boundary, the dual of a facet is a point without orientation
+        const double facet_sign =
+            k == n - 1 ? IncidenceMatrix::InnerIterator(cofaces, s).value() : 1;
+        B.insert(s, s) = (k % 2 == 0 ? 1 : -1) * facet_sign;
+    }
+    B.makeCompressed();
+    return B;
+}
+
+} // namespace polydec

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/developed_cells.h"
+
+#include "base/decompositions.h"
+#include "dec/metric/simplex_geometry.h"
+
+namespace polydec {
+
+namespace {
+
+/// Rows of coordinates in the plane of the simplex, relative to its first corner.
+DenseMatrix in_own_plane(const Corners& corners) {
+    const auto n = static_cast<Index>(corners.vertices.size()) - 1;
+    DenseMatrix edges(n, corners.points.cols());
+    for (Index i = 0; i < n; ++i)
+        edges.row(i) =
+            corners.points.row(corners.vertices[i + 1]) - corners.points.row(corners.vertices[0]);
+    DenseMatrix result = DenseMatrix::Zero(n + 1, n);
+    result.bottomRows(n) = triangular_factor(edges.transpose()).transpose();
+    return result;
+}
+
+DenseMatrix without_row(const DenseMatrix& rows, int omitted) {
+    DenseMatrix result(rows.rows() - 1, rows.cols());
+    result << rows.topRows(omitted), rows.bottomRows(rows.rows() - 1 - omitted);
+    return result;
+}
+
+/// The edges of a facet from its first corner, and the unit normal that points to a place beside
+/// the facet; 0 for a place on it.
+DenseMatrix basis_at(const DenseMatrix& facet, const Eigen::RowVectorXd& beside) {
+    const auto n = facet.rows();
+    DenseMatrix basis(n, facet.cols());
+    for (Index i = 1; i < n; ++i)
+        basis.row(i - 1) = facet.row(i) - facet.row(0);
+    const DenseMatrix edges = basis.topRows(n - 1);
+    Eigen::RowVectorXd normal = beside - facet.row(0);
+    if (n > 1)
+        normal -= least_squares(edges.transpose(), normal.transpose()).shortest.transpose() * edges;
+    const double length = normal.norm();
+    basis.row(n - 1) = length > 0 ? Eigen::RowVectorXd(normal / length) : 0 * normal;
+    return basis;
+}
+
+/// Lays out one cell at a time, from piece to piece across the facets inside it.
+class Developing {
+public:
+    explicit Developing(const Discretization& mesh)
+        : mesh_(mesh),
+          K_(mesh.pieces()),
+          n_(mesh.dimension()),
+          metric_(mesh.geometry().metric()),
+          layout_(K_, metric_),
+          cofaces_(K_, n_),
+          placed_(static_cast<std::size_t>(K_.size(n_)), false),
+          corners_(Eigen::Index{K_.size(n_)} * (n_ + 1), n_) {}
+
+    Points corners() {
+        for (Index t = 0; t < K_.size(n_); ++t)
+            if (!placed_[t]) {
+                place(t, in_own_plane(layout_.at(n_, t)));
+                develop_from(t);
+            }
+        return std::move(corners_);
+    }
+
+private:
+    void place(Index t, const DenseMatrix& corners) {
+        corners_.middleRows(Eigen::Index{t} * (n_ + 1), n_ + 1) = corners;
+        placed_[t] = true;
+    }
+
+    void develop_from(Index first) {
+        std::vector<Index> open{first};
+        while (!open.empty()) {
+            const Index t = open.back();
+            open.pop_back();
+            for (int i = 0; i <= n_; ++i) {
+                const Index facet = K_.face(n_, t, i);
+                if (mesh_.merging().carriers(n_ - 1)[facet].dimension < n_)
+                    continue;
+                for (const auto& [other, omitted] : cofaces_.of(facet))
+                    if (!placed_[other]) {
+                        place_beside(t, i, other, omitted);
+                        open.push_back(other);
+                    }
+            }
+        }
+    }
+
+    void place_beside(Index t, int i, Index other, int omitted) {
+        const DenseMatrix here = corners_.middleRows(Eigen::Index{t} * (n_ + 1), n_ + 1);
+        const DenseMatrix own = in_own_plane(layout_.at(n_, other));
+        const DenseMatrix facet = without_row(here, i), own_facet = without_row(own, omitted);
+        DenseMatrix basis = basis_at(facet, here.row(i));
+        basis.row(n_ - 1) *= -1; // on the other side
+        const DenseMatrix turn =
+            least_squares(basis_at(own_facet, own.row(omitted)), basis).shortest;
+        DenseMatrix moved = (own.rowwise() - own_facet.row(0)) * turn;
+        moved.rowwise() += facet.row(0);
+        place(other, moved);
+    }
+
+    const Discretization& mesh_;
+    const Pieces& K_;
+    int n_;
+    SimplexMetric metric_;
+    SimplexLayout layout_;
+    Cofaces cofaces_;
+    std::vector<bool> placed_;
+    Points corners_;
+};
+
+} // namespace
+
+Points developed_corners(const Discretization& mesh) {
+    const int n = mesh.dimension();
+    if (mesh.measured_points().cols() != n || !mesh.passage().is_identity())
+        return Developing(mesh).corners();
+    const auto& tops = mesh.pieces().simplices(n);
+    Points corners(Eigen::Index{tops.rows()} * (n + 1), n);
+    for (Index t = 0; t < tops.rows(); ++t)
+        for (int i = 0; i <= n; ++i)
+            corners.row(Eigen::Index{t} * (n + 1) + i) = mesh.measured_points().row(tops(t, i));
+    return corners;
+}
+
+} // namespace polydec

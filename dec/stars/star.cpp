@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "dec/stars/star.h"
+
+#include "backends/registry.h"
+#include "base/checks.h"
+#include "dec/metric/rounding.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <utility>
+
+namespace polydec {
+
+struct HodgeStar::Matrix {
+    std::shared_ptr<const SparseMatrix> entries;
+    std::mutex solving; // an engine serves one thread at a time
+    std::unique_ptr<LinearSolver> solver = nullptr;
+};
+
+namespace {
+
+/// Checks that entries are finite and the matrix is symmetric up to rounding.
+void check_symmetric(const SparseMatrix& matrix, int k, Index size) {
+    check_as_many(fmt::format("rows of the star of {}-cells", k), matrix.rows(), size);
+    check_as_many(fmt::format("columns of the star of {}-cells", k), matrix.cols(), size);
+    constexpr double rounding = 1e-12;
+    const SparseMatrix skew = matrix - SparseMatrix(matrix.transpose());
+    for (Index row = 0; row < size; ++row)
+        for (SparseMatrix::InnerIterator entry(skew, row); entry; ++entry) {
+            const double largest = std::sqrt(matrix.coeff(row, row)) *
+                                   std::sqrt(matrix.coeff(entry.col(), entry.col()));
+            if (!(std::abs(entry.value()) <= rounding * largest))
+                throw InvalidInput(
+                    fmt::format("the star of {}-cells is given by a matrix whose entries at row "
+                                "{}, column {} are {} and, across the diagonal, {}: expected a "
+                                "symmetric positive definite one",
+                                k, row, entry.col(), matrix.coeff(row, entry.col()),
+                                matrix.coeff(entry.col(), row)),
+                    {.degree = k, .cells = {row, static_cast<Index>(entry.col())}});
+        }
+}
+
+} // namespace
+
+HodgeStar::HodgeStar(const CellVolumes& volumes, int k) : volumes_(volumes), degree_(k) {
+    volumes_.size(k); // throws for an invalid degree
+}
+
+HodgeStar::HodgeStar(const CellVolumes& volumes, int k, SparseMatrix matrix)
+    : HodgeStar(volumes, k) {
+    check_symmetric(matrix, k, size());
+    matrix_ = std::make_shared<Matrix>();
+    matrix_->entries = std::make_shared<const SparseMatrix>(
+        0.5 * (matrix + SparseMatrix(matrix.transpose()))); // removes rounding across the diagonal
+}
+
+void HodgeStar::check(const Vector& values) const {
+    check_as_many(fmt::format("values of {}-cells", degree_), values.size(), size());
+}
+
+void HodgeStar::require_diagonal() const {
+    if (!is_diagonal())
+        throw InvalidInput(fmt::format("a diagonal star of {}-cells is needed, and a matrix is "
+                                       "given: take circumcentric stars",
+                                       degree_),
+                           {.degree = degree_});
+}
+
+Vector HodgeStar::diagonal() const {
+    require_diagonal();
+    return volumes_.ratios(degree_);
+}
+
+SparseMatrix HodgeStar::matrix() const {
+    if (!is_diagonal())
+        return *matrix_->entries;
+    SparseMatrix result(size(), size());
+    result.setIdentity(); // Eigen cannot make an empty diagonal matrix
+    result.coeffs() = diagonal().array();
+    return result;
+}
+
+Vector HodgeStar::operator*(const Vector& values) const {
+    check(values);
+    return is_diagonal() ? Vector(diagonal().cwiseProduct(values)) : *matrix_->entries * values;
+}
+
+Vector HodgeStar::solve(const Vector& values) const {
+    check(values);
+    if (is_diagonal())
+        return inverse().cwiseProduct(values);
+    const std::lock_guard lock(matrix_->solving);
+    if (!matrix_->solver) {
+        auto solver = make_linear_solver("auto");
+        solver->factorize(matrix_->entries, {.symmetry = Symmetry::symmetric,
+                                             .inertia = Inertia::wanted,
+                                             .domain_dimension = dimension(),
+                                             .many_solves = true});
+        if (const auto negative = solver->negative_pivots(); negative.value_or(0) > 0)
+            throw InvalidInput(fmt::format("the star of {}-cells is given by a matrix with {} "
+                                           "negative eigenvalues: expected a positive definite one",
+                                           degree_, *negative),
+                               {.degree = degree_});
+        matrix_->solver = std::move(solver);
+    }
+    return matrix_->solver->solve(values);
+}
+
+Vector HodgeStar::inverse() const {
+    if (const auto cells = zeros(); !cells.empty())
+        throw InvalidInput(fmt::format("the inverse star of degree {} divides by zero: the duals "
+                                       "of {} {}-cells have no volume (cells {})",
+                                       degree_, cells.size(), degree_, numbers(cells)),
+                           place(cells));
+    return diagonal().cwiseInverse();
+}
+
+Vector HodgeStar::uncertainty() const {
+    require_diagonal();
+    return volumes_.rounding(degree_).vector().cwiseQuotient(volumes_.primal(degree_));
+}
+
+std::vector<Index> HodgeStar::zeros() const {
+    if (!is_diagonal())
+        return {};
+    const Vector& dual = volumes_.dual(degree_);
+    const Bounds& terms = volumes_.terms(degree_);
+    std::vector<Index> cells;
+    for (Index s = 0; s < dual.size(); ++s)
+        if (is_zero(dual[s], terms[s]))
+            cells.push_back(s);
+    return cells;
+}
+
+std::vector<Index> HodgeStar::negatives() const {
+    if (!is_diagonal())
+        return {};
+    const Vector& dual = volumes_.dual(degree_);
+    const Bounds& terms = volumes_.terms(degree_);
+    std::vector<Index> cells;
+    for (Index s = 0; s < dual.size(); ++s)
+        if (dual[s] < 0 && !is_zero(dual[s], terms[s]))
+            cells.push_back(s);
+    return cells;
+}
+
+std::string HodgeStar::numbers(const std::vector<Index>& cells) const {
+    constexpr std::size_t most = 5;
+    std::vector<Index> first;
+    for (std::size_t i = 0; i < std::min(cells.size(), most); ++i)
+        first.push_back(volumes_.number(degree_, cells[i]));
+    return fmt::format("{}{}", fmt::join(first, ", "), cells.size() > most ? ", .." : "");
+}
+
+Error::Place HodgeStar::place(const std::vector<Index>& cells) const {
+    return {.degree = degree_, .cells = volumes_.numbers(degree_, cells)};
+}
+
+HodgeStar HodgeStars::operator[](int k) const {
+    const auto found = std::find_if(matrices_.begin(), matrices_.end(),
+                                    [&](const HodgeStar& star) { return star.degree() == k; });
+    return found != matrices_.end() ? *found : HodgeStar(volumes_, k);
+}
+
+HodgeStars HodgeStars::with(int k, SparseMatrix matrix) const {
+    HodgeStars result = *this;
+    std::erase_if(result.matrices_, [&](const HodgeStar& star) { return star.degree() == k; });
+    result.matrices_.emplace_back(volumes_, k, std::move(matrix));
+    return result;
+}
+
+} // namespace polydec
