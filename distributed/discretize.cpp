@@ -2,8 +2,8 @@
 #include "distributed/discretize.h"
 
 #include "base/errors.h"
-#include "dec/diagnosis/mesh_warnings.h"
 #include "dec/merging/flat_simplices.h"
+#include "dec/mesh_warnings.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/stars/star.h"

@@ -2,7 +2,7 @@
 #include "tools/common.h"
 
 #include "base/errors.h"
-#include "dec/diagnosis/advice.h"
+#include "dec/advice.h"
 #include "dec/stars/star_kind.h"
 #include "examples/paper/console.h"
 #include "io/meshes/length_file.h"

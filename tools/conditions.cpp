@@ -2,7 +2,7 @@
 #include "tools/conditions.h"
 
 #include "base/errors.h"
-#include "dec/boundary/facet_groups.h"
+#include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "solvers/flow/flow.h"
 
 #include "base/errors.h"
-#include "dec/boundary/facet_groups.h"
+#include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
 #include "io/diagnosis_json.h"
 #include "solvers/flow/flow_data.h"

@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/stars/material_stars.h"
+#include "dec/material_stars.h"
 #include "meshes/unit_of_length.h"
 #include "system/memory.h"
 #include "tools/commands.h"

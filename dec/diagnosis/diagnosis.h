@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/diagnosis/advice.h"
+#include "dec/advice.h"
 #include "dec/diagnosis/well_defined.h"
 #include "dec/merging/facet_kinds.h"
 #include "meshes/unjoined_boundary.h"

@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "complex/components.h"
-#include "dec/boundary/facet_groups.h"
+#include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/metric/simplex_metric.h"
 

@@ -12,7 +12,7 @@ from . import _core
 from ._arrays import Floats, Integers, Values
 from ._cells import Cells
 from ._conditions import conditions_or_none
-from ._given import CellsLike, as_cells
+from ._complex import CellsLike, as_cells
 
 
 class FormSpace:

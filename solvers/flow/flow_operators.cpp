@@ -4,7 +4,7 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/stars/positive_mass.h"
+#include "dec/positive_mass.h"
 
 #include <fmt/format.h>
 

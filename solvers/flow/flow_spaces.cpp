@@ -65,11 +65,12 @@ void FlowSpaces::check_balance(const Vector& of) const {
     constexpr double rounding = 1e-10;
     const Cells cells = flux.cells();
     Vector out = derivative(cells.complex(), cells.dimension() - 1) * of;
-    const double excess = loose.balance(out).worst;
-    if (excess > rounding)
-        throw InvalidInput(fmt::format("of what flows through the boundary of a component {:.3g} "
-                                       "more flows in or out: expected a balance, or an open facet",
-                                       excess));
+    const Compatibility found = loose.balance(out);
+    if (found.worst > rounding)
+        throw InvalidInput(fmt::format("through the boundary of a component {:.6g} more flows out "
+                                       "than in, {:.3g} of all that flows: expected a balance, or "
+                                       "an open facet",
+                                       found.excess, found.worst));
 }
 
 } // namespace polydec

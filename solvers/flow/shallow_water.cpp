@@ -5,7 +5,7 @@
 #include "base/errors.h"
 #include "dec/boundary/form_space.h"
 #include "dec/forms/derivative.h"
-#include "dec/stars/positive_mass.h"
+#include "dec/positive_mass.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/flow/advection.h"
 
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace polydec {
@@ -142,7 +143,11 @@ ShallowWater::State ShallowWater::rate(const State& state) const {
 
 std::vector<Vector> ShallowWater::operator()(double, const std::vector<Cochain>& forms) const {
     check_as_many("forms of shallow water", std::ssize(forms), 2);
-    State change = rate({forms[0].values, forms[1].values});
+    const State state{forms[0].values, forms[1].values};
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (!(state.depth.array() > 0).all())
+        return {Vector::Constant(state.depth.size(), none), Vector::Zero(state.flux.size())};
+    State change = rate(state);
     return {std::move(change.depth), std::move(change.flux)};
 }
 

@@ -41,7 +41,8 @@ public:
     /// is not above 0.
     State rate(const State& state) const;
 
-    /// The reaction of an Evolution of the depth and the flux: their rates, as rate() gives them.
+    /// The rates of the depth and the flux, as the reaction of an Evolution. Not a number where the
+    /// depth is not above 0, so that an integrator takes a shorter step instead.
     std::vector<Vector> operator()(double time, const std::vector<Cochain>& forms) const;
 
     /// A step that waves and the flow allow: 1 over how often they cross a cell in a second.

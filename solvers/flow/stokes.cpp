@@ -5,7 +5,7 @@
 #include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/forms/derivative.h"
-#include "dec/stars/positive_mass.h"
+#include "dec/positive_mass.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/flow/flow_spaces.h"
 #include "solvers/sources/saddle_solver.h"
@@ -159,7 +159,11 @@ StokesSolver::~StokesSolver() = default;
 StokesFlow StokesSolver::solve(const Cochain& force, const StokesData& data) const {
     const System& of = *system_;
     const int n = of.n;
-    FormSpace::vanishing_on(of.cells, Side::primal, n - 1).check(force);
+    check(of.cells.complex(), force);
+    if (force.side != Side::primal || force.degree != n - 1)
+        throw InvalidInput(fmt::format("a {} {}-form is given as a force: expected its flux, a "
+                                       "primal {}-form",
+                                       name(force.side), force.degree, n - 1));
     const auto given = [&](const char* what, const Vector& values, int power, const auto& star) {
         return of.in_unit(or_zeros(what, values, star.rows()), power, what);
     };

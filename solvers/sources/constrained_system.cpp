@@ -99,10 +99,12 @@ Compatibility FreeComponents::balance(Vector& b) const {
             sum[c] += b[i];
             size[c] += std::abs(b[i]);
         }
-    Compatibility compatibility{count(), 0};
+    Compatibility compatibility{count()};
     for (Index c = 0; c < count(); ++c)
-        if (size[c] > 0)
-            compatibility.worst = std::max(compatibility.worst, std::abs(sum[c]) / size[c]);
+        if (size[c] > 0 && std::abs(sum[c]) / size[c] > compatibility.worst) {
+            compatibility.worst = std::abs(sum[c]) / size[c];
+            compatibility.excess = sum[c];
+        }
     for (Index i = 0; i < b.size(); ++i)
         if (const Index c = component_[i]; c >= 0)
             b[i] -= sum[c] * weights_[i] / weights_of_all_[c];

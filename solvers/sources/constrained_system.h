@@ -26,7 +26,8 @@ struct ConstrainedSystem {
 /// Compatibility of the right-hand side on components that are free up to a constant.
 struct Compatibility {
     Index free_components = 0;
-    double worst = 0; ///< largest |sum of b| / sum |b|; the sum is removed before solving
+    double worst = 0;  ///< largest |sum of b| / sum |b|; the sum is removed before solving
+    double excess = 0; ///< the sum of b on this component
 };
 
 /// The connected components of unknowns on which a solution is free up to a constant: the

@@ -6,7 +6,7 @@
 #include "complex/homology.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/operator.h"
-#include "dec/stars/positive_mass.h"
+#include "dec/positive_mass.h"
 #include "solvers/sources/saddle_solver.h"
 
 #include <algorithm>

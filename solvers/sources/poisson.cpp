@@ -2,8 +2,8 @@
 #include "solvers/sources/poisson.h"
 
 #include "base/errors.h"
+#include "dec/advice.h"
 #include "dec/boundary/two_sided.h"
-#include "dec/diagnosis/advice.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/sources/poisson_system.h"
 

@@ -3,9 +3,9 @@
 
 #include "base/errors.h"
 #include "complex/homology.h"
-#include "dec/diagnosis/advice.h"
+#include "dec/advice.h"
 #include "dec/forms/cochain.h"
-#include "dec/stars/positive_mass.h"
+#include "dec/positive_mass.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/spectra/laplacian_pencil.h"

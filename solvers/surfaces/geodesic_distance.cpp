@@ -2,7 +2,7 @@
 #include "solvers/surfaces/geodesic_distance.h"
 
 #include "base/errors.h"
-#include "dec/diagnosis/advice.h"
+#include "dec/advice.h"
 #include "dec/metric/side_lengths.h"
 #include "meshes/unit_of_length.h"
 #include "shape/exact_distance.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/diagnosis/advice.h"
+#include "dec/advice.h"
 
 #include "dec/diagnosis/diagnosis.h"
 #include "meshes/generate.h"

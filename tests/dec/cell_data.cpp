@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/cell_data.h"
 
-#include "dec/stars/material_stars.h"
+#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "meshes/peel.h"
 #include "meshes/polygons.h"

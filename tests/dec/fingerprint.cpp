@@ -2,7 +2,7 @@
 #include "dec/fingerprint.h"
 
 #include "dec/discretization.h"
-#include "dec/stars/material_stars.h"
+#include "dec/material_stars.h"
 #include "meshes/generate.h"
 
 #include <gtest/gtest.h>

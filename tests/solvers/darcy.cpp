@@ -3,7 +3,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/derivative.h"
-#include "dec/stars/material_stars.h"
+#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "solvers/sources/poisson.h"
 #include "tests/solvers/cases.h"

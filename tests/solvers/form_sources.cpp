@@ -2,7 +2,7 @@
 #include "complex/relative.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/laplacian.h"
-#include "dec/stars/material_stars.h"
+#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "solvers/sources/poisson.h"
 #include "tests/solvers/cases.h"

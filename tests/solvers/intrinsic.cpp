@@ -2,7 +2,7 @@
 #include "complex/homology.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/derivative.h"
-#include "dec/stars/material_stars.h"
+#include "dec/material_stars.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"

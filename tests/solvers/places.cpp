@@ -8,9 +8,9 @@
 #endif
 
 #include "backends/registry.h"
+#include "dec/material_stars.h"
 #include "dec/metric/circumcentric_volumes.h"
-#include "dec/stars/material_stars.h"
-#include "dec/stars/positive_mass.h"
+#include "dec/positive_mass.h"
 #include "dec/stars/star.h"
 #include "io/meshes/length_file.h"
 #include "io/meshes/read_mesh.h"

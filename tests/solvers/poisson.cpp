@@ -4,7 +4,7 @@
 #include "base/errors.h"
 #include "complex/components.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/stars/material_stars.h"
+#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"

@@ -3,7 +3,7 @@
 
 #include "dec/boundary/boundary_conditions.h"
 #include "dec/fields/de_rham.h"
-#include "dec/stars/material_stars.h"
+#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"

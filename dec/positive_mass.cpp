@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/stars/positive_mass.h"
+#include "dec/positive_mass.h"
 
 #include "base/errors.h"
-#include "dec/diagnosis/advice.h"
+#include "dec/advice.h"
 
 #include <fmt/format.h>
 

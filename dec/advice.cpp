@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/diagnosis/advice.h"
+#include "dec/advice.h"
 
 #include "base/errors.h"
 #include "complex/surfaces/glued_surface.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/stars/material_stars.h"
+#include "dec/material_stars.h"
 
 #include "base/checks.h"
 #include "base/decompositions.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/diagnosis/mesh_warnings.h"
+#include "dec/mesh_warnings.h"
 
 #include "base/listed.h"
 #include "dec/metric/overlaps.h"

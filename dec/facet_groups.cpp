@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/boundary/facet_groups.h"
+#include "dec/facet_groups.h"
 
 #include "base/errors.h"
 
