@@ -170,7 +170,7 @@ def wave(complex: CellsLike, E: Form, time: float, B: npt.ArrayLike | None = Non
          degree: int = 0, side: str = "primal", time_step: float | None = None,
          essential: Any = None, **words: Any) -> tuple[Floats, Floats]:
     """E and B of `Waves` after some time. Equal steps end there, of length at most `time_step` or,
-    by default, 0.9 `stable_step`. Other keyword arguments go to `Waves`.
+    by default, 0.9 `stable_step`. Other `words` are keyword arguments of `Waves`.
 
     Examples
     --------
