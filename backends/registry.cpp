@@ -3,10 +3,12 @@
 
 #include "backends/builtin_engines.h"
 #include "backends/engine_folder.h"
+#include "base/did_you_mean.h"
 #include "base/errors.h"
 #include "system/child_process.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <map>
@@ -128,11 +130,11 @@ Registry& registry() {
 }
 
 template <typename Factory>
-std::string available_names(const std::map<std::string, Entry<Factory>>& known) {
-    std::string names;
+std::vector<std::string> available_names(const std::map<std::string, Entry<Factory>>& known) {
+    std::vector<std::string> names;
     for (const auto& [name, entry] : known)
         if (entry.factory)
-            names += (names.empty() ? "" : ", ") + name;
+            names.push_back(name);
     return names;
 }
 
@@ -171,8 +173,9 @@ template <typename Factory>
     if (found == known.end() && !reason.empty())
         throw BackendUnavailable(fmt::format("the {} `{}` is not there: {}", kind, name, reason));
     if (found == known.end())
-        throw InvalidInput(fmt::format("there is no {} called `{}`\nKnown are: {}.", kind, name,
-                                       available_names(known)));
+        throw InvalidInput(fmt::format("there is no {} called `{}`{}\nKnown are: {}.", kind, name,
+                                       did_you_mean(name, available_names(known)),
+                                       fmt::join(available_names(known), ", ")));
     EngineInfo engine = found->second.told();
     lock.unlock();
     add_reason(engine);

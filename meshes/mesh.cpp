@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/mesh.h"
 
+#include "base/did_you_mean.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -94,10 +95,10 @@ std::vector<Index> group_tags(const std::vector<GroupName>& groups, int dimensio
         for (const GroupName& each : groups)
             if (fits(each, dimension))
                 names.push_back(each.name);
-        throw InvalidInput(fmt::format("no group of {}-cells is called {}: {}", dimension, word,
-                                       names.empty()
-                                           ? "none has a name; give its number"
-                                           : fmt::format("there are {}", fmt::join(names, ", "))));
+        throw InvalidInput(fmt::format(
+            "no group of {}-cells is called {}{}: {}", dimension, word, did_you_mean(word, names),
+            names.empty() ? "none has a name; give its number"
+                          : fmt::format("there are {}", fmt::join(names, ", "))));
     }
     return tags;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -14,17 +15,8 @@ namespace polydec::tools {
 namespace {
 
 const char* kind_name(EngineKind kind) {
-    switch (kind) {
-    case EngineKind::linear:
-        return "linear solver";
-    case EngineKind::eigen:
-        return "eigensolver";
-    case EngineKind::integrator:
-        return "integrator";
-    case EngineKind::mesher:
-        return "mesher";
-    }
-    return "";
+    constexpr std::array names{"linear solver", "eigensolver", "integrator", "mesher"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 struct Backends : Answer {
@@ -53,7 +45,7 @@ struct Backends : Answer {
 
     void write(Text& text) const override {
         for (const auto& engine : engines)
-            text("{:<16}{:<15}{:<9}{}{}\n", engine.name, kind_name(engine.kind),
+            text("{:<18}{:<15}{:<9}{}{}\n", engine.name, kind_name(engine.kind),
                  engine.available ? "there" : "missing", engine.description,
                  engine.available ? "" : fmt::format("; to get it: {}", engine.how_to_get));
         if (blas)
@@ -65,7 +57,7 @@ struct Backends : Answer {
 } // namespace
 
 void add_backends(CLI::App& app) {
-    auto* command = app.add_subcommand("backends", "engines: there, missing, how to get them");
+    auto* command = app.add_subcommand("backends", "lists engines, and how to get missing ones");
     const auto options = std::make_shared<TellOptions>();
     add_common_options(*command, *options);
     command->footer("Example:\n  polydec backends");

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "tools/command_line.h"
 
+#include "base/did_you_mean.h"
 #include "base/printable.h"
 #include "tools/commands.h"
+#include "tools/help.h"
 #include "tools/messages.h"
 #include "tools/options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <string>
+#include <vector>
 
 namespace polydec::tools {
 
@@ -16,19 +20,66 @@ namespace {
 
 constexpr const char* one_process_only = "OneProcessOnly";
 
+using Names = std::vector<std::string>;
+
+/// An argument that this command does not know.
+std::string unknown(const CLI::App& app, const std::string& argument) {
+    const auto shown = printable(argument);
+    if (argument.size() > 1 && argument[0] == '-' && argument[1] != '-')
+        return fmt::format(
+            "{} has no option '{}'; write ./ before a file of that name, and a value "
+            "that begins with a minus as in --rhs=-x",
+            app.get_name(), shown);
+    if (argument.substr(0, 2) == "--") {
+        Names names;
+        for (const auto* option : app.get_options())
+            if (!option->get_positional() && !option->get_group().empty())
+                names.push_back(option->get_name());
+        return fmt::format("{} has no option '{}'{}", app.get_name(), shown,
+                           did_you_mean(argument.substr(0, argument.find('=')), names));
+    }
+    if (const auto names = commands_of(app); !names.empty())
+        return fmt::format("there is no command '{}'{}", shown, did_you_mean(argument, names));
+    return fmt::format("{} expects no further argument '{}'", app.get_name(), shown);
+}
+
+/// All that this command needs and was not given, or an empty text.
+std::string missing(const CLI::App& app) {
+    Names needed;
+    for (const auto* option : app.get_options())
+        if (option->get_required() && option->count() == 0) {
+            const auto text = description_of(*option);
+            needed.insert(option->get_positional() ? needed.begin() : needed.end(),
+                          fmt::format("{} ({})", with_value(*option),
+                                      text.substr(0, text.find_first_of(":;("))));
+        }
+    if (app.get_require_subcommand_min() > 0 && app.get_subcommands().empty())
+        needed.push_back(fmt::format("a command: {}", fmt::join(commands_of(app), ", ")));
+    if (needed.empty())
+        return "";
+    const auto last = needed.back();
+    needed.pop_back();
+    return fmt::format("{} needs {}{}{}", app.get_name(), fmt::join(needed, ", "),
+                       needed.empty() ? "" : " and ", last);
+}
+
 /// An argument that nobody knows is the cause even where something is missing too.
 std::string tell_misuse(const CLI::App* app, const CLI::Error& error) {
-    const auto unknown = app->remaining(true);
-    if (unknown.empty() || error.get_name() == one_process_only)
-        return fmt::format("{}: {}\nRun with --help for more information.\n", app->get_name(),
-                           told(error.what()));
-    const auto& first = unknown.front();
-    const bool dash = first.size() > 1 && first[0] == '-' && first[1] != '-';
-    return fmt::format("{}: there is no '{}' here{}\nRun with --help for more information.\n",
-                       app->get_name(), printable(first),
-                       dash ? "; a file of that name is written with ./ before it, and a value "
-                              "that begins with a minus as in --rhs=-x"
-                            : "");
+    std::string message = error.what();
+    const auto* active = app;
+    const bool is_unknown = !app->remaining(true).empty();
+    while (!active->get_subcommands().empty() && !(is_unknown && !active->remaining().empty()))
+        active = active->get_subcommands().front();
+    if (error.get_name() == one_process_only)
+        ;
+    else if (is_unknown)
+        message = unknown(*active, active->remaining().front());
+    else if (error.get_name() == "ArgumentMismatch") // which names the type of values
+        message = message.substr(0, message.find(':')) + ": expected another number of values";
+    else if (const auto all = missing(*active); error.get_name() == "RequiredError" && !all.empty())
+        message = all;
+    return fmt::format("{}: {}\nRun with --help for more information.\n", app->get_name(),
+                       told(message));
 }
 
 } // namespace
@@ -40,34 +91,27 @@ OneProcessOnly::OneProcessOnly(const std::string& what, const std::string& comma
 
 std::unique_ptr<CLI::App> empty_command_line(const std::string& name,
                                              const std::string& description) {
-    auto app = std::make_unique<CLI::App>(name + ": " + description, name);
-    app->set_version_flag("--version", POLYDEC_VERSION);
+    auto app = std::make_unique<CLI::App>(description, name);
+    app->formatter(std::make_shared<Help>());
+    app->group("Commands");
+    app->option_defaults()->always_capture_default();
+    app->set_help_flag("-h,--help", "print this help");
+    app->set_version_flag("--version", POLYDEC_VERSION, "print the version");
     app->require_subcommand(1);
     app->failure_message(tell_misuse);
-    app->footer(name + " COMMAND --help tells more and shows examples.\n"
-                       "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 numerical failure, 4 "
-                       "file or resource failure.");
+    app->footer("\n" + name +
+                " COMMAND --help lists the options of a command and shows examples.\nExit codes: 0 "
+                "done, 1 wrong usage, 2 bad input, 3 numerical failure, 4 file or resource "
+                "failure.");
     return app;
 }
 
 std::unique_ptr<CLI::App> command_line() {
     auto app = empty_command_line("polydec", "discrete exterior calculus on the mesh you have");
-    add_info(*app);
-    add_operators(*app);
-    add_merge(*app);
-    add_view(*app);
-    add_draw(*app);
-    add_spectrum(*app);
-    add_poisson(*app);
-    add_hodge(*app);
-    add_heat(*app);
-    add_wave(*app);
-    add_maxwell(*app);
-    add_flow(*app);
-    add_distance(*app);
-    add_generate(*app);
-    add_reproduce(*app);
-    add_backends(*app);
+    for (const auto add : {add_info, add_operators, add_merge, add_view, add_draw, add_spectrum,
+                           add_poisson, add_hodge, add_heat, add_wave, add_maxwell, add_flow,
+                           add_distance, add_generate, add_reproduce, add_backends})
+        add(*app);
     expect_values(*app);
     return app;
 }

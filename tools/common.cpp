@@ -10,31 +10,14 @@
 #include "meshes/periodic.h"
 #include "tools/component_values.h"
 #include "tools/messages.h"
-#include "tools/options.h"
 
 #include <fmt/format.h>
 
-#include <array>
-#include <set>
 #include <unistd.h>
 #include <variant>
 #include <vector>
 
 namespace polydec::tools {
-
-namespace {
-
-constexpr std::array star_kinds{StarKind::circumcentric, StarKind::hybrid, StarKind::galerkin,
-                                StarKind::barycentric, StarKind::automatic};
-
-}
-
-StarKind star_kind(const std::string& text) {
-    for (const StarKind kind : star_kinds)
-        if (text == name(kind))
-            return kind;
-    return StarKind::circumcentric;
-}
 
 namespace {
 
@@ -49,11 +32,11 @@ Discretization discretize_checked(const MeshArguments& arguments, Read mesh,
                                        arguments.mesh.string(), mesh.dimension()));
     if (options.delaunay != Delaunay::off && mesh.dimension() != 2)
         throw InvalidInput(fmt::format("--delaunay is for surfaces, but {} has cells of dimension "
-                                       "{}: leave it out",
+                                       "{}: omit the option",
                                        arguments.mesh.string(), mesh.dimension()));
     if (options.star == StarKind::hybrid && mesh.dimension() != 2)
         throw InvalidInput(fmt::format("--star hybrid is for surfaces, but {} has cells of "
-                                       "dimension {}: take galerkin or automatic",
+                                       "dimension {}: use galerkin or automatic",
                                        arguments.mesh.string(), mesh.dimension()));
     return discretize(std::move(mesh), options, stage);
 }
@@ -92,13 +75,13 @@ std::variant<Mesh, LengthMesh, PeriodicMesh> read_glued(const MeshArguments& arg
     if (is_length_file(arguments.mesh)) {
         if (!arguments.periods.empty() || !arguments.glue.empty())
             throw InvalidInput(
-                fmt::format("{}: a file of lengths has no places that are taken to others; glue it "
-                            "by giving vertices on both sides one number",
+                fmt::format("{}: a file of lengths has no points to map to others; glue it by "
+                            "giving vertices on both sides the same number",
                             arguments.glue.empty() ? "--periodic" : "--glue"));
         if (arguments.joining.are_given())
             throw InvalidInput(
-                fmt::format("{}: a file of lengths has no places at which vertices could coincide; "
-                            "give those that are to be joined one number",
+                fmt::format("{}: a file of lengths has no points that could coincide; give the "
+                            "vertices to be joined the same number",
                             arguments.joining.hanging ? "--join-hanging" : "--weld"));
         return read_lengths(arguments.mesh);
     }
@@ -123,15 +106,16 @@ CLI::Option* add_merge_arguments(CLI::App& command, MeshArguments& arguments,
                                  const std::string& mesh_help) {
     command.add_option("MESH", arguments.mesh, mesh_help)->required();
     auto* tolerance = command.add_option("--tolerance", arguments.tolerance,
-                                         "merge facets with relative dual length up to this");
-    tolerance->capture_default_str()->check(check_not_negative);
-    auto* angle = command.add_option("--angle-tolerance", arguments.angle_tolerance,
-                                     "merge by opposite angles instead, radians (surfaces)");
+                                         "T\tmerge across facets of relative dual length up to T");
+    tolerance->check(check_not_negative);
+    auto* angle =
+        command.add_option("--angle-tolerance", arguments.angle_tolerance,
+                           "A\ton surfaces, merge by opposite angles instead, in radians");
     angle->check(check_not_negative)->excludes(tolerance);
-    auto* none = command.add_flag("!--no-merge", arguments.merge, "merge nothing");
+    auto* none = command.add_flag("!--no-merge", arguments.merge, "merge no cells");
     none->excludes(tolerance)->excludes(angle);
     add_common_options(command, arguments.tell);
-    command.add_flag("--timing", arguments.tell.timing, "tell the seconds each stage took");
+    command.add_flag("--timing", arguments.tell.timing, "report how long each stage took");
     return angle;
 }
 
@@ -143,68 +127,66 @@ MergeOptions merge_options(const MeshArguments& arguments) {
     return {MergeCriterion::dual_length, arguments.tolerance};
 }
 
-void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
-    auto* angle =
-        add_merge_arguments(command, arguments,
-                            "mesh file: .off .obj .ply .stl .mesh .msh .node .ele .vtk .vtu .nsc;\n"
-                            "polygons become Delaunay triangles, hexahedra, wedges and pyramids\n"
-                            "tetrahedra; of cells of higher order the corners are read\n"
-                            ".pdm, or .nsl, which has lengths of edges alone");
+void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, std::optional<StarKind> star) {
+    if (star)
+        add_star(command, arguments, *star);
+    auto* angle = add_merge_arguments(
+        command, arguments,
+        "mesh file: .off .obj .ply .stl .mesh .msh .node .ele .vtk .vtu .nsc .pdm, or .nsl (edge "
+        "lengths); divides polygons, hexahedra, ..; curved cells by corners");
     command
-        .add_option("--centers", arguments.centers,
-                    "where dual cells have their corners: circumcenters, or centroids,\n"
-                    "which make every dual positive but are less exact (nothing merges)")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"circumcenters", "centroids"}));
-    auto* groups = command.add_flag("--keep-groups", arguments.keep_groups,
-                                    "merge no cells of different physical groups");
+        .add_option(
+            "--centers", arguments.centers,
+            "NAME\tcircumcenters (default), or centroids (positive duals, less exact, no merging)")
+        ->check(one_of({"circumcenters", "centroids"}));
+    auto* groups =
+        command.add_flag("--keep-groups", arguments.keep_groups,
+                         "keep cells and facets of different physical groups apart when merging");
     command
-        .add_option("--periodic", arguments.periods,
-                    "glue the mesh to itself along this translation, such as 1,0; may be\n"
-                    "given again. Expressions and pictures are on the mesh that was glued")
+        .add_option(
+            "--periodic", arguments.periods,
+            "X,Y\tglue along this translation, repeatable; expressions and pictures stay unglued")
         ->check(check_vector);
     command.add_option("--glue", arguments.glue,
-                       "glue it along an isometry as well, given by where it takes a point,\n"
-                       "such as 'x+1; 1-y'");
+                       "MAP\tglue it along an isometry, given by the image of a point: 'x+1; 1-y'");
     add_joining(command, arguments.joining);
     command.add_flag("--peel", arguments.peel,
-                     "leave out flat cells on the boundary of a solid first");
+                     "first remove flat cells on the boundary of a solid");
     command
-        .add_flag("--delaunay{flips}", arguments.delaunay,
-                  "flip edges of a surface first, so that no dual is negative;\n"
-                  "=split-boundary divides boundary edges too")
-        ->check(CLI::IsMember({"flips", "split-boundary"}))
+        .add_flag(
+            "--delaunay{flips}", arguments.delaunay,
+            "[=split-boundary]\tsurfaces: flip (and split boundary) edges against negative duals")
+        ->check(one_of({"flips", "split-boundary"}))
         ->excludes(angle)
         ->excludes(groups);
 }
 
 void add_star(CLI::App& command, MeshArguments& arguments, StarKind kind) {
-    arguments.star = name(kind);
-    std::set<std::string> kinds;
-    for (const StarKind known : star_kinds)
-        kinds.insert(name(known));
+    arguments.star = kind;
     command
         .add_option("--star", arguments.star,
-                    "inner products of forms: circumcentric (dual over primal volume),\n"
-                    "galerkin (Whitney forms; positive on every mesh), hybrid (surfaces:\n"
-                    "galerkin where circumcentric is not positive), barycentric\n"
-                    "(inconsistent for degrees 1 .. n-1), or automatic: the first of\n"
-                    "circumcentric, hybrid and galerkin that is positive here")
-        ->capture_default_str()
-        ->check(CLI::IsMember(kinds));
+                    "NAME\tinner products: circumcentric (dual over primal volume), galerkin "
+                    "(Whitney forms, positive), hybrid (surfaces: galerkin where circumcentric is "
+                    "not positive), barycentric (inconsistent for degrees 1 .. n-1), automatic "
+                    "(the first positive one of circumcentric, hybrid, galerkin)")
+        ->transform(enumerator({"circumcentric", "galerkin", "hybrid", "barycentric", "automatic"}))
+        ->default_str(name(kind));
 }
 
-CLI::Option* add_side(CLI::App& command, Side& side) {
-    const auto read = [](std::string& text) {
-        for (const Side known : {Side::primal, Side::dual})
-            if (text == name(known)) {
-                text = std::to_string(static_cast<int>(known));
-                return std::string();
-            }
-        return fmt::format("expected primal or dual, not '{}'", text);
-    };
-    return command.add_option("--side", side, "where the forms live: primal or dual cells")
-        ->transform(CLI::Validator(read, "primal|dual"));
+void add_side(CLI::App& command, Side& side) {
+    command.add_option("--side", side, "SIDE\twhere the forms live: primal or dual cells")
+        ->transform(enumerator({name(Side::primal), name(Side::dual)}))
+        ->default_str(name(side));
+}
+
+void add_forms(CLI::App& command, Side& side, int& degree) {
+    add_side(command, side);
+    command.add_option("--degree", degree,
+                       fmt::format("K\tdegree of the forms (default: {})", degree));
+}
+
+void add_engine(CLI::App& command, std::string& engine) {
+    command.add_option("--engine", engine, "NAME\tlinear solver; see `polydec backends`");
 }
 
 Discretization load(const MeshArguments& arguments, Log& log) {
@@ -224,7 +206,7 @@ Discretization load(const MeshArguments& arguments, Log& log) {
         options.centers = Centers::centroids();
     if (arguments.keep_groups)
         options.materials = Materials::keep_apart;
-    options.star = star_kind(arguments.star);
+    options.star = arguments.star;
 
     stage("read");
     auto result = computed_on(arguments.mesh, [&] {

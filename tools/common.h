@@ -5,6 +5,7 @@
 #include "dec/forms/side.h"
 #include "tools/answer.h"
 #include "tools/joining.h"
+#include "tools/options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,13 +29,14 @@ struct MeshArguments {
     std::vector<std::string> periods; ///< translations, "1,0"
     std::vector<std::string> glue;    ///< isometries, "x+1; 1-y"
     std::string centers = "circumcenters";
-    std::string delaunay;                             ///< empty, flips or split-boundary
-    std::string star = name(StarKind::circumcentric); ///< see add_star
+    std::string delaunay; ///< empty, flips or split-boundary
+    StarKind star = StarKind::circumcentric;
     TellOptions tell;
 };
 
-/// Adds MESH and the options of MeshArguments to a subcommand.
-void add_mesh_arguments(CLI::App& command, MeshArguments& arguments);
+/// Adds MESH and the options of MeshArguments to a subcommand; --star where a default is given.
+void add_mesh_arguments(CLI::App& command, MeshArguments& arguments,
+                        std::optional<StarKind> star = {});
 
 /// Adds the arguments for merging and output, and MESH with this help; returns --angle-tolerance.
 CLI::Option* add_merge_arguments(CLI::App& command, MeshArguments& arguments,
@@ -46,11 +48,12 @@ MergeOptions merge_options(const MeshArguments& arguments);
 /// The option --star, with this kind as the default.
 void add_star(CLI::App& command, MeshArguments& arguments, StarKind kind);
 
-/// The option --side primal|dual.
-CLI::Option* add_side(CLI::App& command, Side& side);
+/// The options --side primal|dual, and --degree, of forms.
+void add_side(CLI::App& command, Side& side);
+void add_forms(CLI::App& command, Side& side, int& degree);
 
-/// The kind of star with this name.
-StarKind star_kind(const std::string& text);
+/// The option --engine, of linear solvers.
+void add_engine(CLI::App& command, std::string& engine);
 
 /// A description of the stars of a mesh, for answers: "hybrid stars, Galerkin's on 12.3 % of the
 /// cells", and a member "star" with kind and share.

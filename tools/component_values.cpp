@@ -28,7 +28,7 @@ ComponentValues::ComponentValues(const std::string& option, const std::string& t
 
 Points ComponentValues::at(const Points& sites, Eigen::Index wanted) const {
     if (size() != wanted)
-        throw InvalidInput(fmt::format("{} has {} component{}: expected {}, with ; between them",
+        throw InvalidInput(fmt::format("{} has {} component{}: expected {}, separated by ;",
                                        option_, size(), size() == 1 ? "" : "s", wanted));
     Points result(sites.rows(), wanted);
     for (Eigen::Index i = 0; i < wanted; ++i)

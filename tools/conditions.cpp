@@ -14,44 +14,36 @@ namespace polydec::tools {
 CLI::Option* add_conditions(CLI::App& command, ConditionArguments& arguments,
                             const std::string& natural_help, const std::string& essential_help) {
     auto* natural = command.add_flag("--natural", arguments.natural, natural_help);
-    command.add_option("--essential-where", arguments.essential_where, essential_help)
+    command.add_option("--essential-where", arguments.essential_where, "EXPR\t" + essential_help)
         ->excludes(natural);
-    return natural;
-}
-
-void add_essential_on(CLI::App& command, ConditionArguments& arguments) {
     command
-        .add_option("--essential-on", arguments.essential_on,
-                    "the same at boundary facets of these physical groups of the file, by\n"
-                    "name or number; with --keep-groups merging joins none of them")
-        ->excludes("--natural")
+        .add_option(
+            "--essential-on", arguments.essential_on,
+            "GROUP ..\tthe same on these physical groups (name or number); see --keep-groups")
+        ->excludes(natural)
         ->excludes("--essential-where");
+    return natural;
 }
 
 void add_fixed(CLI::App& command, ConditionArguments& arguments, const std::string& values) {
     command.add_option("--fixed-where", arguments.fixed_where,
-                       values +
-                           " given at vertices where this is\n"
-                           "not 0, inside as well; on the boundary only what other options say");
+                       "EXPR\t" + values + " also at vertices where this is not 0, else natural");
 }
 
 void add_robin(CLI::App& command, ConditionArguments& arguments, const std::string& data) {
     command
         .add_option("--robin", arguments.robin,
-                    "ALPHA > 0: where no values are given, " + data +
-                        " is the outward derivative\n"
-                        "plus ALPHA u (Robin). Without --essential-where or --essential-on\n"
-                        "values are given nowhere")
-        ->check(CLI::PositiveNumber);
+                    "ALPHA\tRobin: outward derivative + ALPHA u = " + data +
+                        " except at --essential-* facets")
+        ->check(check_positive);
 }
 
 ConditionValues::ConditionValues(const ConditionArguments& arguments)
-    : natural_(arguments.natural), essential_on_(arguments.essential_on), robin_(arguments.robin) {
-    if (!arguments.essential_where.empty())
-        essential_where_.emplace("--essential-where", arguments.essential_where);
-    if (!arguments.fixed_where.empty())
-        fixed_where_.emplace("--fixed-where", arguments.fixed_where);
-}
+    : natural_(arguments.natural),
+      essential_on_(arguments.essential_on),
+      robin_(arguments.robin),
+      essential_where_(if_given<SiteValues>("--essential-where", arguments.essential_where)),
+      fixed_where_(if_given<SiteValues>("--fixed-where", arguments.fixed_where)) {}
 
 std::optional<BoundaryConditions> ConditionValues::on(const Discretization& mesh) const {
     const auto conditions = without_robin(mesh);
@@ -80,9 +72,8 @@ std::optional<BoundaryConditions> ConditionValues::without_robin(const Discretiz
         for (const double value : fixed_where_->at(cell_centers(mesh, 0)))
             result.fixed_vertices.push_back(value != 0);
         if (std::count(result.fixed_vertices.begin(), result.fixed_vertices.end(), true) == 0)
-            throw InvalidInput(fmt::format("--fixed-where: it is 0 at all {} vertices: expected "
-                                           "some",
-                                           result.fixed_vertices.size()));
+            throw InvalidInput(
+                fmt::format("--fixed-where is 0 at all {} vertices", result.fixed_vertices.size()));
     }
     return result;
 }

@@ -22,12 +22,15 @@ struct ConditionArguments {
     double robin = 0; ///< Robin coefficient, replaces the natural condition; 0: none
 };
 
-/// Adds the mutually exclusive options --natural and --essential-where. Returns --natural.
-CLI::Option* add_conditions(CLI::App& command, ConditionArguments& arguments,
-                            const std::string& natural_help, const std::string& essential_help);
-
-/// Adds the option --essential-on, which excludes both: physical groups or other tags of the file.
-void add_essential_on(CLI::App& command, ConditionArguments& arguments);
+/// The options --natural, --essential-where and --essential-on, which exclude each other. Returns
+/// --natural.
+CLI::Option*
+add_conditions(CLI::App& command, ConditionArguments& arguments,
+               const std::string& natural_help =
+                   "no flow (Neumann), degrees 1 .. n-1: normal part 0; default of primal forms",
+               const std::string& essential_help =
+                   "values 0 (Dirichlet), degrees 1 .. n-1: tangential part 0, at boundary facets "
+                   "where this is not 0, no flow elsewhere; default of dual forms: 1");
 
 /// Adds the option --fixed-where, for primal 0-forms; `values` is the option with their values.
 void add_fixed(CLI::App& command, ConditionArguments& arguments, const std::string& values);

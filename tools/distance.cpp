@@ -18,8 +18,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
 #include <optional>
 
 namespace polydec::tools {
@@ -47,8 +45,7 @@ std::vector<Index> sources(const Discretization& mesh, const DistanceArguments& 
             if (values[v] != 0)
                 cells.push_back(v);
         if (values.isZero(0))
-            throw InvalidInput(
-                fmt::format("--from-where: it is 0 at all {} vertices", values.size()));
+            throw InvalidInput(fmt::format("--from-where is 0 at all {} vertices", values.size()));
     }
     for (const auto& word : arguments.from)
         if (word == "boundary")
@@ -141,21 +138,20 @@ void draw(const Discretization& mesh, const DistanceArguments& arguments, const 
 
 void run_distance(const DistanceArguments& arguments) {
     Log log;
-    std::optional<SiteValues> where;
-    if (!arguments.from_where.empty())
-        where.emplace("--from-where", arguments.from_where);
+    const auto where = if_given<SiteValues>("--from-where", arguments.from_where);
+    if (!where && arguments.from.empty() && arguments.from_on.empty())
+        throw CLI::ValidationError(
+            "distance needs sources: --from VERTEX, --from-where EXPR or --from-on GROUP");
     check_picture(arguments.picture, arguments.mesh.mesh,
                   where && where->file() ? Paths{*where->file()} : Paths{});
     const Discretization mesh = load(arguments.mesh, log);
     if (mesh.dimension() != 2)
-        throw InvalidInput(fmt::format("{} has cells of dimension {}: distances are found on "
-                                       "surfaces",
+        throw InvalidInput(fmt::format("{} has cells of dimension {}: distances need a surface",
                                        arguments.mesh.mesh.string(), mesh.dimension()));
     if (!arguments.picture.out.empty())
         check_drawable(mesh);
     if (!arguments.to.empty() && arguments.geodesic.method == DistanceMethod::heat)
-        throw InvalidInput("--to: shortest paths are those of exact distances; leave --method heat "
-                           "out");
+        throw InvalidInput("--to: shortest paths need exact distances; omit --method heat");
     log.timing.begin("solve");
     const auto chosen = sources(mesh, arguments, where);
     const auto from = numbers_of(mesh, chosen);
@@ -191,57 +187,45 @@ void run_distance(const DistanceArguments& arguments) {
 } // namespace
 
 void add_distance(CLI::App& app) {
-    auto* command = app.add_subcommand("distance", "geodesic distance from vertices, exact");
-    const auto arguments = std::make_shared<DistanceArguments>();
-    add_mesh_arguments(*command, arguments->mesh);
+    const auto [command, arguments] = add_command<DistanceArguments>(
+        app, "distance", "computes geodesic distances from vertices, exactly", run_distance);
     command
         ->add_option("--from", arguments->from,
-                     "the vertices it is 0 at, by number, or boundary for all on it")
+                     "VERTEX ..\tsources by number, or `boundary` for all boundary vertices")
         ->check([](const std::string& word) {
             return word == "boundary" || group_tag({}, 0, word)
                        ? std::string()
                        : fmt::format("expected a whole number or boundary, not '{}'", word);
         });
     command->add_option("--from-where", arguments->from_where,
-                        "the vertices where this expression, or file, is not 0");
+                        "EXPR\tsources: vertices where this is not 0");
     command->add_option("--from-on", arguments->from_on,
-                        "the vertices of these physical groups, by name or number");
+                        "GROUP ..\tsources: vertices of these physical groups (name or number)");
     command->add_option("--to", arguments->to,
-                        "also the shortest paths to these vertices, by number: a page\n"
-                        "draws them, a .vtu file has them alone");
+                        "VERTEX ..\talso find shortest paths to these; a page draws them too, a "
+                        ".vtu file has only the paths");
     command
         ->add_option("--method", arguments->geodesic.method,
-                     "exact: length of a shortest path, up to rounding;\n"
-                     "heat: smoothed, off by some percent of the greatest distance")
-        ->transform(
-            CLI::CheckedTransformer(std::map<std::string, DistanceMethod>{
-                                        {name(DistanceMethod::exact), DistanceMethod::exact},
-                                        {name(DistanceMethod::heat), DistanceMethod::heat}})
-                .description("exact|heat"))
+                     "NAME\texact (length of a shortest path, up to rounding) or heat (smoothed, "
+                     "off by some percent of the greatest distance)")
+        ->transform(enumerator({name(DistanceMethod::exact), name(DistanceMethod::heat)}))
         ->default_str(name(DistanceMethod::exact));
-    command
-        ->add_option("--time-scale", arguments->geodesic.time_scale,
-                     "--method heat: it flows for this times the squared mean\nlength of edges")
-        ->capture_default_str();
+    command->add_option(
+        "--time-scale", arguments->geodesic.time_scale,
+        "C\tfor --method heat: heat flows for C times the squared mean edge length");
+    add_mesh_arguments(*command, arguments->mesh);
     add_picture(*command, arguments->picture, "the distances");
     add_isolines(*command, arguments->picture);
     command->get_option("--isolines")->excludes("--to");
-    command
-        ->add_option("--engine", arguments->geodesic.linear_solver, "--method heat: linear solver")
-        ->capture_default_str();
-    command->footer("Every component of the surface needs a vertex. Exact distances are those of "
-                    "the flat triangles,\nhowever these divide the surface. Triangles far from "
-                    "Delaunay spoil those of the heat\nmethod: --delaunay helps.\n\nExamples:\n"
+    add_engine(*command, arguments->geodesic.linear_solver);
+    command->footer("Every component of the surface needs a source. Exact distances depend only on "
+                    "the shape, not on its division into triangles. The heat method is inaccurate "
+                    "where triangles are far from Delaunay: use --delaunay there.\n\nExamples:\n"
                     "  polydec distance bunny.ply --from 0 -o distance.vtu\n"
                     "  polydec distance bunny.ply --from 0 --to 1200 870 -o paths.html\n"
                     "  polydec distance plate.msh --from boundary -o distance.html\n"
                     "  polydec distance plate.msh --from-where 'x < .01' --json\n"
                     "  polydec distance part.stl --delaunay --method heat --from 12 871 --json");
-    command->callback([arguments] {
-        if (arguments->from.empty() && arguments->from_on.empty() && arguments->from_where.empty())
-            throw CLI::RequiredError("--from, --from-where or --from-on");
-        run_distance(*arguments);
-    });
 }
 
 } // namespace polydec::tools

@@ -7,8 +7,6 @@
 #include "tools/messages.h"
 #include "tools/outputs.h"
 
-#include <memory>
-
 namespace polydec::tools {
 
 namespace {
@@ -63,34 +61,30 @@ void run_draw(DrawArguments arguments) {
 } // namespace
 
 void add_draw(CLI::App& app) {
-    auto* command =
-        app.add_subcommand("draw", "draws cells, duals and numbers of a small mesh, for lessons");
-    const auto arguments = std::make_shared<DrawArguments>();
+    const auto [command, arguments] = add_command<DrawArguments>(
+        app, "draw", "draws cells, duals and numbers of a small mesh, for teaching", run_draw);
     auto& shown = arguments->shown;
-    add_mesh_arguments(*command, arguments->mesh);
-    command->add_flag("--duals", shown.duals, "the dual mesh");
+    command->add_flag("--duals", shown.duals, "draw the dual mesh");
     command->add_flag("--numbers", shown.numbers,
-                      "numbers of vertices, edges and cells, as the\nmatrices of `operators` have "
-                      "them");
-    command->add_flag("--orientations", shown.orientations, "of edges and cells");
-    command->add_flag("--circumcircles", shown.circumcircles, "of the cells");
-    command->add_option("--title", shown.view.title, "above the drawing");
-    command->add_option("--width", shown.view.width, "of the drawing, pixels")
-        ->check(CLI::Range(100.0, 20000.0))
-        ->capture_default_str();
-    command->add_option("--eye", arguments->eye, "direction to the eye, for surfaces in space")
+                      "number vertices, edges and cells like the matrices of `operators`");
+    command->add_flag("--orientations", shown.orientations, "draw orientations of edges and cells");
+    command->add_flag("--circumcircles", shown.circumcircles, "draw circumcircles of the cells");
+    command->add_option("--title", shown.view.title, "TITLE\ttitle above the drawing");
+    command->add_option("--width", shown.view.width, "PIXELS\twidth of the drawing")
+        ->check(CLI::Range(100.0, 20000.0));
+    command
+        ->add_option("--eye", arguments->eye, "X Y Z\tdirection to the eye, for surfaces in space")
         ->expected(3);
+    add_mesh_arguments(*command, arguments->mesh);
     command->add_option("-o,--out", arguments->out,
-                        "the drawing, .svg (default: the mesh's name with\nthat extension, in this "
-                        "folder)");
-    command->footer(
-        "Merged cells are drawn, and the edges that were merged away; --no-merge draws "
-        "the triangles.\nFor polygons in the plane and in space; `view` shows solids.\n\n"
-        "Examples:\n"
-        "  polydec draw square.off --duals --circumcircles\n"
-        "  polydec draw square.off --no-merge --numbers --orientations -o square.svg\n"
-        "  polydec draw goldberg.off --duals --eye 1 -2 0.5 --title Hexagons");
-    command->callback([arguments] { run_draw(*arguments); });
+                        "FILE\tthe drawing, .svg (default: the mesh's name with .svg, in the "
+                        "current folder)");
+    command->footer("Shows merged cells and the edges that merging removed; --no-merge shows the "
+                    "triangles. For "
+                    "surfaces in the plane and in space; use `view` for solids.\n\nExamples:\n"
+                    "  polydec draw square.off --duals --circumcircles\n"
+                    "  polydec draw square.off --no-merge --numbers --orientations -o square.svg\n"
+                    "  polydec draw goldberg.off --duals --eye 1 -2 0.5 --title Hexagons");
 }
 
 } // namespace polydec::tools

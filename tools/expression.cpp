@@ -57,8 +57,8 @@ std::vector<double> read_numbers(const std::string& path) {
         const auto [next, error] = std::from_chars(at, end, value);
         const bool ends = next == end || std::isspace(static_cast<unsigned char>(*next));
         if (error != std::errc() || !ends || !std::isfinite(value))
-            throw InvalidInput(fmt::format("{}: entry {} is no finite number: expected numbers "
-                                           "separated by white space, one for each place",
+            throw InvalidInput(fmt::format("{}: entry {} is not a finite number: expected numbers "
+                                           "separated by white space, one per site",
                                            printable(path), values.size()));
         values.push_back(value);
         at = next;
@@ -162,8 +162,8 @@ Vector Expression::values(const Points& sites, const std::vector<Index>& labels)
 
 double Expression::of_label(double label) const {
     if (state_->used > 0)
-        throw InvalidInput(fmt::format("{}: '{}' depends on the place: expected an expression in "
-                                       "{} alone",
+        throw InvalidInput(fmt::format("{}: '{}' depends on x, y or z: expected an expression only "
+                                       "in {}",
                                        state_->option, printable(state_->text), state_->label));
     state_->label_value = label;
     double value = 0;
@@ -195,7 +195,7 @@ SiteValues::SiteValues(const std::string& option, const std::string& text,
         return;
     }
     throw CLI::ValidationError(
-        option, fmt::format("'{0}' is an expression, and a file too: write ({0}) or ./{0}",
+        option, fmt::format("'{0}' is both an expression and a file: write ({0}) or ./{0}",
                             printable(text)));
 }
 
@@ -226,7 +226,7 @@ Vector SiteValues::at(const Points& sites, const std::vector<std::int64_t>& numb
 
 void SiteValues::check_count(std::int64_t places) const {
     if (values_.size() != places)
-        throw InvalidInput(fmt::format("{}: {} numbers, expected {}, one for each place",
+        throw InvalidInput(fmt::format("{}: {} numbers, expected {}, one per site",
                                        printable(file_->string()), values_.size(), places));
 }
 

@@ -75,4 +75,11 @@ private:
     std::unique_ptr<const Expression> expression_;
 };
 
+/// Values that an option gives, none if it is not there.
+template <class Values>
+std::optional<Values> if_given(const std::string& option, const std::string& text,
+                               const std::string& label = "") {
+    return text.empty() ? std::nullopt : std::optional<Values>(std::in_place, option, text, label);
+}
+
 } // namespace polydec::tools

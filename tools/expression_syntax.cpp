@@ -100,7 +100,7 @@ private:
     void open() {
         levels_.push_back({is_word(before())});
         if (levels_.size() > deepest)
-            refuse(fmt::format("more than {} parentheses within each other", deepest));
+            refuse(fmt::format("more than {} nested parentheses", deepest));
         ++at_;
     }
 
@@ -124,7 +124,8 @@ std::string misread_syntax(std::string_view text) {
         return fmt::format("it has {} characters; expected {} at most", text.size(), longest);
     const auto stranger = text.find_first_not_of(characters);
     if (stranger != std::string_view::npos)
-        return fmt::format("the character at position {} belongs to no expression", stranger + 1);
+        return fmt::format("the character at position {} cannot occur in an expression",
+                           stranger + 1);
     return Reader(text).run();
 }
 

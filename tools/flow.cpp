@@ -20,8 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
-#include <memory>
 
 namespace polydec::tools {
 
@@ -206,56 +204,54 @@ void run_flow(const FlowArguments& arguments) {
 } // namespace
 
 void add_flow(CLI::App& app) {
-    auto* command =
-        app.add_subcommand("flow", "marches incompressible flows (Navier, Stokes, Euler)");
-    const auto arguments = std::make_shared<FlowArguments>();
-    add_mesh_arguments(*command, arguments->mesh);
-    add_star(*command, arguments->mesh, StarKind::automatic);
-    command->add_option("--viscosity", arguments->flow.viscosity, "0 is Euler's equations")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
+    const auto [command, arguments] = add_command<FlowArguments>(
+        app, "flow", "solves the equations of incompressible flow (Navier-Stokes, Euler)",
+        run_flow);
     auto* vorticity = command->add_option(
         "--vorticity", arguments->vorticity,
-        "of surfaces, at the time 0: an expression in x, y, z, or a file with\na number for each "
-        "vertex; the flow without harmonic part");
+        "EXPR\ton surfaces, vorticity at time 0 (a file has a number for each vertex), of a flow "
+        "without harmonic part");
     command
         ->add_option("--velocity", arguments->velocity,
-                     "at the time 0, expressions with ; between them, like '-y; x; 0';\nits part "
-                     "without divergence is taken, of surfaces along them")
+                     "VECTOR\tvelocity at time 0, such as '-y; x; 0'; its divergence-free part is "
+                     "used, on surfaces its tangential part")
         ->excludes(vorticity);
+    command
+        ->add_option("--viscosity", arguments->flow.viscosity,
+                     "NU\tviscosity (default: 0, Euler's equations)")
+        ->check(check_not_negative);
+    command->add_option("--rotation", arguments->rotation,
+                        "EXPR\ton surfaces, vorticity of the frame, such as '2*z' on a planet");
+    add_mesh_arguments(*command, arguments->mesh, StarKind::automatic);
     command->add_option("--boundary-velocity", arguments->boundary_velocity,
-                        "at the boundary: what flows in and out, and how walls without\nslip move");
+                        "VECTOR\tvelocity on the boundary: inflow, outflow, and motion of no-slip "
+                        "walls");
     command->add_option("--no-slip-where", arguments->no_slip_where,
-                        "walls without slip at boundary facets where this is not 0; all\nothers "
+                        "EXPR\tno-slip walls at boundary facets where this is not 0; all others "
                         "have free slip");
     command->add_option("--open-where", arguments->open_where,
-                        "facets where the flow goes in and out as it likes, at the total\npressure "
-                        "0");
+                        "EXPR\topen facets, with free inflow and outflow at total pressure 0");
     command->add_option("--no-slip-on", arguments->no_slip_on,
-                        "walls without slip in these physical groups of the file, by name or\n"
-                        "number; with --keep-groups merging joins none of them");
-    command->add_option("--open-on", arguments->open_on, "open facets likewise");
-    command->add_option("--rotation", arguments->rotation,
-                        "of surfaces, the vorticity of the frame, like '2*z' on a planet");
-    add_time(*command, arguments->time,
-             "0.4 of the time in\nwhich a cell's content is exchanged at first, of imex 0.8");
+                        "GROUP ..\tno-slip walls in these physical groups (name or number), which "
+                        "--keep-groups keeps apart");
+    command->add_option("--open-on", arguments->open_on, "GROUP ..\topen facets in these groups");
+    add_time(
+        *command, arguments->time,
+        "0.4 of the time in which the contents of a cell are exchanged at first, for imex 0.8");
     command
         ->add_option("--scheme", arguments->scheme,
-                     "midpoint, of second order, keeps the energy without viscosity;\nimex, of "
-                     "third order, does not iterate")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, FlowScheme>{
-            {"midpoint", FlowScheme::implicit_midpoint}, {"imex", FlowScheme::imex}}))
+                     "NAME\tmidpoint (order 2, conserves energy without viscosity) or imex (order "
+                     "3, does not iterate)")
+        ->transform(enumerator({"midpoint", "imex"}))
         ->default_str("midpoint");
-    command->add_option("--engine", arguments->flow.linear_solver, "linear solver")
-        ->capture_default_str();
+    add_engine(*command, arguments->flow.linear_solver);
     command->footer(
-        "Walls have free slip unless told otherwise. The circulations around all vertices add to "
-        "0.\n\nExamples:\n"
+        "Walls have free slip by default. The circulations around all vertices add up to 0.\n\n"
+        "Examples:\n"
         "  polydec flow sphere.off --vorticity 'exp(-20*(x-1)^2-20*y^2)' --until 20 -o flow.html\n"
         "  polydec flow square.off --viscosity .01 --no-slip-where 1 \\\n"
         "      --boundary-velocity '(y>.999)*1; 0; 0' --scheme imex --until 20 -o cavity.pvd \\\n"
         "      --checkpoint cavity.checkpoint --resume");
-    command->callback([arguments] { run_flow(*arguments); });
 }
 
 } // namespace polydec::tools

@@ -61,14 +61,7 @@ Vector vertex_values(const Discretization& mesh, const SiteValues& values, const
 
 CLI::Option* add_form(CLI::App& command, const std::string& option, std::string& text,
                       const std::string& what) {
-    return command
-        .add_option(
-            option, text,
-            fmt::format("{}:\nan expression in x, y, z; of higher degree the coefficients at\n"
-                        "dx, dy, .. or at dx dy, dx dz, .., like '-y; x; 0'; or a file with\n"
-                        "a number for each cell",
-                        what))
-        ->required();
+    return command.add_option(option, text, "FORM\t" + what);
 }
 
 FormValues::FormValues(const std::string& option, const std::string& text, const std::string& time)
@@ -87,7 +80,7 @@ void FormValues::check_count(const Discretization& mesh, int degree) const {
     const Index wanted = degree == 0 ? 1 : binomial(coordinates, degree);
     if (std::ssize(coefficients_) != wanted)
         throw InvalidInput(fmt::format("{} has {} coefficient{}: a {}-form in {} coordinates has "
-                                       "{}, with ; between them",
+                                       "{}, separated by ;",
                                        option_, coefficients_.size(),
                                        coefficients_.size() == 1 ? "" : "s", degree, coordinates,
                                        wanted));
@@ -97,7 +90,7 @@ Cochain FormValues::on(const Discretization& mesh, Side side, int degree, double
     const int n = mesh.dimension();
     if (degree < 0 || degree > n)
         throw InvalidInput(
-            fmt::format("forms of degree {} are asked for: expected 0 to {}", degree, n));
+            fmt::format("there are no forms of degree {}: expected 0 to {}", degree, n));
     const int k = cell_degree(mesh.complex(), side, degree);
     if (coefficients_.front().file() && k == 0)
         return {side, degree, vertex_values(mesh, coefficients_.front(), {})};
@@ -115,7 +108,7 @@ Vector FormValues::on_boundary(const Discretization& mesh, Side side, int degree
     if (side == Side::primal)
         return on(mesh, side, degree, time).values;
     if (degree > 0)
-        throw InvalidInput(fmt::format("{} of a dual {}-form: expected a 0-form, or a primal one",
+        throw InvalidInput(fmt::format("{} of a dual {}-form: expected a 0-form or a primal form",
                                        option_, degree));
     check_count(mesh, degree);
     return coefficients_.front().at(cell_centers(mesh, mesh.dimension() - 1), time);
@@ -124,8 +117,9 @@ Vector FormValues::on_boundary(const Discretization& mesh, Side side, int degree
 Vector FormValues::through_boundary(const Discretization& mesh, Side side, int degree,
                                     double time) const {
     if (degree > 0)
-        throw InvalidInput(fmt::format(
-            "{} of a {}-form: expected a 0-form, whose outward derivative it is", option_, degree));
+        throw InvalidInput(
+            fmt::format("{} of a {}-form: expected a 0-form, which has an outward derivative",
+                        option_, degree));
     check_count(mesh, degree);
     const Points sites = facet_sites(mesh);
     return outward_flow(mesh, side, coefficients_.front().at(sites, time));

@@ -24,7 +24,7 @@ CellData cell_values(const Discretization& mesh, const SiteValues& values);
 Vector vertex_values(const Discretization& mesh, const SiteValues& values, const Points& places,
                      double time = 0);
 
-/// Adds a required option for FormValues; `what` describes the form.
+/// Adds an option that FormValues are made of; `what` says what form it is.
 CLI::Option* add_form(CLI::App& command, const std::string& option, std::string& text,
                       const std::string& what);
 

@@ -36,39 +36,39 @@ const std::vector<Surface>& surfaces() {
     static const std::vector<Surface> list{
         {"grid",
          "unit square of squares, each split",
-         {{"--nx", "squares along x", 16}, {"--ny", "squares along y", 16}},
+         {{"--nx", "N\tsquares along x", 16}, {"--ny", "N\tsquares along y", 16}},
          [](int a, int b) { return grid(a, b); }},
         {"hexagons",
          "unit square of hexagons, each fanned",
-         {{"--columns", "hexagons to a row", 16}},
+         {{"--columns", "N\thexagons to a row", 16}},
          [](int a, int) { return hexagons(a); }},
         {"well-centered",
          "unit square of acute triangles",
-         {{"--rows", "pairs of rows", 8}},
+         {{"--rows", "N\tpairs of rows", 8}},
          [](int a, int) { return well_centered(a); }},
         {"uv-sphere",
          "unit sphere of planar quads, each split, and pole triangles",
-         {{"--meridians", "meridians", 32}, {"--bands", "bands from pole to pole", 16}},
+         {{"--meridians", "N\tmeridians", 32}, {"--bands", "N\tbands from pole to pole", 16}},
          [](int a, int b) { return uv_sphere(a, b); }},
         {"icosphere",
          "unit sphere from the icosahedron",
-         {{"--frequency", "parts of an icosahedron's edge", 8}},
+         {{"--frequency", "N\tparts of an icosahedron's edge", 8}},
          [](int a, int) { return icosphere(a); }},
         {"goldberg",
          "unit sphere of planar hexagons and twelve pentagons, each fanned",
-         {{"--frequency", "parts of an icosahedron's edge", 8}},
+         {{"--frequency", "N\tparts of an icosahedron's edge", 8}},
          [](int a, int) { return goldberg(a); }},
         {"torus",
          "torus of planar quads, each split",
-         {{"--major", "quads around the axis", 32}, {"--minor", "quads around the tube", 16}},
+         {{"--major", "N\tquads around the axis", 32}, {"--minor", "N\tquads around the tube", 16}},
          [](int a, int b) { return torus(a, b); }},
         {"moebius",
          "Moebius strip, not orientable",
-         {{"--around", "quads around", 32}, {"--across", "quads across", 4}},
+         {{"--around", "N\tquads around", 32}, {"--across", "N\tquads across", 4}},
          [](int a, int b) { return moebius(a, b); }},
         {"flange",
          "machine part with hub and bore, all faces split quads",
-         {{"--segments", "segments around the axis", 48}},
+         {{"--segments", "N\tsegments around the axis", 48}},
          [](int a, int) { return flange(a); }},
     };
     return list;
@@ -81,8 +81,7 @@ void add_surface(CLI::App& generate, const Surface& surface) {
     });
     for (std::size_t i = 0; i < surface.sizes.size(); ++i) {
         (*sizes)[i] = surface.sizes[i].value;
-        command->add_option(surface.sizes[i].option, (*sizes)[i], surface.sizes[i].help)
-            ->capture_default_str();
+        command->add_option(surface.sizes[i].option, (*sizes)[i], surface.sizes[i].help);
     }
 }
 
@@ -109,13 +108,12 @@ struct Generated : Answer {
 
 CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
                         std::function<Mesh()> make) {
-    auto* command = generate.add_subcommand(name, help);
+    auto* command = generate.add_subcommand(name, help)->group("Meshes");
     const auto out = std::make_shared<std::filesystem::path>();
     const auto options = std::make_shared<TellOptions>();
     command
-        ->add_option(
-            "-o,--out", *out,
-            "mesh file: .off .obj .ply .stl .mesh .nsc .pdm; or\na page that shows it, .html")
+        ->add_option("-o,--out", *out,
+                     "FILE\tmesh file: .off .obj .ply .stl .mesh .nsc .pdm, or an .html page")
         ->required();
     add_common_options(*command, *options);
     command->callback([out, options, make = std::move(make)] {
@@ -147,7 +145,8 @@ void write_generated(const std::filesystem::path& out, const Mesh& mesh, Log& lo
 }
 
 void add_generate(CLI::App& app) {
-    auto* command = app.add_subcommand("generate", "makes a mesh");
+    auto* command = app.add_subcommand(
+        "generate", "generates a mesh by NAME, or fills SURFACE with tetrahedra (--mesher)");
     command->require_subcommand(0, 1);
     add_fill(*command);
     command->footer(

@@ -2,10 +2,8 @@
 #include "meshes/tetrahedralize.h"
 #include "tools/common.h"
 #include "tools/generate.h"
-#include "tools/options.h"
+#include "tools/help.h"
 #include "tools/outputs.h"
-
-#include <fmt/format.h>
 
 #include <array>
 #include <memory>
@@ -45,22 +43,16 @@ void fill(const FillArguments& arguments) {
     write_generated(arguments.out, mesh, log, arguments.tell);
 }
 
-/// The one mesher there is, also where its program is missing: then the library says so.
-std::string check_mesher(const std::string& name) {
-    return name == "tetgen" ? "" : fmt::format("expected tetgen, not '{}'", name);
-}
-
-void fill_if_asked(const CLI::App& command, const FillArguments& arguments) {
+void fill_if_asked(CLI::App& command, const FillArguments& arguments) {
     if (!command.get_subcommands().empty())
         return;
-    if (arguments.mesher.empty() && arguments.surface.empty())
-        throw CLI::RequiredError("The name of a mesh, or --mesher,");
     if (arguments.mesher.empty())
-        throw CLI::ValidationError(
-            fmt::format("there is no '{}' here", arguments.surface.string()));
+        throw CLI::ValidationError("generate",
+                                   one_of(commands_of(command))(arguments.surface.string()));
     for (const char* name : {"SURFACE", "--out"})
-        if (command.count(name) == 0)
-            throw CLI::RequiredError(name);
+        command.get_option(name)->required();
+    if (arguments.surface.empty() || arguments.out.empty())
+        throw CLI::RequiredError("generate");
     fill(arguments);
 }
 
@@ -69,31 +61,34 @@ void fill_if_asked(const CLI::App& command, const FillArguments& arguments) {
 void add_fill(CLI::App& generate) {
     const auto arguments = std::make_shared<FillArguments>();
     auto& options = arguments->options;
-    auto* mesher = generate.add_option("--mesher", arguments->mesher,
-                                       "fill the closed surface SURFACE with tetrahedra: tetgen");
-    mesher->check(check_mesher);
-    generate.add_option("SURFACE", arguments->surface, "mesh file of a closed surface");
+    auto* mesher = generate.add_option(
+        "--mesher", arguments->mesher,
+        "NAME\tfill the closed surface SURFACE with tetrahedra by this mesher: tetgen");
+    mesher->check(one_of({"tetgen"})); // also where its program is missing: the library says so
+    generate.add_option("SURFACE", arguments->surface,
+                        "with --mesher: mesh file of a closed surface");
     generate
         .add_option("--quality", options.quality,
-                    "most circumradius over shortest edge, 1.2 or more")
+                    "Q\tlargest ratio of circumradius to shortest edge, at least 1.2")
         ->needs(mesher);
-    generate.add_option("--volume", options.largest_volume, "largest volume of a tetrahedron")
+    generate.add_option("--volume", options.largest_volume, "V\tlargest volume of a tetrahedron")
         ->needs(mesher);
-    generate.add_option("--hole", arguments->holes, "a point x y z of a part to be left empty")
+    generate
+        .add_option("--hole", arguments->holes, "X Y Z\tpoint of a part to leave empty; repeatable")
         ->allow_extra_args(false)
         ->needs(mesher);
     generate
         .add_flag_callback(
             "--keep-boundary", [&options] { options.boundary = BoundarySplitting::forbidden; },
-            "put no new points on the surface")
+            "add no points to the surface")
         ->needs(mesher);
-    generate.add_option("--seconds", options.seconds, "stop the mesher after this time")
-        ->capture_default_str()
+    generate.add_option("--seconds", options.seconds, "S\tstop the mesher after S seconds")
         ->needs(mesher);
     add_joining(generate, arguments->joining);
     generate.get_option("--weld")->needs(mesher);
     generate.get_option("--join-hanging")->needs(mesher);
-    generate.add_option("-o,--out", arguments->out, "mesh file of tetrahedra: .mesh .nsc .pdm");
+    generate.add_option("-o,--out", arguments->out,
+                        "FILE\ttetrahedra: .mesh .nsc .pdm, or an .html page");
     add_common_options(generate, arguments->tell);
     generate.get_option("--json")->needs(mesher);
     generate.callback([&generate, arguments] { fill_if_asked(generate, *arguments); });

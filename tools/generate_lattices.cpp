@@ -56,13 +56,12 @@ CLI::App* add_boxes(CLI::App& generate, const char* name, const char* help,
     auto* command =
         add_generator(generate, name, help, [arguments, make] { return make(*arguments); });
     command->add_option("--dimension", arguments->dimension,
-                        "dimension n; 3 without it, or as many as there are counts");
-    command->add_option("--cells", arguments->cells, "boxes along all axes, or along each")
-        ->expected(1, 12)
-        ->capture_default_str();
+                        "N\tdimension (default: the number of --cells if several, otherwise 3)");
+    command->add_option("--cells", arguments->cells, "N ..\tboxes along all axes, or along each")
+        ->expected(1, 12);
     command
         ->add_option("--lengths", arguments->lengths,
-                     "of the whole along each axis; without them the unit cube")
+                     "L ..\tlength along each axis (default: the unit cube)")
         ->expected(1, 12);
     return command;
 }
@@ -71,27 +70,28 @@ void add_lattice(CLI::App& generate, const char* name, const char* help, std::si
                  Mesh (*make)(const std::vector<int>&, double)) {
     const auto arguments = std::make_shared<LatticeArguments>();
     auto* command = add_generator(generate, name, help, [=] { return arguments->make(n, make); });
-    command->add_option("--cells", arguments->cells, "cubes along all axes, or along each")
-        ->expected(1, static_cast<int>(n))
-        ->capture_default_str();
-    command->add_option("--edge", arguments->edge,
-                        "of a cube; without it the unit cube, or 1 where counts differ by axis");
+    command->add_option("--cells", arguments->cells, "N ..\tcubes along all axes, or along each")
+        ->expected(1, static_cast<int>(n));
+    command->add_option(
+        "--edge", arguments->edge,
+        "L\tedge length of a cube (default: that of a unit cube as a whole, 1 if several --cells)");
 }
 
 void add_clusters(CLI::App& generate) {
     const auto options = std::make_shared<ClusterOptions>();
     auto* command =
-        add_generator(generate, "clusters", "random points around spheres full of cospherical ones",
+        add_generator(generate, "clusters", "random points, and spheres with cospherical points",
                       [options] { return sphere_clusters(*options); });
     const auto add = [command](const char* name, auto& value, const char* help) {
-        command->add_option(name, value, help)->capture_default_str();
+        command->add_option(name, value, help);
     };
-    add("--dimension", options->dimension, "dimension n");
-    add("--cells", options->cells_per_side, "boxes along each axis, a random point in each");
-    add("--spheres", options->spheres, "spheres without points inside");
-    add("--points", options->points_on_sphere, "points on each sphere");
-    add("--radius", options->radius, "of the spheres");
-    add("--seed", options->seed, "of the random numbers");
+    add("--dimension", options->dimension, "N\tdimension");
+    add("--cells", options->cells_per_side,
+        "N\tboxes along each axis, with a random point in each");
+    add("--spheres", options->spheres, "N\tspheres without points inside");
+    add("--points", options->points_on_sphere, "N\tpoints on each sphere");
+    add("--radius", options->radius, "R\tradius of the spheres");
+    add("--seed", options->seed, "N\tseed of the random numbers");
 }
 
 } // namespace
@@ -103,8 +103,7 @@ void add_lattices(CLI::App& generate) {
     const auto split = std::make_shared<BoxArguments>();
     add_boxes(generate, "split-boxes", "the same, each box split at random", split,
               [](const BoxArguments& a) { return split_boxes(a.counts(), a.lengths, a.seed); })
-        ->add_option("--seed", split->seed, "of the random numbers")
-        ->capture_default_str();
+        ->add_option("--seed", split->seed, "N\tseed of the random numbers");
     add_lattice(generate, "bcc", "body-centered lattice, tetrahedra", 3, bcc);
     add_lattice(generate, "fcc", "face-centered lattice, tetrahedra and split octahedra", 3, fcc);
     add_lattice(generate, "d4", "lattice D4, split 16-cells in four dimensions", 4, d4);

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <optional>
 
 namespace polydec::tools {
@@ -42,9 +41,9 @@ struct HeatArguments {
         if (integrator.empty())
             integrator = changes ? "runge-kutta" : "backward-euler";
         if (tolerance > 0 && has_equal_steps())
-            throw InvalidInput(fmt::format("--tolerance-in-time: {} takes steps of one length and "
-                                           "knows nothing of their errors; say --integrator "
-                                           "runge-kutta or leave it out",
+            throw InvalidInput(fmt::format("--tolerance-in-time: {} takes equal steps and does not "
+                                           "estimate errors; use --integrator runge-kutta, or omit "
+                                           "the tolerance",
                                            integrator));
     }
     bool has_equal_steps() const {
@@ -203,24 +202,18 @@ void check_boundary(const HeatArguments& arguments) {
     if (!arguments.boundary.empty() && arguments.side == Side::primal &&
         arguments.conditions.essential_where.empty() && arguments.conditions.essential_on.empty() &&
         arguments.conditions.fixed_where.empty())
-        throw InvalidInput("--boundary-values of primal forms are values at essential facets: say "
-                           "which by --essential-where");
+        throw InvalidInput("--boundary-values of primal forms apply at essential facets: select "
+                           "these by --essential-where");
     if (!arguments.boundary.empty() && arguments.conditions.natural)
-        throw InvalidInput("--boundary-values are values at essential facets: --natural has none");
-}
-
-std::optional<FormValues> if_given(const std::string& option, const std::string& text) {
-    if (text.empty())
-        return std::nullopt;
-    return FormValues(option, text, "t");
+        throw InvalidInput("--boundary-values apply at essential facets: --natural has none");
 }
 
 void run_heat(HeatArguments arguments) {
     Log log;
     const FormValues initial("--initial", arguments.initial);
-    auto source = if_given("--source", arguments.source);
-    auto boundary = if_given("--boundary-values", arguments.boundary);
-    auto flux = if_given("--flux", arguments.flux);
+    auto source = if_given<FormValues>("--source", arguments.source, "t");
+    auto boundary = if_given<FormValues>("--boundary-values", arguments.boundary, "t");
+    auto flux = if_given<FormValues>("--flux", arguments.flux, "t");
     const ConditionValues asked(arguments.conditions);
     check_boundary(arguments);
     arguments.choose_integrator();
@@ -268,58 +261,39 @@ void run_heat(HeatArguments arguments) {
 } // namespace
 
 void add_heat(CLI::App& app) {
-    auto* command = app.add_subcommand("heat", "marches the heat equation du/dt = -Delta u");
-    const auto arguments = std::make_shared<HeatArguments>();
-    add_mesh_arguments(*command, arguments->mesh);
-    add_star(*command, arguments->mesh, StarKind::automatic);
-    add_side(*command, arguments->side)->required();
-    command->add_option("--degree", arguments->degree, "degree of the forms")
-        ->capture_default_str();
-    add_form(*command, "--initial", arguments->initial, "the form at time 0");
-    add_time(*command, arguments->time, "a hundredth of the time");
+    const auto [command, arguments] = add_command<HeatArguments>(
+        app, "heat", "solves the heat equation du/dt = -Delta u", run_heat);
+    add_form(*command, "--initial", arguments->initial, "the form at time 0")->required();
     add_form(*command, "--source", arguments->source,
-             "what is added to du/dt, at the time t as well")
-        ->required(false);
+             "term added to du/dt; may use the time t, as may the data on the boundary");
+    add_forms(*command, arguments->side, arguments->degree);
+    add_mesh_arguments(*command, arguments->mesh, StarKind::automatic);
+    add_conditions(*command, arguments->conditions);
+    add_form(*command, "--boundary-values", arguments->boundary,
+             "values at essential facets instead of 0");
+    add_form(*command, "--flux", arguments->flux,
+             "outward derivative of a 0-form elsewhere on the boundary, instead of 0");
+    add_robin(*command, arguments->conditions, "--flux");
+    add_fixed(*command, arguments->conditions, "values of --boundary-values");
+    add_time(*command, arguments->time, "a hundredth of the time, or adaptive");
     command
         ->add_option("--tolerance-in-time", arguments->tolerance,
-                     "take steps as long as this error of each, as a part of the values,\n"
-                     "allows (default with a source: 1e-5)")
-        ->check(CLI::PositiveNumber);
-    command->add_option("--integrator", arguments->integrator,
-                        "backward-euler, of first order, makes no new extremes;\n"
-                        "implicit-midpoint is of second order, Crank and Nicolson's scheme:\n"
-                        "both take steps of --time-step; runge-kutta and cvode those that the\n"
-                        "tolerance allows, or of --time-step where it is given (default:\n"
-                        "backward-euler; runge-kutta with a tolerance, a source or data on the\n"
-                        "boundary)");
-    add_conditions(*command, arguments->conditions,
-                   "no flow through the boundary (Neumann); of forms of degree\n"
-                   "1 .. n-1 the normal part is 0 there",
-                   "values 0 (Dirichlet) at boundary facets where this is not 0, of\n"
-                   "forms of degree 1 .. n-1 the tangential part; no flow through\n"
-                   "the others");
-    add_form(*command, "--boundary-values", arguments->boundary,
-             "the values at essential facets, at the time t as well\n(default: 0)")
-        ->required(false);
-    add_form(*command, "--flux", arguments->flux,
-             "the outward derivative of a 0-form on the rest of the boundary,\nat the time t as "
-             "well (default: 0)")
-        ->required(false);
-    add_essential_on(*command, arguments->conditions);
-    add_fixed(*command, arguments->conditions, "values of --boundary-values");
-    add_robin(*command, arguments->conditions, "--flux");
-    command->add_option("--engine", arguments->engine, "linear solver")->capture_default_str();
-    command->footer(
-        "On the boundary, primal forms have what --natural asks for unless told otherwise; dual "
-        "forms\nhave values 0 (Dirichlet).\n\nExamples:\n"
-        "  polydec heat bunny.off --side primal --initial 'x>0' --until .01 -o heat.html\n"
-        "  polydec heat room.msh --side dual --initial 1 --until 2 --frames 100 -o heat.pvd \\\n"
-        "      --checkpoint heat.checkpoint --resume\n"
-        "  polydec heat plate.off --side dual --initial 1 --robin 2.5 --flux '50+10*sin(t)' \\\n"
-        "      --until 1\n"
-        "  polydec heat room.msh --side primal --initial 0 --source 'exp(-9*(x^2+y^2))*sin(t)' \\\n"
-        "      --until 20 --tolerance-in-time 1e-4 -o heated.pvd");
-    command->callback([arguments] { run_heat(*arguments); });
+                     "E\trelative error allowed per step (default with a source: 1e-5)")
+        ->check(check_positive);
+    command->add_option(
+        "--integrator", arguments->integrator,
+        "NAME\tbackward-euler (order 1, no new extremes), implicit-midpoint (order 2, "
+        "Crank-Nicolson): equal steps; runge-kutta, cvode: steps by tolerance (default: the first; "
+        "runge-kutta with tolerance, source or boundary data)");
+    add_engine(*command, arguments->engine);
+    command->footer("Examples:\n"
+                    "  polydec heat bunny.off --initial 'x>0' --until .01 -o heat.html\n"
+                    "  polydec heat room.msh --initial 1 --until 2 -o heat.pvd --checkpoint "
+                    "h.checkpoint --resume\n"
+                    "  polydec heat plate.off --side dual --initial 1 --robin 2.5 --flux "
+                    "'50+10*sin(t)' --until 1\n"
+                    "  polydec heat room.msh --initial 0 --source 'x*sin(t)' --until 20 "
+                    "--tolerance-in-time 1e-4");
 }
 
 } // namespace polydec::tools

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 namespace polydec::tools {
@@ -121,29 +120,22 @@ void run_hodge(const HodgeArguments& arguments) {
 } // namespace
 
 void add_hodge(CLI::App& app) {
-    auto* command =
-        app.add_subcommand("hodge", "divides a form into an exact, a coexact and a harmonic one");
-    const auto arguments = std::make_shared<HodgeArguments>();
-    add_mesh_arguments(*command, arguments->mesh);
-    add_star(*command, arguments->mesh, StarKind::automatic);
-    add_side(*command, arguments->side)->required();
-    command->add_option("--degree", arguments->degree, "degree of the form")->capture_default_str();
-    add_form(*command, "--form", arguments->form, "the form");
+    const auto [command, arguments] = add_command<HodgeArguments>(
+        app, "hodge", "splits a form into an exact, a coexact and a harmonic part", run_hodge);
+    add_form(*command, "--form", arguments->form, "the form")->required();
+    add_forms(*command, arguments->side, arguments->degree);
+    add_mesh_arguments(*command, arguments->mesh, StarKind::automatic);
     add_conditions(*command, arguments->conditions,
-                   "of 1-forms the normal part of the coexact and harmonic ones is 0 on\n"
-                   "the boundary",
-                   "the tangential part of all of them is 0 at boundary facets where this\n"
-                   "is not 0");
-    add_essential_on(*command, arguments->conditions);
+                   "for 1-forms, the coexact and harmonic parts have normal part 0 on the "
+                   "boundary; default of primal forms",
+                   "all parts have tangential part 0 at boundary facets where this is not 0; "
+                   "default of dual forms: 1");
     add_picture(*command, arguments->picture, "the form and its parts");
-    command->add_option("--engine", arguments->engine, "linear solver")->capture_default_str();
-    command->footer(
-        "On the boundary, primal forms have what --natural asks for unless told otherwise, dual "
-        "forms\nwhat --essential-where 1 does. Values that a condition fixes are left out.\n\n"
-        "Examples:\n"
-        "  polydec hodge torus.off --side primal --form '-y; x; z' -o parts.html\n"
-        "  polydec hodge ball.mesh --side dual --degree 2 --form '0; x; 1' --json");
-    command->callback([arguments] { run_hodge(*arguments); });
+    add_engine(*command, arguments->engine);
+    command->footer("Values that a boundary condition fixes do not enter the decomposition.\n\n"
+                    "Examples:\n"
+                    "  polydec hodge torus.off --form '-y; x; z' -o parts.html\n"
+                    "  polydec hodge ball.mesh --side dual --degree 2 --form '0; x; 1' --json");
 }
 
 } // namespace polydec::tools

@@ -8,7 +8,6 @@
 #include "io/source_file.h"
 #include "tools/common.h"
 #include "tools/messages.h"
-#include "tools/options.h"
 #include "tools/outputs.h"
 #include "tools/stop_signals.h"
 
@@ -57,28 +56,24 @@ Index step_of_frame(Index frame, Index frames, Index steps) {
 } // namespace
 
 void add_time(CLI::App& command, TimeArguments& arguments, const std::string& own_step) {
-    command.add_option("--until", arguments.until, "the time at the end")
+    command.add_option("--until", arguments.until, "TIME\tend of the run")
         ->required()
-        ->check(CLI::PositiveNumber);
+        ->check(check_positive);
     command
         .add_option("--time-step", arguments.time_step,
-                    fmt::format("how long a step is at most (default: {});\nsteps are made equal",
-                                own_step))
-        ->check(CLI::PositiveNumber);
-    command
-        .add_option("--frames", arguments.frames,
-                    "how many times are written, equally far apart, and the beginning")
-        ->check(CLI::Range(1, 1'000'000))
-        ->capture_default_str();
-    command.add_option("-o,--out", arguments.out,
-                       "write a series to this .pvd file, with a folder beside it, or a\n"
-                       ".html page that plays");
-    auto* checkpoint = command.add_option("--checkpoint", arguments.checkpoint,
-                                          "keep the state in this .checkpoint file: at each frame, "
-                                          "every\nminute, and when Ctrl-C or SIGTERM ends the run");
+                    fmt::format("TIME\tequal steps of at most TIME (default: {})", own_step))
+        ->check(check_positive);
+    command.add_option("--frames", arguments.frames, "N\tstates to write, besides the initial one")
+        ->check(CLI::Range(1, 1'000'000));
+    command.add_option(
+        "-o,--out", arguments.out,
+        "FILE\twrite a series: .pvd with a folder beside it, or .html page that plays");
+    auto* checkpoint = command.add_option(
+        "--checkpoint", arguments.checkpoint,
+        "FILE\tkeep the state in this .checkpoint file: each frame, minute, Ctrl-C or SIGTERM");
     command
         .add_flag("--resume", arguments.resume,
-                  "go on from the checkpoint, if it is there; all else must be as\nit was")
+                  "resume from the checkpoint if it exists; all other options must be the same")
         ->needs(checkpoint);
 }
 
@@ -86,9 +81,9 @@ void check_time(const TimeArguments& arguments, Paths inputs) {
     if (!arguments.out.empty())
         check_output_file(arguments.out, {".pvd", ".html"}, inputs);
     if (arguments.resume && lower_extension(arguments.out) == ".html")
-        throw InvalidInput(fmt::format("cannot go on with {}: a page is made of all its steps at "
-                                       "once; write a .pvd file, and make a page of it at the end "
-                                       "by polydec view",
+        throw InvalidInput(fmt::format("cannot resume with {}: a page is written from all frames "
+                                       "at once; write a .pvd file, then convert it by polydec "
+                                       "view",
                                        printable(arguments.out.string())),
                            {.path = arguments.out});
     if (!arguments.checkpoint.empty())
@@ -103,7 +98,7 @@ TimeSteps time_steps(const TimeArguments& arguments, double length) {
     const double count =
         multiple * std::max(1.0, std::ceil(arguments.until / length / multiple - rounding));
     if (!(count <= most))
-        throw InvalidInput(fmt::format("{:.3g} steps of {:.3g} are asked for: expected at most "
+        throw InvalidInput(fmt::format("{:.3g} steps of {:.3g} are too many: expected at most "
                                        "{:.0g}",
                                        count, length, most));
     return {static_cast<Index>(count), arguments.until / count};
@@ -169,7 +164,7 @@ std::string in_words(const TimeSteps& steps, const Ran& ran) {
     auto text = fmt::format("{} step{} of {:.6g} to the time {:.10g}", steps.count,
                             steps.count == 1 ? "" : "s", steps.length, steps.length * steps.count);
     if (ran.resumed_at > 0)
-        text += fmt::format(", gone on with after step {}", ran.resumed_at);
+        text += fmt::format(", resumed after step {}", ran.resumed_at);
     return text;
 }
 

@@ -10,7 +10,6 @@
 
 #include <fmt/ranges.h>
 
-#include <memory>
 #include <utility>
 
 namespace polydec::tools {
@@ -28,7 +27,7 @@ void write_cells(Text& text, const Diagnosis& facts) {
     const int n = facts.dimension;
     text("dimension {} {}, volume {}\n", n,
          facts.ambient_dimension ? fmt::format("in {} coordinates", *facts.ambient_dimension)
-                                 : "by lengths of edges alone",
+                                 : "given by edge lengths only",
          in_digits(facts.volume, 10));
     text("cells of degree 0 .. {}\n", n);
     text("  input    {}\n  merged   {}\n", fmt::join(facts.cells.input, ", "),
@@ -140,9 +139,9 @@ std::string verdict(const LaplacianVerdict& facts, Side side, StarKind stars) {
     if (!exists && !spectrum.exists)
         return fmt::format("no, {}", reason);
     if (!exists)
-        return fmt::format("a spectrum alone, since {}", facts.matrix_reason);
+        return fmt::format("a spectrum only, since {}", facts.matrix_reason);
     if (!spectrum.exists)
-        return fmt::format("a matrix alone, without a spectrum: {}", reason);
+        return fmt::format("a matrix only, no spectrum: {}", reason);
     if (!spectrum.reason.empty())
         return fmt::format("yes, but {}", reason);
     return reason.empty() ? better("yes") : fmt::format("restricted, {}", reason);
@@ -224,14 +223,13 @@ void run(const InfoArguments& arguments) {
 } // namespace
 
 void add_info(CLI::App& app) {
-    auto* command = app.add_subcommand("info", "what the mesh is and what DEC can do on it");
-    const auto arguments = std::make_shared<InfoArguments>();
-    add_mesh_arguments(*command, arguments->mesh);
-    add_star(*command, arguments->mesh, StarKind::circumcentric);
-    command->add_option("-o,--out", arguments->out, "write a page, .html, that shows the mesh too");
+    const auto [command, arguments] = add_command<InfoArguments>(
+        app, "info", "describes the mesh and what DEC can do on it", run);
+    add_mesh_arguments(*command, arguments->mesh, StarKind::circumcentric);
+    command->add_option("-o,--out", arguments->out,
+                        "FILE\twrite an .html page that shows the mesh too");
     command->footer("Examples:\n  polydec info fandisk.off\n  polydec info bunny.ply --delaunay\n"
                     "  polydec info hand.mesh --star automatic");
-    command->callback([arguments] { run(*arguments); });
 }
 
 } // namespace polydec::tools

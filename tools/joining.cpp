@@ -23,14 +23,13 @@ bool is_number(const std::string& text) {
 void add_joining(CLI::App& command, JoiningArguments& arguments) {
     command
         .add_flag("--weld{rounding}", arguments.weld,
-                  "join vertices at one place (within 1e-9 of the mesh's size),\n"
-                  "or up to a LENGTH apart: --weld LENGTH")
+                  "[LENGTH]\tjoin vertices within LENGTH of each other (default: 1e-9 of the "
+                  "mesh's size)")
         ->check([](const std::string& text) {
             return text == rounding ? std::string() : check_not_negative(text);
         });
     command.add_flag("--join-hanging", arguments.hanging,
-                     "weld, and split cells at vertices that hang inside their edges and\n"
-                     "facets on the boundary");
+                     "weld, then split cells at boundary vertices inside their edges and facets");
 }
 
 Mesh read_joined(const std::filesystem::path& file, const JoiningArguments& arguments) {

@@ -141,7 +141,7 @@ void check_unchanged(const std::filesystem::path& mesh, const std::vector<Finger
     if (was == before.end() && is == now.end())
         return;
     const auto& changed = was == before.end() ? is->file : was->file;
-    throw IoError(fmt::format("{} changed while it was read: try again when it is whole",
+    throw IoError(fmt::format("{} changed while it was read: try again when it is complete",
                               printable(changed.string())));
 }
 

@@ -13,8 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <memory>
 #include <optional>
 
 namespace polydec::tools {
@@ -38,15 +36,9 @@ struct Material {
     std::optional<SiteValues> permittivity, permeability, conductivity;
 
     explicit Material(const MaxwellArguments& arguments)
-        : permittivity(made("--permittivity", arguments.permittivity)),
-          permeability(made("--permeability", arguments.permeability)),
-          conductivity(made("--conductivity", arguments.conductivity)) {}
-
-    static std::optional<SiteValues> made(const std::string& option, const std::string& text) {
-        if (text.empty())
-            return std::nullopt;
-        return SiteValues(option, text, "group");
-    }
+        : permittivity(if_given<SiteValues>("--permittivity", arguments.permittivity, "group")),
+          permeability(if_given<SiteValues>("--permeability", arguments.permeability, "group")),
+          conductivity(if_given<SiteValues>("--conductivity", arguments.conductivity, "group")) {}
 
     static std::optional<std::filesystem::path> file(const std::optional<SiteValues>& values) {
         return values ? values->file() : std::nullopt;
@@ -124,13 +116,10 @@ WaveWords words_of(const MaxwellArguments& arguments) {
 
 void run_maxwell(const MaxwellArguments& arguments) {
     Log log;
-    const auto form = [](const std::string& option, const std::string& text) {
-        return text.empty() ? std::nullopt : std::optional<FormValues>(FormValues(option, text));
-    };
-    const auto initial = form("--initial", arguments.initial);
-    const auto current = form("--current", arguments.current);
+    const auto initial = if_given<FormValues>("--initial", arguments.initial);
+    const auto current = if_given<FormValues>("--current", arguments.current);
     if (!initial && !current)
-        throw CLI::ValidationError("--initial, --current", "one of them makes the field: give it");
+        throw CLI::ValidationError("maxwell needs --initial FORM or --current FORM, or both");
     const Expression pulse("--pulse", arguments.pulse, "t");
     const Material material(arguments);
     const ConditionValues asked(arguments.conditions);
@@ -172,69 +161,57 @@ void run_maxwell(const MaxwellArguments& arguments) {
 }
 
 void add_materials(CLI::App& command, MaxwellArguments& arguments) {
-    const auto add = [&](const char* option, std::string& text, const char* what) {
-        command.add_option(option, text,
-                           fmt::format("{}: a number for each cell,\nan expression (also in "
-                                       "`group`, the cell's physical group) or file,\nwhich has "
-                                       "them in the order of the mesh file",
-                                       what));
+    const auto add = [&](const char* option, std::string& text, const char* preset) {
+        command.add_option(option, text, fmt::format("EXPR\tper cell (default: {})", preset));
     };
-    add("--permittivity", arguments.permittivity, "of each cell, default 1");
-    add("--permeability", arguments.permeability, "of each cell, default 1");
-    add("--conductivity", arguments.conductivity, "of each cell, default 0");
+    add("--permittivity", arguments.permittivity, "1");
+    add("--permeability", arguments.permeability, "1");
+    add("--conductivity", arguments.conductivity, "0");
 }
 
 } // namespace
 
 void add_maxwell(CLI::App& app) {
-    auto* command = app.add_subcommand(
-        "maxwell", "marches Maxwell's equations, with currents, materials and open boundaries");
-    const auto arguments = std::make_shared<MaxwellArguments>();
-    add_mesh_arguments(*command, arguments->mesh);
-    add_star(*command, arguments->mesh, StarKind::automatic);
-    add_side(*command, arguments->side)->default_str("primal");
+    const auto [command, arguments] = add_command<MaxwellArguments>(
+        app, "maxwell", "solves Maxwell's equations with currents, materials and open boundaries",
+        run_maxwell);
+    add_form(*command, "--initial", arguments->initial, "the electric field at time 0");
+    add_form(*command, "--current", arguments->current, "current density");
+    command->add_option("--pulse", arguments->pulse,
+                        "PULSE\tfactor of the current over time, an expression in t");
+    add_materials(*command, *arguments);
+    add_side(*command, arguments->side);
     command
         ->add_option("--degree", arguments->degree,
-                     "of the electric field: 1 along edges, or those of the dual; in the\n"
-                     "plane 0 for one that stands upright on it")
-        ->check(CLI::Range(0, 1))
-        ->capture_default_str();
-    add_form(*command, "--initial", arguments->initial, "the electric field at time 0")
-        ->required(false);
-    add_form(*command, "--current", arguments->current, "the density of a current")
-        ->required(false);
-    command->add_option("--pulse", arguments->pulse, "the current over time: an expression in t")
-        ->capture_default_str();
-    add_materials(*command, *arguments);
+                     "K\tdegree of the electric field: 1, along primal or dual edges; in the plane "
+                     "0, perpendicular to it")
+        ->check(CLI::Range(0, 1));
+    add_mesh_arguments(*command, arguments->mesh, StarKind::automatic);
+    add_conditions(*command, arguments->conditions,
+                   "magnetic walls, planes of symmetry: tangential magnetic field 0",
+                   "perfect conductors at boundary facets where this is not 0, magnetic walls "
+                   "elsewhere (default: 1)");
     command
         ->add_option("--absorb", arguments->layer_width,
-                     "waves die away in a layer of this width along the sides of the box\n"
-                     "around the mesh; ten cells throw back less than 1e-4")
-        ->check(CLI::PositiveNumber);
+                     "WIDTH\tabsorb waves in a layer of this width along the sides of the bounding "
+                     "box; ten cells reflect less than 1e-4")
+        ->check(check_positive);
     command
         ->add_option("--layer", arguments->layer,
-                     "stretched coordinates, for cells parallel to the axes, or conducting,\n"
-                     "for any cells and waves that come straight")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, LayerKind>{{"automatic", LayerKind::automatic},
-                                             {"stretched", LayerKind::stretched},
-                                             {"conducting", LayerKind::conducting}}))
+                     "NAME\tabsorb by stretched coordinates (cells parallel to the axes), "
+                     "conducting (any cells, waves at normal incidence), or automatic")
+        ->transform(enumerator({"stretched", "conducting", "automatic"}))
         ->default_str("automatic");
-    add_time(*command, arguments->time, "0.9 of what is stable");
-    add_conditions(*command, arguments->conditions,
-                   "magnetic walls, planes of symmetry: the tangential magnetic field\nis 0",
-                   "perfect conductors at boundary facets where this is not 0, magnetic\n"
-                   "walls elsewhere; 1 by itself");
-    add_essential_on(*command, arguments->conditions);
+    add_time(*command, arguments->time, "0.9 of the largest stable step");
     command->footer(
-        "Light has the speed 1 where permittivity and permeability are 1. On merged cubes this is\n"
-        "Yee's scheme.\n\nExamples:\n"
+        "Expressions per cell may use `group`, the cell's physical group; files list the cells in "
+        "the order of the mesh file. Light has the speed 1 where permittivity and permeability are "
+        "1. On merged cubes this is Yee's scheme.\n\nExamples:\n"
         "  polydec maxwell box.off --initial '0; 0; exp(-99*((x-.5)^2+(y-.5)^2+(z-.5)^2))' \\\n"
         "      --until .4 -o pulse.html\n"
         "  polydec maxwell plane.msh --degree 0 --current 'exp(-400*(x^2+y^2))' \\\n"
         "      --pulse 'sin(40*t)' --permittivity 'group==2 ? 4 : 1' --absorb .2 --until 3 \\\n"
         "      -o lens.pvd --checkpoint lens.checkpoint --resume");
-    command->callback([arguments] { run_maxwell(*arguments); });
 }
 
 } // namespace polydec::tools

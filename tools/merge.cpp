@@ -12,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <memory>
 #include <utility>
 
 namespace polydec::tools {
@@ -27,8 +26,8 @@ struct MergeArguments {
 void write_merged(const MergeArguments& arguments, const Discretization& mesh, const Log& log) {
     const auto& out = arguments.picture.out;
     if (mesh.dimension() > 3)
-        throw InvalidInput(fmt::format("{}: no format holds merged cells of dimension {}; the "
-                                       "subcommand operators writes them as matrices",
+        throw InvalidInput(fmt::format("{}: no file format stores merged cells of dimension {}; "
+                                       "`polydec operators` writes them as matrices",
                                        out.string(), mesh.dimension()));
     if (lower_extension(out) == ".vtu")
         write_vtu(out, draw_mesh(mesh), arguments.picture.vtu);
@@ -84,18 +83,18 @@ void run_merge(const MergeArguments& arguments) {
 } // namespace
 
 void add_merge(CLI::App& app) {
-    auto* command = app.add_subcommand("merge", "writes the merged complex");
-    const auto arguments = std::make_shared<MergeArguments>();
+    const auto [command, arguments] =
+        add_command<MergeArguments>(app, "merge", "writes the merged complex", run_merge);
     add_mesh_arguments(*command, arguments->mesh);
     command
-        ->add_option("-o,--out", arguments->picture.out, ".off .obj .ply (surfaces), .vtu or .html")
+        ->add_option("-o,--out", arguments->picture.out,
+                     "FILE\tmerged cells: .off .obj .ply (surfaces), .vtu or .html")
         ->required();
     add_float32(*command, arguments->picture);
-    command->footer("With --delaunay polygons have edges that cross the input's triangles: the "
-                    "triangles are\nwritten as they are cut by them.\n\nExamples:\n  polydec merge "
+    command->footer("With --delaunay, edges of polygons cross the input's triangles: the "
+                    "output has the triangles they cut.\n\nExamples:\n  polydec merge "
                     "fandisk.off -o fandisk-polygons.obj\n"
                     "  polydec merge cubes.nsc -o cubes.vtu");
-    command->callback([arguments] { run_merge(*arguments); });
 }
 
 } // namespace polydec::tools

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -207,21 +206,21 @@ void run_operators(const OperatorsArguments& arguments) {
 } // namespace
 
 void add_operators(CLI::App& app) {
-    auto* command = app.add_subcommand("operators", "writes every operator and map as files");
-    const auto arguments = std::make_shared<OperatorsArguments>();
-    add_mesh_arguments(*command, arguments->mesh);
-    add_star(*command, arguments->mesh, StarKind::circumcentric);
+    const auto [command, arguments] = add_command<OperatorsArguments>(
+        app, "operators", "writes all operators and maps to files", run_operators);
+    add_mesh_arguments(*command, arguments->mesh, StarKind::circumcentric);
     command
-        ->add_option("--out", arguments->out, "folder for the files, made or replaced as a whole")
+        ->add_option("--out", arguments->out,
+                     "FOLDER\tfolder for the files, created or replaced as a whole")
         ->required();
     command->footer(
-        "Files (P merged, K input complex): d_k star_k volume_k dual_volume_k diamond_k (P x K)\n"
-        "lift_k (K x P) laplacian_primal_k laplacian_dual_j as Matrix Market; simplices_k.txt (K)\n"
-        "and cells_k.txt (P): the vertices of each cell; manifest.json: what they were made "
-        "from.\n\n"
+        "Files (P merged, K input complex): d_k star_k volume_k dual_volume_k diamond_k (P x K) "
+        "lift_k (K x P) laplacian_primal_k laplacian_dual_j in Matrix Market format; "
+        "simplices_k.txt (K) and cells_k.txt (P) with the vertices of each cell; manifest.json "
+        "with "
+        "the input and options.\n\n"
         "Example:\n"
         "  polydec operators grid.nsc --out operators");
-    command->callback([arguments] { run_operators(*arguments); });
 }
 
 } // namespace polydec::tools

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tools/options.h"
 
+#include "base/did_you_mean.h"
 #include "base/printable.h"
 #include "examples/paper/process.h"
 #include "system/memory.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -19,7 +21,7 @@ namespace polydec::tools {
 
 namespace {
 
-/// All of the text as a number; none if it is not one.
+/// All of the text as a finite number; none if it is not one.
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
     if (text.substr(0, 1) == "+" && text.substr(0, 2) != "+-")
@@ -27,11 +29,12 @@ std::optional<Number> number_of(std::string_view text) {
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool good = error == std::errc() && end == text.data() + text.size();
-    return good ? std::optional(value) : std::nullopt;
+    return good && std::isfinite(static_cast<double>(value)) ? std::optional(value) : std::nullopt;
 }
 
 std::string expected(std::string_view what, const std::string& text) {
-    return fmt::format("expected {}, not '{}'", what, printable(text));
+    return text.empty() ? fmt::format("expected {}", what)
+                        : fmt::format("expected {}, not '{}'", what, printable(text));
 }
 
 std::string check_text(const std::string& text) {
@@ -53,8 +56,7 @@ CLI::Validator whole(const char* what) {
 }
 
 std::string check_number(const std::string& text) {
-    const auto value = number_of<double>(text);
-    return value && std::isfinite(*value) ? "" : expected("a number", text);
+    return number_of<double>(text) ? "" : expected("a number", text);
 }
 
 /// 500M, 1.5G, 800000000.
@@ -63,7 +65,7 @@ std::optional<double> bytes_of(const std::string& text) {
     const auto unit = text.empty() ? std::string_view::npos : units.find(text.back());
     const bool has_unit = unit != std::string_view::npos;
     const auto value = number_of<double>(std::string_view(text).substr(0, text.size() - has_unit));
-    if (!value || !std::isfinite(*value))
+    if (!value)
         return std::nullopt;
     const double bytes = *value * std::pow(1000.0, has_unit ? static_cast<double>(unit) + 1 : 0);
     return bytes >= 1 && bytes < 1e18 ? std::optional(bytes) : std::nullopt;
@@ -76,9 +78,31 @@ std::string check_bytes(const std::string& text) {
 } // namespace
 
 std::string check_not_negative(const std::string& text) {
-    const auto value = number_of<double>(text);
-    const bool good = value && std::isfinite(*value) && *value >= 0;
-    return good ? "" : expected("a number of at least 0", text);
+    return number_of<double>(text).value_or(-1) >= 0 ? ""
+                                                     : expected("a number of at least 0", text);
+}
+
+std::string check_positive(const std::string& text) {
+    return number_of<double>(text).value_or(0) > 0 ? "" : expected("a number above 0", text);
+}
+
+CLI::Validator one_of(std::vector<std::string> names) {
+    const auto check = [names = std::move(names)](std::string& text) {
+        return std::find(names.begin(), names.end(), text) != names.end()
+                   ? ""
+                   : expected(fmt::format("{}", fmt::join(names, ", ")), text) +
+                         did_you_mean(text, names);
+    };
+    return CLI::Validator(check, "");
+}
+
+CLI::Validator enumerator(std::vector<std::string> names) {
+    const auto read = [names, check = one_of(names)](std::string& text) {
+        const auto flaw = check(text);
+        text = std::to_string(std::find(names.begin(), names.end(), text) - names.begin());
+        return flaw;
+    };
+    return CLI::Validator(read, "");
 }
 
 std::optional<Vector> vector_of(std::string_view text) {
@@ -86,7 +110,7 @@ std::optional<Vector> vector_of(std::string_view text) {
     for (std::size_t begin = 0; begin <= text.size();) {
         const auto end = std::min(text.find(',', begin), text.size());
         const auto number = number_of<double>(text.substr(begin, end - begin));
-        if (!number || !std::isfinite(*number))
+        if (!number)
             return std::nullopt;
         numbers.push_back(*number);
         begin = end + 1;
@@ -99,7 +123,7 @@ std::string check_vector(const std::string& text) {
 }
 
 void add_common_options(CLI::App& command, TellOptions& options) {
-    command.add_flag("--json", options.json, "print one JSON object");
+    command.add_flag("--json", options.json, "print one JSON object instead of text");
     command
         .add_option_function<std::string>(
             "--max-memory",
@@ -107,7 +131,7 @@ void add_common_options(CLI::App& command, TellOptions& options) {
                 set_memory_limit(static_cast<std::uint64_t>(*bytes_of(text)));
                 hold_memory_limit();
             },
-            "refuse what takes more memory, like 500M or 2G\n(default: what the machine has)")
+            "SIZE\tfail rather than use more memory than SIZE, such as 500M (default: all)")
         ->check(check_bytes);
 }
 

@@ -41,7 +41,7 @@ void check_folder(const Path& out, const Path& folder) {
     if (::stat(folder.c_str(), &status) != 0)
         refuse(out, fmt::format("{}; make the folder {} first", system_reason(), name));
     if (!S_ISDIR(status.st_mode))
-        refuse(out, fmt::format("{} is no folder", name));
+        refuse(out, fmt::format("{} is not a folder", name));
     if (!is_writable(folder) || ::access(folder.c_str(), X_OK) != 0)
         refuse(out, fmt::format("the folder {} is not writable", name));
 }
@@ -49,8 +49,8 @@ void check_folder(const Path& out, const Path& folder) {
 void check_extension(const Path& out, const std::vector<const char*>& extensions) {
     const auto extension = lower_extension(out);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
-        throw InvalidInput(fmt::format("cannot write {}: the extension '{}' stands for no format "
-                                       "that can be written here; use {}",
+        throw InvalidInput(fmt::format("cannot write {}: the extension '{}' is not supported here; "
+                                       "use {}",
                                        printable(out.string()), printable(extension),
                                        fmt::join(extensions, " ")));
 }
@@ -114,7 +114,7 @@ void check_drawable(const Discretization& mesh) {
     try {
         polydec::check_drawable(mesh.dimension(), mesh.ambient_dimension());
     } catch (const InvalidInput& error) {
-        throw InvalidInput(fmt::format("{}; leave out -o", error.what()), error.place());
+        throw InvalidInput(fmt::format("{}; omit -o", error.what()), error.place());
     }
 }
 

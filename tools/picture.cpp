@@ -71,7 +71,7 @@ bool is_page(const std::filesystem::path& out) {
 
 void add_picture(CLI::App& command, PictureArguments& picture, const std::string& what) {
     command.add_option("-o,--out", picture.out,
-                       fmt::format("write {} to this .vtu or .html file", what));
+                       fmt::format("FILE\twrite {} to this .vtu or .html file", what));
     add_float32(command, picture);
 }
 
@@ -79,23 +79,21 @@ void add_float32(CLI::App& command, PictureArguments& picture) {
     command
         .add_flag_callback(
             "--float32", [&picture] { picture.vtu.numbers = VtuNumbers::float32; },
-            "in a .vtu file 7 digits of coordinates and values, not 16")
+            "write 7 digits of coordinates and values to a .vtu file, not 16")
         ->needs("--out");
 }
 
 void add_isolines(CLI::App& command, PictureArguments& picture) {
     command
         .add_option("--isolines", picture.isolines,
-                    "write so many level sets of the function in its place,\n"
-                    "at equal distances, to a .vtu or .obj file")
+                    "N\twrite N equidistant level sets instead, to a .vtu or .obj file")
         ->check(CLI::Range(1, 1'000'000))
         ->needs("--out");
 }
 
 void check_float32(const PictureArguments& picture) {
     if (picture.vtu.numbers == VtuNumbers::float32 && lower_extension(picture.out) != ".vtu")
-        throw InvalidInput(fmt::format("cannot write {}: --float32 is about .vtu files; leave it "
-                                       "out",
+        throw InvalidInput(fmt::format("cannot write {}: --float32 needs a .vtu file",
                                        printable(picture.out.string())),
                            {.path = picture.out});
 }

@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 namespace polydec::tools {
@@ -89,12 +88,9 @@ struct Data {
         : rhs("--rhs", arguments.rhs),
           boundary("--boundary", arguments.boundary.empty() ? "(0)" : arguments.boundary),
           flux("--flux", arguments.flux.empty() ? "(0)" : arguments.flux),
-          conditions(arguments.conditions) {
-        if (!arguments.exact.empty())
-            exact.emplace("--exact", arguments.exact);
-        if (!arguments.conductivity.empty())
-            conductivity.emplace("--conductivity", arguments.conductivity, "group");
-    }
+          conditions(arguments.conditions),
+          exact(if_given<SiteValues>("--exact", arguments.exact)),
+          conductivity(if_given<SiteValues>("--conductivity", arguments.conductivity, "group")) {}
 
     Paths files() const {
         Paths list;
@@ -146,7 +142,7 @@ void run_poisson(PoissonArguments arguments) {
     const Data data(arguments);
     check_picture(arguments.picture, arguments.mesh.mesh, data.files());
     if (arguments.picture.isolines > 0 && arguments.side == Side::dual)
-        throw InvalidInput("--isolines: they are of values at vertices; take --side primal");
+        throw InvalidInput("--isolines need values at vertices: use --side primal");
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.picture.out.empty())
         check_drawable(mesh);
@@ -200,50 +196,40 @@ void run_poisson(PoissonArguments arguments) {
 } // namespace
 
 void add_poisson(CLI::App& app) {
-    auto* command = app.add_subcommand("poisson", "solves Delta u = f, Delta = -div grad");
-    const auto arguments = std::make_shared<PoissonArguments>();
-    add_mesh_arguments(*command, arguments->mesh);
-    add_star(*command, arguments->mesh, StarKind::automatic);
-    add_side(*command, arguments->side)->required();
-    command->add_option("--rhs", arguments->rhs, "f: an expression in x, y, z, or a file")
-        ->required();
-    auto* boundary = command->add_option("--boundary", arguments->boundary,
-                                         "values of u on the boundary (Dirichlet): expression or\n"
-                                         "file (default 0)");
-    add_conditions(*command, arguments->conditions,
-                   "no values given on the boundary, only --flux (Neumann);\nu has mean 0",
-                   "values given (Dirichlet) only at boundary facets where this is not 0,\n"
-                   "--flux (Neumann) at the others")
-        ->excludes(boundary);
-    add_essential_on(*command, arguments->conditions);
-    add_fixed(*command, arguments->conditions, "values of --boundary");
-    add_robin(*command, arguments->conditions, "--flux");
-    command->add_option("--flux", arguments->flux,
-                        "outward derivative of u on the rest of the boundary (default 0:\n"
-                        "no flow through it), times the conductivity where one is given");
+    const auto [command, arguments] = add_command<PoissonArguments>(
+        app, "poisson", "solves Delta u = f, Delta = -div grad", run_poisson);
+    command->add_option("--rhs", arguments->rhs, "EXPR\tthe right-hand side f")->required();
     command->add_option("--conductivity", arguments->conductivity,
-                        "solve -div(kappa grad u) = f, kappa > 0 in each cell:\n"
-                        "expression (also in `group`, the cell's physical group) or file");
-    command->add_option("--exact", arguments->exact, "exact solution to compare with");
+                        "EXPR\tsolve -div(kappa grad u) = f with this kappa > 0 per cell; the "
+                        "expression may use `group`, the cell's physical group");
+    command->add_option("--exact", arguments->exact, "EXPR\texact solution to compare u with");
+    add_side(*command, arguments->side);
+    add_mesh_arguments(*command, arguments->mesh, StarKind::automatic);
+    auto* boundary = command->add_option("--boundary", arguments->boundary,
+                                         "EXPR\tvalues of u on the boundary (Dirichlet), instead "
+                                         "of 0");
+    add_conditions(*command, arguments->conditions,
+                   "no values given on the boundary, only --flux (Neumann); u has mean 0",
+                   "give values only at boundary facets where this is not 0, --flux elsewhere")
+        ->excludes(boundary);
+    command->add_option("--flux", arguments->flux,
+                        "EXPR\toutward derivative of u, times the conductivity if given, elsewhere "
+                        "on the boundary, instead of 0");
+    add_robin(*command, arguments->conditions, "--flux");
+    add_fixed(*command, arguments->conditions, "values of --boundary");
     add_picture(*command, arguments->picture, "u");
     add_isolines(*command, arguments->picture);
-    command->add_option("--engine", arguments->engine, "linear solver")->capture_default_str();
+    add_engine(*command, arguments->engine);
     command->footer(
-        "A file holds one value for each vertex (primal) or merged cell (dual); for --boundary "
-        "one\n"
-        "for each vertex or merged facet, of which those off the boundary do not matter; for "
-        "--flux\n"
-        "and --essential-where one for each merged facet; for --conductivity one for each cell "
-        "of the\n"
-        "mesh file, in its order.\n\n"
-        "Examples:\n"
+        "A file has one number for each vertex (primal) or merged cell (dual); for --boundary, for "
+        "each vertex or merged facet, where only those on the boundary matter; for --flux and "
+        "--essential-where, for each merged facet; for --conductivity, for each cell of the mesh "
+        "file, in its order.\n\nExamples:\n"
         "  polydec poisson grid.nsc --side dual --rhs '2*pi^2*sin(pi*x)*sin(pi*y)' -o u.vtu\n"
-        "  polydec poisson grid.nsc --side primal --rhs 1 --essential-where 'x<.01' --flux=-y\n"
-        "  polydec poisson plate.msh --side primal --rhs 1 --keep-groups "
-        "--conductivity 'group==2 ? 10 : 1'\n"
+        "  polydec poisson grid.nsc --rhs 1 --essential-where 'x<.01' --flux=-y\n"
+        "  polydec poisson plate.msh --rhs 1 --keep-groups --conductivity 'group==2 ? 10 : 1'\n"
         "  polydec poisson plate.msh --side dual --rhs 1 --essential-on 3 --robin 2.5\n"
-        "  polydec poisson sphere.off --side primal --rhs=-z --natural --json");
-    command->callback([arguments] { run_poisson(*arguments); });
+        "  polydec poisson sphere.off --rhs=-z --natural --json");
 }
 
 } // namespace polydec::tools

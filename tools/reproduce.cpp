@@ -4,12 +4,10 @@
 #include "examples/paper/reproductions.h"
 #include "tools/commands.h"
 #include "tools/common.h"
-#include "tools/options.h"
 #include "tools/outputs.h"
 
 #include <fmt/format.h>
-
-#include <memory>
+#include <fmt/ranges.h>
 
 namespace polydec::tools {
 
@@ -25,14 +23,12 @@ struct ReproduceArguments {
     TellOptions tell;
 };
 
-std::string check_name(const std::string& name) {
-    std::string known;
-    for (const auto& each : paper::reproductions()) {
-        if (each.name == name)
-            return "";
-        known += each.name + ", ";
-    }
-    return name == "all" ? "" : fmt::format("there is no '{}'; expected {}or all", name, known);
+std::vector<std::string> names() {
+    std::vector<std::string> names;
+    for (const auto& each : paper::reproductions())
+        names.push_back(each.name);
+    names.emplace_back("all");
+    return names;
 }
 
 std::string check_levels(const std::string& text) {
@@ -99,6 +95,8 @@ void run_reproduce(const ReproduceArguments& arguments) {
     Log log;
     if (arguments.list)
         return tell(List(), log, arguments.tell);
+    if (arguments.name.empty())
+        throw CLI::ValidationError("NAME", one_of(names())("") + "; see --list");
     if (!arguments.out.empty())
         check_output_folder(arguments.out);
     Reports answer;
@@ -117,31 +115,25 @@ void run_reproduce(const ReproduceArguments& arguments) {
 } // namespace
 
 void add_reproduce(CLI::App& app) {
-    auto* command =
-        app.add_subcommand("reproduce", "figures and tables of the paper, made with this library");
-    const auto arguments = std::make_shared<ReproduceArguments>();
-    auto* name = command->add_option("NAME", arguments->name, "which (see --list), or all");
-    name->check(check_name);
-    auto* list = command->add_flag("--list", arguments->list, "tell the names and end");
+    const auto [command, arguments] = add_command<ReproduceArguments>(
+        app, "reproduce", "reproduces the figures and tables of the paper", run_reproduce);
+    auto* name = command->add_option("NAME", arguments->name, "name from --list, or all");
+    name->check(one_of(names()));
+    auto* list = command->add_flag("--list", arguments->list, "print the names");
     list->excludes(name);
     command
         ->add_option("--levels", arguments->request.levels,
-                     "refinements (default: as many as the figure has)")
+                     "N\trefinements (default: as in the figure)")
         ->check(check_levels);
     command->add_option("--out", arguments->out,
-                        "folder for .json, .csv and .svg files (default: print only)");
+                        "FOLDER\tfolder for .json, .csv and .svg files (default: print only)");
     command->add_option("--meshes", arguments->request.meshes,
-                        "folder of mesh files for table2 (default: generated meshes)");
+                        "FOLDER\tmesh files for table2 (default: generated meshes)");
     add_common_options(*command, arguments->tell);
     command->footer("Examples:\n  polydec reproduce --list\n"
                     "  polydec reproduce fig7 --levels 4 --out figures\n"
                     "  polydec reproduce table2 --meshes models\n"
                     "  polydec reproduce all --out figures");
-    command->callback([arguments] {
-        if (arguments->name.empty() && !arguments->list)
-            throw CLI::RequiredError("NAME");
-        run_reproduce(*arguments);
-    });
 }
 
 } // namespace polydec::tools

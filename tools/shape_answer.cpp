@@ -118,7 +118,7 @@ std::string advice_of_shape(const Discretization& mesh, const BoundaryConditions
             ? fmt::format("; this mesh is coarse for the last ones, which may be {:.0f} % off",
                           100 * std::min(coarse, 1.0))
             : "";
-    return "--of-shape encloses those of the shape itself" + how_coarse;
+    return "--of-shape encloses the eigenvalues of the shape itself" + how_coarse;
 }
 
 } // namespace polydec::tools

@@ -23,7 +23,6 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 
 namespace polydec::tools {
@@ -59,9 +58,10 @@ public:
         DenseMatrix result(state.empty() ? 0 : state.front().size(), std::ssize(state));
         for (std::size_t i = 0; i < state.size(); ++i) {
             if (state[i].size() != result.rows())
-                throw InvalidInput(fmt::format("{} holds vectors of different sizes: begin anew",
-                                               printable(path_.string())),
-                                   {.path = path_});
+                throw InvalidInput(
+                    fmt::format("{} holds vectors of different sizes: start without it",
+                                printable(path_.string())),
+                    {.path = path_});
             result.col(static_cast<Index>(i)) = state[i];
         }
         return result;
@@ -156,7 +156,7 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
     Log log;
     const ConditionValues asked(arguments.conditions);
     arguments.mesh.merge = false;
-    arguments.mesh.star = name(StarKind::galerkin); // shapes do not use stars
+    arguments.mesh.star = StarKind::galerkin; // shapes do not use stars
     const Discretization mesh = load(arguments.mesh, log);
     const auto boundary = asked.on(mesh).value_or(built_in_conditions(Side::primal));
     log.timing.begin("solve");
@@ -199,100 +199,77 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
          log, arguments.mesh.tell);
 }
 
-/// The options of the shape, with which these forms need not be named.
-void add_shape(CLI::App& command, SpectrumArguments& arguments, CLI::Option* side,
-               CLI::Option* degree) {
+void add_shape(CLI::App& command, SpectrumArguments& arguments) {
     auto* of_shape = command
-                         .add_flag_callback(
-                             "--of-shape",
-                             [&arguments, side, degree] {
-                                 arguments.of_shape = true;
-                                 side->required(false);
-                                 degree->required(false);
-                             },
-                             "enclose the eigenvalues of the shape itself, not of its mesh: of\n"
-                             "functions, or of forms of degree n, or 1 on surfaces; cells are not\n"
-                             "merged, and edges of surfaces are flipped")
-                         ->excludes(side);
+                         .add_flag("--of-shape", arguments.of_shape,
+                                   "enclose the eigenvalues of the shape itself, not its mesh, for "
+                                   "0-forms, n-forms, and 1-forms on surfaces; cells are not "
+                                   "merged, and edges of surfaces are flipped")
+                         ->excludes("--side");
     for (const char* const other :
          {"--star", "--tolerance", "--centers", "--out", "--checkpoint", "--no-certificate"})
         of_shape->excludes(command.get_option(other));
     command
         .add_option("--level", arguments.shape.level,
-                    "of the shape: bounds of order 2 (1) or 4 (2)")
-        ->capture_default_str()
+                    "N\twith --of-shape: bounds of order 2 (1) or 4 (2)")
         ->needs(of_shape);
     command
         .add_option("--width", arguments.shape.width,
-                    "of the shape: warn where (at most - at least) / at most is above this")
+                    "W\twith --of-shape: warn where (upper - lower) / upper bound exceeds W")
         ->needs(of_shape);
     command
         .add_option("--below", arguments.below,
-                    "of the shape: how many eigenvalues lie below each of these numbers,\n"
-                    "in place of the spectrum")
+                    "X ..\twith --of-shape: count the eigenvalues below each X instead")
         ->needs(of_shape)
         ->excludes("--count")
         ->excludes("--width");
     command
         .add_option("--max-triangles", arguments.shape.max_triangles,
-                    "of the shape: bisect triangles of a surface where widths are above\n"
-                    "--width, up to so many (0: none)")
-        ->capture_default_str()
+                    "N\twith --of-shape: bisect triangles of a surface where bounds are wider than "
+                    "--width, up to N triangles (default: 0)")
         ->needs(of_shape);
 }
 
 } // namespace
 
 void add_spectrum(CLI::App& app) {
-    auto* command = app.add_subcommand(
-        "spectrum", "smallest eigenpairs of the Laplace-de Rham operator, certified");
-    const auto arguments = std::make_shared<SpectrumArguments>();
-    add_mesh_arguments(*command, arguments->mesh);
-    add_star(*command, arguments->mesh, StarKind::automatic);
-    auto* side = add_side(*command, arguments->side)->required();
-    auto* degree =
-        command->add_option("--degree", arguments->degree, "degree of the forms")->required();
-    command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")
-        ->capture_default_str();
-    add_conditions(*command, arguments->conditions,
-                   "no flow through the boundary (Neumann); of forms of degree\n"
-                   "1 .. n-1 the normal part is 0 there",
-                   "values 0 (Dirichlet) at boundary facets where this is not 0, of\n"
-                   "forms of degree 1 .. n-1 the tangential part; no flow through\n"
-                   "the others");
-    add_essential_on(*command, arguments->conditions);
-    add_fixed(*command, arguments->conditions, "values 0");
+    const auto [command, arguments] = add_command<SpectrumArguments>(
+        app, "spectrum",
+        "computes the smallest eigenpairs of the Laplace-de Rham operator, certified",
+        [](const SpectrumArguments& given) {
+            given.of_shape ? run_spectrum_of_shape(given) : run_spectrum(given);
+        });
+    add_forms(*command, arguments->side, arguments->degree);
+    command->add_option("--count", arguments->spectrum.count, "N\tnumber of eigenpairs");
+    command->add_flag("!--no-certificate", arguments->certify,
+                      "skip the proof that no eigenvalue is missing");
+    add_mesh_arguments(*command, arguments->mesh, StarKind::automatic);
+    add_conditions(*command, arguments->conditions);
     add_robin(*command, arguments->conditions, "0");
+    add_fixed(*command, arguments->conditions, "values 0");
     add_picture(*command, arguments->picture, "the modes");
     auto* checkpoint =
         command->add_option("--checkpoint", arguments->checkpoint,
-                            "keep the eigenvectors in this .checkpoint file as they are found,\n"
-                            "in parts");
+                            "FILE\tsave eigenvectors to this .checkpoint file, batch by batch");
     command
         ->add_flag("--resume", arguments->resume,
-                   "go on with those of the checkpoint, if it is there; the answer is\n"
-                   "proved anew. More may be asked for than before; all else must be\nas it was")
+                   "resume from the checkpoint if it exists, and certify again; --count may be "
+                   "larger, all other options must be the same")
         ->needs(checkpoint);
-    command->add_flag("!--no-certificate", arguments->certify, "do without the proof");
-    command->add_option("--engine", arguments->spectrum.linear_solver, "linear solver")
-        ->capture_default_str();
-    command->add_option("--eigen-engine", arguments->spectrum.eigen_solver, "eigensolver")
-        ->capture_default_str();
-    add_shape(*command, *arguments, side, degree);
+    add_engine(*command, arguments->spectrum.linear_solver);
+    command->add_option("--eigen-engine", arguments->spectrum.eigen_solver,
+                        "NAME\teigensolver; see `polydec backends`");
+    add_shape(*command, *arguments);
     command->footer(
-        "Dual K-forms live on the (n-K)-cells. On the boundary, primal forms have what --natural\n"
-        "asks for unless told otherwise; dual forms have values 0 (Dirichlet), as by\n"
-        "--essential-where 1. The answer says which condition held.\n\nExamples:\n"
-        "  polydec spectrum fandisk.off --side primal --degree 0 --count 20 -o modes.vtu\n"
+        "Dual K-forms live on the (n-K)-cells. The output states the boundary condition that was "
+        "used.\n\nExamples:\n"
+        "  polydec spectrum fandisk.off --count 20 -o modes.vtu\n"
         "  polydec spectrum sphere.obj --side dual --degree 1 --count 16 --json\n"
-        "  polydec spectrum plate.msh --side dual --degree 0 --natural\n"
-        "  polydec spectrum plate.msh --side primal --degree 0 --robin 2.5\n"
+        "  polydec spectrum plate.msh --side dual --natural\n"
+        "  polydec spectrum plate.msh --robin 2.5\n"
         "  polydec spectrum spot.obj --of-shape --count 5 --width 2e-4\n"
-        "  polydec spectrum engine.msh --side primal --degree 0 --count 1000 \\\n"
-        "      --checkpoint engine.checkpoint --resume --json");
-    command->callback([arguments] {
-        arguments->of_shape ? run_spectrum_of_shape(*arguments) : run_spectrum(*arguments);
-    });
+        "  polydec spectrum engine.msh --count 1000 --checkpoint engine.checkpoint --resume "
+        "--json");
 }
 
 } // namespace polydec::tools

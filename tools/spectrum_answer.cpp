@@ -51,7 +51,7 @@ void Eigenvalues::write(Text& text) const {
         text("{}\n", advice);
     text("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
     if (resumed && *resumed > 0)
-        text("gone on with {} vectors of a checkpoint\n", *resumed);
+        text("resumed from {} vectors of a checkpoint\n", *resumed);
 }
 
 } // namespace polydec::tools

@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <memory>
 #include <vector>
 
 namespace polydec::tools {
@@ -51,7 +50,7 @@ Page page_of_results(const std::filesystem::path& file) {
         for (auto& array : *list)
             if (page.shown.empty())
                 page.shown = array.name;
-    page.text.facts = {fmt::format("{} cells and {} points, as they stand in the file.",
+    page.text.facts = {fmt::format("{} cells and {} points, as in the file.",
                                    page.grid.types.size(), page.grid.points.rows())};
     return page;
 }
@@ -63,11 +62,11 @@ void bind_pages(const ViewArguments& arguments) {
     pages.insert(pages.end(), arguments.more.begin(), arguments.more.end());
     for (const auto& page : pages)
         if (!is_page(page))
-            throw InvalidInput(fmt::format("{} beside other files: only pages, .html, can be bound "
-                                           "together; make it one by `polydec view`",
+            throw InvalidInput(fmt::format("{} with other files: only .html pages can be combined; "
+                                           "convert it by `polydec view`",
                                            printable(page.string())));
     if (arguments.out.empty())
-        throw InvalidInput("pages that are bound together need a name: add -o NAME.html");
+        throw InvalidInput("combined pages need a name: add -o NAME.html");
     check_output_file(arguments.out, {".html"}, pages);
     log.timing.begin("write");
     write_album(arguments.out, arguments.out.stem().string(), pages);
@@ -110,24 +109,25 @@ void run_view(ViewArguments arguments) {
 } // namespace
 
 void add_view(CLI::App& app) {
-    auto* command = app.add_subcommand("view", "writes a page that shows a mesh or results");
-    const auto arguments = std::make_shared<ViewArguments>();
+    const auto [command, arguments] = add_command<ViewArguments>(
+        app, "view", "writes a page that shows a mesh or results", run_view);
     add_mesh_arguments(*command, arguments->mesh);
     command->add_option("PAGES", arguments->more,
-                        "with MESH a page, .html: further pages, to be bound into one");
-    command->add_option("-o,--out", arguments->out,
-                        "the page, .html (default: the mesh's name with that\n"
-                        "extension, in this folder)");
-    command->footer("The page is one file that every browser opens, without a network. Meshes are "
-                    "merged as by\nthe other commands; .vtu files, and .pvd files that list them "
-                    "with times, are shown as they\nare, with all their fields. Every option "
-                    "-o NAME.vtu writes such a page as -o NAME.html.\n\nExamples:\n"
-                    "  polydec view fandisk.off\n"
-                    "  polydec view cubes.nsc -o cubes-page.html\n"
-                    "  polydec view modes.vtu\n"
-                    "  polydec view heat.pvd -o heat.html\n"
-                    "  polydec view sphere.html torus.html -o both.html");
-    command->callback([arguments] { run_view(*arguments); });
+                        "if MESH is an .html page: further pages to combine with it");
+    command->add_option(
+        "-o,--out", arguments->out,
+        "FILE\tthe page, .html (default: the mesh's name with .html, in the current "
+        "folder)");
+    command->footer(
+        "The page is one file that every browser opens, without a network. MESH may also "
+        "be a .vtu file, or a .pvd file that lists .vtu files with times: the page shows "
+        "all their fields. Every command that writes -o NAME.vtu also writes such a page "
+        "as -o NAME.html.\n\nExamples:\n"
+        "  polydec view fandisk.off\n"
+        "  polydec view cubes.nsc -o cubes-page.html\n"
+        "  polydec view modes.vtu\n"
+        "  polydec view heat.pvd -o heat.html\n"
+        "  polydec view sphere.html torus.html -o both.html");
 }
 
 } // namespace polydec::tools

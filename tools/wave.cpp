@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <memory>
-
 namespace polydec::tools {
 
 namespace {
@@ -47,28 +45,22 @@ void run_wave(const WaveArguments& arguments) {
 } // namespace
 
 void add_wave(CLI::App& app) {
-    auto* command = app.add_subcommand(
-        "wave", "marches waves d2u/dt2 = -delta d u from rest; of 1-forms in space, Maxwell's");
-    const auto arguments = std::make_shared<WaveArguments>();
-    add_mesh_arguments(*command, arguments->mesh);
-    add_star(*command, arguments->mesh, StarKind::automatic);
-    add_side(*command, arguments->side)->default_str("primal");
-    command->add_option("--degree", arguments->degree, "degree of the forms")
-        ->capture_default_str();
-    add_form(*command, "--initial", arguments->initial, "the form at time 0");
-    add_time(*command, arguments->time, "0.9 of what is stable");
+    const auto [command, arguments] = add_command<WaveArguments>(
+        app, "wave", "solves the wave equation d2u/dt2 = -delta d u from rest (1-forms: Maxwell)",
+        run_wave);
+    add_form(*command, "--initial", arguments->initial, "the form at time 0")->required();
+    add_forms(*command, arguments->side, arguments->degree);
+    add_mesh_arguments(*command, arguments->mesh, StarKind::automatic);
+    add_time(*command, arguments->time, "0.9 of the largest stable step");
     add_conditions(*command, arguments->conditions,
-                   "nothing flows through the boundary (Neumann); waves are thrown\n"
-                   "back. What holds by itself for primal forms",
-                   "values 0 (a clamped membrane; of 1-forms a perfect conductor) at\n"
-                   "boundary facets where this is not 0; for dual forms 1 by itself");
-    add_essential_on(*command, arguments->conditions);
+                   "no flow (Neumann), waves are reflected; default of primal forms",
+                   "values 0 (clamped membrane; 1-forms: perfect conductor) at boundary facets "
+                   "where this is not 0; default of dual forms: 1");
     command->footer(
-        "Steps are of second order, and conserve the energy to rounding.\n\nExamples:\n"
+        "Time steps have order 2 and conserve the energy up to rounding.\n\nExamples:\n"
         "  polydec wave bunny.off --initial 'exp(-100*((x-.1)^2+y^2+z^2))' --until 1 -o wave.html\n"
         "  polydec wave drum.off --initial '1-x^2-y^2' --essential-where 1 --until 4 -o drum.pvd\n"
         "  polydec wave drum.off --side dual --initial '1-x^2-y^2' --until 4 -o drum.html");
-    command->callback([arguments] { run_wave(*arguments); });
 }
 
 } // namespace polydec::tools

@@ -144,7 +144,7 @@ def hold_errors(commands, folder, mesh):
         (["info", bad], 2, ["bad.nsc:5"]),
         (["distance", mesh, "--from", "1"], 1, ["distance", "one process"]),
         (["info", mesh, "--delaunay"], 1, ["--delaunay", "one process"]),
-        (["info"], 1, ["MESH", "required"]),
+        (["info"], 1, ["needs MESH"]),
         (["poisson", mesh, "--side", "dual", "--rhs", "1/0"], 2, ["--rhs", "'1/0'"]),
         (["poisson", mesh, "--side", "dual", "--rhs", "1", "--petsc", "-foo 3"], 2, ["-foo"]),
         (["poisson", mesh, "--side", "dual", "--rhs", "1", "--engine", "none"], 2, ["none"]),

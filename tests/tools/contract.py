@@ -11,8 +11,6 @@ import command
 from command import TestCase, golden, run
 
 PLAIN = ("--star", "circumcentric")
-SUBCOMMANDS = ("info", "operators", "merge", "spectrum", "poisson", "generate", "reproduce",
-               "backends")
 
 
 class Json(TestCase):
@@ -250,20 +248,12 @@ class Json(TestCase):
 
 
 class Usage(TestCase):
-    def test_every_help_has_an_example(self):
-        for name in SUBCOMMANDS:
-            out = self.succeed(name, "--help").out
-            self.assertIn("Example", out)
-            self.assertIn(f"\n  polydec {name}", out.split("Example")[1], name)
-            self.assertTrue(all(len(line) <= 100 for line in out.splitlines()), name)
-        self.assertIn("Exit codes", self.succeed("--help").out)
-
     def test_wrong_usage_is_code_1(self):
         mesh = golden("grid4.nsc")
         for arguments, words in (
-                ((), ("subcommand", "required")),
+                ((), ("needs", "command")),
                 (("frobnicate",), ("'frobnicate'",)),
-                (("info",), ("MESH", "required")),
+                (("info",), ("needs MESH",)),
                 (("info", mesh, "--foo"), ("'--foo'",)),
                 (("info", "--foo"), ("'--foo'",)),
                 (("info", mesh, "--tolerance", "-1"),
@@ -272,7 +262,7 @@ class Usage(TestCase):
                  ("--tolerance: ", "expected", "number", 0, "'much'")),
                 (("info", mesh, "--no-merge", "--angle-tolerance", "1e-3"),
                  ("--angle-tolerance", "--no-merge")),
-                (("merge", mesh), ("--out", "required")),
+                (("merge", mesh), ("needs --out",)),
                 (("generate", "sponge", "-o", "a.off"), ("'sponge'",)),
                 (("spectrum", mesh, "--side", "both", "--degree", "0"),
                  ("--side: ", "primal", "dual", "'both'")),

@@ -120,7 +120,7 @@ class Cost(TestCase):
     WITHOUT_MESH = {"generate", "reproduce", "backends"}
 
     def test_every_command_that_takes_a_mesh_is_bounded(self):
-        listed = self.succeed("--help").out.split("Subcommands:\n")[1].splitlines()
+        listed = self.succeed("--help").out.split("Commands:\n")[1].splitlines()
         names = {line.split()[0] for line in listed if line.startswith("  ") and line[2] != " "}
         self.assertEqual(names, set(self.ARGUMENTS) | self.WITHOUT_MESH)
         self.succeed("generate", "grid", "--nx", 200, "--ny", 200, "-o", "grid.nsc")

@@ -55,7 +55,7 @@ class Lengths(TestCase):
         self.assertSays(self.refuse("info", square, "--periodic", "3.5,0"), f"{square}: ",
                         "(3.5, 0)", "no vertex")
         self.assertSays(self.refuse("info", self.torus, "--periodic", "4,0"), f"{self.torus}: ",
-                        "no places")
+                        "no points")
         self.assertSays(self.fail_with(1, "info", square, "--periodic", "4;0"), "--periodic: ",
                         "numbers", "commas", "'4;0'")
 
@@ -82,7 +82,7 @@ class Lengths(TestCase):
                         "isometry 0", "vertices", "as far apart", "expected")
         self.assertSays(self.refuse("info", square, "--glue", "x+1"), f"{square}: ", "--glue",
                         "1 component", "expected 3")
-        self.assertSays(self.refuse("info", self.torus, *twist), f"{self.torus}: ", "no places")
+        self.assertSays(self.refuse("info", self.torus, *twist), f"{self.torus}: ", "no points")
 
     def test_info_knows_all_but_coordinates(self):
         answer = self.ask("info", self.torus)
@@ -93,7 +93,7 @@ class Lengths(TestCase):
         for star in answer["stars"]:
             self.assertAlmostEqual(star["min"], 1, delta=1e-12)
             self.assertAlmostEqual(star["max"], 1, delta=1e-12)
-        self.assertIn("dimension 2 by lengths of edges alone, volume 16\n",
+        self.assertIn("dimension 2 given by edge lengths only, volume 16\n",
                       self.succeed("info", self.torus).out)
 
     def test_spectrum_is_that_of_the_flat_grid(self):

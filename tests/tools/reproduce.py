@@ -64,8 +64,8 @@ class Reproduce(TestCase):
 
     def test_refusals(self):
         for arguments, words in (
-                ((), ("NAME", "required")),
-                (("fig1",), ("NAME: ", "'fig1'", ", ".join(NAMES), "all")),
+                ((), ("NAME: ", "expected", "all", "--list")),
+                (("fig1",), ("NAME: ", ", ".join(NAMES), "all", "'fig1'")),
                 (("fig2", "--list"), ("NAME", "--list")),
                 (("fig2", "--levels", "0"), ("--levels: ", "number", 1, 20, "'0'"))):
             self.assertSays(self.fail_with(1, "reproduce", *arguments), *words)

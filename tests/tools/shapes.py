@@ -88,7 +88,6 @@ class Shapes(TestCase):
         for code, words, said in (
                 (1, ("--of-shape", "--side", "dual"), ("--side", "excludes", "--of-shape")),
                 (1, ("--side", "primal", "--degree", 0, "--level", 1), ("--level", "requires", "--of-shape")),
-                (1, (), ("--side", "required")),
                 (1, ("--of-shape", "-o", "modes.vtu"), ("--out", "excludes", "--of-shape")),
                 (1, ("--of-shape", "--star", "galerkin"), ("--star", "excludes", "--of-shape")),
                 (2, ("--of-shape", "--level", 3), ("level 3", "1", "2")),

@@ -4,11 +4,8 @@
 #include "tools/messages.h"
 #include "tools/mpi/commands.h"
 #include "tools/mpi/shared_mesh.h"
-#include "tools/options.h"
 
 #include <fmt/format.h>
-
-#include <memory>
 
 namespace polydec::tools {
 
@@ -63,18 +60,17 @@ void run_convert(const Ranks& ranks, const ConvertArguments& arguments) {
 } // namespace
 
 void add_convert(CLI::App& app, const Ranks& ranks) {
-    auto* command = app.add_subcommand("convert", "writes a mesh as .pdm, which is read in parts");
-    const auto arguments = std::make_shared<ConvertArguments>();
-    command->add_option("MESH", arguments->mesh, "mesh file of any format that polydec reads")
+    const auto [command, arguments] = add_command<ConvertArguments>(
+        app, "convert", "converts a mesh to .pdm, which ranks read in parts",
+        [ranks](const ConvertArguments& given) { run_convert(ranks, given); });
+    command->add_option("MESH", arguments->mesh, "mesh file, in any format that polydec reads")
         ->required();
-    command->add_option("-o,--out", arguments->out, "where to, .pdm")->required();
+    command->add_option("-o,--out", arguments->out, "FILE\tthe converted mesh, .pdm")->required();
     add_common_options(*command, arguments->tell);
-    command->add_flag("--timing", arguments->tell.timing, "tell the seconds each stage took");
-    command->footer("The file holds points and cells as they are in memory, and a checksum for "
-                    "every MiB.\nWhat makes no sense to a complex (cells with a repeated corner, "
-                    "double ones) is left out.\n\nExample:\n"
+    command->add_flag("--timing", arguments->tell.timing, "report how long each stage took");
+    command->footer("The file has points and cells as in memory, and a checksum for every MiB. "
+                    "Cells that occur twice or repeat a corner are omitted.\n\nExample:\n"
                     "  polydec-mpi convert engine.msh -o engine.pdm");
-    command->callback([ranks, arguments] { run_convert(ranks, *arguments); });
 }
 
 } // namespace polydec::tools

@@ -13,7 +13,6 @@
 
 #include <limits>
 #include <map>
-#include <memory>
 #include <set>
 
 namespace polydec::tools {
@@ -180,14 +179,14 @@ void run_info(const Ranks& ranks, const SharedArguments& arguments) {
 } // namespace
 
 void add_shared_info(CLI::App& app, const Ranks& ranks) {
-    auto* command = app.add_subcommand("info", "what the mesh is, before and after merging");
-    const auto arguments = std::make_shared<SharedArguments>();
+    const auto [command, arguments] = add_command<SharedArguments>(
+        app, "info", "what the mesh is, before and after merging",
+        [ranks](const SharedArguments& given) { run_info(ranks, given); });
     add_shared_arguments(*command, *arguments);
     refuse_option(*command, "--star");
     refuse_option(*command, "--out");
-    command->footer("Betti numbers and what can be said of operators run in one process: polydec "
-                    "info.\n\nExample:\n  mpirun -n 4 polydec-mpi info engine.pdm --json");
-    command->callback([ranks, arguments] { run_info(ranks, *arguments); });
+    command->footer("For Betti numbers and what holds for operators, use `polydec "
+                    "info`.\n\nExample:\n  mpirun -n 4 polydec-mpi info engine.pdm --json");
 }
 
 } // namespace polydec::tools

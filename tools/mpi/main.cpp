@@ -26,12 +26,10 @@ void refuse_others(CLI::App& app) {
 std::unique_ptr<CLI::App> command_line(const Ranks& ranks) {
     auto app = polydec::tools::empty_command_line(
         "polydec-mpi", "discrete exterior calculus over several processes, by MPI");
-    polydec::tools::add_shared_info(*app, ranks);
-    polydec::tools::add_shared_merge(*app, ranks);
-    polydec::tools::add_shared_operators(*app, ranks);
-    polydec::tools::add_shared_poisson(*app, ranks);
-    polydec::tools::add_shared_spectrum(*app, ranks);
-    polydec::tools::add_convert(*app, ranks);
+    using namespace polydec::tools;
+    for (const auto add : {add_shared_info, add_shared_merge, add_shared_operators,
+                           add_shared_poisson, add_shared_spectrum, add_convert})
+        add(*app, ranks);
     polydec::tools::expect_values(*app);
     refuse_others(*app);
     return app;
@@ -39,7 +37,7 @@ std::unique_ptr<CLI::App> command_line(const Ranks& ranks) {
 
 /// An error that has come to this rank alone leaves the others waiting.
 void end_all(const Ranks& ranks) {
-    std::string text = "an error of an unknown kind";
+    std::string text = "an unknown error";
     try {
         throw;
     } catch (const std::exception& error) {

@@ -4,8 +4,6 @@
 #include "tools/mpi/commands.h"
 #include "tools/mpi/shared_mesh.h"
 
-#include <memory>
-
 namespace polydec::tools {
 
 namespace {
@@ -54,16 +52,16 @@ void run_merge(const Ranks& ranks, const SharedMergeArguments& arguments) {
 } // namespace
 
 void add_shared_merge(CLI::App& app, const Ranks& ranks) {
-    auto* command = app.add_subcommand("merge", "writes the merged complex");
-    const auto arguments = std::make_shared<SharedMergeArguments>();
+    const auto [command, arguments] = add_command<SharedMergeArguments>(
+        app, "merge", "writes the merged complex",
+        [ranks](const SharedMergeArguments& given) { run_merge(ranks, given); });
     add_shared_arguments(*command, arguments->mesh);
     refuse_option(*command, "--star");
     add_picture(*command, arguments->out, "polygons or polyhedra", true);
     refuse_option(*command, "--float32");
     command->footer(
-        "Each cell tells which rank owns it. Other formats run in one process: polydec merge.\n\n"
+        "The file says which rank owns each cell. For other formats use `polydec merge`.\n\n"
         "Example:\n  mpirun -n 4 polydec-mpi merge cubes.pdm -o cubes.pvtu");
-    command->callback([ranks, arguments] { run_merge(ranks, *arguments); });
 }
 
 } // namespace polydec::tools

@@ -5,8 +5,6 @@
 #include "tools/mpi/shared_mesh.h"
 #include "tools/outputs.h"
 
-#include <memory>
-
 namespace polydec::tools {
 
 namespace {
@@ -50,20 +48,22 @@ void run_operators(const Ranks& ranks, const SharedOperatorsArguments& arguments
 } // namespace
 
 void add_shared_operators(CLI::App& app, const Ranks& ranks) {
-    auto* command = app.add_subcommand("operators", "writes every operator as files");
-    const auto arguments = std::make_shared<SharedOperatorsArguments>();
+    const auto [command, arguments] = add_command<SharedOperatorsArguments>(
+        app, "operators", "writes all operators to files",
+        [ranks](const SharedOperatorsArguments& given) { run_operators(ranks, given); });
     add_shared_arguments(*command, arguments->mesh);
     refuse_option(*command, "--star");
     command
-        ->add_option("--out", arguments->out, "folder for the files, made or replaced as a whole")
+        ->add_option("--out", arguments->out,
+                     "FOLDER\tfolder for the files, created or replaced as a whole")
         ->required();
     command->footer(
-        "Files of the merged complex, in PETSc's binary format: d_k star_k volume_k dual_volume_k\n"
-        "laplacian_primal_k laplacian_dual_j, with the extension .petsc; rows in the order of "
-        "cells,\nhowever many ranks there are. MatLoad and VecLoad read them, and so do PETSc's "
-        "scripts for\nMATLAB and Python.\n\nExample:\n"
+        "Files of the merged complex, in PETSc's binary format (.petsc): d_k star_k volume_k "
+        "dual_volume_k laplacian_primal_k laplacian_dual_j. Rows are in the order of the cells, "
+        "for "
+        "any number of ranks. MatLoad and VecLoad read them, and so do PETSc's scripts for MATLAB "
+        "and Python.\n\nExample:\n"
         "  mpirun -n 4 polydec-mpi operators engine.pdm --out operators");
-    command->callback([ranks, arguments] { run_operators(ranks, *arguments); });
 }
 
 } // namespace polydec::tools

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 namespace polydec::tools {
 
@@ -35,12 +34,10 @@ struct SharedData {
     explicit SharedData(const SharedPoissonArguments& arguments)
         : rhs("--rhs", arguments.rhs),
           boundary("--boundary", arguments.boundary.empty() ? "(0)" : arguments.boundary),
-          flux("--flux", arguments.flux.empty() ? "(0)" : arguments.flux) {
-        if (!arguments.conditions.essential_where.empty())
-            essential_where.emplace("--essential-where", arguments.conditions.essential_where);
-        if (!arguments.exact.empty())
-            exact.emplace("--exact", arguments.exact);
-    }
+          flux("--flux", arguments.flux.empty() ? "(0)" : arguments.flux),
+          essential_where(
+              if_given<SiteValues>("--essential-where", arguments.conditions.essential_where)),
+          exact(if_given<SiteValues>("--exact", arguments.exact)) {}
 
     SiteValues rhs, boundary, flux;
     std::optional<SiteValues> essential_where, exact;
@@ -102,8 +99,8 @@ void warn_of_negative(const Ranks& ranks, const DistributedMesh& mesh, Side side
         ranks.sum(static_cast<GlobalIndex>(HodgeStar(mesh.cells.volumes, k).negatives().size()));
     if (count > 0)
         log.warn(fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay "
-                             "there): the solution may be far off there; other stars run in one "
-                             "process: polydec poisson",
+                             "there): the solution may be far off there; `polydec poisson` has "
+                             "other stars",
                              count, k, count == 1 ? "has" : "have"));
 }
 
@@ -160,43 +157,39 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
 } // namespace
 
 void add_shared_poisson(CLI::App& app, const Ranks& ranks) {
-    auto* command = app.add_subcommand("poisson", "solves Delta u = f, Delta = -div grad");
-    const auto arguments = std::make_shared<SharedPoissonArguments>();
+    const auto [command, arguments] = add_command<SharedPoissonArguments>(
+        app, "poisson", "solves Delta u = f, Delta = -div grad",
+        [ranks](const SharedPoissonArguments& given) { run_poisson(ranks, given); });
     add_shared_arguments(*command, arguments->mesh);
     add_star(*command, arguments->mesh.mesh, StarKind::automatic);
-    add_side(*command, arguments->poisson.side)->required();
-    command->add_option("--rhs", arguments->rhs, "f: an expression in x, y, z, or a file")
-        ->required();
+    command->add_option("--rhs", arguments->rhs, "EXPR\tthe right-hand side f")->required();
+    command->add_option("--exact", arguments->exact, "EXPR\texact solution to compare u with");
+    add_side(*command, arguments->poisson.side);
     auto* boundary = command->add_option("--boundary", arguments->boundary,
-                                         "values of u on the boundary (Dirichlet): expression or\n"
-                                         "file (default 0)");
+                                         "EXPR\tvalues of u on the boundary (Dirichlet), instead "
+                                         "of 0");
     add_conditions(*command, arguments->conditions,
-                   "no values given on the boundary, only --flux (Neumann);\nu has mean 0",
-                   "values given (Dirichlet) only at boundary facets where this is not 0,\n"
-                   "--flux (Neumann) at the others")
+                   "no values given on the boundary, only --flux (Neumann); u has mean 0",
+                   "give values only at boundary facets where this is not 0, --flux elsewhere")
         ->excludes(boundary);
     command->add_option("--flux", arguments->flux,
-                        "outward derivative of u on the rest of the boundary (default 0)");
-    command->add_option("--exact", arguments->exact, "exact solution to compare with");
-    command
-        ->add_option("--engine", arguments->poisson.engine.name,
-                     "petsc.cg-hypre, petsc.cg-gamg, petsc.mumps, or auto")
-        ->capture_default_str();
+                        "EXPR\toutward derivative of u elsewhere on the boundary, instead of 0");
+    command->add_option("--engine", arguments->poisson.engine.name,
+                        "NAME\tpetsc.cg-hypre, petsc.cg-gamg, petsc.mumps, or auto");
     command->add_option("--petsc", arguments->poisson.engine.options,
-                        "options of PETSc as they are, '-ksp_type fcg -ksp_monitor'; one that\n"
-                        "nobody reads is refused");
+                        "OPTIONS\toptions for PETSc, such as '-ksp_type fcg -ksp_monitor'; unused "
+                        "ones are an error");
     add_picture(*command, arguments->out, "u", false);
-    for (const char* option : {"--conductivity", "--isolines", "--float32"})
+    command->remove_option(command->get_option("--essential-on"));
+    for (const char* option : {"--conductivity", "--essential-on", "--isolines", "--float32"})
         refuse_option(*command, option);
     command->footer(
-        "Several ranks have circumcentric stars alone: where automatic ones are others, ask for\n"
-        "--star circumcentric, or solve in one process. Files are as for polydec poisson; every "
-        "rank reads "
-        "them whole.\n\nExamples:\n"
+        "Several ranks support only circumcentric stars: if the automatic ones differ, use --star "
+        "circumcentric, or a single process. Files are as for `polydec poisson`; every rank reads "
+        "them as a whole.\n\nExamples:\n"
         "  mpirun -n 4 polydec-mpi poisson engine.pdm --side primal --rhs 1 -o u.pvtu\n"
         "  srun polydec-mpi poisson grid.pdm --side dual --rhs 'sin(x)' --natural "
         "--petsc '-ksp_view'");
-    command->callback([ranks, arguments] { run_poisson(ranks, *arguments); });
 }
 
 } // namespace polydec::tools

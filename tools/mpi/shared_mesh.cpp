@@ -10,14 +10,10 @@
 #include <fmt/format.h>
 
 #include <ctime>
-#include <map>
 
 namespace polydec::tools {
 
 namespace {
-
-const std::map<std::string, Ownership> ownerships{
-    {"morton", Ownership::morton}, {"file", Ownership::file}, {"ptscotch", Ownership::graph}};
 
 /// What a computation took on all ranks.
 struct Effort {
@@ -103,19 +99,15 @@ void refuse_option(CLI::App& command, const std::string& option) {
 void add_shared_arguments(CLI::App& command, SharedArguments& arguments) {
     add_merge_arguments(
         command, arguments.mesh,
-        "mesh file: .pdm or another binary one of simplices (.ply, .msh, .vtu), of\n"
-        "which each rank reads its part, or any that polydec reads, which rank 0\n"
-        "reads as a whole");
-    std::vector<std::string> names;
-    for (const auto& [name, by] : ownerships)
-        names.push_back(name);
+        "mesh file: .pdm or another binary one of simplices (.ply, .msh, .vtu), read in parts by "
+        "all ranks, or any that polydec reads, read as a whole by rank 0");
     command
         .add_option("--owners", arguments.owners,
-                    "which rank has which vertices: morton (near ones together), file (in their\n"
-                    "order there), or ptscotch (few edges cut, for solvers that run long); time\n"
-                    "depends on it, results do not")
+                    "NAME\thow vertices are distributed over ranks: morton (neighbors together), "
+                    "file (in file order), or ptscotch (few edges cut, for long solves); affects "
+                    "time, not results")
         ->default_str("morton")
-        ->transform(CLI::CheckedTransformer(ownerships).description("morton|file|ptscotch"));
+        ->transform(enumerator({"morton", "file", "ptscotch"}));
     for (const char* option : {"--centers", "--keep-groups", "--peel", "--delaunay"})
         refuse_option(command, option);
 }
@@ -145,7 +137,7 @@ DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Share
         return discretize(ranks, std::move(slice), owners, merge_options(arguments.mesh),
                           [&](std::string_view stage) { log.begin(stage); });
     });
-    mesh.star = star_kind(arguments.mesh.star);
+    mesh.star = arguments.mesh.star;
     log.end();
     for (const auto& warning : mesh.warnings)
         log.warn(warning);
@@ -174,9 +166,8 @@ void add_picture(CLI::App& command, std::filesystem::path& out, const std::strin
                  bool required) {
     command
         .add_option("-o,--out", out,
-                    "write " + what +
-                        " as .pvtu, with a .vtu file for each rank in a folder of\n"
-                        "its name")
+                    "FILE\twrite " + what +
+                        " as .pvtu, with a folder of the same name for a .vtu file per rank")
         ->required(required);
 }
 

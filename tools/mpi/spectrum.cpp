@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <memory>
-
 namespace polydec::tools {
 
 namespace {
@@ -41,8 +39,8 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
     const auto [side, degree] = std::pair(arguments.side, arguments.degree);
     const int k = side == Side::primal ? degree : n - degree;
     if (!arguments.out.empty() && k != 0 && k != n)
-        throw InvalidInput(fmt::format("cannot write {}: several ranks draw functions on vertices "
-                                       "and cells alone; leave out the file",
+        throw InvalidInput(fmt::format("cannot write {}: several ranks write only functions on "
+                                       "vertices and cells; omit the file",
                                        arguments.out.string()));
     log.begin("solve");
     if (!arguments.certify)
@@ -74,26 +72,26 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
 } // namespace
 
 void add_shared_spectrum(CLI::App& app, const Ranks& ranks) {
-    auto* command = app.add_subcommand(
-        "spectrum", "smallest eigenpairs of the Laplace-de Rham operator, certified");
-    const auto arguments = std::make_shared<SharedSpectrumArguments>();
+    const auto [command, arguments] = add_command<SharedSpectrumArguments>(
+        app, "spectrum",
+        "computes the smallest eigenpairs of the Laplace-de Rham operator, certified",
+        [ranks](const SharedSpectrumArguments& given) { run_spectrum(ranks, given); });
     add_shared_arguments(*command, arguments->mesh);
     add_star(*command, arguments->mesh.mesh, StarKind::automatic);
-    add_side(*command, arguments->side)->required();
-    command->add_option("--degree", arguments->degree, "degree of the forms")->required();
-    command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")
-        ->capture_default_str();
+    add_forms(*command, arguments->side, arguments->degree);
+    command->add_option("--count", arguments->spectrum.count, "N\tnumber of eigenpairs");
     add_picture(*command, arguments->out, "modes on vertices or cells", false);
-    command->add_flag("!--no-certificate", arguments->certify, "do without the proof");
+    command->add_flag("!--no-certificate", arguments->certify,
+                      "skip the proof that no eigenvalue is missing");
     for (const char* option :
          {"--natural", "--essential-where", "--engine", "--eigen-engine", "--float32"})
         refuse_option(*command, option);
-    command->footer("Several ranks have circumcentric stars alone, and these must be positive. On "
-                    "the boundary, primal forms "
-                    "have no flow\nthrough it (Neumann), dual ones values 0 (Dirichlet).\n\n"
-                    "Example:\n  mpirun -n 4 polydec-mpi spectrum sphere.pdm --side dual --degree "
-                    "0 --count 20 -o modes.pvtu");
-    command->callback([ranks, arguments] { run_spectrum(ranks, *arguments); });
+    command->footer(
+        "Several ranks support only circumcentric stars, which must be positive. Primal "
+        "forms have no flow through the boundary (Neumann), dual ones values 0 "
+        "(Dirichlet).\n\n"
+        "Example:\n  mpirun -n 4 polydec-mpi spectrum sphere.pdm --side dual --degree "
+        "0 --count 20 -o modes.pvtu");
 }
 
 } // namespace polydec::tools
