@@ -43,7 +43,7 @@ std::string unknown(const CLI::App& app, const std::string& argument) {
     return fmt::format("{} expects no further argument '{}'", app.get_name(), shown);
 }
 
-/// All that this command needs and was not given, or an empty text.
+/// All that this command needs and was not given.
 std::string missing(const CLI::App& app) {
     Names needed;
     for (const auto* option : app.get_options())
@@ -54,30 +54,24 @@ std::string missing(const CLI::App& app) {
                                       text.substr(0, text.find_first_of(":;("))));
         }
     if (app.get_require_subcommand_min() > 0 && app.get_subcommands().empty())
-        needed.push_back(fmt::format("a command: {}", fmt::join(commands_of(app), ", ")));
-    if (needed.empty())
-        return "";
-    const auto last = needed.back();
-    needed.pop_back();
-    return fmt::format("{} needs {}{}{}", app.get_name(), fmt::join(needed, ", "),
-                       needed.empty() ? "" : " and ", last);
+        return fmt::format("expected a command: {}", fmt::join(commands_of(app), ", "));
+    return fmt::format("{} needs {}", app.get_name(), fmt::join(needed, " and "));
 }
 
-/// An argument that nobody knows is the cause even where something is missing too.
+/// An unknown argument is the cause even where something is missing too.
 std::string tell_misuse(const CLI::App* app, const CLI::Error& error) {
     std::string message = error.what();
     const auto* active = app;
     const bool is_unknown = !app->remaining(true).empty();
     while (!active->get_subcommands().empty() && !(is_unknown && !active->remaining().empty()))
         active = active->get_subcommands().front();
-    if (error.get_name() == one_process_only)
-        ;
-    else if (is_unknown)
+    const auto kind = error.get_name();
+    if (is_unknown && kind != one_process_only)
         message = unknown(*active, active->remaining().front());
-    else if (error.get_name() == "ArgumentMismatch") // which names the type of values
+    else if (kind == "ArgumentMismatch") // its own message names the type of the values
         message = message.substr(0, message.find(':')) + ": expected another number of values";
-    else if (const auto all = missing(*active); error.get_name() == "RequiredError" && !all.empty())
-        message = all;
+    else if (kind == "RequiredError") // its own message names the first option only
+        message = missing(*active);
     return fmt::format("{}: {}\nRun with --help for more information.\n", app->get_name(),
                        told(message));
 }

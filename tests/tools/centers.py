@@ -38,7 +38,7 @@ class Centroids(TestCase):
 
     def test_other_words_are_refused(self):
         self.assertSays(self.fail_with(1, "info", self.sphere, "--centers", "incenters"),
-                        "--centers: ", "incenters", "circumcenters")
+                        "--centers: ", "circumcenters", "incenters")
 
 
 if __name__ == "__main__":

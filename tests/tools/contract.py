@@ -251,7 +251,7 @@ class Usage(TestCase):
     def test_wrong_usage_is_code_1(self):
         mesh = golden("grid4.nsc")
         for arguments, words in (
-                ((), ("needs", "command")),
+                ((), ("expected a command",)),
                 (("frobnicate",), ("'frobnicate'",)),
                 (("info",), ("needs MESH",)),
                 (("info", mesh, "--foo"), ("'--foo'",)),

@@ -176,7 +176,7 @@ class Distance(TestCase):
 
     def test_says_what_it_cannot_do(self):
         for path, vertex, words in (
-                (golden("kuhn3.nsc"), 0, (golden("kuhn3.nsc"), "dimension 3", "surfaces")),
+                (golden("kuhn3.nsc"), 0, (golden("kuhn3.nsc"), "dimension 3", "surface")),
                 (golden("uv8.off"), 99999, ("--from 99999: ", "vertex"))):
             self.assertSays(self.fail_with(2, "distance", path, "--from", vertex), *words)
         self.assertEqual(run("distance", golden("uv8.off")).code, 1)

@@ -274,7 +274,7 @@ class InTime(TestCase):
         self.assertSays(self.fail_with(2, *heat, "--checkpoint", "b.checkpoint", "--resume"),
                         "b.checkpoint", "cut off")
         self.assertSays(self.fail_with(2, *heat, "--checkpoint", "a.checkpoint", "--resume", "-o",
-                                       "a.html"), "go on", "a.html: ", "all", "steps")
+                                       "a.html"), "cannot resume", "a.html: ", "all frames")
         self.fail_with(2, *heat, "-o", "a.vtu")
         self.fail_with(2, *heat, "--checkpoint", "a.txt")
         self.fail_with(2, *heat[:-1], 1e12, "--time-step", 1e-3)

@@ -94,7 +94,7 @@ class Waves(TestCase):
             self.assertAlmostEqual(dense["max"], end / 8, delta=0.02 * end)
         other = self.ask(*line, "--pulse", f"cos({2 * frequency!r}*t)")
         self.assertLess(other["max"], 0.2 * end)
-        self.assertSays(self.fail_with(2, *line, "--pulse", "x*t"), "--pulse: ", "'x*t'", "place")
+        self.assertSays(self.fail_with(2, *line, "--pulse", "x*t"), "--pulse: ", "'x*t'", "x, y or z")
 
     def test_light_in_space(self):
         box = self.path("box.mesh")
