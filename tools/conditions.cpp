@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
+#include "tools/options.h"
 
 #include <fmt/format.h>
 

@@ -145,10 +145,10 @@ std::string Help::make_help(const CLI::App* app, std::string name, CLI::AppForma
                 add(group.title, row(*option));
     for (const auto* command : listed_commands(*app))
         add(command->get_group(), row(command->get_name(), command->get_description()));
-    for (const auto& [kind, text] : kinds)
+    for (const auto& kind : kinds)
         if (std::any_of(options.begin(), options.end(),
-                        [&](const auto* option) { return parts(*option).first == kind; }))
-            add("Expressions", row(kind, text));
+                        [&](const auto* option) { return parts(*option).first == kind.first; }))
+            add("Expressions", row(kind.first, kind.second));
     return help + wrapped(app->get_footer(), 0, 0) + "\n";
 }
 
