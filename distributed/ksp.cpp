@@ -2,6 +2,7 @@
 #include "distributed/ksp.h"
 
 #include "backends/linear/petsc_options.h"
+#include "base/did_you_mean.h"
 #include "base/errors.h"
 #include "distributed/petsc_calls.h"
 
@@ -47,8 +48,8 @@ const EngineMethod& method(const std::string& engine) {
             return known;
         names.emplace_back(known.engine);
     }
-    throw InvalidInput(fmt::format("there is no engine '{}' over several ranks: take one of {}",
-                                   engine, fmt::join(names, ", ")));
+    throw InvalidInput(fmt::format("there is no engine '{}' over several ranks{}\nKnown are: {}.",
+                                   engine, did_you_mean(engine, names), fmt::join(names, ", ")));
 }
 
 bool is_direct(const std::string& engine) {
