@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Checks that every C++ block of README.md and of the pages of docs/, and every block of these in Python
 that is no dialog, stands, line by line and indented the same, in an example that is compiled or run
-and that the page links to; so does all code in the right columns of docs/coming-from/. That every page in
-docs/, its folders apart, shows a picture, that what pages link to is there, and that docs/README.md
-links to every page beside it.
+and that the page links to; so does all code in the right columns of docs/coming-from/ and, with blocks
+of the command, in docs/answers/. That every page in docs/, its folders apart, shows a picture, that
+what pages link to is there, and that docs/README.md links to every page beside it.
 
 Usage: readme.py ROOT. A complaint for each, as file:line. Exit code: 0 none, 1 some.
 """
@@ -89,6 +89,22 @@ def check_itself():
     assert not missing_pictures(f"![Itself]({Path(__file__).name})", here)
 
 
+def of_answers(root):
+    """Complaints about docs/answers, whose code lies in one folder: (page, line, block)."""
+    folder = root / "examples"
+    sources = {path.name: path.read_text() for path in
+               [*folder.glob("*.cpp"), *(folder / "answers").iterdir()] if path.is_file()}
+    for path in sorted((root / "docs" / "answers").glob("*.md")):
+        page = path.read_text()
+        for language in ("cpp", "python", "sh"):
+            for line, block in lost(page, sources, language):
+                yield path.relative_to(root), line, block
+        words = re.sub(r"^```.*?^```", "", page, flags=re.DOTALL | re.MULTILINE)
+        for name in re.findall(r"\]\(([^)#:]+)[^)]*\)", words):
+            if not (path.parent / name).exists():
+                yield path.relative_to(root), 1, f"{name} is not there"
+
+
 def main():
     root = Path(sys.argv[1])
     sources = {path.name: path.read_text() for ending in ("cpp", "py")
@@ -114,6 +130,9 @@ def main():
         if path.name not in listed:
             print(f"docs/README.md:1: the page does not link to {path.name}")
             found = True
+    for name, line, block in of_answers(root):
+        print(f"{name}:{line}: this code is in no example that the page links to:\n{block}")
+        found = True
     sys.exit(1 if found else 0)
 
 

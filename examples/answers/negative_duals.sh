@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: MIT
+printf 'v 0 0\nv 4 0\nv 2 .5\nv 2 -.5\nf 1 2 3\nf 2 1 4\n' > kite.obj
+polydec info kite.obj
+polydec info kite.obj --delaunay
+# What can go wrong:
+! polydec spectrum kite.obj --side primal --degree 1 --count 2 --star circumcentric

@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: MIT
+polydec info box.off
+polydec info box.off --weld
