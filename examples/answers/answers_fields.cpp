@@ -2,7 +2,7 @@
 //
 // The C++ code of docs/answers about equations in time, surfaces and forms: prints each answer
 // behind its name.
-#include "answers.h"
+#include "examples/answers/answers.h"
 
 #include <Eigen/SparseCholesky>
 

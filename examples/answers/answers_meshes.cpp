@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The C++ code of docs/answers about meshes and stars: prints each answer behind its name.
-#include "answers.h"
+#include "examples/answers/answers.h"
 
 #include <fstream>
 #include <iostream>
@@ -106,7 +106,7 @@ void own_cells() {
     std::cout << "\nlargest eigenvalue: " << modes.eigenvalues[2] << '\n';
 }
 
-void periodic_box() {
+void box_without_boundary() {
     const auto box = polydec::periodic(polydec::grid(32, 32),
                                        {polydec::Vector{{1, 0}}, polydec::Vector{{0, 1}}});
     const auto mesh = polydec::discretize(box);
@@ -137,6 +137,6 @@ int main() {
                            {"what_works_here", what_works_here},
                            {"tetrahedra_from_surface", tetrahedra_from_surface},
                            {"own_cells", own_cells},
-                           {"periodic_box", periodic_box},
+                           {"box_without_boundary", box_without_boundary},
                            {"draw_duals", draw_duals}});
 }

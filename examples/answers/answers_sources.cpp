@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The C++ code of docs/answers about sources and spectra: prints each answer behind its name.
-#include "answers.h"
+#include "examples/answers/answers.h"
 
 #include <cmath>
 #include <iostream>
