@@ -99,6 +99,7 @@
 #include "meshes/peel.h"
 #include "meshes/periodic.h"
 #include "meshes/rearrange.h"
+#include "meshes/refine.h"
 #include "meshes/split_cells.h"
 #include "meshes/tetrahedralize.h"
 #include "meshes/tidy.h"

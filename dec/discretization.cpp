@@ -13,6 +13,7 @@
 #include "dec/metric/plane.h"
 #include "dec/stars/choose_stars.h"
 #include "meshes/periodic.h"
+#include "meshes/refine.h"
 #include "meshes/tidy.h"
 #include "meshes/unit_of_length.h"
 
@@ -302,7 +303,8 @@ Discretization Discretization::with_star(int k, const SparseMatrix& star) const 
 Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Progress& stage) {
     begin(stage, "complex");
     FlatCellsKept flat;
-    mesh = tidy(std::move(mesh), flat);
+    mesh = options.refine ? refined(tidy(std::move(mesh)), *options.refine)
+                          : tidy(std::move(mesh), flat);
     const double unit = unit_of_length(mesh);
     warn_of_unit(unit, mesh.warnings);
     if (unit != 1)
@@ -346,14 +348,18 @@ Discretization of_lengths(const LengthMesh& mesh, Mesh about, const DiscretizeOp
 
 Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options,
                           const Progress& stage) {
-    return of_lengths(mesh, {}, options, stage);
+    const LengthMesh parts = options.refine ? refined(mesh, *options.refine) : mesh;
+    Mesh about;
+    about.input_cells = parts.input_cells;
+    return of_lengths(parts, std::move(about), options, stage);
 }
 
-Discretization discretize(const PeriodicMesh& mesh, const DiscretizeOptions& options,
+Discretization discretize(const PeriodicMesh& given, const DiscretizeOptions& options,
                           const Progress& stage) {
-    check_facet_tags(mesh.box);
-    check_as_many("numbers of the vertices of a box", std::ssize(mesh.vertices),
-                  mesh.box.points.rows());
+    check_facet_tags(given.box);
+    check_as_many("numbers of the vertices of a box", std::ssize(given.vertices),
+                  given.box.points.rows());
+    const PeriodicMesh mesh = options.refine ? refined(given, *options.refine) : given;
     Mesh about{{}, {}, mesh.box.warnings, mesh.box.tags, mesh.box.facet_tags, mesh.box.groups};
     about.input_cells = mesh.box.input_cells;
     for (Index& v : about.facet_tags.simplices.reshaped())

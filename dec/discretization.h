@@ -196,7 +196,7 @@ Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& optio
 /// tags and groups of its box. Forms, fields and expressions are evaluated where the simplices lie
 /// in the box, and pictures show the box. Flipped edges cross the simplices of the box: after flips
 /// only lengths are known, with a warning. Throws like the other overloads.
-Discretization discretize(const PeriodicMesh& mesh, const DiscretizeOptions& options = {},
+Discretization discretize(const PeriodicMesh& given, const DiscretizeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 
 /// Vertices of a k-cell of complex(), ascending, by their numbers in the input, as in messages and

@@ -5,6 +5,8 @@
 #include "dec/metric/centers.h"
 #include "dec/stars/star_kind.h"
 
+#include <optional>
+
 namespace polydec {
 
 /// Whether the edges of a surface are flipped before merging, so that no dual edge is negative. The
@@ -31,6 +33,9 @@ struct DiscretizeOptions {
     /// With centers other than circumcenters, nothing is merged: no merging is needed.
     Centers centers = {};
     StarKind star = StarKind::automatic; ///< see choose_stars
+    /// No edge longer than this, in the units of the input: simplices are bisected before anything
+    /// else is done (see refined).
+    std::optional<double> refine = {};
 
     operator MergeOptions() const { return {criterion, tolerance}; }
 };

@@ -15,6 +15,7 @@ struct LengthMesh {
     Index vertices = 0;  ///< vertex numbers are 0 .. vertices - 1
     Simplices edges;     ///< each edge of the simplices once: its two vertices, in any order
     Vector lengths;      ///< one per row of edges
+    InputCells input_cells = {};
 
     int dimension() const { return static_cast<int>(simplices.cols()) - 1; }
 };

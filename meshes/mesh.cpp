@@ -12,21 +12,28 @@
 
 namespace polydec {
 
-void follow_rows(Mesh& mesh, const std::vector<Index>& rows, Index count) {
-    const auto followed = [&](const std::vector<Index>& numbers) {
-        std::vector<Index> result;
-        result.reserve(rows.size());
-        for (const Index row : rows)
-            result.push_back(numbers[row]);
-        return result;
-    };
-    if (!mesh.tags.empty())
-        mesh.tags = followed(mesh.tags);
-    auto& cells = mesh.input_cells;
+namespace {
+
+std::vector<Index> at_rows(const std::vector<Index>& numbers, const std::vector<Index>& rows) {
+    std::vector<Index> result;
+    result.reserve(rows.size());
+    for (const Index row : rows)
+        result.push_back(numbers[row]);
+    return result;
+}
+
+} // namespace
+
+InputCells followed(const InputCells& cells, const std::vector<Index>& rows, Index count) {
     if (cells.of_simplices.empty())
-        cells = {rows, count};
-    else
-        cells.of_simplices = followed(cells.of_simplices);
+        return {rows, count};
+    return {at_rows(cells.of_simplices, rows), cells.count};
+}
+
+void follow_rows(Mesh& mesh, const std::vector<Index>& rows, Index count) {
+    if (!mesh.tags.empty())
+        mesh.tags = at_rows(mesh.tags, rows);
+    mesh.input_cells = followed(mesh.input_cells, rows, count);
 }
 
 std::vector<Index> keep_rows(Mesh& mesh, const std::vector<bool>& left_out) {

@@ -46,6 +46,9 @@ struct Mesh {
     int dimension() const { return static_cast<int>(simplices.cols()) - 1; }
 };
 
+/// The input cells of simplices that are cells of these rows, or parts of them.
+InputCells followed(const InputCells& cells, const std::vector<Index>& rows, Index count);
+
 /// Transfers the tags and input cell numbers of `count` cells to simplices, which are cells of
 /// these rows or parts of them.
 void follow_rows(Mesh& mesh, const std::vector<Index>& rows, Index count);

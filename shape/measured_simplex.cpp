@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace polydec {
 
@@ -72,14 +73,20 @@ long double MeasuredSimplex::facet_volume(int omitted) const {
 }
 
 MeasuredSimplex measured_simplex(const Shape& shape, Index simplex) {
+    if (auto found = measured_simplex(squares_of(shape, simplex)))
+        return std::move(*found);
+    throw InvalidInput(fmt::format("{} does not exist with the lengths of its edges, or has no "
+                                   "volume: lengths that make one are needed",
+                                   name_of(shape, simplex)));
+}
+
+std::optional<MeasuredSimplex> measured_simplex(LongMatrix squares) {
     MeasuredSimplex result;
-    result.squares = squares_of(shape, simplex);
+    result.squares = std::move(squares);
     result.origin = shortest_edge(result.squares);
     const LongMatrix L = edge_factor(result.squares, result.origin);
     if (L.size() == 0)
-        throw InvalidInput(fmt::format("{} does not exist with the lengths of its edges, or has no "
-                                       "volume: lengths that make one are needed",
-                                       name_of(shape, simplex)));
+        return std::nullopt;
     const auto n = L.rows();
     const LongMatrix inverse = L.triangularView<Eigen::Lower>().solve(LongMatrix::Identity(n, n));
     LongMatrix all = LongMatrix::Zero(n, n + 1); // gradients, a column each

@@ -4,6 +4,8 @@
 #include "shape/barycentric.h"
 #include "shape/shape.h"
 
+#include <optional>
+
 namespace polydec {
 
 /// One n-simplex of a shape, measured by its edge lengths.
@@ -23,6 +25,9 @@ struct MeasuredSimplex {
 
 /// Throws InvalidInput, naming the simplex, if no simplex has these lengths.
 MeasuredSimplex measured_simplex(const Shape& shape, Index simplex);
+
+/// The simplex with these squared lengths between corners, if there is one.
+std::optional<MeasuredSimplex> measured_simplex(LongMatrix squares);
 
 /// An upper bound on the squared constant C in Poincare's inequality |w| <= C |grad w|, over the
 /// squared diameter, for w of mean 0 on a convex body of dimension n: 1 / pi^2, for triangles 1 /

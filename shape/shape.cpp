@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "shape/measured_simplex.h"
 
 #include <fmt/format.h>
 
@@ -28,6 +29,24 @@ void check_weights(const char* what, const Vector& weights, Index simplices) {
 double error_of_flips(const IntrinsicDelaunay& flips) {
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
     return rounding + 2 * flips.statistics.added_length / flips.lengths.minCoeff();
+}
+
+/// The share by which bisection before may have changed squares of lengths: of rounded middles of
+/// points, or of medians, if no parts between were flatter than the last.
+double error_of_refining(const Discretization& mesh) {
+    // h / longest <= 1e8, and n bisections divide the longest edge h by 2 / sqrt(3) (Kearfott 1978)
+    const double bisections = 130 * mesh.dimension();
+    const SimplexMetric metric = mesh.input_geometry().metric();
+    const bool has_points = metric.points() != nullptr;
+    const Shape before{.pieces = mesh.input(),
+                       .lengths = has_points ? edge_lengths(mesh.input(), *metric.points())
+                                             : *metric.lengths()};
+    double rounding = bisections * std::numeric_limits<double>::epsilon();
+    if (has_points) {
+        const Points& points = mesh.measured_input_points();
+        rounding *= points.rowwise().norm().maxCoeff() / before.lengths.minCoeff();
+    }
+    return rounding * most_sensitivity(before);
 }
 
 /// Of each n-simplex; none if there are none.
@@ -79,6 +98,8 @@ Shape shape_of(const Discretization& mesh, const BoundaryConditions& conditions,
         shape.length_error = 4 * std::numeric_limits<double>::epsilon();
     if (!mesh.passage().is_identity())
         shape.length_error = error_of_flips(mesh.passage().flips());
+    if (mesh.options().refine)
+        shape.metric_error = error_of_refining(mesh);
     shape.lengths *= mesh.unit();
     check(shape);
     return shape;

@@ -2,6 +2,7 @@
 #include "shape/shape_spectrum.h"
 
 #include "backends/spectra/certified_eigensolver.h"
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/metric/simplex_geometry.h"
 #include "shape/bisection.h"
@@ -75,6 +76,7 @@ private:
     ConformingForm conforming_;
     FormFamily lower_;
     CertifiedEigenpairs pairs_;
+    DenseMatrix moments_; // of conforming functions
     LowerGuesses guessed_;
     std::vector<std::pair<double, Index>> counts_; // s, and at most so many below
     ShapeSpectrum result_;
@@ -166,9 +168,9 @@ void Enclosing::prove_lower() {
     tell("lower bounds");
     const Index count = options_.count;
     result_.lower = Vector::Zero(count);
-    const DenseMatrix moments = facet_moments(shape_, options_.level, conforming_, pairs_.vectors);
-    guessed_ =
-        lower_guesses(lower_, moments, result_.upper * ratio_, options_.linear_solver, dimension());
+    moments_ = facet_moments(shape_, options_.level, conforming_, pairs_.vectors);
+    guessed_ = lower_guesses(lower_, moments_, result_.upper * ratio_, options_.linear_solver,
+                             dimension());
     const Vector& guesses = guessed_.values;
     constexpr double cluster = 1e-2; // of the width
     for (Index j = count - 1; j >= result_.zeros; --j) {
@@ -195,12 +197,19 @@ void Enclosing::count_all() {
 }
 
 std::vector<Index> Enclosing::marked() const {
-    // the gradient that no quadratic function has, and the doubt of the mass
-    const auto factors = [](double s, double) { return std::vector<double>{0, 1, 0, 2 * s * s}; };
+    // at level 2 the gradient that no quadratic function has, and the doubt of the mass; at level 1
+    // the gradient that conforming functions do not have
+    const bool by_means = options_.level == 1;
+    const auto factors = [=](double s, double) {
+        return by_means ? std::vector<double>{1, 0, 0} : std::vector<double>{0, 1, 0, 2 * s * s};
+    };
+    DenseMatrix vectors = guessed_.vectors;
+    if (by_means)
+        vectors -= moments_ * least_squares(moments_, vectors).shortest;
     Vector indicators = Vector::Zero(shape_.pieces.size(dimension()));
     for (Index j = result_.zeros; j < options_.count; ++j) {
         const double s = guessed_.values[j];
-        indicators += lower_.local_values(factors, s, guessed_.vectors.col(j)) / s;
+        indicators += lower_.local_values(factors, s, vectors.col(j)) / s;
     }
     std::vector<Index> order(indicators.size());
     std::iota(order.begin(), order.end(), Index{0});
@@ -228,17 +237,18 @@ void Enclosing::warn() {
                         rough, options_.count, options_.width, wide.maxCoeff()));
 }
 
-/// On the shape as it is, or on triangles bisected until all is as narrow as asked for.
+/// On the shape as it is, or bisected until all is as narrow as asked for.
 ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
-    const Index vertices = shape.pieces.size(0), triangles = shape.pieces.size(2);
+    const int n = shape.pieces.dimension();
+    const Index vertices = shape.pieces.size(0), simplices = shape.pieces.size(n);
     for (;;) {
         Enclosing enclosing(shape, options);
-        const bool may_refine = shape.pieces.size(2) < options.max_triangles;
+        const bool may_refine = shape.pieces.size(n) < options.max_triangles;
         auto marked = enclosing.coarse();
         if (!may_refine || marked.empty()) {
             ShapeSpectrum result = enclosing.enclose();
             if (!may_refine || widths(result).maxCoeff() <= options.width) {
-                if (shape.pieces.size(2) > triangles) {
+                if (shape.pieces.size(n) > simplices) {
                     result.modes = DenseMatrix(result.modes.topRows(vertices));
                     result.edge_modes = {};
                 }
@@ -264,10 +274,6 @@ ShapeSpectrum shape_spectrum(const Shape& shape, const ShapeSpectrumOptions& opt
     if (are_one_forms(shape, options.degree))
         return one_form_spectrum(shape, options);
     const Shape of = options.degree == 0 ? shape : top_forms(shape);
-    if (options.max_triangles > 0 && (shape.pieces.dimension() != 2 || options.level != 2))
-        throw InvalidInput(fmt::format("triangles are bisected up to {}: expected a surface, at "
-                                       "level 2",
-                                       options.max_triangles));
     return enclosed(of, options);
 }
 

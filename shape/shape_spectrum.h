@@ -19,8 +19,8 @@ struct ShapeSpectrumOptions {
     Index count = 10;
     int level = 2;    ///< 1 or 2, see CountOptions
     double width = 0; ///< a larger (upper - lower) / upper gives a warning; 0: never
-    /// At level 2, triangles of surfaces are bisected up to this number where enclosures are wider
-    /// than `width`; 0: no bisection.
+    /// Simplices are bisected up to this number while enclosures are wider than `width`; 0: no
+    /// bisection.
     Index max_triangles = 0;
     std::string linear_solver = "auto";
     std::string eigen_solver = "auto";
@@ -38,7 +38,7 @@ struct ShapeSpectrum {
     CountBelow count;
     /// Columns: approximate eigenfunctions of norm 1 in b, at the vertices of the pieces and, for
     /// level 2, at the midpoints of the edges, quadratic in between. A twisted function takes its
-    /// sign from one simplex at the point. Empty for 1-forms; at vertices only if triangles were
+    /// sign from one simplex at the point. Empty for 1-forms; at vertices only if simplices were
     /// bisected.
     DenseMatrix modes;
     DenseMatrix edge_modes;
@@ -52,9 +52,8 @@ struct ShapeSpectrum {
 /// count of its own proves every lower bound (see count_below), however it was found. If no count
 /// succeeds, it takes the bound of the previous eigenvalue, with a warning. The bounds allow for
 /// the length_error of the shape. Proofs: docs/what-is-proved.md. Throws InvalidInput for a count
-/// below 1 or above the number of functions, another level or degree, a negative width, bisection
-/// at level 1 or in another dimension, and like check; SolverFailure if the upper bounds cannot be
-/// computed.
+/// below 1 or above the number of functions, another level or degree, a negative width,
+/// and like check; SolverFailure if the upper bounds cannot be computed.
 ShapeSpectrum shape_spectrum(const Shape& shape, const ShapeSpectrumOptions& options = {});
 
 /// (upper - lower) / upper, 0 for eigenvalues known to be 0.

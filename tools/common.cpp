@@ -152,6 +152,9 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, std::option
     add_joining(command, arguments.joining);
     command.add_flag("--peel", arguments.peel,
                      "first remove flat cells on the boundary of a solid");
+    command.add_option("--refine", arguments.refine,
+                       "LENGTH\tfirst bisect cells until no edge is longer; the shape stays, "
+                       "vertices keep their numbers, and parts have the groups of their cells");
     command
         .add_flag(
             "--delaunay{flips}", arguments.delaunay,
@@ -207,6 +210,7 @@ Discretization load(const MeshArguments& arguments, Log& log) {
     if (arguments.keep_groups)
         options.materials = Materials::keep_apart;
     options.star = arguments.star;
+    options.refine = arguments.refine;
 
     stage("read");
     auto result = computed_on(arguments.mesh, [&] {

@@ -26,6 +26,7 @@ struct MeshArguments {
     bool keep_groups = false;
     bool peel = false;
     JoiningArguments joining;
+    std::optional<double> refine;
     std::vector<std::string> periods; ///< translations, "1,0"
     std::vector<std::string> glue;    ///< isometries, "x+1; 1-y"
     std::string centers = "circumcenters";

@@ -25,7 +25,7 @@ constexpr std::array groups{
     Group{"Options", " --engine --eigen-engine --max-memory "},
     Group{"Options", " --help --version "},
     Group{"Mesh", " MESH --tolerance --angle-tolerance --no-merge --keep-groups --periodic --glue "
-                  "--weld --join-hanging --peel --delaunay --owners "},
+                  "--weld --join-hanging --peel --refine --delaunay --owners "},
     Group{"Star", " --star --centers "},
     Group{"Boundary", " --natural --essential-where --essential-on --boundary --boundary-values "
                       "--boundary-velocity --flux --robin --fixed-where --no-slip-where "

@@ -71,6 +71,8 @@ void write_options(JsonWriter& json, const MeshArguments& options) {
                 options.delaunay.empty() ? std::nullopt : std::optional(options.delaunay));
     json.member("keep_groups", options.keep_groups);
     json.member("centers", options.centers);
+    if (options.refine)
+        json.member("refine", options.refine);
     if (!options.periods.empty())
         json.member("periodic", options.periods);
     if (!options.glue.empty())

@@ -225,8 +225,8 @@ void add_shape(CLI::App& command, SpectrumArguments& arguments) {
         ->excludes("--width");
     command
         .add_option("--max-triangles", arguments.shape.max_triangles,
-                    "N\twith --of-shape: bisect triangles of a surface where bounds are wider than "
-                    "--width, up to N triangles (default: 0)")
+                    "N\twith --of-shape: bisect simplices where bounds are wider than --width, up to "
+                    "N simplices (default: 0)")
         ->needs(of_shape);
 }
 

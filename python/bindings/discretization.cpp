@@ -32,8 +32,10 @@ StarKind star_kind(const std::string& name) {
 
 DiscretizeOptions options_of(const std::string& criterion, double tolerance,
                              const std::string& delaunay, const std::string& materials,
-                             const std::string& star, const std::string& centers) {
+                             const std::string& star, const std::string& centers,
+                             std::optional<double> refine) {
     DiscretizeOptions options;
+    options.refine = refine;
     options.criterion = chosen<MergeCriterion>("criterion", criterion,
                                                {{"dual_length", MergeCriterion::dual_length},
                                                 {"angle", MergeCriterion::angle},
@@ -58,8 +60,9 @@ void add_discretize(py::module_& module) {
     module.def("discretize", [](const Given& mesh, const std::string& criterion, double tolerance,
                                 const std::string& delaunay, const std::string& materials,
                                 const std::string& star, const std::string& centers,
-                                const py::object& progress) {
-        const auto options = options_of(criterion, tolerance, delaunay, materials, star, centers);
+                                std::optional<double> refine, const py::object& progress) {
+        const auto options =
+            options_of(criterion, tolerance, delaunay, materials, star, centers, refine);
         const auto tell = listener(progress);
         return unlocked([&] { return discretize(mesh, options, tell); });
     });

@@ -312,9 +312,9 @@ class Merging:
 
 
 def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
-               angle_tolerance: float | None = None, merge: bool = True,
-               delaunay: str | None = None, materials: str = "join", star: str = "automatic",
-               centers: str = "circumcenters", progress: Progress | None = None) -> Complex:
+               angle_tolerance: float | None = None, merge: bool = True, delaunay: str | None = None,
+               materials: str = "join", star: str = "automatic", centers: str = "circumcenters",
+               refine: float | None = None, progress: Progress | None = None) -> Complex:
     """Discretizes a mesh: builds the complex, merges cospherical simplices, computes stars.
 
     Parameters
@@ -328,8 +328,7 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
     merge : bool
         False keeps all simplices.
     delaunay : {None, "flips", "flips_and_splits"}
-        Flips the edges of a surface before merging, or also splits boundary edges, until no dual is
-        negative. The surface itself does not change.
+        Flips edges of the surface, and splits boundary edges, until no dual is negative.
     materials : {"join", "keep_apart"}
         Whether simplices of different tags may become one cell.
     star : {"automatic", "circumcentric", "galerkin", "hybrid", "barycentric"}
@@ -338,6 +337,8 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
         `star_kind`.
     centers : {"circumcenters", "centroids"}
         Centers that duals connect; with centroids nothing is merged.
+    refine : float, optional
+        First bisects simplices until no edge is longer. Parts keep tags and values.
     progress : callable, optional
         Called with the name (str) of each stage as it begins. An exception stops the work.
 
@@ -357,14 +358,13 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
     >>> cube.shape        # 8 cubes, not 48 tetrahedra
     (27, 54, 36, 8)
     """
-    options = {"tolerance": tolerance, "angle_tolerance": angle_tolerance, "merge": merge,
-               "delaunay": delaunay, "materials": materials, "star": star, "centers": centers}
+    options = dict(tolerance=tolerance, angle_tolerance=angle_tolerance, merge=merge,
+                   delaunay=delaunay, materials=materials, star=star, centers=centers, refine=refine)
     criterion = "none" if not merge else "dual_length" if angle_tolerance is None else "angle"
     given = as_mesh(mesh)
     core = given._glued if isinstance(given, PeriodicMesh) else given._mesh
-    made = _core.discretize(core, criterion,
-                            tolerance if angle_tolerance is None else angle_tolerance,
-                            delaunay or "off", materials, star, centers, progress)
+    made = _core.discretize(core, criterion, tolerance if angle_tolerance is None else angle_tolerance,
+                            delaunay or "off", materials, star, centers, refine, progress)
     warn(made.warnings)
     return Complex(made, given, options)
 

@@ -96,7 +96,7 @@ def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: 
     width : float
         Warns if (upper - lower) / upper exceeds this.
     max_triangles : int
-        At level 2, bisects triangles of surfaces up to this number while widths exceed `width`.
+        Bisects simplices up to this number while widths exceed `width`; 0: no bisection.
     essential, robin
         As for `spectrum`, for forms of this degree.
     conductivity, density : float, array_like, Cochain or callable, optional

@@ -376,3 +376,18 @@ def test_meshes_of_meshio():
         polydec.discretize(meshio.Mesh(points, [("quad", [[0, 1, 2, 9]])]))
     with pytest.raises(polydec.InvalidInput, match=said("mesh", "no cells")):
         polydec.discretize(meshio.Mesh(points, [("vertex", [[0]])]))
+
+
+@pytest.mark.parametrize("by_lengths", [False, True])
+def test_refined_meshes_have_short_edges_and_values_for_each_cell(by_lengths):
+    mesh = polydec.Mesh(POINTS, TRIANGLES)
+    if by_lengths:
+        edges = np.array([[0, 1], [1, 2], [2, 3], [0, 3], [0, 2]])
+        mesh = polydec.LengthMesh(TRIANGLES, edges, [1, 1, 1, 1, 2 ** 0.5])
+    fine = polydec.discretize(mesh, refine=0.3, merge=False)
+    assert fine.options["refine"] == 0.3
+    assert fine.volumes(1).max() <= 0.3 * (1 + 1e-11) and fine.size(2) == 64
+    assert np.isclose(fine.volumes(2).sum(), 1)
+    assert fine.with_conductivity([1, 2], "primal").size(2) == 64
+    refused(mesh, "positive", refine=0)
+    refused(mesh, "at least", "1e+08", refine=1e-7)

@@ -82,6 +82,12 @@ class Shapes(TestCase):
                         "--max-triangles", 4000)
         self.assertEqual(fine["warnings"], [])
         self.assertGreater(fine["shape"]["triangles"], 32)
+        cube = self.path("cube.nsc")
+        self.succeed("generate", "kuhn", "--cells", 1, "-o", cube)
+        solid = self.ask("spectrum", cube, "--of-shape", "--count", 2, "--width", "0.01", "--max-triangles", 4000)
+        self.assertEqual(solid["warnings"], [])
+        self.assertLessEqual(solid["shape"]["lower"][1], math.pi ** 2)
+        self.assertGreaterEqual(solid["shape"]["upper"][1], math.pi ** 2)
         self.assertLess(1 - fine["shape"]["lower"][1] / fine["shape"]["upper"][1], 1e-5)
 
     def test_refuses_what_makes_no_sense(self):
