@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Builds the module of the package for Python by CMake, for pip install . and its like.
 
-In the environment POLYDEC_BUILD may name a build tree to take as it is, such as build/release, or
-CMAKE_ARGS hold more options for CMake, such as -DPOLYDEC_CHOLMOD=OFF; POLYDEC_JOBS is how many
-compilers run at once (default: processors, at most 2).
+The wheel is for the Python that runs this. Without further words it holds no part under the GPL: the
+engines of CHOLMOD, PETSc and SLEPc are left out, since SuiteSparse, and PETSc as Debian builds it,
+bring such parts. In the environment CMAKE_ARGS holds more options for CMake, such as
+-DPOLYDEC_CHOLMOD=ON; POLYDEC_BUILD names a build tree to take as it is, such as build/release;
+POLYDEC_JOBS is how many compilers run at once (default: processors, at most 2).
 """
 import os
 import re
@@ -18,6 +20,10 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 ROOT = Path(__file__).resolve().parent
+OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG",
+           "-DBUILD_SHARED_LIBS=OFF", "-DPOLYDEC_COMPILE_BY_MODULE=ON", "-DPOLYDEC_PYTHON=ON",
+           *(f"-DPOLYDEC_{part}=OFF" for part in
+             ("COMMAND", "EXAMPLES", "BENCHMARKS", "DISTRIBUTED", "CHOLMOD", "PETSC", "SLEPC"))]
 
 
 class CMakeBuild(build_ext):
@@ -29,10 +35,8 @@ class CMakeBuild(build_ext):
         binary = Path(given or self.build_temp).resolve()
         jobs = os.environ.get("POLYDEC_JOBS") or str(min(2, os.cpu_count() or 1))
         if not given:
-            self.cmake("--preset", "release", "-B", binary, "-DPOLYDEC_PYTHON=ON",
-                       "-DBUILD_SHARED_LIBS=OFF", "-DPOLYDEC_WERROR=OFF",
-                       "-DPOLYDEC_COMMAND=OFF", "-DPOLYDEC_EXAMPLES=OFF",
-                       f"-DPython_EXECUTABLE={sys.executable}",
+            self.cmake("-S", ROOT, "-B", binary, *(["-G", "Ninja"] if shutil.which("ninja") else []),
+                       *OPTIONS, f"-DPython_EXECUTABLE={sys.executable}", *pybind11_options(),
                        *shlex.split(os.environ.get("CMAKE_ARGS", "")))
         self.cmake("--build", binary, "-j", jobs, "--target", "polydec_python", "polydec_modules")
         with tempfile.TemporaryDirectory() as prefix:
@@ -44,6 +48,15 @@ class CMakeBuild(build_ext):
     @staticmethod
     def cmake(*words):
         subprocess.run(["cmake", *map(str, words)], cwd=ROOT, check=True)
+
+
+def pybind11_options():
+    """Where this Python's own pybind11 is, if it has one; else CMake looks for the system's."""
+    try:
+        import pybind11
+        return [f"-Dpybind11_DIR={pybind11.get_cmake_dir()}"]
+    except ImportError:
+        return []
 
 
 VERSION = re.search(r"project\(polydec VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())

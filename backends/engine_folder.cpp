@@ -4,6 +4,7 @@
 #include "backends/engine_module.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <exception>
@@ -60,6 +61,31 @@ std::vector<files::path> own_files() {
     return result;
 }
 
+// The folders that the loader searches for libraries of the file that this code is in: its run
+// path, LD_LIBRARY_PATH and those of the system.
+std::vector<files::path> loader_folders() {
+    std::vector<files::path> result;
+#ifdef __GLIBC__
+    Dl_info info{};
+    void* own_file = nullptr;
+    Dl_serinfo size{};
+    if (dladdr1(reinterpret_cast<const void*>(&load_all_modules), &info, &own_file,
+                RTLD_DL_LINKMAP) == 0 ||
+        dlinfo(own_file, RTLD_DI_SERINFOSIZE, &size) != 0)
+        return result;
+    std::vector<std::max_align_t> memory(size.dls_size / sizeof(std::max_align_t) + 1);
+    auto* const found = reinterpret_cast<Dl_serinfo*>(memory.data());
+    if (dlinfo(own_file, RTLD_DI_SERINFOSIZE, found) != 0 ||
+        dlinfo(own_file, RTLD_DI_SERINFO, found) != 0)
+        return result;
+    const Dl_serpath* const folders = found->dls_serpath;
+    for (unsigned i = 0; i < found->dls_cnt; ++i)
+        result.emplace_back(folders[i].dls_name);
+    std::erase_if(result, [](const files::path& folder) { return !folder.is_absolute(); });
+#endif
+    return result;
+}
+
 std::vector<files::path> engine_folders() {
     if (const char* folder = std::getenv("POLYDEC_ENGINES"))
         return {folder};
@@ -73,6 +99,8 @@ std::vector<files::path> engine_folders() {
         result.push_back(home / "engines");
         result.push_back((home / POLYDEC_LIB_FROM_BIN / "polydec").lexically_normal());
     }
+    for (const auto& folder : loader_folders())
+        result.push_back((folder / "polydec").lexically_normal());
     result.emplace_back(POLYDEC_LIB "/polydec");
     return result;
 }

@@ -5,8 +5,10 @@
 #include <string>
 
 /// The modules of the optional engines, NAME.so for the engines NAME and NAME.anything, in the
-/// folder POLYDEC_ENGINES; without it, in polydec/ beside a shared polydec or in the lib/ beside
-/// the program's bin/, and in the configured installation folder.
+/// folder POLYDEC_ENGINES; without it, in polydec/ or engines/ beside a shared polydec or the
+/// program, in the lib/ beside the program's bin/, in polydec/ in a folder searched by the loader
+/// (such as the run path of a program with a static polydec), and in the configured installation
+/// folder.
 namespace polydec {
 
 /// Loads the module for an engine of this name, if it exists and was not tried before. Skips

@@ -52,38 +52,41 @@ void add(std::map<std::string, Entry<Factory>>& known, EngineInfo info, Factory 
 // Engines of optional components, so that who asks for one is told how to get it.
 void add_missing(Registry& registry) {
     const auto linear = [&](const char* component, const char* from, const char* name,
-                            const char* description) {
-        registry.linear[name] = {.info = {name, EngineKind::linear, false, description, from},
-                                 .component = component};
+                            const char* license, const char* description) {
+        registry.linear[name] = {
+            .info = {name, EngineKind::linear, false, description, from, license},
+            .component = component};
     };
-    linear("cholmod", POLYDEC_CHOLMOD_FROM, "cholmod",
+    linear("cholmod", POLYDEC_CHOLMOD_FROM, "cholmod", "LGPL-2.1-or-later AND GPL-2.0-or-later",
            "SuiteSparse's CHOLMOD: symmetric, direct, supernodal where positive definite, counts "
            "by inertia");
-    linear("", POLYDEC_MUMPS_FROM, "mumps",
+    linear("", POLYDEC_MUMPS_FROM, "mumps", "CECILL-C",
            "MUMPS: symmetric, direct, with pivoting, counts by inertia");
-    linear("petsc", POLYDEC_PETSC_FROM, "petsc.cg-hypre",
+    linear("petsc", POLYDEC_PETSC_FROM, "petsc.cg-hypre", "BSD-2-Clause",
            "PETSc's conjugate gradients with hypre's BoomerAMG: positive semidefinite, iterative, "
            "for large solids");
-    linear("petsc", POLYDEC_PETSC_FROM, "petsc.cg-gamg",
+    linear("petsc", POLYDEC_PETSC_FROM, "petsc.cg-gamg", "BSD-2-Clause",
            "PETSc's conjugate gradients with its own multigrid (GAMG): positive semidefinite, "
            "iterative");
     registry.eigen["slepc"] = {.info = {"slepc", EngineKind::eigen, false,
-                                        "SLEPc's Krylov-Schur method", POLYDEC_SLEPC_FROM},
+                                        "SLEPc's Krylov-Schur method", POLYDEC_SLEPC_FROM,
+                                        "BSD-2-Clause"},
                                .component = "slepc"};
     registry.integrator["cvode"] = {
         .info = {"cvode", EngineKind::integrator, false,
                  "SUNDIALS' CVODE: multistep methods of varying order, BDF where something is "
                  "stiff, else Adams",
-                 POLYDEC_CVODE_FROM}};
+                 POLYDEC_CVODE_FROM, "BSD-3-Clause"}};
 }
 
 void add_builtin(Registry& registry) {
-    const auto linear = [&](const char* name, const char* description,
-                            LinearSolverFactory factory) {
-        add(registry.linear, {name, EngineKind::linear, true, description, ""}, std::move(factory));
+    const auto linear = [&](const char* name, const char* description, LinearSolverFactory factory,
+                            const char* license = "MPL-2.0") {
+        add(registry.linear, {name, EngineKind::linear, true, description, "", license},
+            std::move(factory));
     };
     linear("auto", "chooses by the facts of the matrix, checks, falls back and says so",
-           builtin::make_auto);
+           builtin::make_auto, "MIT");
     linear("eigen.ldlt", "Eigen's sparse L D L^T (AMD): symmetric, direct, counts by inertia",
            builtin::make_eigen_ldlt);
     linear("eigen.lu", "Eigen's sparse LU (COLAMD): any regular matrix, direct",
@@ -94,26 +97,27 @@ void add_builtin(Registry& registry) {
            builtin::make_eigen_bicgstab);
     add(registry.eigen,
         {"block-lanczos", EngineKind::eigen, true,
-         "block Lanczos with thick restarts: several copies of an eigenvalue at once", ""},
+         "block Lanczos with thick restarts: several copies of an eigenvalue at once", "", "MIT"},
         EigenSolverFactory(builtin::make_block_lanczos));
     add(registry.eigen,
-        {"spectra", EngineKind::eigen, true, "Spectra's implicitly restarted Lanczos", ""},
+        {"spectra", EngineKind::eigen, true, "Spectra's implicitly restarted Lanczos", "",
+         "MPL-2.0"},
         EigenSolverFactory(builtin::make_spectra));
     add(registry.integrator,
         {"runge-kutta", EngineKind::integrator, true,
          "additive Runge-Kutta: Kennedy and Carpenter's 4(3) with a stiff part, else Dormand and "
          "Prince's 5(4)",
-         ""},
+         "", "MIT"},
         IntegratorFactory(builtin::make_runge_kutta));
     add(registry.integrator,
         {"backward-euler", EngineKind::integrator, true,
-         "backward Euler by fixed steps, of order 1: functions get no new extremes", ""},
+         "backward Euler by fixed steps, of order 1: functions get no new extremes", "", "MIT"},
         IntegratorFactory(builtin::make_backward_euler));
     add(registry.integrator,
         {"implicit-midpoint", EngineKind::integrator, true,
          "the implicit midpoint rule by fixed steps, of order 2: Crank and Nicolson's scheme where "
          "rates are linear",
-         ""},
+         "", "MIT"},
         IntegratorFactory(builtin::make_implicit_midpoint));
 }
 
@@ -208,16 +212,21 @@ void enroll(std::map<std::string, Entry<Factory>>& known, EngineInfo info, Engin
         info.description = found->second.info.description;
     if (found != known.end() && info.how_to_get.empty())
         info.how_to_get = found->second.info.how_to_get;
+    if (found != known.end() && info.license.empty())
+        info.license = found->second.info.license;
     add(known, std::move(info), std::move(factory));
 }
 
 /// A program of its own, which is found and not made.
 EngineInfo tetgen() {
     return {
-        "tetgen", EngineKind::mesher, find_program("tetgen").has_value(),
+        "tetgen",
+        EngineKind::mesher,
+        find_program("tetgen").has_value(),
         "TetGen: Delaunay tetrahedra in closed surfaces, with bounds of quality and volume; run "
         "as a program",
-        "apt-get install tetgen"};
+        "apt-get install tetgen",
+        "AGPL-3.0-or-later"};
 }
 
 void check(const LinearSolverOptions& options) {
@@ -278,6 +287,19 @@ void register_integrator(const EngineInfo& info, IntegratorFactory factory) {
 void register_integrator(const std::string& name, IntegratorFactory factory) {
     register_integrator(EngineInfo{.name = name, .kind = EngineKind::integrator},
                         std::move(factory));
+}
+
+std::string how_to_get_linear_solver(const std::string& name) {
+    EngineInfo engine;
+    {
+        const std::lock_guard lock(registry().mutex);
+        const auto found = registry().linear.find(name);
+        if (found == registry().linear.end() || found->second.factory)
+            return {};
+        engine = found->second.told();
+    }
+    add_reason(engine);
+    return engine.how_to_get;
 }
 
 std::vector<EngineInfo> engines() {

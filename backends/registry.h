@@ -21,6 +21,7 @@ struct EngineInfo {
     bool available = true;
     std::string description = {};
     std::string how_to_get = {}; ///< package and build option; empty for built-in engines
+    std::string license = {};    ///< SPDX expression of the code behind it; empty: unknown
 };
 
 using LinearSolverFactory =
@@ -59,6 +60,10 @@ std::vector<EngineInfo> engines();
 
 /// The same for one kind only; loads modules except for the kind mesher, which has none.
 std::vector<EngineInfo> engines(EngineKind kind);
+
+/// Package and build option of a known linear solver that is not there, and why its module could
+/// not be loaded; else empty. Loads no module.
+std::string how_to_get_linear_solver(const std::string& name);
 
 /// Whether make_linear_solver(name) would find an engine.
 bool has_linear_solver(const std::string& name);

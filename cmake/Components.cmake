@@ -61,7 +61,7 @@ function(polydec_component name behind package target debian)
 
     set(libraries ${target} fmt::fmt ${arg_LIBRARIES})
     polydec_engine_module(${name} "${arg_NEEDS}" ${libraries})
-    if(arg_HEADER)
+    if(arg_HEADER AND POLYDEC_LINKED_COMPONENTS)
         set(polydec_linked_components ${polydec_linked_components} ${name} PARENT_SCOPE)
         polydec_linked_component(${name} "${arg_NEEDS}" ${arg_HEADER} ${libraries})
     endif()

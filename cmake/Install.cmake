@@ -40,6 +40,7 @@ if(TARGET polydec_command)
     set_target_properties(polydec_command PROPERTIES INSTALL_RPATH "$ORIGIN/${polydec_lib_from_bin}")
     install(TARGETS polydec_command
         RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT polydec)
+    include(ShellFiles)
 endif()
 
 if(TARGET polydec_mpi_command)
@@ -50,6 +51,29 @@ if(TARGET polydec_mpi_command)
 endif()
 
 get_target_property(polydec_type polydec TYPE)
+
+# For compilers without CMake: g++ program.cpp $(pkg-config --cflags --libs polydec). A program has
+# the library folder in its run path, where it finds a shared polydec, and a static one the engines.
+set(polydec_pc_requires)
+set(polydec_pc_libraries)
+set(polydec_pc_run_path)
+if(polydec_type STREQUAL "STATIC_LIBRARY")
+    set(polydec_pc_requires ", fmt, zlib")
+    set(polydec_pc_libraries " ${OpenMP_CXX_FLAGS}")
+    foreach(library IN LISTS CMAKE_DL_LIBS)
+        string(APPEND polydec_pc_libraries " -l${library}")
+    endforeach()
+endif()
+if(UNIX AND NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+    set(polydec_pc_run_path " -Wl,-rpath,\${libdir}")
+endif()
+file(RELATIVE_PATH polydec_prefix_from_pc
+    ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" polydec_prefix_from_pc "${polydec_prefix_from_pc}")
+configure_file(${PROJECT_SOURCE_DIR}/cmake/polydec.pc.in ${PROJECT_BINARY_DIR}/polydec.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/polydec.pc
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT polydec)
+
 set(polydec_find_components)
 foreach(name IN LISTS polydec_components)
     if(${name}_header)

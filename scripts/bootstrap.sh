@@ -105,6 +105,10 @@ jobs=$(count_jobs) || exit 1
 configure() {
     preset=$1
     shift
+    # Debian's Python has Debian's numpy; another may come first on PATH.
+    if [ "${POLYDEC_PACKAGES:-}" != skip ] && [ -x /usr/bin/python3 ] && [ -d /var/lib/dpkg ]; then
+        set -- -DPython_EXECUTABLE=/usr/bin/python3 "$@"
+    fi
     home="CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)"
     if [ -f "build/$preset/CMakeCache.txt" ] && ! grep -qxF "$home" "build/$preset/CMakeCache.txt"; then
         cmake --fresh --preset "$preset" "$@"

@@ -7,8 +7,8 @@
 
 namespace polydec {
 
-/// The same shape, in any dimension n >= 1, with these n-simplices bisected twice at the midpoints of
-/// longest edges, and neighbors bisected as far as conformity requires. On surfaces, angles stay
+/// The same shape, in any dimension n >= 1, with these n-simplices bisected twice at the midpoints
+/// of longest edges, and neighbors bisected as far as conformity requires. On surfaces, angles stay
 /// above half of the smallest initial angle. Vertices keep their numbers; new ones follow. Facets
 /// and simplices inherit conditions and weights. Branching facets and simplices glued to themselves
 /// are allowed. Uses lengths alone: the median of a triangle is l^2 = (2 b^2 + 2 c^2 - a^2) / 4.

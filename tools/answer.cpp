@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/answer.h"
 
+#include "backends/linear/auto_solver.h"
 #include "examples/paper/console.h"
 #include "tools/messages.h"
 
@@ -61,6 +62,8 @@ std::string in_digits(const std::optional<double>& number, int digits) {
 
 void tell(const Answer& answer, Log& log, const TellOptions& options) {
     log.timing.end();
+    if (const auto missed = take_missed_engines(); !missed.empty())
+        log.warn(missed);
     // made in any case, since it is there that numbers which are none are found
     JsonWriter json;
     write_object(json, answer, log, options.timing);

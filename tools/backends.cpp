@@ -32,6 +32,7 @@ struct Backends : Answer {
                     json.member("available", engine.available);
                     json.member("description", engine.description);
                     json.member("how_to_get", engine.how_to_get);
+                    json.member("license", engine.license);
                 });
         });
         if (blas)
@@ -45,8 +46,9 @@ struct Backends : Answer {
 
     void write(Text& text) const override {
         for (const auto& engine : engines)
-            text("{:<18}{:<15}{:<9}{}{}\n", engine.name, kind_name(engine.kind),
+            text("{:<18}{:<15}{:<9}{}{}{}\n", engine.name, kind_name(engine.kind),
                  engine.available ? "there" : "missing", engine.description,
+                 engine.license.empty() ? "" : "; license " + engine.license,
                  engine.available ? "" : fmt::format("; to get it: {}", engine.how_to_get));
         if (blas)
             text("BLAS of the engines: {}, kernels {}, {} thread{}, {}-bit integers\n", blas->name,

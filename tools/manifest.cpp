@@ -8,9 +8,9 @@
 #include "system/folder_names.h"
 #include "system/regular_file.h"
 #include "tools/outputs.h"
+#include "tools/sha256.h"
 
 #include <fmt/format.h>
-#include <nettle/sha2.h>
 
 #include <algorithm>
 #include <array>
@@ -23,27 +23,6 @@ namespace polydec::tools {
 namespace {
 
 constexpr const char* file_name = "manifest.json";
-
-class Sha256 {
-public:
-    Sha256() { sha256_init(&state_); }
-
-    void add(std::string_view bytes) {
-        sha256_update(&state_, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
-    }
-
-    std::string digits() {
-        std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
-        sha256_digest(&state_, digest.size(), digest.data());
-        std::string text;
-        for (const auto byte : digest)
-            text += fmt::format("{:02x}", byte);
-        return text;
-    }
-
-private:
-    sha256_ctx state_{};
-};
 
 Fingerprint fingerprint(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);

@@ -224,9 +224,10 @@ void add_shape(CLI::App& command, SpectrumArguments& arguments) {
         ->excludes("--count")
         ->excludes("--width");
     command
-        .add_option("--max-triangles", arguments.shape.max_triangles,
-                    "N\twith --of-shape: bisect simplices where bounds are wider than --width, up to "
-                    "N simplices (default: 0)")
+        .add_option(
+            "--max-triangles", arguments.shape.max_triangles,
+            "N\twith --of-shape: bisect simplices where bounds are wider than --width, up to "
+            "N simplices (default: 0)")
         ->needs(of_shape);
 }
 

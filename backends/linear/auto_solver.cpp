@@ -6,7 +6,10 @@
 #include "system/memory.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <mutex>
 #include <utility>
 
 namespace polydec {
@@ -34,8 +37,9 @@ std::vector<std::string> indefinite_engines(const SparseMatrix& A, const MatrixF
     return {"cholmod", "eigen.ldlt"};
 }
 
-std::vector<std::string> definite_engines(const SparseMatrix& A, const MatrixFacts& facts) {
-    const auto limit = has_linear_solver("cholmod") ? large_for_cholmod : large_for_eigen;
+std::vector<std::string> definite_engines(const SparseMatrix& A, const MatrixFacts& facts,
+                                          bool has_cholmod) {
+    const auto limit = has_cholmod ? large_for_cholmod : large_for_eigen;
     if (A.rows() > limit && domain_dimension(A, facts) > 2)
         return {"eigen.cg", "cholmod", "eigen.ldlt"};
     if (facts.definiteness == Definiteness::semidefinite && facts.kernel.cols() == 0)
@@ -43,7 +47,8 @@ std::vector<std::string> definite_engines(const SparseMatrix& A, const MatrixFac
     return {"cholmod", "eigen.ldlt", "eigen.lu", "eigen.cg"};
 }
 
-std::vector<std::string> wished_engines(const SparseMatrix& A, const MatrixFacts& facts) {
+std::vector<std::string> wished_engines(const SparseMatrix& A, const MatrixFacts& facts,
+                                        bool has_cholmod) {
     if (facts.symmetry == Symmetry::general)
         return {"eigen.lu", "eigen.bicgstab"};
     if (facts.inertia == Inertia::wanted)
@@ -55,7 +60,7 @@ std::vector<std::string> wished_engines(const SparseMatrix& A, const MatrixFacts
         return names;
     }
 
-    auto names = definite_engines(A, facts);
+    auto names = definite_engines(A, facts, has_cholmod);
     if (domain_dimension(A, facts) > 2) {
         if (A.rows() > (facts.many_solves ? large_for_cholmod : solid_for_multigrid))
             names.insert(names.begin(), {"petsc.cg-hypre", "petsc.cg-gamg"});
@@ -79,14 +84,61 @@ std::string joined(const std::vector<std::string>& lines) {
     return result;
 }
 
+/// What was missed first, for take_missed_engines().
+struct Missed {
+    std::mutex mutex;
+    bool is_noted = false;
+    std::string text = {};
+};
+
+Missed& missed() {
+    static Missed instance;
+    return instance;
+}
+
+void note_missed_engines(const SparseMatrix& A, const MatrixFacts& facts) {
+    const std::lock_guard lock(missed().mutex);
+    if (missed().is_noted)
+        return;
+    missed().text = missed_engines(A, facts);
+    missed().is_noted = !missed().text.empty();
+}
+
 } // namespace
 
 std::vector<std::string> suitable_engines(const SparseMatrix& A, const MatrixFacts& facts) {
     std::vector<std::string> result;
-    for (const auto& name : wished_engines(A, facts))
+    for (const auto& name : wished_engines(A, facts, has_linear_solver("cholmod")))
         if (has_linear_solver(name))
             result.push_back(name);
     return result;
+}
+
+std::string missed_engines(const SparseMatrix& A, const MatrixFacts& facts) {
+    const auto slow = domain_dimension(A, facts) > 2 ? solid_for_mumps : surface_for_mumps;
+    if (A.rows() <= slow)
+        return {};
+    std::vector<std::string> names;
+    for (const auto& name : wished_engines(A, facts, true)) {
+        if (name.starts_with("eigen."))
+            break;
+        if (has_linear_solver(name))
+            return {};
+        names.push_back(name);
+    }
+    if (names.empty())
+        return {};
+    const bool misses_cholmod = std::find(names.begin(), names.end(), "cholmod") != names.end();
+    const std::string nearest = misses_cholmod ? "cholmod" : names.front();
+    return fmt::format("the engine `auto` misses {} for {} unknowns, and takes a slower one of "
+                       "Eigen's\nTo get {}: {}.",
+                       fmt::join(names, ", "), A.rows(), nearest,
+                       how_to_get_linear_solver(nearest));
+}
+
+std::string take_missed_engines() {
+    const std::lock_guard lock(missed().mutex);
+    return std::exchange(missed().text, {});
 }
 
 void AutoSolver::factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) {
@@ -95,6 +147,7 @@ void AutoSolver::factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFa
     if (!A)
         throw InvalidInput("auto: there is no matrix behind the pointer");
     candidates_ = suitable_engines(*A, facts);
+    note_missed_engines(*A, facts);
     facts_ = facts;
     matrix_ = std::move(A);
     try {

@@ -16,6 +16,14 @@ namespace polydec {
 /// General: eigen.lu, eigen.bicgstab. If inertia is wanted: only engines that count.
 std::vector<std::string> suitable_engines(const SparseMatrix& A, const MatrixFacts& facts);
 
+/// A warning that names better engines for this matrix that are not installed, if the difference
+/// takes seconds, and says how to get CHOLMOD, or the best of them; else empty.
+std::string missed_engines(const SparseMatrix& A, const MatrixFacts& facts);
+
+/// The warning of missed_engines() for the first matrix of the program for which `auto` missed an
+/// engine. Returned once; empty before and afterwards.
+std::string take_missed_engines();
+
 /// The engine `auto`: uses the first of suitable_engines() with a good factorization and good
 /// solves, and switches to the next after a failure; report().tried lists the attempts. Throws
 /// SolverFailure with all failures if none is left, OutOfMemory if one of them needed more memory;

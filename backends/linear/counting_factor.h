@@ -15,8 +15,12 @@ class CountingFactor : public Factorization {
 public:
     /// Whether the number of entries fits; known after analyzePattern().
     bool fits() const {
-        return this->m_nonZerosPerCol.template cast<std::int64_t>().sum() <=
-               std::numeric_limits<Index>::max();
+        const auto* starts = this->m_matrix.outerIndexPtr(); // in each version of Eigen
+        std::int64_t entries = 0;
+        for (Eigen::Index column = 0; column < this->m_matrix.cols(); ++column)
+            entries += static_cast<std::uint32_t>(starts[column + 1]) -
+                       static_cast<std::uint32_t>(starts[column]);
+        return entries <= std::numeric_limits<Index>::max();
     }
 };
 

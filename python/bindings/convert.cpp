@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "python/bindings/convert.h"
 
+#include "backends/linear/auto_solver.h"
 #include "base/errors.h"
 #include "dec/fields/interior_product.h"
 
@@ -141,6 +142,7 @@ BoundaryForms boundary_forms(const GivenBoundary& given) {
 }
 
 py::dict report_of(const SolveReport& report) {
+    warn_of_missed_engines();
     return py::dict(py::arg("engine") = report.engine, py::arg("iterations") = report.iterations,
                     py::arg("residual") = report.residual,
                     py::arg("backward_error") = report.backward_error,
@@ -170,6 +172,11 @@ std::function<void(std::string_view)> listener(const py::object& function) {
                 (*kept)(std::string(what));
         });
     };
+}
+
+void warn_of_missed_engines() {
+    if (const auto missed = take_missed_engines(); !missed.empty())
+        warn({missed});
 }
 
 void warn(const std::vector<std::string>& warnings) {

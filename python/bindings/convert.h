@@ -77,6 +77,9 @@ py::array array(std::vector<Scalar> values) {
 /// Warns of each as Python does; throws what that raises where warnings are errors.
 void warn(const std::vector<std::string>& warnings);
 
+/// Warns, once, of engines that `auto` missed; called where a report is returned.
+void warn_of_missed_engines();
+
 py::array array(Vector values);
 py::array array(Points rows);
 py::array array(Simplices rows);

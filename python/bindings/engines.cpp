@@ -32,7 +32,7 @@ py::dict engine_of(const EngineInfo& info) {
     return py::dict(py::arg("name") = info.name, py::arg("kind") = kind_name(info.kind),
                     py::arg("available") = info.available,
                     py::arg("description") = info.description,
-                    py::arg("how_to_get") = info.how_to_get);
+                    py::arg("how_to_get") = info.how_to_get, py::arg("license") = info.license);
 }
 
 /// An engine written in Python: a function that takes a scipy matrix and gives one that takes

@@ -21,6 +21,7 @@ py::dict certificate_of(const Certificate& certificate) {
 /// Of a Spectrum or of CertifiedEigenpairs, whose columns go by other names.
 template <class Pairs>
 py::dict pairs_of(Pairs pairs, Vector values, DenseMatrix columns) {
+    warn_of_missed_engines();
     return py::dict(py::arg("eigenvalues") = array(std::move(values)),
                     py::arg("modes") = array(std::move(columns)),
                     py::arg("radii") = array(std::move(pairs.radii)),

@@ -18,7 +18,8 @@ from ._arrays import Floats, floats, matrix_parts
 class Backend:
     """A known engine; `kind` is "linear", "eigen", "integrator" or "mesher".
 
-    If it is not `available`, `how_to_get` names the package and the option to add it.
+    If it is not `available`, `how_to_get` names the package and the option to add it. `license` is
+    the SPDX expression of the code behind it.
     """
 
     name: str
@@ -26,6 +27,7 @@ class Backend:
     available: bool
     description: str
     how_to_get: str
+    license: str
 
 
 def backends() -> list[Backend]:

@@ -66,6 +66,21 @@ def test_without_modules():
     assert done.stdout == "eigen.ldlt\nTrue\n"
 
 
+def test_auto_says_once_which_engine_it_missed():
+    code = ("import numpy as np, polydec, scipy.sparse as sp\n"
+            "for _ in range(3): polydec.solve(sp.eye(60000), np.ones(60000), positive=True)")
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True,
+                          timeout=120, env={**os.environ, "POLYDEC_ENGINES": ""})
+    assert done.stderr.count("PolydecWarning") == 1
+    assert "cholmod" in done.stderr and "libsuitesparse-dev" in done.stderr
+
+
+def test_licenses_of_engines():
+    licenses = {engine.name: engine.license for engine in polydec.backends()
+                if not engine.name.startswith("python.")}
+    assert "GPL" in licenses["cholmod"] and licenses["eigen.ldlt"] == "MPL-2.0"
+
+
 def test_own_engine_everywhere(square):
     u = polydec.poisson(square, 1.0, engine="python.superlu")
     assert u.report["engine"] == "python.superlu"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/sources/poisson.h"
 
+#include "backends/linear/auto_solver.h"
 #include "base/errors.h"
 #include "dec/advice.h"
 #include "dec/boundary/two_sided.h"
@@ -79,6 +80,8 @@ PoissonSolution PoissonSolver::solve(const Cochain& f, const BoundaryForms& data
     } catch (const InvalidInput& beyond) { // u may be in range although its flux is not
         solution.warnings.emplace_back(beyond.what());
     }
+    if (auto missed = take_missed_engines(); !missed.empty())
+        solution.warnings.push_back(std::move(missed));
     return solution;
 }
 

@@ -23,8 +23,9 @@ struct PoissonSolution {
     Cochain flux;
     Cochain removed; ///< the harmonic part of the data, which no u can match; a form like f
     SolveReport report;
-    Compatibility compatibility = {};       ///< for functions: the size of that part
-    std::vector<std::string> warnings = {}; ///< why u may differ from the requested one
+    Compatibility compatibility = {}; ///< for functions: the size of that part
+    /// Why u may differ from the requested one, and better engines that are not installed.
+    std::vector<std::string> warnings = {};
 };
 
 /// Solves Poisson's equation Delta u = (d delta + delta d) u = f for the forms of a space, with

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/spectra/spectrum.h"
 
+#include "backends/linear/auto_solver.h"
 #include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/advice.h"
@@ -139,6 +140,8 @@ Spectrum spectrum(const FormSpace& space, const SpectrumOptions& options) {
     result.warnings = warning_of_negative_values(result, stars);
     for (auto& warning : warning_of_rough_values(result.rough))
         result.warnings.push_back(std::move(warning));
+    if (auto missed = take_missed_engines(); !missed.empty())
+        result.warnings.push_back(std::move(missed));
     use_input_units(result, inside.unit());
     return result;
 }

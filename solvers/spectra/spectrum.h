@@ -34,7 +34,8 @@ struct Spectrum {
     /// Eigenvalues hidden by rounding: the radius exceeds 1e-6 of the value and of the distance to
     /// the next one.
     std::vector<Index> rough = {};
-    std::vector<std::string> warnings = {}; ///< about rough values and spurious negative ones
+    /// About rough values, spurious negative ones, and better engines that are not installed.
+    std::vector<std::string> warnings = {};
 };
 
 /// The `count` smallest eigenpairs of the Laplacian on a space, proved complete. Dual j-forms are

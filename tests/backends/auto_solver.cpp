@@ -82,6 +82,29 @@ TEST(auto_solver, surfaces_go_to_multigrid_once_they_are_very_large_or_memory_is
     EXPECT_GT(place(1000, positive()), 1); // is not among them
 }
 
+TEST(auto_solver, it_names_better_engines_that_are_missing_where_work_is_large) {
+    MatrixFacts facts = positive();
+    facts.domain_dimension = 2;
+    const auto large = missed_engines(SparseMatrix(100000, 100000), facts);
+    if (has_linear_solver("cholmod"))
+        EXPECT_EQ(large, "");
+    else
+        EXPECT_TRUE(says(large, {"auto", "cholmod", "100000", "libsuitesparse-dev"}));
+    EXPECT_EQ(missed_engines(SparseMatrix(1000, 1000), facts), "");
+    EXPECT_EQ(missed_engines(SparseMatrix(100000, 100000), general()), "");
+}
+
+TEST(auto_solver, what_it_missed_is_given_once) {
+    SparseMatrix A(60000, 60000);
+    A.setIdentity();
+    for (int time = 0; time < 2; ++time) {
+        AutoSolver solver;
+        solver.factorize(A, positive());
+        take_missed_engines();
+        EXPECT_EQ(take_missed_engines(), "");
+    }
+}
+
 TEST(auto_solver, it_reports_who_delivered) {
     AutoSolver solver;
     const auto A = grid_laplacian(8);

@@ -33,11 +33,13 @@ def run(*command, cwd, expect_success=True, **variables):
 
 def check_tree(prefix, build, headers):
     """Every public header and the license are there, and nothing names the build tree."""
-    wanted = [f"include/polydec/{header}" for header in headers] + ["share/doc/polydec/LICENSE"]
+    wanted = [*(f"include/polydec/{header}" for header in headers), "share/doc/polydec/LICENSE"]
+    if (prefix / "bin" / "polydec").exists():
+        wanted += ["share/man/man1/polydec-spectrum.1", "share/bash-completion/completions/polydec"]
     missing = [name for name in wanted if not (prefix / name).is_file()]
     if missing:
         raise Failure("not installed: " + ", ".join(missing))
-    for path in prefix.rglob("*.cmake"):
+    for path in [*prefix.rglob("*.cmake"), *prefix.rglob("*.pc")]:
         text = path.read_text()
         if str(build) in text or str(ROOT) in text:
             raise Failure(f"{path.relative_to(prefix)} holds a path of the tree it was built in")
@@ -71,13 +73,30 @@ def use(options, consumer, prefix, component):
     print(f"[{component or 'core'}]", answer)
 
 
+PYTHON = """
+import sys, polydec
+there = {engine.name for engine in polydec.backends() if engine.available}
+sys.exit(", ".join(set(sys.argv[1:]) - there))
+"""
+
+
 def load(options, prefix):
-    """Who links no component has the engines of the modules that are installed, and the command
-    finds them by itself."""
-    modules = prefix / options.modules
-    for component in options.components:
-        run(prefix.parent / "consumer-core" / "engines", ENGINES[component], cwd=prefix.parent,
-            POLYDEC_ENGINES=str(modules))
+    """Programs that link no component, by CMake or by pkg-config, the command and the package for
+    Python each find the modules that are installed, with nothing said of where these are."""
+    wanted = [ENGINES[component] for component in options.components]
+    run(prefix.parent / "consumer-core" / "engines", *wanted, cwd=prefix.parent)
+
+    package = next(prefix.rglob("polydec.pc")).parent
+    flags = run("pkg-config", "--cflags", "--libs", "polydec", cwd=prefix,
+                PKG_CONFIG_PATH=str(package)).split()
+    program = prefix.parent / "by-pkg-config"
+    run(options.compiler, "-std=c++20", options.consumer / "engines.cpp",
+        options.consumer / "between.cpp", *flags, "-o", program, cwd=prefix)
+    run(program, *wanted, cwd=prefix.parent)
+
+    if python := next(prefix.rglob("polydec/__init__.py"), None):
+        run(sys.executable, "-c", PYTHON, *wanted, cwd=prefix.parent,
+            PYTHONPATH=str(python.parent.parent))
     command = prefix / "bin" / "polydec"
     if command.exists():
         answer = json.loads(run(command, "backends", "--json", cwd=prefix.parent))

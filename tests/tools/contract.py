@@ -184,6 +184,8 @@ class Json(TestCase):
         self.assertLessEqual({"auto", "eigen.ldlt", "cholmod", "spectra"}, set(engines))
         for engine in engines.values():
             self.assertTrue(engine["available"] or engine["how_to_get"], engine)
+            self.assertTrue(engine["license"], engine)
+        self.assertIn("GPL", engines["cholmod"]["license"])
 
     def test_timing(self):
         arguments = {"info": (), "spectrum": ("--side", "primal", "--degree", 0, "--count", 2),

@@ -133,6 +133,16 @@ class Folders(TestCase):
         self.assertNotEqual(other["options_sha256"], manifest["options_sha256"])
         self.assertEqual(other["mesh"], manifest["mesh"])
 
+    def test_hashes_of_meshes_of_any_length(self):
+        for length in (100, 119, 120, 127, 128, 70000): # where blocks of 64 bytes end
+            text = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n#"
+            content = text.ljust(length, "-").encode()
+            with open(self.path("mesh.off"), "wb") as file:
+                file.write(content)
+            self.succeed("operators", "mesh.off", "--out", f"out{length}")
+            manifest = json.loads(self.read(f"out{length}/manifest.json"))
+            self.assertEqual(manifest["mesh"][0]["sha256"], hashlib.sha256(content).hexdigest())
+
     def test_an_earlier_result_is_replaced_as_a_whole(self):
         self.succeed("operators", golden("kuhn3.nsc"), "--out", "out")
         self.assertIn("star_3.mtx", os.listdir(self.path("out")))
