@@ -5,27 +5,25 @@
 
 namespace polydec {
 
-/// The same shape without edges longer than `longest` (but for a share of 1e-12, as rounding makes
-/// it): simplices with a longer edge are bisected at the middle of their longest edge, and so are
-/// the parts. Of equally long edges the one with the lower vertex numbers is divided first. Linear
-/// time in the number of parts.
+/// The same shape without edges longer than `longest`, up to rounding (a share of 1e-12). Bisects
+/// each simplex with a longer edge at the midpoint of its longest edge, and then the parts; among
+/// edges of equal length, first the edge with the lower vertex numbers. Time linear in the parts.
 ///
-/// Parts follow in the order of the simplices, with their orientation. Vertices keep their numbers,
-/// new ones follow; points of new vertices are middles. Simplices and facets have the tags, and
-/// simplices the cells of the input, of what they are parts of.
+/// Parts follow the order of the simplices and keep their orientation, tags and input cells; facets
+/// keep their tags. Vertices keep their numbers; new vertices follow, at midpoints.
 ///
-/// Neighbors fit without being asked: a simplex is divided at an edge only if that is the longest
-/// of all its edges, and as long as it has a longer edge than `longest`. So each of its faces is
-/// divided as if it were alone. Source of the bisection: Rivara 1984.
+/// Each simplex is divided without regard to its neighbors, and still they fit: a simplex is
+/// divided only at its longest edge, if that is longer than `longest`, so each face is divided as
+/// if it were alone. Source: Rivara 1984, for the bisection.
 ///
-/// Throws InvalidInput for a length that is not positive, or for which more than 1e8 simplices
-/// would come out, saying how many; like check of a mesh.
+/// Throws InvalidInput, naming the number of simplices, for a length that is not positive or would
+/// make more than 1e8 simplices; and like the check of a mesh.
 Mesh refined(Mesh mesh, double longest);
 
-/// By lengths alone: of the median of a triangle l^2 = (2 b^2 + 2 c^2 - a^2) / 4.
+/// The same by lengths alone: the median of a triangle is l^2 = (2 b^2 + 2 c^2 - a^2) / 4.
 LengthMesh refined(const LengthMesh& mesh, double longest);
 
-/// Box and quotient alike; edges are as long as in the quotient.
+/// The same for box and quotient together; lengths are those of the quotient.
 PeriodicMesh refined(PeriodicMesh mesh, double longest);
 
 } // namespace polydec

@@ -56,16 +56,18 @@ void own_equation_in_time() {
 
 void shallow_water_on_planet() {
     const auto planet = polydec::discretize(polydec::goldberg(8));
-    const polydec::Vector rotation = 2 * planet.points().col(2);
-    const polydec::ShallowWater water(planet, {.gravity = 1, .rotation = rotation});
+    const polydec::ShallowWater water(planet, {.rotation = 2 * planet.points().col(2)});
     const auto depth = polydec::dual_de_rham(planet, 0, polydec::function_form([](const auto& x) {
                                                  return 1 + 0.2 * std::exp(8 * (x[0] - 1));
                                              }));
-    polydec::ShallowWater::State now{depth.values, polydec::Vector::Zero(planet.size(1))};
-    const double mass = water.mass(now), dt = 0.5 * water.stable_step(now);
-    for (int i = 0; i < 200; ++i)
-        now = water.step(now, dt);
-    std::cout << "highest " << now.depth.maxCoeff() << ", mass kept " << water.mass(now) / mass
+    const polydec::Vector flux = polydec::Vector::Zero(planet.size(1));
+    polydec::Evolution run({{{planet, polydec::Side::dual, 0}, depth.values},
+                            {{planet, polydec::Side::primal, 1}, flux}},
+                           water);
+    run.march(5);
+    std::cout << "mass kept "
+              << water.mass({run.forms()[0].values, run.forms()[1].values}) /
+                     water.mass({depth.values, flux})
               << '\n';
 }
 

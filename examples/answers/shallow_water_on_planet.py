@@ -6,11 +6,12 @@ planet = polydec.discretize(polydec.meshes.goldberg(8))
 water = polydec.ShallowWater(planet, rotation=2 * planet.points[:, 2])
 depth = polydec.de_rham(planet, 0, lambda x: 1 + 0.2 * np.exp(8 * (x[:, 0] - 1)), side="dual")
 flux = np.zeros(planet.size(1))
-mass = water.mass(depth, flux)
-depth, flux = water.step(depth, flux, 0.5 * water.stable_step(depth, flux), 200)
-print(f"highest {depth.max():g}, mass kept {water.mass(depth, flux) / mass:g}")
+start = [planet.cochain(depth, 0, "dual"), planet.cochain(flux, 1)]
+run = polydec.Evolution(planet, start, reaction=water)
+run.march(5)
+print(f"mass kept {water.mass(*run.forms) / water.mass(depth, flux):g}")
 # What can go wrong:
 try:
-    water.step(depth, flux, 50 * water.stable_step(depth, flux), 20)
+    water.rate(0 * depth, flux)
 except polydec.Error as error:
     print(error)

@@ -76,7 +76,7 @@ def use(options, consumer, prefix, component):
 PYTHON = """
 import sys, polydec
 there = {engine.name for engine in polydec.backends() if engine.available}
-sys.exit(", ".join(set(sys.argv[1:]) - there))
+sys.exit(", ".join(set(sys.argv[1:]) - there) or 0)
 """
 
 
