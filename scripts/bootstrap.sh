@@ -105,8 +105,8 @@ jobs=$(count_jobs) || exit 1
 configure() {
     preset=$1
     shift
-    # Debian's Python has Debian's numpy; another may come first on PATH.
-    if [ "${POLYDEC_PACKAGES:-}" != skip ] && [ -x /usr/bin/python3 ] && [ -d /var/lib/dpkg ]; then
+    # The active Python, unless it lacks numpy and Debian's has it.
+    if ! python3 -c 'import numpy' 2>/dev/null && /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
         set -- -DPython_EXECUTABLE=/usr/bin/python3 "$@"
     fi
     home="CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)"
