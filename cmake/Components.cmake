@@ -11,6 +11,10 @@
 # to link to polydec_linked_components, and sets <name>_header, <name>_package and <name>_debian.
 set(polydec_linked_components)
 file(RELATIVE_PATH polydec_lib_from_bin ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+set(polydec_needs_run_path ON) # to find a shared polydec and engines; in /usr the loader looks anyway
+if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+    set(polydec_needs_run_path OFF)
+endif()
 set(polydec_module_folder ${CMAKE_INSTALL_LIBDIR}/polydec) # below the build tree or the prefix
 set(polydec_components)
 set(polydec_built_components)
@@ -74,10 +78,17 @@ function(polydec_engine_module name needs)
     add_library(${module} SHARED ${PROJECT_SOURCE_DIR}/backends/component_module.cpp
         $<TARGET_OBJECTS:polydec_${name}_engines>)
     target_compile_definitions(${module} PRIVATE POLYDEC_ADD_ENGINES=add_${name})
+    set(run_path)
+    if(needs)
+        set(run_path "$ORIGIN")
+    endif()
+    if(polydec_needs_run_path)
+        list(APPEND run_path "$ORIGIN/..")
+    endif()
     set_target_properties(${module} PROPERTIES
         OUTPUT_NAME ${name} PREFIX "" SUFFIX .so
         LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${polydec_module_folder}
-        INSTALL_RPATH "$ORIGIN;$ORIGIN/.." INSTALL_RPATH_USE_LINK_PATH ON)
+        INSTALL_RPATH "${run_path}" INSTALL_RPATH_USE_LINK_PATH ${polydec_needs_run_path})
     target_link_libraries(${module} PRIVATE polydec ${ARGN})
     if(needs)
         target_link_libraries(${module} PRIVATE polydec_${needs}_module)

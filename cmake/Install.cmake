@@ -37,7 +37,10 @@ endforeach()
 
 # The command finds a shared polydec beside itself, wherever the whole tree is moved.
 if(TARGET polydec_command)
-    set_target_properties(polydec_command PROPERTIES INSTALL_RPATH "$ORIGIN/${polydec_lib_from_bin}")
+    if(polydec_needs_run_path)
+        set_target_properties(polydec_command PROPERTIES
+            INSTALL_RPATH "$ORIGIN/${polydec_lib_from_bin}")
+    endif()
     install(TARGETS polydec_command
         RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT polydec)
     include(ShellFiles)
@@ -64,7 +67,7 @@ if(polydec_type STREQUAL "STATIC_LIBRARY")
         string(APPEND polydec_pc_libraries " -l${library}")
     endforeach()
 endif()
-if(UNIX AND NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+if(UNIX AND polydec_needs_run_path)
     set(polydec_pc_run_path " -Wl,-rpath,\${libdir}")
 endif()
 file(RELATIVE_PATH polydec_prefix_from_pc

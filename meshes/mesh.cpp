@@ -102,10 +102,12 @@ std::vector<Index> group_tags(const std::vector<GroupName>& groups, int dimensio
         for (const GroupName& each : groups)
             if (fits(each, dimension))
                 names.push_back(each.name);
-        throw InvalidInput(fmt::format(
-            "no group of {}-cells is called {}{}: {}", dimension, word, did_you_mean(word, names),
-            names.empty() ? "none has a name; give its number"
-                          : fmt::format("there are {}", fmt::join(names, ", "))));
+        const std::string nearest = did_you_mean(word, names);
+        throw InvalidInput(
+            fmt::format("no group of {}-cells is called {}{} {}", dimension, word,
+                        nearest.empty() ? "." : nearest,
+                        names.empty() ? "No group has a name: give its number"
+                                      : fmt::format("The file has {}", fmt::join(names, ", "))));
     }
     return tags;
 }

@@ -153,8 +153,8 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, std::option
     command.add_flag("--peel", arguments.peel,
                      "first remove flat cells on the boundary of a solid");
     command.add_option("--refine", arguments.refine,
-                       "LENGTH\tfirst bisect cells until no edge is longer; the shape stays, "
-                       "vertices keep their numbers, and parts have the groups of their cells");
+                       "LENGTH\tfirst bisect cells until no edge is longer; parts keep groups and "
+                       "vertices numbers");
     command
         .add_flag(
             "--delaunay{flips}", arguments.delaunay,
@@ -169,9 +169,9 @@ void add_star(CLI::App& command, MeshArguments& arguments, StarKind kind) {
     command
         .add_option("--star", arguments.star,
                     "NAME\tinner products: circumcentric (dual over primal volume), galerkin "
-                    "(Whitney forms, positive), hybrid (surfaces: galerkin where circumcentric is "
-                    "not positive), barycentric (inconsistent for degrees 1 .. n-1), automatic "
-                    "(the first positive one of circumcentric, hybrid, galerkin)")
+                    "(Whitney forms, positive), hybrid (surfaces: galerkin only where needed), "
+                    "barycentric (inconsistent, degrees 1 .. n-1), automatic (the first positive "
+                    "one of circumcentric, hybrid, galerkin)")
         ->transform(enumerator({"circumcentric", "galerkin", "hybrid", "barycentric", "automatic"}))
         ->default_str(name(kind));
 }

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 import numpy as np
 import polydec
-
 planet = polydec.discretize(polydec.meshes.goldberg(8))
 water = polydec.ShallowWater(planet, rotation=2 * planet.points[:, 2])
 depth = polydec.de_rham(planet, 0, lambda x: 1 + 0.2 * np.exp(8 * (x[:, 0] - 1)), side="dual")
