@@ -153,8 +153,7 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, std::option
     command.add_flag("--peel", arguments.peel,
                      "first remove flat cells on the boundary of a solid");
     command.add_option("--refine", arguments.refine,
-                       "LENGTH\tfirst bisect cells until no edge is longer; parts keep groups and "
-                       "vertices numbers");
+                       "LENGTH\tfirst bisect cells until no edge is longer; groups are kept");
     command
         .add_flag(
             "--delaunay{flips}", arguments.delaunay,
@@ -170,8 +169,8 @@ void add_star(CLI::App& command, MeshArguments& arguments, StarKind kind) {
         .add_option("--star", arguments.star,
                     "NAME\tinner products: circumcentric (dual over primal volume), galerkin "
                     "(Whitney forms, positive), hybrid (surfaces: galerkin only where needed), "
-                    "barycentric (inconsistent, degrees 1 .. n-1), automatic (the first positive "
-                    "one of circumcentric, hybrid, galerkin)")
+                    "barycentric (inconsistent, degrees 1 .. n-1), automatic (the first that is "
+                    "positive)")
         ->transform(enumerator({"circumcentric", "galerkin", "hybrid", "barycentric", "automatic"}))
         ->default_str(name(kind));
 }
