@@ -168,8 +168,8 @@ void add_star(CLI::App& command, MeshArguments& arguments, StarKind kind) {
     command
         .add_option("--star", arguments.star,
                     "NAME\tinner products: circumcentric (dual over primal volume), galerkin "
-                    "(Whitney forms, positive), hybrid (surfaces: galerkin only where needed), "
-                    "barycentric (inconsistent, degrees 1 .. n-1), automatic (the first that is "
+                    "(Whitney forms, positive), hybrid (galerkin where needed), "
+                    "barycentric (inconsistent, degrees 1 .. n-1), automatic (first "
                     "positive)")
         ->transform(enumerator({"circumcentric", "galerkin", "hybrid", "barycentric", "automatic"}))
         ->default_str(name(kind));
