@@ -98,7 +98,7 @@ def warn(texts: Sequence[str]) -> None:
     """Issues these warnings at the line that called the package."""
     if not texts:
         return
-    level, frame = 1, sys._getframe().f_back
+    level, frame = 2, sys._getframe().f_back
     while frame is not None and frame.f_globals.get("__name__", "").startswith("polydec"):
         level, frame = level + 1, frame.f_back
     for text in texts:

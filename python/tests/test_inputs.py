@@ -209,8 +209,9 @@ def test_distances_from_chosen_vertices():
 
 def test_hybrid_stars_come_with_their_cure():
     points = np.array([[0, 0], [2, 0], [1, .5]])
-    with pytest.warns(polydec.PolydecWarning, match=said("hybrid", "flips_and_splits")):
+    with pytest.warns(polydec.PolydecWarning, match=said("hybrid", "flips_and_splits")) as warned:
         polydec.discretize((points, [[0, 1, 2]]))
+    assert {warning.filename for warning in warned} == {__file__}, "the line of the caller"
 
 
 def test_masks_and_quadrilaterals_are_asked_about():
