@@ -192,6 +192,7 @@ PICTURES = {
     "geodesics": overview.geodesics,
     "trust": overview.trust,
     "what-is-proved": overview.what_is_proved,
+    "widths": overview.widths,
     "endings": overview.endings,
     "way_of_the_data": overview.way_of_the_data,
 }

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The pictures of pages about the whole, and of docs/geodesics.md, for doc_pictures.py."""
 import math
+import re
+from pathlib import Path
 
 from doc_drawing import (BLACK, BLUE, GREY, LIGHT_BLUE, LIGHT_GREY, LIGHT_ORANGE, ORANGE, RED,
                          Picture, plus, polar)
@@ -173,3 +175,28 @@ def way_of_the_data():
             picture.arrow((x - 3, y + height / 2), (x + width - step + 3, y + height / 2))
     return picture.svg("From a mesh by passage, pieces, merging, volumes and stars to operators, "
                        "solvers and pictures")
+
+
+def widths():
+    """The table of docs/what-is-proved.md: for each mesh a bar from the least to the greatest width of
+    the first ten enclosures, and a dot for the greatest width after bisection."""
+    page = (Path(__file__).resolve().parent.parent / "docs" / "what-is-proved.md").read_text()
+    rows = []
+    for cells in (line.split("|")[1:-1] for line in page.splitlines() if re.match(r"\| .* \.\. ", line)):
+        least, most = (float(width) for width in cells[3].split(".."))
+        rows.append((cells[0].strip(), least, most, float(cells[6]) if "e-" in cells[6] else None))
+    rows.sort(key=lambda row: row[2])
+    picture = Picture(760, 60 + 22 * len(rows))
+    picture.frame(700, 30 + 22 * len(rows), 60)
+    for power in range(-7, 1):
+        picture.path([(power, 0), (power, 22 * len(rows) / 60)], LIGHT_GREY, 1)
+        picture.text((power, 0), f"1e{power}" if power else "1", GREY, 12, shift=(0, 18))
+    for i, (name, least, most, after) in enumerate(rows):
+        y = 22 * (len(rows) - i - 0.5) / 60
+        picture.text((-8, y), name, BLACK, 12, anchor="end", shift=(20, 4))
+        picture.path([(max(-7.5, math.log10(width)), y) for width in (least, most)], BLUE, 6)
+        if after is not None:
+            picture.dot((math.log10(after), y), RED, 4)
+    picture.text((-3.5, 22 * len(rows) / 60), "width of the first ten enclosures: as it is (blue), "
+                 "greatest after bisection (red)", BLACK, 13, shift=(0, -10))
+    return picture.svg("Widths of enclosures on real meshes, before and after bisection")
