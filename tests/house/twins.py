@@ -7,6 +7,7 @@ import unittest
 from pathlib import Path
 
 import layering
+import site_checks
 import words
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
@@ -132,6 +133,21 @@ class Twins(unittest.TestCase):
             with self.subTest(word=word):
                 (self.root / "README.md").write_text(f"Read\nsee {word}\n")
                 self.assert_only(words.check(self.root), "README.md:2", f"`{word}`")
+
+    def test_each_flaw_of_a_site_is_named(self):
+        html = self.root / "html"
+        html.mkdir()
+        (html / "other.html").write_text('<p id="here">')
+        for flaw, part in (('<a href="other.html#here">', None),
+                           ('<a href="none.html">', "not there"),
+                           ('<a href="other.html#there">', "no such anchor"),
+                           ('<script src="https://elsewhere.example/a.js">', "loads"),
+                           ('<link href="//elsewhere.example/a.css">', "loads")):
+            with self.subTest(flaw=flaw):
+                (html / "index.html").write_text(flaw)
+                complaints = site_checks.lost_links(html.resolve())
+                self.assertEqual(len(complaints), 1 if part else 0, complaints)
+                self.assertTrue(all(part in complaint for complaint in complaints))
 
     def test_memory_beyond_its_target_is_named(self):
         rows = {name: dict(zip(("result_B", "peak_B"), targets))
