@@ -3,7 +3,8 @@
 
 MUTANTS = {
     "input_cells_cut_off": ("meshes/mesh.cpp", "return {at_rows(cells.of_simplices, rows), cells.count};",
-                            "return {{cells.of_simplices.begin(), cells.of_simplices.begin() + std::ssize(rows)}, cells.count};"),
+                            "return {{cells.of_simplices.begin(), cells.of_simplices.begin() + std::ssize(rows)}, cells.count};",
+                            "InputCells.are_known_when_others_are_left_out"),
     "welded_by_equality": ("meshes/weld.cpp", "join_near(scaled_(open, Eigen::all), length, sets);", ";",
                            "Weld.joins_what_is_jittered_by_less_than_the_length"),
     "polygons_in_any_unit": ("meshes/polygon_splitter.cpp", "    if (largest > 0)\n", "    if (false)\n"),
@@ -80,6 +81,8 @@ MUTANTS = {
                          "TetgenOutput.parts_beside_each_other_are_all_filled"),
     "ends_off_the_surface": ("meshes/tetgen/tetgen_output.cpp", "result.ends_elsewhere = true;", "{}",
                              "TetgenOutput.all_is_filled_up_to_the_facets"),
-    "ties_by_place": ("meshes/refine.cpp", "std::minmax(v[i], v[j]) < std::minmax(v[a], v[b])", "i + j > a + b"),
-    "median_of_a_flatter_triangle": ("meshes/refine.cpp", "/ 2 - quarter)", "/ 2 - quarter / 2)"),
+    "ties_by_place": ("meshes/refine.cpp", "std::minmax(v[i], v[j]) < std::minmax(v[a], v[b])", "i + j > a + b",
+                      "Refined.fits_across_the_seams_of_a_glued_box"),
+    "median_of_a_flatter_triangle": ("meshes/refine.cpp", "/ 2 - quarter)", "/ 2 - quarter / 2)",
+                                     "Refined.is_the_same_shape_with_the_same_tags"),
 }

@@ -133,13 +133,11 @@ void Diffusion::check_growth(const Vector& before, const Vector& after) const {
             name(side_), degree_, std::sqrt(to / from) - 1, positive_stars(mass_.dimension())));
 }
 
-Vector Diffusion::solve(const Vector& values, double explicit_part) const {
+Vector Diffusion::solve(const Vector& values) const {
     // dual forms are stars of primal ones, and stars commute with the Laplacian
     const bool primal = side_ == Side::primal;
     const Vector w = primal ? values : mass_.solve(values);
     Vector right_side = mass_ * w;
-    if (explicit_part > 0)
-        right_side -= explicit_part * coefficient_ * (stiffness_ * w);
     right_side.conservativeResizeLike(Vector::Zero(scales_.size()));
     const Vector next =
         solver_->solve(right_side.cwiseProduct(scales_)).cwiseProduct(scales_).head(w.size());

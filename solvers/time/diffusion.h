@@ -61,10 +61,9 @@ public:
     /// Factorizes for this gamma > 0. Throws SolverFailure if the engine fails.
     void prepare(double gamma);
 
-    /// Solves (I + gamma nu Delta) x = u - explicit_part nu Delta u, with explicit_part at most
-    /// gamma. Throws like LinearSolver, and SolverFailure if x has a larger norm than u: then the
-    /// Laplacian has negative eigenvalues.
-    Vector solve(const Vector& values, double explicit_part = 0) const;
+    /// Solves (I + gamma nu Delta) x = u. Throws like LinearSolver, and SolverFailure if x has a
+    /// larger norm than u: then the Laplacian has negative eigenvalues.
+    Vector solve(const Vector& values) const;
 
     /// Identifies everything that determines rates and solutions: cells, stars, conditions,
     /// coefficient, engine, or a user-defined stiffness. Throws like Operator::matrix.
