@@ -127,6 +127,12 @@ void add_shallow_water(py::module_& module) {
                  return parts_of(self.use(
                      [&, now = water(depth, flux)](ShallowWater& of) { return of.rate(now); }));
              })
+        .def("reaction",
+             [](Flow& self, double time, const Numbers& depth, const Numbers& flux) {
+                 const std::vector<Cochain> forms{form("dual", 0, depth), form("primal", 1, flux)};
+                 auto rates = self.use([&](const ShallowWater& of) { return of(time, forms); });
+                 return parts_of({std::move(rates[0]), std::move(rates[1])});
+             })
         .def("potential_vorticity", [](Flow& self, const Numbers& depth, const Numbers& flux) {
             return array(self.use([&, now = water(depth, flux)](const ShallowWater& of) {
                 return of.potential_vorticity(now);

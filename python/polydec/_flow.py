@@ -259,8 +259,9 @@ class ShallowWater:
 
     def __call__(self, t: float, depth: npt.ArrayLike,
                  flux: npt.ArrayLike) -> tuple[Floats, Floats]:
-        """`rate`, as the reaction of an `Evolution` of depth (a dual 0-form) and flux."""
-        return self.rate(depth, flux)
+        """The rates as the reaction of an `Evolution` of depth (a dual 0-form) and flux. Not a
+        number where the depth is not above 0, so that a step is taken again, shorter."""
+        return self._water.reaction(t, _densities(depth), _fluxes(flux))
 
     def stable_step(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> float:
         """Stable time step for waves and advection."""

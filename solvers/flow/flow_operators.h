@@ -8,8 +8,8 @@
 
 namespace polydec {
 
-/// The linear operators of a flow, made once: its spaces with their stars, and what is known at the
-/// boundary. All is in the unit of the mesh, but for the options that are handed over.
+/// The linear operators of a flow, built once: its spaces with their stars, and its boundary data.
+/// Everything is in the unit of the mesh; the options given to the constructor are in the input's.
 struct FlowOperators {
     FlowOperators(const Discretization& mesh, const FlowOptions& options);
 
@@ -24,13 +24,14 @@ struct FlowOperators {
     Vector wall_circulation;  // around all (n-2)-cells, along facets with a known velocity
     Vector boundary_flux;     // size(n-1), 0 at the free ones
 
-    /// z, 0 where it is fixed; along = 1: facets with a known velocity count, 0: they rest.
+    /// The vorticity z of all (n-2)-cells. `along` is a factor of the known velocities on the
+    /// boundary: 1, or 0 for the linear part.
     Vector vorticity(const Vector& w, double along) const;
 
-    /// star d z, without viscosity.
+    /// star d z, size(n-1).
     Vector curl_of(const Vector& vorticity) const { return star * (curl * vorticity); }
 
-    /// Values of a power of length in the unit of the mesh, and the other way round.
+    /// Converts values of a power of length to the unit of the mesh, and back.
     Vector in_unit(const Vector& values, int power, const char* what) const {
         return form_in_input_units(values, mesh.unit(), -power, what);
     }

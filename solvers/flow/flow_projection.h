@@ -9,32 +9,33 @@ namespace polydec {
 
 struct FlowOperators;
 
-/// Takes what gradients do out of a flow, and friction with it. Made by IncompressibleFlow; a
-/// handle, used by one thread at a time. All is in the units of the input.
+/// Projects momenta to flows without divergence, with implicit friction. Made by
+/// IncompressibleFlow. A handle; use it from one thread at a time. In the units of the input.
 class FlowProjection {
 public:
-    /// Throws what linear engines throw, and InvalidInput for theta * viscosity < 0.
+    /// `theta` is a time that multiplies the friction. Throws InvalidInput for theta * viscosity <
+    /// 0, and like LinearSolver.
     FlowProjection(std::shared_ptr<const FlowOperators> operators, double theta);
 
     double theta() const { return theta_; }
 
     struct Flow {
         Vector flux;       ///< w: size(n-1)
-        Vector multiplier; ///< c: size(n), which may be rounding alone; in the unit of the mesh
+        Vector multiplier; ///< c: size(n), in the unit of the mesh; may be rounding only
     };
 
-    /// The flow w that the boundary data ask for, without divergence, with star w - theta
-    /// friction(w) + d^T c = momentum at all facets but those whose flux is given.
+    /// The flow w without divergence that has the boundary data and satisfies star w - theta
+    /// friction(w) + d^T c = momentum at all facets without a known flux.
     Flow solve(const Vector& momentum) const;
 
-    /// The same for boundary data that are 0, and without friction: for rates of change. Throws
-    /// InvalidInput unless theta is 0.
+    /// The same with boundary data 0 and without friction, for rates of change. Throws InvalidInput
+    /// unless theta is 0.
     Flow solve_at_rest(const Vector& momentum) const;
 
 private:
     struct Solver;
 
-    /// Of data in the unit of the mesh.
+    /// Takes data in the unit of the mesh.
     Flow solve(const Vector& momentum, const Vector& boundary) const;
 
     std::shared_ptr<const FlowOperators> operators_;

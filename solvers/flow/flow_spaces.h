@@ -9,17 +9,16 @@
 
 namespace polydec {
 
-/// The spaces that flows are sought in: fluxes, primal (n-1)-forms that are fixed on facets with
-/// known flux; vorticities, primal (n-2)-forms that are fixed on facets without vorticity. Where
-/// walls with and without slip meet, there is none.
+/// The spaces of a flow: fluxes, primal (n-1)-forms that are fixed on facets with a known flux, and
+/// vorticities, primal (n-2)-forms that are fixed on facets without vorticity and on their faces.
+/// So there is no vorticity where walls with and without slip meet.
 struct FlowSpaces {
     /// `facets` is empty or has one entry for each (n-1)-cell. Throws InvalidInput for n < 2 and
     /// for another number of entries.
     FlowSpaces(const Cells& cells, FlowBoundary everywhere,
                const std::vector<FlowBoundary>& facets);
 
-    /// Throws InvalidInput where this flux leads more into a component than out of it, and nothing
-    /// is open there.
+    /// Throws InvalidInput if a flux does not balance on a component without known pressure.
     void check_balance(const Vector& flux) const;
 
     FormSpace flux, vorticity;

@@ -14,52 +14,52 @@ namespace polydec {
 
 struct FlowOptions {
     double viscosity = 0; ///< nu, length^2 over time
-    /// A known pressure is the total one, and is 0.
+    /// A known pressure is the total pressure, and is 0.
     FlowBoundary everywhere = FlowBoundary::free_slip;
     std::vector<FlowBoundary> facets = {}; ///< empty, or one for each (n-1)-cell
-    /// Through the boundary, a primal (n-1)-form of which the values at boundary facets that are
-    /// not open count; empty: nothing.
+    /// Fluxes through the boundary, a primal (n-1)-form; only values at facets with a known flux
+    /// are used. Empty: 0.
     Vector boundary_flux = {};
-    /// Velocities along facets that have one, such as moving walls without slip: a row of N
-    /// components for each (n-1)-cell, of which the part along the boundary counts; empty: 0.
+    /// Velocities of facets with a known tangential velocity, such as moving walls: a row of N
+    /// components per (n-1)-cell, of which only the tangential part is used. Empty: 0.
     Points wall_velocity = {};
-    /// Vorticity of the frame, as of a planet: a primal (n-2)-form (n = 2: at vertices); or empty.
+    /// Vorticity of a rotating frame, a primal (n-2)-form (n = 2: at vertices). Empty: 0.
     Vector rotation = {};
     std::string linear_solver = "auto";
 };
 
-/// The equations of incompressible flow in any dimension n >= 2, on surfaces and in solids:
-/// du/dt + i_u omega = -dB - nu delta omega, div u = 0, with omega = du and B the pressure over the
-/// density plus |u|^2 / 2. The state is the flux w of u, a primal (n-1)-form with d w = 0, so all
-/// of u is there, the harmonic part too; u itself is the dual 1-form star w. Without viscosity,
-/// forces and open boundary the energy w . star w / 2 does not change, since the advection is
-/// antisymmetric (see Advection); viscosity takes nu |omega|^2 of it.
+/// Incompressible flow in any dimension n >= 2, on surfaces and in solids: du/dt + i_u omega = -dB
+/// - nu delta omega, div u = 0, with omega = du and B the pressure over the density plus |u|^2 / 2.
+/// The state is the flux w of u, a primal (n-1)-form with d w = 0, so it includes the harmonic
+/// part; u itself is the dual 1-form star w. Without viscosity, forces and known pressures the
+/// energy w . star w / 2 is constant, because the advection is antisymmetric (see Advection).
+/// Viscosity dissipates nu |omega|^2.
 ///
 /// The vorticity z is a primal (n-2)-form, star^-1 of the circulation around its cells. The sum of
-/// the circulations around all cells is that along the boundary, to rounding: 0 on closed surfaces.
-/// A handle; one thread at a time. All is in the units of the input.
+/// the circulations around all cells is the circulation along the boundary, to rounding: 0 on
+/// closed surfaces. A handle; use it from one thread at a time. All is in the units of the input.
 /// Source: Mullen, Crane, Pavlov, Tong, Desbrun 2009; Mohamed, Hirani, Samtaney 2016.
 class IncompressibleFlow {
 public:
-    /// Throws InvalidInput like Advection; naming cells where stars are not positive that are
-    /// divided by; for data of another size than the cells, no numbers, or more that flows in than
-    /// out; for viscosity where star_(n-2) is a matrix.
+    /// Throws InvalidInput like Advection; naming the cells, if star_(n-1) or star_(n-2) is not
+    /// positive; for data of wrong size or not finite; for fluxes that do not balance; and for
+    /// viscosity if star_(n-2) is a matrix.
     IncompressibleFlow(const Discretization& mesh, const FlowOptions& options = {});
 
     const Discretization& mesh() const;
     const FlowOptions& options() const;
     const Advection& advection() const;
 
-    /// The flow with the fluxes at the boundary and without divergence that is nearest to these
-    /// fluxes in the norm of star_(n-1).
+    /// The flow without divergence, with the given boundary fluxes, that is nearest to these fluxes
+    /// in the norm of star_(n-1).
     Vector project(const Vector& flux) const;
 
     /// z, of the flow alone: size(n-2) values.
     Vector vorticity(const Vector& w) const;
 
-    /// -A(z + rotation) w and -nu star d z: what accelerates the flow along duals of facets,
-    /// size(n-1) values, the first without stiffness and the second linear in w. dw/dt is star^-1
-    /// of their sum less a gradient: rate().
+    /// Forces along duals of facets, size(n-1) values: the inertia -A(z + rotation) w, which is not
+    /// stiff, and the friction -nu star d z, which is linear in w. rate() is dw/dt: star^-1 of
+    /// their sum minus a gradient.
     Vector inertia(const Vector& w) const;
     Vector friction(const Vector& w) const;
     Vector rate(const Vector& w) const;
@@ -67,33 +67,35 @@ public:
     /// star w: u along the duals of facets, a dual 1-form but for its sign.
     Vector momentum(const Vector& w) const;
 
-    /// The pressure over the density, a dual 0-form: at the centers of n-cells, with mean 0 if no
-    /// boundary is open.
+    /// The pressure over the density, a dual 0-form: at the centers of n-cells, with mean 0 if it
+    /// is known nowhere on the boundary.
     Cochain pressure(const Vector& w) const;
 
-    /// w . star w / 2, and nu |omega|^2, the rate at which friction takes of it where walls rest.
+    /// The energy w . star w / 2, and nu |omega|^2, its rate of loss by friction if walls rest.
     double energy(const Vector& w) const;
     double dissipation(const Vector& w) const;
 
-    /// |omega|^2 / 2 in all, length^n over time^2.
+    /// The integral of |omega|^2 / 2, in length^n over time^2.
     double enstrophy(const Vector& w) const;
 
-    /// The energy of a flow over that of another, whatever the size of the mesh; 1 between flows at
-    /// rest. Throws InvalidInput where it is no number.
+    /// The ratio of the energies of two flows, for meshes of any size; 1 if both are at rest.
+    /// Throws InvalidInput if it is not finite.
     double relative_energy(const Vector& w, const Vector& other) const;
 
-    /// Circulations along all cells' duals: star_(n-2) z; and their sum.
+    /// Circulations around all (n-2)-cells: star_(n-2) z; and their sum.
     Vector circulations(const Vector& w) const;
     double total_circulation(const Vector& w) const { return circulations(w).sum(); }
 
-    /// The largest |d w| over the sum of |w| of its facets, of n-cells: rounding for flows.
+    /// The largest |d w| of an n-cell, relative to the largest sum of |w| over its facets. At
+    /// rounding level for flows.
     double divergence(const Vector& w) const;
 
-    /// The time in which the content of some cell is exchanged: explicit steps must be about as
-    /// short. Infinity at rest.
+    /// The shortest time in which the flow exchanges the content of a cell, about the longest
+    /// stable explicit step. Infinity at rest.
     double exchange_time(const Vector& w) const;
 
-    /// What implicit steps solve, theta a part of the step; made once for each theta.
+    /// The solver of implicit steps, for theta, a fraction of the time step. Make it once per
+    /// theta.
     FlowProjection implicit_part(double theta) const;
 
 private:

@@ -21,45 +21,45 @@ struct StokesOptions {
     std::string linear_solver = "auto";
 };
 
-/// What is known of a slow flow on the boundary; what is empty is 0.
+/// Boundary data of a slow flow; empty members are 0.
 struct StokesData {
-    Vector through = {};   ///< what flows through facets that are not open; size(n-1)
-    Vector along = {};     ///< where the velocity along facets is known, the tangential velocity:
-                           ///< integrals of star u over the duals within the boundary of the
-                           ///< (n-2)-cells (see boundary_de_rham); size(n-2)
-    Vector vorticity = {}; ///< where the flow slips, delta u on (n-2)-cells; size(n-2)
-    Vector pressure = {};  ///< where it is known; size(n-1)
+    Vector through = {};   ///< fluxes through facets with a known flux; size(n-1)
+    Vector along = {};     ///< tangential velocity on facets where it is known: integrals of star u
+                           ///< over the duals of (n-2)-cells within the boundary (see
+                           ///< boundary_de_rham); size(n-2)
+    Vector vorticity = {}; ///< delta u on the (n-2)-cells of slipping walls; size(n-2)
+    Vector pressure = {};  ///< on facets where it is known; size(n-1)
 };
 
-/// A slow flow: what flows through the facets, how it turns, and its pressure.
+/// A slow flow.
 struct StokesFlow {
-    Cochain flux;      ///< primal (n-1)-form, as facets are oriented
-    Cochain vorticity; ///< delta of it, a primal (n-2)-form
-    Cochain pressure;  ///< dual 0-form, of mean 0 where it is known nowhere
+    Cochain flux;      ///< through facets, a primal (n-1)-form, signed by their orientation
+    Cochain vorticity; ///< delta of the flux, a primal (n-2)-form
+    Cochain pressure;  ///< dual 0-form, of mean 0 on components without a known pressure
     SolveReport report;
 };
 
-/// Stokes' problem -nu Delta u + grad p = f, div u = 0: nu d w + grad p = f and w = delta u for the
-/// flux u, a primal (n-1)-form, with one factorization. At each facet of the boundary two things
-/// are known (see FlowBoundary); the vorticity where walls slip can be other than 0. The pressure
-/// and no vorticity do not determine a flow. No flow is lost: d flux
-/// = 0 in every cell to rounding. On grids it is the scheme of markers and cells. Source: Dubois
-/// 2002 (vorticity, velocity, pressure); Harlow, Welch 1965 (grids). An object is used by one
-/// thread at a time. On a mesh all is in the units of the input.
+/// Solves Stokes' problem -nu Delta u + grad p = f, div u = 0, as nu d w + grad p = f, w = delta u
+/// for the flux u, a primal (n-1)-form, with one factorization. Each facet of the boundary has two
+/// conditions (see FlowBoundary); on slipping walls a vorticity other than 0 may be given. The
+/// balance d u is 0 in every cell to rounding. On grids this is the marker-and-cell scheme. All is
+/// in the units of the input. Use an object from one thread at a time. Source: Dubois 2002
+/// (vorticity, velocity, pressure); Harlow, Welch 1965 (grids).
 class StokesSolver {
 public:
-    /// n >= 2. Throws InvalidInput for another dimension, a viscosity that is not positive, other
-    /// numbers of conditions than facets; naming the cells, where star_(n-2), or star_(n-1) at
-    /// facets inside, is not positive, or that at open facets negative; and where nothing holds a
-    /// flow back: around a hole, or between open facets, if no wall of a component is without slip.
+    /// Throws InvalidInput for n < 2, a viscosity that is not positive, and a wrong number of
+    /// conditions; naming the cells, if star_(n-2) or star_(n-1) is not positive, where facets with
+    /// a known pressure may have no dual; naming the facet, for FlowBoundary::open, which leaves a
+    /// slow flow undetermined; and if a component has flows around holes or between facets with
+    /// known pressure, and no wall without slip that holds them back.
     explicit StokesSolver(const Cells& cells, const StokesOptions& options = {});
 
     StokesSolver(StokesSolver&&) noexcept;
     ~StokesSolver();
 
-    /// The force f is given as its flux, a primal (n-1)-form. Values of data at other cells than
-    /// they are for do not matter. Throws InvalidInput for other sizes and what is not finite, and
-    /// if more flows in than out of a component without open facet.
+    /// `force` is the flux of f, a primal (n-1)-form. Data on other cells are ignored. Throws
+    /// InvalidInput for wrong sizes, for values that are not finite, and if the known fluxes of a
+    /// component without known pressure do not balance.
     StokesFlow solve(const Cochain& force, const StokesData& data = {}) const;
 
 private:

@@ -121,7 +121,7 @@ def main():
         for link in dead_links(page, path.parent):
             print(f"{name}:1: the page links to {link}, which is not there")
             found = True
-        if path.parent in (root, docs):
+        if path.parent in (root, docs) and path.name != "decisions.md":
             for complaint in missing_pictures(page, path.parent):
                 print(f"{name}:1: {complaint}")
                 found = True
