@@ -99,7 +99,7 @@ def copied(path, out, done):
     head = ""
     if path.suffix != ".md":
         head, place = "---\norphan: true\n---\n", place + ".md"
-    elif place.startswith("docs/decisions/"):
+    elif place.startswith(("docs/decisions/", "docs/decisions.md")):
         head = "---\norphan: true\nnosearch: true\n---\n"
     elif path.parent != ROOT and not place.startswith("docs/"):
         head = "---\norphan: true\n---\n"
