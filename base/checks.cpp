@@ -10,9 +10,9 @@ namespace polydec {
 void refuse_number(std::string_view what, std::int64_t number, std::int64_t least,
                    std::int64_t most) {
     if (least > most)
-        throw InvalidInput(fmt::format("{} {} is asked for: there is none", what, number));
+        throw InvalidInput(fmt::format("{} {} is out of range: there are none", what, number));
     throw InvalidInput(
-        fmt::format("{} {} is asked for: expected {} to {}", what, number, least, most));
+        fmt::format("{} {} is out of range: expected {} to {}", what, number, least, most));
 }
 
 void check_as_many(std::string_view what, std::int64_t given, std::int64_t expected) {

@@ -8,9 +8,9 @@
 namespace polydec::detail {
 
 void refuse_as_column(Eigen::Index rows, Eigen::Index columns) {
-    throw InvalidInput(fmt::format("a matrix of {} x {} numbers where a vector is expected; hand "
-                                   "over one column, matrix.col(j)",
-                                   rows, columns));
+    throw InvalidInput(fmt::format(
+        "expected a vector, not a matrix of {} x {} numbers; pass one column, matrix.col(j)", rows,
+        columns));
 }
 
 } // namespace polydec::detail
