@@ -60,7 +60,7 @@ std::string advice(const std::filesystem::path& folder) {
     std::error_code ignored;
     if (std::filesystem::is_directory(folder, ignored))
         return "";
-    return fmt::format("; make the folder {} first", folder.string());
+    return fmt::format("; create the folder {} first", folder.string());
 }
 
 } // namespace
@@ -105,7 +105,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& target)
     struct stat status {};
     const bool exists = ::stat(final_.c_str(), &status) == 0;
     if (!temporary_.has_place()) {
-        refuse(target, fmt::format("{} files are being written already; write fewer at a time",
+        refuse(target, fmt::format("{} files are already open for writing; write fewer at a time",
                                    Unfinished::most));
     }
     file_ = create(temporary_, final_.parent_path());

@@ -27,7 +27,7 @@ Path resolved_folder(const Path& target) {
     auto result =
         std::filesystem::weakly_canonical(std::filesystem::absolute(target, error), error);
     if (error)
-        throw IoError(fmt::format("cannot make the folder {}: {}", printable(target.string()),
+        throw IoError(fmt::format("cannot create the folder {}: {}", printable(target.string()),
                                   error.message()),
                       {.path = target});
     return result.has_filename() ? result : result.parent_path();
@@ -70,8 +70,8 @@ void check_replaceable(const Path& target, const AtomicFolder::IsOurs& is_ours) 
     std::error_code error, none;
     const auto name = printable(target.string());
     if (std::filesystem::equivalent(target, std::filesystem::current_path(none), none))
-        throw InvalidInput(fmt::format("cannot write {}: it is the folder you are in, and would be "
-                                       "replaced as a whole; name another one",
+        throw InvalidInput(fmt::format("cannot write {}: it is the current folder, whose contents "
+                                       "would be replaced; name another folder",
                                        name),
                            {.path = target});
     for (const auto& file : folder_names(target, error)) {
@@ -79,11 +79,11 @@ void check_replaceable(const Path& target, const AtomicFolder::IsOurs& is_ours) 
         const bool is_file =
             ::lstat((target / file).c_str(), &status) == 0 && S_ISREG(status.st_mode);
         if (!is_file || !is_ours(file))
-            throw InvalidInput(fmt::format("cannot write {}: it holds '{}', which is no part of an "
-                                           "earlier result, and would be lost; name another "
-                                           "folder, or remove that one",
-                                           name, printable(file)),
-                               {.path = target});
+            throw InvalidInput(
+                fmt::format("cannot write {}: it contains '{}', which is not part of an earlier "
+                            "result and would be lost; name another folder, or remove this one",
+                            name, printable(file)),
+                {.path = target});
     }
     if (error && error != std::errc::no_such_file_or_directory &&
         error != std::errc::not_a_directory)
@@ -94,10 +94,11 @@ AtomicFolder::AtomicFolder(const Path& target, const IsOurs& is_ours)
     : target_(target), final_(resolved_folder(target)), is_ours_(is_ours) {
     check_replaceable(final_, is_ours_);
     if (!temporary_.has_place() || !displaced_.has_place())
-        throw IoError(fmt::format("cannot write {}: {} files are being written already; write "
-                                  "fewer at a time",
-                                  printable(target_.string()), Unfinished::most),
-                      {.path = target_});
+        throw IoError(
+            fmt::format(
+                "cannot write {}: {} files are already open for writing; write fewer at a time",
+                printable(target_.string()), Unfinished::most),
+            {.path = target_});
     // what was there may be there once more, and stays where it is until the end
     const bool is_made =
         make_under_new_name(existing_parent(final_), extension, [&](const char* path) {

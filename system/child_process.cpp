@@ -296,7 +296,7 @@ ChildOutcome run_child(const std::filesystem::path& program,
     int status = 0;
     rusage usage{};
     if (!child.reap(&status, &usage)) {
-        throw IoError(fmt::format("the system does not tell how {} ended: do not ignore SIGCHLD",
+        throw IoError(fmt::format("the system did not report how {} ended: do not ignore SIGCHLD",
                                   program.string()));
     }
     outcome.peak_bytes = peak_bytes(usage);

@@ -60,8 +60,8 @@ void set_memory_limit(std::uint64_t bytes) {
 void check_memory(double bytes, std::string_view what) {
     const auto most = static_cast<double>(memory_limit());
     if (!(bytes <= most))
-        throw IoError(fmt::format("{} takes about {} of memory, but only {} may be used: take "
-                                  "fewer or simpler cells, or allow more (set_memory_limit)",
+        throw IoError(fmt::format("{} needs about {} of memory, but the limit is {}: use fewer or "
+                                  "simpler cells, or raise the limit (set_memory_limit)",
                                   what, size_text(bytes), size_text(most)));
 }
 

@@ -16,8 +16,8 @@ namespace polydec {
 namespace {
 
 [[noreturn]] void refuse(const std::string& reason) {
-    throw IoError(fmt::format("cannot make a temporary folder: {}\n"
-                              "Let TMPDIR name a folder that can be written.",
+    throw IoError(fmt::format("cannot create a temporary folder: {}\n"
+                              "Set TMPDIR to a writable folder.",
                               reason));
 }
 
@@ -29,7 +29,8 @@ TemporaryFolder::TemporaryFolder() {
     if (error)
         refuse(error.message());
     if (!noted_.has_place())
-        refuse(fmt::format("{} of them, or of files, are in use already", Unfinished::most));
+        refuse(fmt::format("{} temporary folders or unfinished files already exist",
+                           Unfinished::most));
     // noted before it is there, so that no signal comes in between
     const bool made = make_under_new_name(parent, "", [&](const char* path) {
         return noted_.note_folder(path) && ::mkdir(path, 0700) == 0;
