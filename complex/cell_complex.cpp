@@ -14,11 +14,11 @@ namespace {
 
 void check_shapes(const std::vector<IncidenceMatrix>& d) {
     if (d.empty())
-        throw InvalidInput("a cell complex needs at least d_0, that is dimension 1");
+        throw InvalidInput("a cell complex needs at least d_0: expected dimension 1 or more");
     for (std::size_t k = 0; k + 1 < d.size(); ++k) {
         if (d[k].rows() != d[k + 1].cols())
             throw InvalidInput(fmt::format(
-                "d_{} has {} rows but d_{} has {} columns: both are the number of {}-cells", k,
+                "d_{} has {} rows but d_{} has {} columns: both must be the number of {}-cells", k,
                 d[k].rows(), k + 1, d[k + 1].cols(), k + 1));
     }
 }
@@ -34,9 +34,10 @@ void check_product(const IncidenceMatrix& upper, const IncidenceMatrix& lower, s
             for (IncidenceMatrix::InnerIterator s(lower, f.col()); s; ++s)
                 if (sum[s.col()] != 0)
                     throw InvalidInput(
-                        fmt::format("d_{} d_{} is {} instead of 0 from {}-cell {} to {}-cell {}: "
-                                    "the faces of the latter do not close up; check their signs",
-                                    k + 1, k, sum[s.col()], k, s.col(), k + 2, t),
+                        fmt::format(
+                            "d_{} d_{} is {} instead of 0 from {}-cell {} to {}-cell {}: the faces "
+                            "of the second cell do not close up; check their signs",
+                            k + 1, k, sum[s.col()], k, s.col(), k + 2, t),
                         {.degree = static_cast<int>(k) + 2, .cells = {static_cast<Index>(t)}});
     }
 }
@@ -44,17 +45,18 @@ void check_product(const IncidenceMatrix& upper, const IncidenceMatrix& lower, s
 void check_canceled(const std::vector<IncidenceMatrix>& d,
                     const std::vector<std::vector<Incidence>>& canceled) {
     if (canceled.size() > d.size())
-        throw InvalidInput(fmt::format("incidences that cancel are given for {} coboundaries, but "
-                                       "there are {}",
-                                       canceled.size(), d.size()));
+        throw InvalidInput(
+            fmt::format("canceling incidences are given for {} coboundaries: expected at most {}",
+                        canceled.size(), d.size()));
     for (std::size_t k = 0; k < canceled.size(); ++k)
         for (const auto& [cell, face] : canceled[k])
             if (cell < 0 || cell >= d[k].rows() || face < 0 || face >= d[k].cols() ||
                 d[k].coeff(cell, face) != 0)
-                throw InvalidInput(fmt::format("{}-cell {} and {}-cell {} cannot cancel in d_{}: "
-                                               "expected cells without an entry there",
-                                               k + 1, cell, k, face, k),
-                                   {.degree = static_cast<int>(k) + 1, .cells = {cell}});
+                throw InvalidInput(
+                    fmt::format("{}-cell {} and {}-cell {} cannot cancel in d_{}: expected two "
+                                "cells of the complex whose entry there is 0",
+                                k + 1, cell, k, face, k),
+                    {.degree = static_cast<int>(k) + 1, .cells = {cell}});
 }
 
 /// An incidence that cancels stands for both sides of its face.
@@ -124,8 +126,8 @@ CellComplex::CellComplex(Unchecked, std::vector<Incidences> incidences,
 
 void CellComplex::refuse_degree(int k) const {
     throw InvalidInput(
-        fmt::format("coboundary {} asked of a complex of dimension {}: expected -1 to {}", k,
-                    dimension(), dimension()));
+        fmt::format("coboundary {} does not exist in a complex of dimension {}: expected -1 to {}",
+                    k, dimension(), dimension()));
 }
 
 Index euler_characteristic(const CellComplex& complex) {

@@ -101,10 +101,10 @@ std::vector<Index> corners(const CellComplex& complex, Index cell) {
         v = way != ways.end() && way->first == v ? way->second : -1;
     }
     if (walk.empty() || walk.size() < ways.size() || v != walk_from)
-        throw InvalidInput(
-            fmt::format("the boundary of 2-cell {} is no simple circle: its corners have no order",
-                        cell),
-            {.degree = 2, .cells = {cell}});
+        throw InvalidInput(fmt::format("the boundary of 2-cell {} is not a single closed path, so "
+                                       "its corners have no order",
+                                       cell),
+                           {.degree = 2, .cells = {cell}});
     return walk;
 }
 

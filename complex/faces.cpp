@@ -17,8 +17,9 @@ namespace {
 
 void check_count(std::size_t count) {
     if (count > std::size_t(std::numeric_limits<Index>::max()))
-        throw InvalidInput(fmt::format(
-            "{} incidences between cells: more than 2^31 - 1 cannot be numbered", count));
+        throw InvalidInput(fmt::format("{} incidences between cells are too many: expected at most "
+                                       "2^31 - 1; use a smaller mesh",
+                                       count));
 }
 
 /// A vertex list behind its first number, and what it stands for. Vertices beyond the list are 0.

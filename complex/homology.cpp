@@ -19,9 +19,9 @@ using IntegerChain = std::map<Index, std::int64_t>;
 
 void check_degree(const CellComplex& complex, int k) {
     if (k < 0 || k > complex.dimension())
-        throw InvalidInput(fmt::format("homology of degree {} asked for: in dimension {} the "
-                                       "degrees are 0 to {}",
-                                       k, complex.dimension(), complex.dimension()));
+        throw InvalidInput(
+            fmt::format("homology of degree {} does not exist in dimension {}: expected 0 to {}", k,
+                        complex.dimension(), complex.dimension()));
 }
 
 /// A chain with coefficients modulo the prime, as the smallest multiple of it whose coefficients
@@ -41,8 +41,8 @@ IntegerChain integral(const ModularChain& chain) {
         if (result.size() == chain.size())
             return result;
     }
-    throw InvalidInput("a generator of the homology has coefficients beyond a million: is this "
-                       "complex meant?");
+    throw InvalidInput("a generator of the homology has coefficients above a million: check the "
+                       "incidences of the complex");
 }
 
 /// Carries a cycle of the core back to the whole complex: pairs come back in the reverse order of

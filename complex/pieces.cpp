@@ -19,7 +19,7 @@ using SimplicesByDegree = std::vector<Simplices>; // of degree k at k; none of d
 void check_tables(const SimplicesByDegree& faces, const std::vector<std::int8_t>& orientations,
                   const std::vector<Index>& vertices) {
     if (faces.size() < 2)
-        throw InvalidInput("pieces need the faces of at least the 1-simplices");
+        throw InvalidInput("tables of faces are missing: expected one for each degree from 1");
     for (std::size_t k = 1; k < faces.size(); ++k) {
         const auto lower =
             k == 1 ? static_cast<Eigen::Index>(vertices.size()) : faces[k - 1].rows();
@@ -43,9 +43,9 @@ void check_tables(const SimplicesByDegree& faces, const std::vector<std::int8_t>
                 {.degree = static_cast<int>(faces.size()) - 1, .cells = {static_cast<Index>(t)}});
     for (std::size_t v = 0; v < vertices.size(); ++v)
         if (vertices[v] < 0)
-            throw InvalidInput(fmt::format("vertex {} is to be called {}: expected a number from 0",
-                                           v, vertices[v]),
-                               {.vertices = {static_cast<Index>(v)}});
+            throw InvalidInput(
+                fmt::format("vertex {} has the number {}: expected 0 or more", v, vertices[v]),
+                {.vertices = {static_cast<Index>(v)}});
 }
 
 /// Face j of face i is face i of face j + 1, for i <= j: the same corners are lacking.
@@ -57,8 +57,8 @@ void check_order(const SimplicesByDegree& faces) {
                     if (faces[k - 1](faces[k](s, i), j) != faces[k - 1](faces[k](s, j + 1), i))
                         throw InvalidInput(
                             fmt::format(
-                                "the faces of {}-simplex {} that lack its corners {} and {} do not "
-                                "meet: expected faces whose corners are in the simplex's order",
+                                "the faces of {}-simplex {} opposite its corners {} and {} do not "
+                                "meet: list the corners of each face in the order of the simplex",
                                 k, s, i, j + 1),
                             {.degree = static_cast<int>(k), .cells = {static_cast<Index>(s)}});
 }

@@ -37,10 +37,11 @@ void check_closed(const CellComplex& complex, const CellMarks& dropped) {
         return;
     for_each_incidence(complex, [&](int k, Index s, Index t) {
         if (dropped[k + 1][t] && !dropped[k][s])
-            throw InvalidInput(fmt::format("the {}-cell {} is to be dropped but not its "
-                                           "face, the {}-cell {}: drop both or none",
-                                           k + 1, t, k, s),
-                               {.degree = k + 1, .cells = {t}});
+            throw InvalidInput(
+                fmt::format(
+                    "{}-cell {} is dropped but its face, {}-cell {}, is not: drop both or neither",
+                    k + 1, t, k, s),
+                {.degree = k + 1, .cells = {t}});
     });
 }
 
@@ -50,9 +51,8 @@ void check_open(const CellComplex& complex, const CellMarks& dropped) {
         return;
     for_each_incidence(complex, [&](int k, Index s, Index t) {
         if (dropped[k][s] && !dropped[k + 1][t])
-            throw InvalidInput(fmt::format("the {}-cell {} is to be dropped as part of an open "
-                                           "set but not its coface, the {}-cell {}: drop both or "
-                                           "none",
+            throw InvalidInput(fmt::format("{}-cell {} of an open set is dropped but its coface, "
+                                           "{}-cell {}, is not: drop both or neither",
                                            k, s, k + 1, t),
                                {.degree = k, .cells = {s}});
     });
@@ -84,7 +84,8 @@ IncidenceMatrix kept_part(const Incidences& d, const std::vector<Index>& rows,
 
 DenseMatrix RelativeComplex::restrict_columns(int k, const DenseMatrix& whole) const {
     check_number("values on cells of degree", k, 0, complex.dimension());
-    check_as_many(fmt::format("values on {}-cells of the whole", k), whole.rows(), whole_sizes[k]);
+    check_as_many(fmt::format("values on {}-cells of the whole complex", k), whole.rows(),
+                  whole_sizes[k]);
     return whole(cells[k], Eigen::all);
 }
 

@@ -37,8 +37,8 @@ Used used_vertices(const Simplices& tops) {
         largest = std::max(largest, static_cast<std::uint32_t>(vertex));
     if (largest >= std::uint32_t(std::numeric_limits<Index>::max())) {
         const Index least = tops.minCoeff(), vertex = least < 0 ? least : tops.maxCoeff();
-        throw InvalidInput(fmt::format("vertex number {}: expected {}", vertex,
-                                       vertex < 0 ? "0 or more" : "less than that"),
+        throw InvalidInput(fmt::format("vertex number {} is out of range: expected {}", vertex,
+                                       vertex < 0 ? "0 or more" : "0 to 2^31 - 2"),
                            {.vertices = {vertex}});
     }
     std::vector<std::uint8_t> marks(std::size_t{largest} + 1, 0);

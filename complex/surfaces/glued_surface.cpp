@@ -21,7 +21,7 @@ std::vector<std::array<Index, 2>> pair_halfedges(const std::vector<GluedSurface:
         auto& [first, second] = pairs[sides[h].edge];
         if (second >= 0)
             throw InvalidInput(fmt::format("three triangles meet at edge {} (triangles {}, {} and "
-                                           "{}): only surfaces with two at most can be glued",
+                                           "{}): expected at most two triangles at each edge",
                                            sides[h].edge, first / 3, second / 3, h / 3),
                                {.degree = 1, .cells = {sides[h].edge}});
         (first < 0 ? first : second) = static_cast<Index>(h);
@@ -34,7 +34,7 @@ void check_edges(const Pieces& surface) {
     for (std::size_t e = 0; e < counts.size(); ++e)
         if (counts[e] > 2)
             throw InvalidInput(fmt::format("{} triangles meet at the edge from vertex {} to {}: "
-                                           "only surfaces with two at most can be glued",
+                                           "expected at most two triangles at each edge",
                                            counts[e],
                                            surface.vertex_number(surface.simplices(1)(e, 0)),
                                            surface.vertex_number(surface.simplices(1)(e, 1))),
@@ -50,10 +50,11 @@ Index count_edges(const std::vector<std::array<GluedSurface::SignedEdge, 3>>& tr
         for (const auto& side : triangles[t]) {
             if (side.edge < 0 || side.edge >= static_cast<Index>(3 * triangles.size()) ||
                 (side.sign != 1 && side.sign != -1))
-                throw InvalidInput(fmt::format("triangle {} has a side on edge {} with sign {}: "
-                                               "expected edges from 0 without a gap and 1 or -1",
-                                               t, side.edge, side.sign),
-                                   {.degree = 2, .cells = {static_cast<Index>(t)}});
+                throw InvalidInput(
+                    fmt::format("triangle {} has a side on edge {} with sign {}: expected edge "
+                                "numbers from 0 without gaps, and the sign 1 or -1",
+                                t, side.edge, side.sign),
+                    {.degree = 2, .cells = {static_cast<Index>(t)}});
             edges = std::max(edges, side.edge + 1);
         }
     return edges;
@@ -70,9 +71,8 @@ bool GluedSurface::accepts(const Pieces& surface) {
 
 Triangles::Triangles(const Pieces& surface) {
     if (surface.dimension() != dimension)
-        throw InvalidInput(fmt::format("a complex of dimension {} is given: only surfaces can be "
-                                       "glued from triangles",
-                                       surface.dimension()));
+        throw InvalidInput(fmt::format(
+            "the complex has dimension {}: expected a surface of triangles", surface.dimension()));
     vertices_ = surface.size(0);
     edges_ = surface.size(1);
     const Index triangles = surface.size(2);
@@ -109,10 +109,9 @@ GluedSurface::GluedSurface(const std::vector<std::array<SignedEdge, 3>>& triangl
     for (Index e = 0; e < edges_; ++e) {
         const auto& [h, g] = halfedges_[e];
         if (h < 0)
-            throw InvalidInput(fmt::format("no triangle has edge {}: number the edges from 0 "
-                                           "without a gap",
-                                           e),
-                               {.degree = 1, .cells = {e}});
+            throw InvalidInput(
+                fmt::format("no triangle has edge {}: number the edges from 0 without gaps", e),
+                {.degree = 1, .cells = {e}});
         if (g < 0)
             continue;
         const bool alike = sign(h) == sign(g);
@@ -195,10 +194,11 @@ Simplices simplices(const GluedSurface& surface) {
     for (Index e = 0; e < surface.edges(); ++e) {
         const Index a = surface.first_vertex(e), b = surface.last_vertex(e);
         if (a == b)
-            throw InvalidInput(fmt::format("edge {} is a loop at vertex {}: the surface is no "
-                                           "simplicial complex",
-                                           e, a),
-                               {.degree = 1, .cells = {e}, .vertices = {a}});
+            throw InvalidInput(
+                fmt::format(
+                    "edge {} is a loop at vertex {}: the surface is not a simplicial complex", e,
+                    a),
+                {.degree = 1, .cells = {e}, .vertices = {a}});
         ends.push_back({{std::min(a, b), std::max(a, b)}, e});
     }
     std::sort(ends.begin(), ends.end());
@@ -206,7 +206,7 @@ Simplices simplices(const GluedSurface& surface) {
         ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
     if (twice != ends.end())
         throw InvalidInput(fmt::format("edges {} and {} both join vertices {} and {}: the surface "
-                                       "is no simplicial complex",
+                                       "is not a simplicial complex",
                                        twice->second, (twice + 1)->second, twice->first.first,
                                        twice->first.second),
                            {.degree = 1,

@@ -138,7 +138,7 @@ TEST(CornersOfAnyCell, are_refused_by_name_where_the_boundary_is_no_simple_circl
     for (const auto& complex :
          {figure_eight, two_circles, point_of_cancelled_edges, cell_complex(square_torus()),
           cell_complex(folded_triangle()), cell_complex(moebius_triangle())}) {
-        EXPECT_TRUE(says(refusal([&] { corners(complex, 0); }), {"2-cell 0", "circle"}));
+        EXPECT_TRUE(says(refusal([&] { corners(complex, 0); }), {"2-cell 0", "closed path"}));
         try {
             corners(complex, 0);
         } catch (const InvalidInput& error) {

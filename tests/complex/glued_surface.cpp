@@ -200,7 +200,7 @@ TEST(GluedTriangles, are_refused_by_number) {
                      }),
                      {"triangle 0", "edge 1", "sign 3"}));
     EXPECT_TRUE(
-        says(refusal([] { GluedSurface(merged("kuhn3").K()); }), {"dimension 3", "surfaces"}));
+        says(refusal([] { GluedSurface(merged("kuhn3").K()); }), {"dimension 3", "surface"}));
     EXPECT_TRUE(says(refusal([] { GluedSurface(merged("branching").K()); }),
                      {"3 triangles", "edge", "vertex 0", "1"}));
 }
