@@ -17,8 +17,8 @@ namespace polydec {
 namespace {
 
 [[noreturn]] void refuse_rounding() {
-    throw InvalidInput("delaunay_in_cube: rounding spoils the triangulation, since points nearly "
-                       "coincide; give another seed");
+    throw InvalidInput("delaunay_in_cube: points nearly coincide, and rounding spoils the "
+                       "triangulation; use another seed");
 }
 
 constexpr int most_dimensions = 6;

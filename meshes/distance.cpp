@@ -22,8 +22,8 @@ double distance(const Points& points, Index a, Index b) {
     const double length = std::ldexp(std::sqrt(squares), exponent);
     if (!std::isfinite(length))
         throw InvalidInput(
-            fmt::format("the distance of vertices {} and {} is {}: expected a finite "
-                        "number; move them or scale the mesh to a size nearer to 1",
+            fmt::format("the distance between vertices {} and {} is {}: expected a finite number; "
+                        "move them or scale the mesh to a size nearer to 1",
                         a, b, length),
             {.vertices = {a, b}});
     return length;

@@ -47,10 +47,9 @@ std::vector<Vector> centers(const ClusterOptions& options, double distance, Rand
             result.push_back(center);
     }
     if (static_cast<int>(result.size()) < options.spheres)
-        throw InvalidInput(
-            fmt::format("sphere_clusters: there is room for {} spheres of radius {} only, "
-                        "{} apart; ask for fewer or smaller ones, or for more cells",
-                        result.size(), options.radius, distance));
+        throw InvalidInput(fmt::format("sphere_clusters: only {} spheres of radius {} fit at least "
+                                       "{} apart; choose fewer or smaller spheres, or more cells",
+                                       result.size(), options.radius, distance));
     return result;
 }
 

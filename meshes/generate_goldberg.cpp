@@ -145,8 +145,8 @@ void flatten(Points& corners, const std::vector<Face>& faces) {
         progress = next_error / std::exchange(error, next_error);
     }
     if (!(error < 1e-13))
-        throw SolverFailure(fmt::format("goldberg: the faces are not planar, the error stays at "
-                                        "{:.1e}; take another frequency",
+        throw SolverFailure(fmt::format("goldberg: the faces do not become planar, the error stays "
+                                        "at {:.1e}; use another frequency",
                                         error));
 }
 

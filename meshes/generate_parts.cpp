@@ -29,7 +29,7 @@ void check_sizes(std::string_view generator, double vertices, double cells, int 
     constexpr double most = std::numeric_limits<Index>::max();
     for (const auto& [count, noun] : {std::pair{vertices, "vertices"}, std::pair{cells, "cells"}})
         if (count > most)
-            throw InvalidInput(fmt::format("{}: {:.10g} {} are more than 2^31 - 1; ask for fewer",
+            throw InvalidInput(fmt::format("{}: {:.10g} {} are too many: expected at most 2^31 - 1",
                                            generator, count, noun));
     // what is being made, and the mesh
     constexpr double copies = 2;
@@ -41,8 +41,9 @@ void check_sizes(std::string_view generator, double vertices, double cells, int 
 
 double check_cubes(std::string_view generator, const std::vector<int>& counts, int n, double edge) {
     if (counts.size() != static_cast<std::size_t>(n))
-        throw InvalidInput(fmt::format("{}: {} counts of cubes; give one for each of the {} axes",
-                                       generator, counts.size(), n));
+        throw InvalidInput(
+            fmt::format("{}: {} counts of cubes are given: expected one for each of the {} axes",
+                        generator, counts.size(), n));
     double result = 1.0;
     for (int k = 0; k < n; ++k) {
         check_count(generator, fmt::format("cells[{}]", k), counts[k], 1);

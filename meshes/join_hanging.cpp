@@ -138,12 +138,13 @@ public:
                                               divided_.size() == 1 ? "cell" : "cells", nodes,
                                               nodes == 1 ? "vertex" : "vertices"));
         if (crossings > 0)
-            result.warnings.back() += fmt::format(" and {} new where edges cross", crossings);
-        result.warnings.back() += fmt::format(
-            ": {} came of {}", std::ssize(rows_) - mesh_.simplices.rows() + std::ssize(divided_),
-            divided_.size() == 1 ? "it" : "them");
+            result.warnings.back() += fmt::format(" and {} crossings of edges", crossings);
+        result.warnings.back() +=
+            fmt::format(", giving {} in place of {}",
+                        std::ssize(rows_) - mesh_.simplices.rows() + std::ssize(divided_),
+                        divided_.size() == 1 ? "it" : "them");
         if (!centers_.empty())
-            result.warnings.back() += fmt::format(", with new vertices inside {}", centers_.size());
+            result.warnings.back() += fmt::format(", with a new vertex inside {}", centers_.size());
         return result;
     }
 
@@ -232,9 +233,9 @@ private:
     [[noreturn]] void refuse(Index cell) const {
         const auto corners = mesh_.simplices.row(cell);
         throw InvalidInput(
-            fmt::format("cell {} (vertices {}) cannot be split at the vertices that hang on it: it "
-                        "is about as thin as these may be off its surface\nJoin vertices that are "
-                        "less far apart, or leave the cell out.",
+            fmt::format("cell {} (vertices {}) cannot be split at its hanging vertices: it is "
+                        "about as thin as the tolerance for their distance from its surface\n"
+                        "Reduce the length within which vertices are joined, or remove the cell.",
                         cell, fmt::join(corners.begin(), corners.end(), " ")),
             {.degree = mesh_.dimension(),
              .cells = {cell},
@@ -275,11 +276,10 @@ private:
 bool divide(Mesh& mesh, const HangingNodes& nodes) {
     const int n = mesh.dimension();
     if (n < 2 || n > 3)
-        throw InvalidInput(
-            fmt::format("{} vertices hang on cells of dimension {}, and {} facets lie "
-                        "on others: expected dimension 2 or 3, whose cells can be "
-                        "split; make both sides fit by the mesher",
-                        nodes.count, n, nodes.misfits));
+        throw InvalidInput(fmt::format(
+            "{} vertices hang on cells of dimension {}, and {} facets lie on others: only cells of "
+            "dimension 2 or 3 can be split; mesh both sides so that they fit",
+            nodes.count, n, nodes.misfits));
     const OwnUnits own(mesh.points);
     const FacetOverlay overlay(n == 3 ? nodes.facets : Simplices(0, 3),
                                n == 3 ? nodes.vertices : std::vector<std::vector<Index>>(),

@@ -75,12 +75,12 @@ std::optional<EdgeFault> edge_fault(const LengthMesh& mesh) {
 void check(const LengthMesh& mesh) {
     constexpr Eigen::Index ends = 2;
     if (mesh.edges.cols() != ends || mesh.edges.rows() != mesh.lengths.size())
-        throw InvalidInput(fmt::format("{} lengths and a table of {} x {} vertices of edges are "
-                                       "given: expected two vertices for each length",
+        throw InvalidInput(fmt::format("{} lengths and a {} x {} table of the edges' vertices are "
+                                       "given: expected a row of two vertices for each length",
                                        mesh.lengths.size(), mesh.edges.rows(), mesh.edges.cols()));
     if (mesh.simplices.rows() == 0 || mesh.dimension() < 1)
         throw InvalidInput(fmt::format("{} simplices of {} vertices are given: expected at least "
-                                       "one, of two or more vertices",
+                                       "one simplex of two or more vertices",
                                        mesh.simplices.rows(), mesh.simplices.cols()));
     check_range(mesh.simplices, mesh.vertices, "simplex");
     check_range(mesh.edges, mesh.vertices, "edge");
@@ -90,11 +90,12 @@ void check(const LengthMesh& mesh) {
     const auto name = fmt::format("with vertices {} and {}", fault->a, fault->b);
     switch (fault->kind) {
     case EdgeFault::Kind::repeated:
-        throw InvalidInput(fmt::format("edges {} and {} are the same, {}: give its length once",
-                                       fault->previous, fault->row, name),
-                           {.degree = 1,
-                            .cells = {fault->previous, fault->row},
-                            .vertices = {fault->a, fault->b}});
+        throw InvalidInput(
+            fmt::format("edges {} and {} are the same edge, {}: give its length once",
+                        fault->previous, fault->row, name),
+            {.degree = 1,
+             .cells = {fault->previous, fault->row},
+             .vertices = {fault->a, fault->b}});
     case EdgeFault::Kind::surplus:
         throw InvalidInput(
             fmt::format("edge {} {} belongs to no simplex: remove it", fault->row, name),

@@ -160,8 +160,8 @@ LevelSets level_sets(const Mesh& mesh, const Vector& values, const Vector& level
     check_finite("level", levels);
     for (Index i = 0; i + 1 < levels.size(); ++i)
         if (!(levels[i] < levels[i + 1]))
-            throw InvalidInput(fmt::format("level sets: level {} is {}, the one before it {}; "
-                                           "expected them to ascend",
+            throw InvalidInput(fmt::format("level sets: level {} is {}, but the previous level is "
+                                           "{}; expected ascending levels",
                                            i + 1, levels[i + 1], levels[i]));
     if (mesh.simplices.size() > 0) {
         check_number("a vertex", mesh.simplices.minCoeff(), 0, mesh.points.rows() - 1);

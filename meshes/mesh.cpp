@@ -51,17 +51,18 @@ std::vector<Index> keep_rows(Mesh& mesh, const std::vector<bool>& left_out) {
 void check_facet_tags(const Mesh& mesh) {
     const auto& [facets, tags] = mesh.facet_tags;
     if (static_cast<Eigen::Index>(tags.size()) != facets.rows())
-        throw InvalidInput(fmt::format("there are {} tags for {} facets; give every facet one",
-                                       tags.size(), facets.rows()));
+        throw InvalidInput(
+            fmt::format("{} tags are given for {} facets; expected one for each facet", tags.size(),
+                        facets.rows()));
     if (facets.rows() > 0 && facets.cols() != mesh.dimension())
-        throw InvalidInput(fmt::format("facets with tags have {} vertices; expected {}, as those "
-                                       "of cells of dimension {} have",
-                                       facets.cols(), mesh.dimension(), mesh.dimension()));
+        throw InvalidInput(fmt::format(
+            "facets with tags have {} vertices; expected {}, since the cells have dimension {}",
+            facets.cols(), mesh.dimension(), mesh.dimension()));
     for (Eigen::Index facet = 0; facet < facets.rows(); ++facet) {
         const auto vertices = facets.row(facet);
         if (vertices.minCoeff() < 0 || vertices.maxCoeff() >= mesh.points.rows())
-            throw InvalidInput(fmt::format("facet {} of those with tags (vertices {}) names a "
-                                           "vertex that is not among the {} given\n"
+            throw InvalidInput(fmt::format("facet {} of the facets with tags (vertices {}) has a "
+                                           "vertex that is not among the {} vertices of the mesh\n"
                                            "Vertices are numbered from 0.",
                                            facet, fmt::join(vertices.begin(), vertices.end(), " "),
                                            mesh.points.rows()),

@@ -171,10 +171,10 @@ void Peeling::find_flat() {
 Mesh peeled(Mesh mesh) {
     mesh = tidy(std::move(mesh), CellsWithoutVolume::keep);
     if (mesh.dimension() < 2 || mesh.ambient_dimension() != mesh.dimension())
-        throw InvalidInput(fmt::format("cells of dimension {} between points of {} coordinates are "
-                                       "to be peeled: expected solids, as many coordinates as "
-                                       "dimensions, and at least 2",
-                                       mesh.dimension(), mesh.ambient_dimension()));
+        throw InvalidInput(
+            fmt::format("cannot peel cells of dimension {} between points of {} coordinates: "
+                        "expected as many coordinates as dimensions, and at least 2",
+                        mesh.dimension(), mesh.ambient_dimension()));
     const auto is_left_out = Peeling(mesh).run();
     const auto count = std::count(is_left_out.begin(), is_left_out.end(), true);
     if (count == 0)

@@ -54,16 +54,15 @@ std::vector<Index> numbers(const Places& places, const Points& points, const Poi
             moves = moves || (result[v] >= 0 && result[v] != v);
         }
     if (!moves)
-        throw InvalidInput(fmt::format("the {} takes no vertex to another: expected one of {} "
-                                       "coordinates along which both ends of the box have the same "
-                                       "vertices",
+        throw InvalidInput(fmt::format("the {} maps no vertex to another: expected {} coordinates, "
+                                       "and the same vertices at both ends of the box",
                                        name, points.cols()));
     return result;
 }
 
 [[noreturn]] void refuse(Index cell, const char* what) {
-    throw InvalidInput(fmt::format("cell {} {} once the box is glued: expected a simplicial "
-                                   "complex; take three cells or more along every translation",
+    throw InvalidInput(fmt::format("cell {} {} after gluing: expected a simplicial complex; use at "
+                                   "least three cells along every translation",
                                    cell, what));
 }
 
@@ -75,7 +74,7 @@ void check_simplices(const Simplices& simplices) {
         if (std::adjacent_find(corners.begin(), corners.end()) != corners.end())
             refuse(t, "has a vertex twice");
         if (!seen.insert(corners).second)
-            refuse(t, "has the corners of another");
+            refuse(t, "has the same corners as another cell");
     }
 }
 
@@ -101,15 +100,15 @@ public:
                 continue;
             const Edge image = std::minmax(to[v], to[w]);
             if (std::abs(length(image) - length({v, w})) > 1e-8 * length({v, w}))
-                throw InvalidInput(fmt::format(
-                    "the {} takes the edge between the vertices {} and {} to {} and {}, which are "
-                    "not as far apart: expected an isometry",
-                    name, v, w, to[v], to[w]));
+                throw InvalidInput(
+                    fmt::format("the {} maps the edge between vertices {} and {} to vertices {} "
+                                "and {}, which are not as far apart: expected an isometry",
+                                name, v, w, to[v], to[w]));
             const auto found = std::lower_bound(edges_.begin(), edges_.end(), image);
             if (found == edges_.end() || *found != image)
                 throw InvalidInput(fmt::format(
-                    "the {} takes the edge between the vertices {} and {} to {} and {}, between "
-                    "which there is none: expected cells that fit to each other",
+                    "the {} maps the edge between vertices {} and {} to vertices {} and {}, which "
+                    "no edge joins: expected matching cells on both sides",
                     name, v, w, to[v], to[w]));
             const auto other = static_cast<Index>(found - edges_.begin());
             edge_classes_.join(e, other);
@@ -154,10 +153,10 @@ private:
         for (Index from = glued.front(), rank = 0; rank <= rest.cols(); ++rank) {
             for (const Index v : glued)
                 if (std::abs(length({v, from}) - length({to[v], to[from]})) > tolerance)
-                    throw InvalidInput(fmt::format(
-                        "the {} takes the vertices {} and {} to {} and {}, which are not as far "
-                        "apart: expected an isometry",
-                        name, v, from, to[v], to[from]));
+                    throw InvalidInput(
+                        fmt::format("the {} maps vertices {} and {} to vertices {} and {}, which "
+                                    "are not as far apart: expected an isometry",
+                                    name, v, from, to[v], to[from]));
             if (rank == 0)
                 rest.rowwise() -= box_.points.row(from).eval();
             Index farthest = 0;
@@ -189,12 +188,12 @@ private:
         for (Index row = 0; row < std::ssize(of); ++row) {
             const auto& [pair, edge] = of[row];
             if (row > 0 && pair == of[row - 1].first)
-                throw InvalidInput(fmt::format(
-                    "the edges between the vertices {} and {} and between {} and {} get the same "
-                    "ends once the box is glued: expected a simplicial complex; take three cells "
-                    "or more along every translation",
-                    edges_[of[row - 1].second].first, edges_[of[row - 1].second].second,
-                    edges_[edge].first, edges_[edge].second));
+                throw InvalidInput(
+                    fmt::format("the edge between vertices {} and {} and the edge between {} and "
+                                "{} have the same ends after gluing: expected a simplicial "
+                                "complex; use at least three cells along every translation",
+                                edges_[of[row - 1].second].first, edges_[of[row - 1].second].second,
+                                edges_[edge].first, edges_[edge].second));
             quotient.edges.row(row) << pair.first, pair.second;
             quotient.lengths[row] = length(edges_[edge]);
         }

@@ -140,12 +140,12 @@ private:
         const bool fits = splitter_.split(
             corners, avoided == avoided_.end() ? std::vector<EdgeEnds>() : avoided->second);
         if (!fits) {
-            throw InvalidInput(
-                fmt::format("face {} has {} corners and no fan of triangles from its corner with "
-                            "the smallest number; expected at most {} corners then; split it "
-                            "before",
-                            face, corners.size(), PolygonSplitter::most_corners_without_fan),
-                {.degree = 2, .cells = {static_cast<Index>(face)}});
+            throw InvalidInput(fmt::format("face {} has {} corners, and a fan of triangles from "
+                                           "its lowest-numbered corner does not fill it; expected "
+                                           "at most {} corners in this case; split the face first",
+                                           face, corners.size(),
+                                           PolygonSplitter::most_corners_without_fan),
+                               {.degree = 2, .cells = {static_cast<Index>(face)}});
         }
         std::copy(splitter_.triangles().begin(), splitter_.triangles().end(),
                   triangles_.begin() + static_cast<std::ptrdiff_t>(range(face, 2).first));
@@ -256,18 +256,18 @@ std::vector<std::string> warnings_of(const Tallies& tallies) {
     std::vector<std::string> warnings;
     if (tallies.too_small.count > 0) {
         warnings.push_back(fmt::format(
-            "{} with fewer than three corners left out, the first is face {}",
+            "left out {} with fewer than three corners; the first is face {}",
             counted(tallies.too_small.count, "face", "faces"), tallies.too_small.first_face));
     }
     if (tallies.repeats.count > 0) {
         warnings.push_back(
-            fmt::format("{} removed from polygons, the first from face {}",
+            fmt::format("removed {} from polygons; the first is in face {}",
                         counted(tallies.repeats.count, "repeated corner", "repeated corners"),
                         tallies.repeats.first_face));
     }
     if (tallies.split.count > 0) {
         warnings.push_back(fmt::format(
-            "{} with more than three corners split into triangles, the first is face {}",
+            "split {} with more than three corners into triangles; the first is face {}",
             counted(tallies.split.count, "polygon", "polygons"), tallies.split.first_face));
     }
     return warnings;
@@ -297,9 +297,9 @@ void check_polygons(const PolygonMesh& polygons) {
                                        polygons.corners.size()));
     }
     if (!polygons.tags.empty() && polygons.tags.size() + 1 != offsets.size()) {
-        throw InvalidInput(fmt::format("there are {} tags for {} faces; give every face one, or "
-                                       "none at all",
-                                       polygons.tags.size(), offsets.size() - 1));
+        throw InvalidInput(
+            fmt::format("{} tags are given for {} faces; expected one for each face, or none",
+                        polygons.tags.size(), offsets.size() - 1));
     }
     for (std::size_t i = 0; i < polygons.corners.size(); ++i) {
         const Index corner = polygons.corners[i];

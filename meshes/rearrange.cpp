@@ -17,8 +17,8 @@ namespace polydec {
 
 Mesh perturbed(Mesh mesh, double amplitude, std::uint64_t seed) {
     if (!(amplitude >= 0.0) || !std::isfinite(amplitude))
-        throw InvalidInput(
-            fmt::format("perturbed: amplitude = {} is not finite and >= 0", amplitude));
+        throw InvalidInput(fmt::format(
+            "perturbed: amplitude = {}: expected a finite number of at least 0", amplitude));
     Random random(seed);
     for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
         for (Eigen::Index k = 0; k < mesh.points.cols(); ++k)
@@ -31,7 +31,9 @@ namespace {
 void check_tags(const Mesh& mesh, const char* what) {
     const auto cells = static_cast<std::size_t>(mesh.simplices.rows());
     if (!mesh.tags.empty() && mesh.tags.size() != cells)
-        throw InvalidInput(fmt::format("{}: {} tags for {} cells", what, mesh.tags.size(), cells));
+        throw InvalidInput(
+            fmt::format("{}: {} tags are given for {} cells: expected one for each, or none", what,
+                        mesh.tags.size(), cells));
     check_facet_tags(mesh);
 }
 

@@ -87,8 +87,8 @@ double least_parts(const DenseMatrix& squares, double limit) {
 }
 
 [[noreturn]] void refuse(double longest, const char* relation, double simplices) {
-    throw InvalidInput(fmt::format("edges of at most {:g}: {} {:.3g} simplices would come out; "
-                                   "expected a length for which at most {:.3g} do",
+    throw InvalidInput(fmt::format("edges of at most {:g} would give {} {:.3g} simplices; expected "
+                                   "at most {:.3g}: choose a greater length",
                                    longest, relation, simplices, most_simplices));
 }
 
@@ -136,8 +136,8 @@ Refining::Refining(const LengthMesh& mesh, const Simplices& rows, std::vector<In
       of_corners_(static_cast<Index>(vertices.size())),
       vertices_(std::move(vertices)) {
     if (!(longest > 0) || !std::isfinite(longest))
-        throw InvalidInput(
-            fmt::format("edges of at most {:g}: expected a positive number", longest));
+        throw InvalidInput(fmt::format(
+            "the length of edges is at most {:g}: expected a positive number", longest));
     for (Index e = 0; e < mesh.edges.rows(); ++e)
         squares_[key(mesh.edges(e, 0), mesh.edges(e, 1))] = std::pow(mesh.lengths[e] / unit_, 2);
     double least = 0;

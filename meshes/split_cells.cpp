@@ -158,11 +158,12 @@ Mesh split_solids(PolygonMesh cells, int dimension) {
         const auto corners = corners_of(cells.corners, cells.offsets, cell);
         const auto* const shape = cell_shape(dimension, corners.size());
         if (shape == nullptr) {
-            throw InvalidInput(fmt::format("cell {} has {} corners; expected {} of a simplex, or "
-                                           "those of a pyramid (5), wedge (6), hexahedron (8) or "
-                                           "prism (10, 12) in space; split it before",
-                                           cell, corners.size(), dimension + 1),
-                               {.degree = dimension, .cells = {static_cast<Index>(cell)}});
+            throw InvalidInput(
+                fmt::format(
+                    "cell {} has {} corners; expected {} (simplex) or, in space, 5 (pyramid), 6 "
+                    "(wedge), 8 (hexahedron), 10 or 12 (prism); split the cell first",
+                    cell, corners.size(), dimension + 1),
+                {.degree = dimension, .cells = {static_cast<Index>(cell)}});
         }
         const auto before = simplices.size();
         pull_cell(*shape, corners, simplices);
@@ -181,12 +182,12 @@ Mesh split_solids(PolygonMesh cells, int dimension) {
     mesh.simplices = simplices_of(simplices, dimension);
     if (split.count > 0) {
         mesh.warnings.push_back(fmt::format(
-            "{} other than tetrahedra split into tetrahedra, the first is cell {}",
+            "split {} into tetrahedra; the first is cell {}",
             split.count == 1 ? "1 solid" : fmt::format("{} solids", split.count), split.first));
     }
     if (flat.count > 0) {
         mesh.warnings.push_back(fmt::format(
-            "{} with too few different corners left out, the first is cell {}",
+            "left out {} with too few different corners; the first is cell {}",
             flat.count == 1 ? "1 solid" : fmt::format("{} solids", flat.count), flat.first));
     }
     return mesh;

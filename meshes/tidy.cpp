@@ -53,13 +53,13 @@ void check_mesh(const Mesh& mesh) {
                                        n, n, N));
     const auto cells = static_cast<std::size_t>(mesh.simplices.rows());
     if (!mesh.tags.empty() && mesh.tags.size() != cells)
-        throw InvalidInput(fmt::format("there are {} tags for {} cells; give every cell one, or "
-                                       "none at all",
-                                       mesh.tags.size(), cells));
+        throw InvalidInput(
+            fmt::format("{} tags are given for {} cells; expected one for each cell, or none",
+                        mesh.tags.size(), cells));
     check_facet_tags(mesh);
     for (Index v = 0; v < mesh.points.rows(); ++v)
         if (!mesh.points.row(v).allFinite())
-            throw InvalidInput(fmt::format("vertex {} is not at a finite place: {}\n"
+            throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite: {}\n"
                                            "Give it finite coordinates.",
                                            v, place(mesh, v)),
                                {.vertices = {v}});
@@ -67,7 +67,8 @@ void check_mesh(const Mesh& mesh) {
         const auto vertices = mesh.simplices.row(cell);
         if (vertices.minCoeff() < 0 || vertices.maxCoeff() >= mesh.points.rows())
             throw InvalidInput(
-                fmt::format("cell {} (vertices {}) names a vertex that is not among the {} given\n"
+                fmt::format("cell {} (vertices {}) has a vertex that is not among the {} vertices "
+                            "of the mesh\n"
                             "Vertices are numbered from 0.",
                             cell, vertices_of(mesh, cell), mesh.points.rows()),
                 {.degree = n, .cells = {cell}, .vertices = {vertices.begin(), vertices.end()}});
@@ -180,15 +181,14 @@ std::string remedy(const Mesh& mesh, Index cell) {
                            "use one number for both.",
                            shortest.a, shortest.b, place(mesh, shortest.a));
     if (mesh.dimension() > 2)
-        return fmt::format("Its vertices lie in one {}: move one of them, or exchange the cell and "
-                           "its neighbors for others.",
-                           mesh.dimension() == 3 ? "plane" : "hyperplane");
+        return fmt::format(
+            "Its vertices lie in one {}: move one of them, or replace the cell and its neighbors.",
+            mesh.dimension() == 3 ? "plane" : "hyperplane");
 
     const Index middle = mesh.simplices.row(cell).sum() - longest.a - longest.b;
-    return fmt::format(
-        "Its vertex {} at {} lies on its edge from {} to {}: flip that edge, or leave "
-        "the cell out and split its neighbor behind that edge at the vertex.",
-        middle, place(mesh, middle), longest.a, longest.b);
+    return fmt::format("Its vertex {} at {} lies on its edge from {} to {}: flip that edge, or "
+                       "remove the cell and split the neighbor across that edge at the vertex.",
+                       middle, place(mesh, middle), longest.a, longest.b);
 }
 
 /// Leaves out those that bind no neighbors together; the others are returned.
@@ -210,7 +210,7 @@ FlatCellsKept sift(Sieve& sieve) {
     std::iota(sieve.numbers.begin(), sieve.numbers.end(), 0);
     leave_out(sieve, with_repeated_corner(sieve.mesh.simplices), "with a repeated corner");
     leave_out(sieve, duplicates(sieve.mesh.simplices, static_cast<Index>(sieve.mesh.points.rows())),
-              "on the vertices of an earlier one");
+              "with the same vertices as an earlier cell");
     return leave_out_flat_cells(sieve);
 }
 
@@ -244,7 +244,7 @@ namespace {
 /// What else there is for cells without volume.
 const char* other_remedy(const Mesh& mesh) {
     if (mesh.dimension() == 2)
-        return " Intrinsic flips can do with such cells (DiscretizeOptions::delaunay).";
+        return " Intrinsic flips can handle such cells (DiscretizeOptions::delaunay).";
     return mesh.ambient_dimension() == mesh.dimension()
                ? " Flat cells on the boundary can be peeled off (peeled(mesh))."
                : "";
@@ -266,10 +266,11 @@ void refuse(const Mesh& mesh, const FlatCellsKept& cells) {
                              }));
     const auto corners = mesh.simplices.row(first);
     throw InvalidInput(
-        fmt::format("cell {} (vertices {}) has no {}, and without it its neighbors would come "
-                    "apart.\n{}{}{}",
-                    numbers.front(), vertices_of(mesh, first), measure(mesh), remedy(mesh, first),
-                    other_remedy(mesh), others),
+        fmt::format(
+            "cell {} (vertices {}) has no {}, and its neighbors would come apart without it.\n"
+            "{}{}{}",
+            numbers.front(), vertices_of(mesh, first), measure(mesh), remedy(mesh, first),
+            other_remedy(mesh), others),
         {.degree = mesh.dimension(),
          .cells = numbers,
          .vertices = {corners.begin(), corners.end()}});

@@ -89,8 +89,8 @@ std::optional<double> in_input_units(double value, double unit, double power) {
 namespace {
 
 [[noreturn]] void refuse(double value, double unit, double power, std::string_view what) {
-    throw InvalidInput(fmt::format("{}: {:.3g} times the power {} of {:.3g} is no number of "
-                                   "double precision; scale the mesh to a size nearer to 1",
+    throw InvalidInput(fmt::format("{0}: {1:.3g} times {3:.3g}^{2} is outside the range of double "
+                                   "precision; scale the mesh to a size nearer to 1",
                                    what, value, power, unit));
 }
 

@@ -289,9 +289,9 @@ private:
 
 double checked_length(double length) {
     if (!(length >= 0) || !std::isfinite(length))
-        throw InvalidInput(fmt::format(
-            "vertices at most {} apart are to be joined: expected a finite length of at least 0",
-            length));
+        throw InvalidInput(fmt::format("the length within which vertices are joined is {}: "
+                                       "expected a finite number of at least 0",
+                                       length));
     return length;
 }
 

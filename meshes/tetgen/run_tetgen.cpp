@@ -100,9 +100,8 @@ void refuse_crossing_facets(const TetgenRun& run) {
                              facet_name(run.input.given, pairs[i].second));
     }
     throw InvalidInput(
-        fmt::format("mesher: {} {} of facets cross or overlap: {}{}\nThe facets must "
-                    "meet in common corners and edges only: take the surface apart "
-                    "there and join it anew.",
+        fmt::format("mesher: {} {} of facets cross or overlap: {}{}\n"
+                    "Facets may meet only in common corners and edges: repair the surface there.",
                     pairs.size(), pairs.size() == 1 ? "pair" : "pairs", names,
                     pairs.size() > most ? " .." : ""));
 }
@@ -110,12 +109,12 @@ void refuse_crossing_facets(const TetgenRun& run) {
 [[noreturn]] void fail(const TetgenRun& run, const ChildOutcome& outcome) {
     const auto& options = run.options;
     if (outcome.end == ChildEnd::interrupted)
-        throw SolverFailure("tetgen was stopped, as this program was asked to end");
+        throw SolverFailure("tetgen was stopped because this program received a signal to end");
     if (outcome.end == ChildEnd::timed_out) {
-        throw SolverFailure(fmt::format("tetgen was stopped, as it was not done within {} seconds\n"
-                                        "Allow more time, or ask for larger tetrahedra or less "
-                                        "quality.",
-                                        options.seconds));
+        throw SolverFailure(
+            fmt::format("tetgen was stopped because it did not finish within {} seconds\n"
+                        "Allow more time, larger tetrahedra or less quality.",
+                        options.seconds));
     }
 
     refuse_crossing_facets(run);
@@ -126,16 +125,16 @@ void refuse_crossing_facets(const TetgenRun& run) {
     const bool no_memory = outcome.output.find("bad_alloc") != std::string::npos ||
                            outcome.peak_bytes > options.bytes / 2;
     if (was_killed && (file_too_long || no_memory)) {
-        throw SolverFailure(fmt::format("tetgen gave up, most likely at the limit of {} of memory; "
-                                        "it had {}\nAllow more, or ask for larger tetrahedra or "
-                                        "less quality.",
-                                        in_gibibytes(options.bytes),
-                                        in_gibibytes(outcome.peak_bytes)));
+        throw SolverFailure(
+            fmt::format("tetgen failed, probably at its memory limit of {}; it used {}\n"
+                        "Allow more memory, larger tetrahedra or less quality.",
+                        in_gibibytes(options.bytes), in_gibibytes(outcome.peak_bytes)));
     }
     const auto words = last_words(outcome.output);
     throw SolverFailure(
-        fmt::format("tetgen {} {}{}\nProbable cause: facets that almost touch, points that are "
-                    "almost equal, angles near 0, or too little memory; mend the surface there.",
+        fmt::format("tetgen {} {}{}\n"
+                    "Probable cause: facets that almost touch, points that are almost equal, "
+                    "angles near 0, or too little memory; repair the surface.",
                     was_killed ? "was ended by a signal," : "ended with exit code",
                     was_killed ? ::strsignal(outcome.code) : fmt::format("{}", outcome.code),
                     words.empty() ? "" : ", saying: " + words));
@@ -145,8 +144,8 @@ void refuse_crossing_facets(const TetgenRun& run) {
     refuse_crossing_facets(run);
     throw SolverFailure(fmt::format("tetgen made no tetrahedra\nProbable cause: {}.",
                                     run.input.holes.rows() > 0
-                                        ? "the holes take everything away"
-                                        : "the points are almost in one plane"));
+                                        ? "the holes remove everything"
+                                        : "the points lie almost in one plane"));
 }
 
 /// TetGen orients all tetrahedra alike, and the sum tells how, whatever rounding does to flat ones.

@@ -51,7 +51,7 @@ public:
         const auto most =
             std::min<std::size_t>(text_.size() / (2 * width), std::numeric_limits<Index>::max());
         if (rows < 0 || std::cmp_greater(rows, most))
-            malformed(fmt::format("it promises {} rows in {} bytes", rows, text_.size()));
+            malformed(fmt::format("it announces {} rows, but has {} bytes", rows, text_.size()));
         return static_cast<Index>(rows);
     }
 
@@ -59,7 +59,7 @@ public:
     std::size_t extras() {
         const auto number = next<long long>();
         if (number < 0 || std::cmp_greater(number, text_.size()))
-            malformed(fmt::format("it promises {} numbers more in a row", number));
+            malformed(fmt::format("it announces {} more numbers in each row", number));
         return static_cast<std::size_t>(number);
     }
 
@@ -75,13 +75,14 @@ public:
         const auto rest = text_.find_first_not_of(" \t\r\n", at_);
         const bool is_comment = rest == std::string::npos || text_[rest] == '#';
         if (line == text_.size() || !is_comment || text_.back() != '\n')
-            malformed(fmt::format("it does not end after {} bytes, with its last row", at_));
+            malformed(fmt::format("its last row ends after {} bytes, but the file does not", at_));
     }
 
     [[noreturn]] void malformed(const std::string& what) const {
-        throw SolverFailure(fmt::format("tetgen wrote a file {} that makes no sense: {}\n"
-                                        "Is the program of that name on PATH the mesher?",
-                                        name_, what));
+        throw SolverFailure(
+            fmt::format("tetgen wrote an invalid file {}: {}\n"
+                        "Check that the program tetgen on PATH is the mesher TetGen.",
+                        name_, what));
     }
 
 private:
@@ -96,10 +97,10 @@ std::string Numbers::read_regular_file(const std::filesystem::path& path) const 
     try {
         const RegularFile file(path, RegularFile::Links::refused);
         if (!file.is_regular())
-            malformed("it is no regular file");
+            malformed("it is not a regular file");
         auto text = file.read();
         if (text.size() < file.size())
-            malformed("it cannot be read to its end");
+            malformed("it cannot be read to the end");
         return text;
     } catch (const IoError& error) {
         malformed(fmt::format("it cannot be read: {}", error.what()));

@@ -18,9 +18,8 @@ constexpr double winding_tolerance = 1e-6; // of holes that are off the surface
 
 void check_finite(const Points& points, const char* kind) {
     if (points.rows() > 0 && points.cols() != 3) {
-        throw InvalidInput(fmt::format("mesher: a {} has {} coordinates; tetrahedra are made in "
-                                       "three",
-                                       kind, points.cols()));
+        throw InvalidInput(
+            fmt::format("mesher: a {} has {} coordinates; expected three", kind, points.cols()));
     }
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
         if (!points.row(i).allFinite()) {
@@ -43,8 +42,8 @@ void check_corners(const Mesh& surface) {
         for (int j = 0; j < 3; ++j) {
             const Index corner = given(f, j);
             if (corner < 0 || corner >= surface.points.rows()) {
-                refuse(fmt::format("mesher: facet {} has the corner {}, but the points are 0 to {}",
-                                   f, corner, surface.points.rows() - 1),
+                refuse(fmt::format("mesher: facet {} has the corner {}; expected 0 to {}", f,
+                                   corner, surface.points.rows() - 1),
                        given, f);
             }
             if (corner == given(f, (j + 1) % 3)) {
@@ -112,7 +111,7 @@ void check_not_coplanar(const TetgenInput& input) {
             return input.vertices[static_cast<std::size_t>(i)];
         };
         throw InvalidInput(fmt::format("mesher: all {} points lie in the plane through points {}, "
-                                       "{} and {}: a volume needs points off it",
+                                       "{} and {}: expected a point off this plane",
                                        off.rows(), name(0), name(second), name(third)));
     }
 }
@@ -127,16 +126,18 @@ void check_closed(const TetgenInput& input) {
                                  input.vertices[static_cast<std::size_t>(odd[i].high)],
                                  odd[i].triangles, odd[i].first);
         }
-        throw InvalidInput(fmt::format(
-            "mesher: the surface is not closed: each edge must be in two facets, but {} of them {} "
-            "not\n{}{}\nClose the gaps, and take away facets that hang on or come twice.",
-            odd.size(), odd.size() == 1 ? "is" : "are", names, odd.size() > 3 ? " .." : ""));
+        throw InvalidInput(fmt::format("mesher: the surface is not closed: each edge must be in "
+                                       "two facets, but {} of them {} not\n"
+                                       "{}{}\n"
+                                       "Close the gaps, and remove dangling and repeated facets.",
+                                       odd.size(), odd.size() == 1 ? "is" : "are", names,
+                                       odd.size() > 3 ? " .." : ""));
     }
 }
 
 void check_sides(const TetgenInput& input) {
     if (const Index f = input.surface.twisted; f >= 0) {
-        refuse(fmt::format("mesher: the surface at facet {} has one side only and encloses nothing",
+        refuse(fmt::format("mesher: the surface at facet {} has only one side and encloses nothing",
                            facet_name(input.given, f)),
                input.given, f);
     }
@@ -163,9 +164,8 @@ void empty_holes(TetgenInput& input) {
                 innermost = part;
         }
         if (innermost == volumes.size()) {
-            throw InvalidInput(fmt::format("mesher: hole {} is outside of all surfaces: move it to "
-                                           "the inside of the part that is to stay empty, or take "
-                                           "it away",
+            throw InvalidInput(fmt::format("mesher: hole {} is outside all surfaces: move it "
+                                           "inside the part to leave empty, or remove it",
                                            hole));
         }
         input.filled[innermost] = false;

@@ -21,8 +21,8 @@ namespace {
 constexpr double patch_tolerance = 10 * plane_tolerance;
 
 [[noreturn]] void refuse_output(const std::string& what) {
-    throw SolverFailure(fmt::format("what tetgen made is not the mesh that was asked for: {}\n"
-                                    "Is the program of that name on PATH the mesher?",
+    throw SolverFailure(fmt::format("tetgen did not return the requested mesh: {}\n"
+                                    "Check that the program tetgen on PATH is the mesher TetGen.",
                                     what));
 }
 
@@ -53,8 +53,9 @@ void check_points_kept(const TetgenInput& input, const TetgenOutput& output) {
         const auto given = input.points.row(i);
         if (i >= output.points.rows() || output.points.row(i) != given) {
             throw SolverFailure(fmt::format(
-                "tetgen left out point {} at ({}, {}, {})\nProbable cause: it is nearer to another "
-                "point than 1e-8 of the whole, or within a hole; join it or move it.",
+                "tetgen left out point {} at ({}, {}, {})\n"
+                "Probable cause: its distance from another point is below 1e-8 of the size of the "
+                "whole, or it lies in a hole; join it or move it.",
                 input.vertices[static_cast<std::size_t>(i)], std::ldexp(given[0], input.exponent),
                 std::ldexp(given[1], input.exponent), std::ldexp(given[2], input.exponent)));
         }
@@ -93,9 +94,9 @@ void check_planes(const TetgenInput& input, const TetgenOutput& output) {
         found[patch] += triangle_plane(output.points, output.faces, i).area;
         for (const Index corner : output.faces.row(i)) {
             if (plane.height(output.points.row(corner)) > patch_tolerance * plane.size) {
-                refuse_output(fmt::format("point {} is said to be on facet {}, but is off its "
-                                          "plane",
-                                          corner, facet_name(input.given, facet)));
+                refuse_output(fmt::format(
+                    "tetgen reports point {} on facet {}, but the point is off its plane", corner,
+                    facet_name(input.given, facet)));
             }
         }
     }
@@ -130,7 +131,7 @@ void check_parts(const TetgenInput& input, const TetgenOutput& output, const Clo
         there = part;
     }
     if (!fits)
-        refuse_output("the faces on the facets make other surfaces than the facets");
+        refuse_output("the faces on the facets form other surfaces than the facets");
 }
 
 /// Where tetrahedra are.
@@ -203,7 +204,7 @@ double check_filled(const TetgenInput& input, const TetgenOutput& output,
         shares[part] = static_cast<int>(inner) - static_cast<int>(outer);
     }
     if (filling.ends_elsewhere)
-        refuse_output("there are faces on the boundary that are on no facet");
+        refuse_output("some faces of the boundary lie on no facet");
     double volume = 0.0;
     for (std::size_t part = 0; part < shares.size(); ++part)
         volume += shares[part] * input.surface.volumes[part];
@@ -221,8 +222,8 @@ void check_tetgen_output(const TetgenInput& input, const TetgenOutput& output) {
     check_parts(input, output, faces);
     const double enclosed = check_filled(input, output, faces);
     if (!(std::abs(enclosed - volume) <= patch_tolerance * input.surface.reach)) {
-        refuse_output(fmt::format("the tetrahedra have the volume {:.12g}, and {:.12g} is "
-                                  "enclosed, in units of a power of two near the size of the whole",
+        refuse_output(fmt::format("the tetrahedra have volume {:.12g}, but the surface encloses "
+                                  "{:.12g}, in units of a power of two near the size of the whole",
                                   volume, enclosed));
     }
 }

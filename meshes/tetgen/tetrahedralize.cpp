@@ -19,10 +19,10 @@ void check_mesher_options(const MesherOptions& options) {
     const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
     if (options.quality != 0.0 &&
         !(positive(options.quality) && options.quality >= least_quality)) {
-        throw InvalidInput(fmt::format("mesher: no tetrahedron has a circumradius of {} shortest "
-                                       "edges, 0.613 is the least: ask for a quality of 1.2 or "
-                                       "more, or 0 for none",
-                                       options.quality));
+        throw InvalidInput(
+            fmt::format("mesher: quality {} is out of range: the ratio of circumradius to shortest "
+                        "edge is at least 0.613; choose 1.2 or more, or 0 for no bound",
+                        options.quality));
     }
     if (options.largest_volume != 0.0 && !positive(options.largest_volume)) {
         throw InvalidInput(fmt::format("mesher: the largest volume {} is not positive; 0 means no "
@@ -30,8 +30,9 @@ void check_mesher_options(const MesherOptions& options) {
                                        options.largest_volume));
     }
     if (!positive(options.seconds) || options.bytes == 0) {
-        throw InvalidInput(fmt::format("mesher: {} seconds and {} bytes leave no room to work",
-                                       options.seconds, options.bytes));
+        throw InvalidInput(
+            fmt::format("mesher: the limits are {} seconds and {} bytes; expected positive numbers",
+                        options.seconds, options.bytes));
     }
 }
 
@@ -62,7 +63,7 @@ void warn_of_quality(Mesh& mesh, double bound) {
     if (missed > 0) {
         mesh.warnings.push_back(
             fmt::format("{} of {} tetrahedra miss the quality {}, the worst has {:.4g}: the "
-                        "surface is sharp or its boundary may not be split",
+                        "surface has sharp angles, or its facets must not be split",
                         missed, mesh.simplices.rows(), bound, worst));
     }
 }
@@ -72,8 +73,8 @@ void warn_of_quality(Mesh& mesh, double bound) {
 Mesh tetrahedralize(const Mesh& surface, const MesherOptions& options, const Points& holes) {
     if (surface.dimension() != 2 || surface.ambient_dimension() != 3 ||
         surface.simplices.rows() == 0) {
-        throw InvalidInput(fmt::format("tetrahedra are made within surfaces of triangles in three "
-                                       "coordinates; this mesh has {} cells of dimension {} in {}",
+        throw InvalidInput(fmt::format("expected a surface of triangles in three coordinates; this "
+                                       "mesh has {} cells of dimension {} in {} coordinates",
                                        surface.simplices.rows(), surface.dimension(),
                                        surface.ambient_dimension()));
     }
@@ -87,7 +88,7 @@ Mesh tetrahedralize(const Mesh& surface, const MesherOptions& options, const Poi
     mesh.points.topRows(input.points.rows()) = surface.points(input.vertices, Eigen::all);
     mesh.simplices = std::move(output.tetrahedra);
     if (const auto isolated = surface.points.rows() - input.points.rows(); isolated > 0) {
-        mesh.warnings.push_back(fmt::format("left out {} {} of no triangle", isolated,
+        mesh.warnings.push_back(fmt::format("left out {} {} without a triangle", isolated,
                                             isolated == 1 ? "vertex" : "vertices"));
     }
     if (options.quality > 0.0)

@@ -172,7 +172,7 @@ TEST(JoinHanging, cells_with_smaller_ones_on_several_sides_get_a_vertex_inside) 
             EXPECT_EQ(euler_characteristic(joined.mesh), 1);
         }
     const Joined joined = join_hanging(mesh);
-    EXPECT_TRUE(says(joined.mesh.warnings.back(), {"split 6 cells", "new vertices inside 6"}));
+    EXPECT_TRUE(says(joined.mesh.warnings.back(), {"split 6 cells", "new vertex inside 6"}));
     EXPECT_GT(joined.mesh.points.rows(),
               1 + *std::max_element(joined.vertices.begin(), joined.vertices.end()));
 }

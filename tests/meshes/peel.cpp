@@ -84,7 +84,7 @@ TEST(Peeling, leaves_thin_layers_and_meshes_without_flat_cells) {
 
 TEST(Peeling, is_of_solids_alone) {
     EXPECT_TRUE(
-        says(refusal([] { peeled(uv_sphere(6, 4)); }), {"dimension 2", "3 coordinates", "peeled"}));
+        says(refusal([] { peeled(uv_sphere(6, 4)); }), {"peel", "dimension 2", "3 coordinates"}));
 }
 
 TEST(PeelingBroken, without_it_hull_cells_would_stay) {

@@ -22,7 +22,7 @@ std::string verdict_on(const Mesh& surface, TetgenOutput output,
     const auto input = tetgen_input(surface, holes);
     output.points *= std::ldexp(1.0, -input.exponent);
     const auto text = message_of<SolverFailure>([&] { check_tetgen_output(input, output); });
-    const std::string begin = "what tetgen made is not the mesh that was asked for: ";
+    const std::string begin = "tetgen did not return the requested mesh: ";
     return text.substr(0, begin.size()) == begin
                ? text.substr(begin.size(), text.find('\n') - begin.size())
                : text;

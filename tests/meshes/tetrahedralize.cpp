@@ -187,9 +187,9 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, Tetrahedralize, testing::ValuesIn(cases),
 
 TEST(TetrahedralizeErrors, what_is_no_closed_surface_is_refused) {
     EXPECT_TRUE(says(refusal([] { tetrahedralize(kuhn(3, 1)); }),
-                     {"tetrahedra", "surfaces", "6 cells", "dimension 3", "3"}));
+                     {"surface of triangles", "6 cells", "dimension 3", "3"}));
     EXPECT_TRUE(says(refusal([] { tetrahedralize(grid(2, 2)); }),
-                     {"tetrahedra", "surfaces", "8 cells", "dimension 2", "2"}));
+                     {"surface of triangles", "8 cells", "dimension 2", "2"}));
     Mesh open = cube();
     open.simplices.conservativeResize(11, 3);
     EXPECT_TRUE(says(refusal([&] { tetrahedralize(open); }),

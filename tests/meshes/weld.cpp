@@ -228,7 +228,8 @@ TEST(Weld, turns_no_cell_over) {
 TEST(Weld, refuses_what_makes_no_sense) {
     for (const double wrong :
          {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-        EXPECT_TRUE(says(refusal([&] { weld(grid(1, 1), wrong); }), {"joined", "length"}));
+        EXPECT_TRUE(
+            says(refusal([&] { weld(grid(1, 1), wrong); }), {"length", "joined", "finite"}));
     Mesh mesh = grid(1, 1);
     mesh.simplices(1, 2) = 4;
     EXPECT_TRUE(says(refusal([&] { weld(mesh); }), {"cell 1", "4"}));

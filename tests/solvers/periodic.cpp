@@ -230,7 +230,7 @@ TEST(Glue, makes_a_cone_of_a_wedge) {
 
 TEST(PeriodicErrors, name_the_cell_or_the_translation) {
     EXPECT_TRUE(says(refusal([] { periodic(grid(2, 2), unit_translations(2)); }),
-                     {"cell 4", "corners of another", "simplicial"}));
+                     {"cell 4", "same corners as another", "simplicial"}));
     EXPECT_TRUE(says(refusal([] {
                          periodic(grid(1, 3), {Vector{{1, 0}}});
                      }),
@@ -249,7 +249,7 @@ TEST(PeriodicErrors, name_the_cell_or_the_translation) {
                                   return Vector{{x[0] + 1, 1 - x[1], x[2]}};
                               }});
                      }),
-                     {"isometry 0", "edge", "none"}));
+                     {"isometry 0", "edge", "no edge"}));
     EXPECT_TRUE(says(refusal([] {
                          periodic(grid(3, 3), {Vector{{2, 0}}});
                      }),

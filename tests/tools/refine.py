@@ -66,7 +66,7 @@ class Refine(TestCase):
         for length in (0, -1):
             self.assertSays(self.fail_with(2, "info", golden("grid4.nsc"), "--refine", length), "positive")
         self.assertSays(self.fail_with(2, "info", golden("grid4.nsc"), "--refine", 1e-9),
-                        "simplices would come out", "1e+08")
+                        "would give", "simplices", "1e+08")
 
 
 if __name__ == "__main__":
