@@ -155,10 +155,9 @@ std::vector<std::string> warning_of_negative_duals(const Cells& cells, int k,
     const auto count = cells.stars()[k].negatives().size();
     if (count == 0)
         return {};
-    return {fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay there): "
-                        "{}; take {}",
-                        count, k, count == 1 ? "has" : "have", consequence,
-                        positive_stars(cells.dimension()))};
+    return {fmt::format(
+        "{} of the {}-cells {} a negative dual (the mesh is not Delaunay there): {}; use {}", count,
+        k, count == 1 ? "has" : "have", consequence, positive_stars(cells.dimension()))};
 }
 
 void warn_of_hybrid_stars(const SimplicialComplex& input, const Vector& lengths,
@@ -171,8 +170,8 @@ void warn_of_hybrid_stars(const SimplicialComplex& input, const Vector& lengths,
     if (count == 0 || !options.centers.are_circumcenters())
         return;
     if (const Remedy cure = remedy(input, lengths, options); cure != Remedy::stars)
-        warnings.push_back(fmt::format("{} dual edge{} negative, so stars are hybrid and answers "
-                                       "less accurate than they can be: add {}",
+        warnings.push_back(fmt::format("{} dual edge{} negative, so the stars are hybrid and the "
+                                       "answers less accurate than possible: add {}",
                                        count, count == 1 ? " is" : "s are", option(cure)));
 }
 

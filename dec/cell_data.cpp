@@ -46,11 +46,10 @@ std::vector<Index> numbers_of_simplices(const Discretization& mesh) {
     throw InvalidInput(
         fmt::format("the {} of the input's {}-cells {} and {} differ, but {}: {}", what,
                     mesh.dimension(), first, other,
-                    flips ? "edges were flipped, which joins parts of different cells"
+                    flips ? "flipped triangles join parts of different cells"
                           : "they are parts of one merged cell",
-                    flips ? "do without flips, or give a number for each n-cell "
-                            "(CellData::on_cells)"
-                          : "keep them apart by their tags (Materials::keep_apart), merge nothing "
+                    flips ? "omit the flips, or give a number for each n-cell (CellData::on_cells)"
+                          : "keep them apart by their tags (Materials::keep_apart), merge no cells "
                             "(MergeCriterion::none), or give a number for each merged cell "
                             "(CellData::on_cells)"),
         {.degree = mesh.dimension(), .cells = {first, other}});

@@ -34,8 +34,8 @@ std::vector<bool> staying_facets(const SimplicialComplex& complex, const std::ve
     if (options.materials == Materials::join || (tags.empty() && facet_tags.empty()))
         return {};
     if (options.delaunay != Delaunay::off)
-        throw InvalidInput("materials are to be kept apart, but flips join triangles of different "
-                           "groups: do without one of them");
+        throw InvalidInput("flips join triangles of different groups, but groups must stay apart "
+                           "here: omit the flips, or let materials join");
     const int n = complex.dimension();
     std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
     const Cofaces cofaces(complex, n);
@@ -53,8 +53,8 @@ std::vector<bool> staying_facets(const SimplicialComplex& complex, const std::ve
 IntrinsicDelaunay flipped(const SimplicialComplex& complex, Vector lengths,
                           const DiscretizeOptions& options) {
     if (options.criterion == MergeCriterion::angle)
-        throw InvalidInput("intrinsic flips go with the relative dual length, not with the test of "
-                           "opposite angles: leave out the angle tolerance");
+        throw InvalidInput("intrinsic flips need merging by relative dual length, not by opposite "
+                           "angles: omit the angle tolerance");
     const auto boundary =
         options.delaunay == Delaunay::flips_and_splits ? BoundaryEdges::split : BoundaryEdges::keep;
     return intrinsic_delaunay(GluedSurface(complex), std::move(lengths),
@@ -156,8 +156,8 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     if (!options.centers.are_circumcenters()) {
         options.criterion = MergeCriterion::none;
         if (options.delaunay != Delaunay::off)
-            throw InvalidInput("flips make duals between circumcenters positive, and other centers "
-                               "belong to the simplices before them: do without one of them");
+            throw InvalidInput("flips need circumcenters, but other centers are given: omit the "
+                               "flips or the centers");
     }
     warn_of_orientation(complex.turned(), complex.size(complex.dimension()), complex.orientable(),
                         mesh.warnings);
@@ -183,7 +183,8 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     if (!merged.geometry.flat().empty())
         input = merged.geometry; // on their own, flat simplices have no duals
     if (flips && !mesh.tags.empty())
-        mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
+        mesh.warnings.emplace_back(
+            "left out the tags, because flips join triangles of different groups");
     std::vector<Index> cell_tags;
     if (!flips) {
         const int n = complex.dimension();
@@ -365,8 +366,8 @@ Discretization discretize(const PeriodicMesh& given, const DiscretizeOptions& op
     for (Index& v : about.facet_tags.simplices.reshaped())
         v = mesh.vertices[v];
     if (options.delaunay != Delaunay::off)
-        about.warnings.emplace_back("edges of a glued mesh were flipped: only lengths are known of "
-                                    "it, and no places in its box");
+        about.warnings.emplace_back("edges of a glued mesh were flipped: only its lengths are "
+                                    "known, no positions in its box");
     const Discretization result = of_lengths(mesh.quotient, std::move(about), options, stage);
     return result.passage().is_identity()
                ? result.with_box(std::make_shared<const GluedBox>(mesh, result))

@@ -35,8 +35,9 @@ std::vector<Index> cells_of_vertices(const Discretization& mesh, std::string_vie
         const Index count = count_vertices(mesh);
         const auto flaw =
             vertex < 0 || vertex >= count
-                ? fmt::format("there is no such vertex; they are numbered from 0 to {}", count - 1)
-                : "no cell uses this vertex; choose one that a cell has";
+                ? fmt::format("there is no such vertex; vertices are numbered from 0 to {}",
+                              count - 1)
+                : "no cell uses this vertex; choose a vertex of a cell";
         throw InvalidInput(fmt::format("{} {}: {}", what, vertex, flaw), {.vertices = {vertex}});
     }
     return cells;

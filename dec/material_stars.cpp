@@ -158,11 +158,12 @@ Discretization with_material(const Discretization& mesh, int k, const CellData& 
 Discretization with_conductivity(const Discretization& mesh, Side side, const CellData& kappa) {
     const int k = side == Side::primal ? std::min(1, mesh.dimension()) : mesh.dimension() - 1;
     if (mesh.chosen_stars().kind == StarKind::own && !mesh.stars()[k].is_diagonal())
-        throw InvalidInput(fmt::format("conductivities are given beside a star of {}-cells of your "
-                                       "own that is a matrix, of which the cells' parts are not "
-                                       "known: make the star of them (material_star)",
-                                       k),
-                           {.degree = k});
+        throw InvalidInput(
+            fmt::format("conductivities cannot be combined with your own star of {}-cells, a "
+                        "matrix, because the shares of the cells are unknown: compute that star "
+                        "from the conductivities (material_star)",
+                        k),
+            {.degree = k});
     const Vector values = kappa.on(mesh, "conductivity", Range::positive);
     return with_material(
         mesh, k, CellData::on_cells(side == Side::primal ? values : Vector(values.cwiseInverse())));

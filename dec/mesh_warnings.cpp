@@ -15,12 +15,12 @@ namespace polydec {
 void warn_of_orientation(std::int64_t turned, std::int64_t cells, bool orientable,
                          std::vector<std::string>& warnings) {
     if (turned > 0)
-        warnings.push_back(fmt::format("{} of {} cells {} turned to be oriented like {} neighbors",
-                                       turned, cells, turned == 1 ? "was" : "were",
-                                       turned == 1 ? "its" : "their"));
+        warnings.push_back(
+            fmt::format("{} of {} cells {} turned to match the orientation of {} neighbors", turned,
+                        cells, turned == 1 ? "was" : "were", turned == 1 ? "its" : "their"));
     if (!orientable)
         warnings.emplace_back("the mesh is non-orientable: its cells keep the orientation of the "
-                              "input, and operators on dual 0-forms see jumps of sign");
+                              "input, and dual 0-forms change sign across some facets");
 }
 
 void warn_of_branching(std::int64_t facets, std::vector<std::string>& warnings) {
@@ -32,18 +32,18 @@ void warn_of_branching(std::int64_t facets, std::vector<std::string>& warnings) 
 void warn_of_jitter(std::int64_t flat, std::int64_t nearly, double wider,
                     std::vector<std::string>& warnings) {
     if (flat > 0 && nearly > 0)
-        warnings.push_back(fmt::format(
-            "{} flat cell{} on no neighbor's sphere within the tolerance, and the duals of {} "
-            "facets are within a factor 10 of it: if corners are meant to be cospherical, try "
-            "the tolerance {:.0e}",
-            flat, flat == 1 ? " lies" : "s lie", nearly, wider));
+        warnings.push_back(
+            fmt::format("{} flat cell{} on no neighbor's sphere within the tolerance, and the "
+                        "duals of {} facets exceed the tolerance by a factor of at most 10: if "
+                        "corners should be cospherical, try the tolerance {:.0e}",
+                        flat, flat == 1 ? " lies" : "s lie", nearly, wider));
 }
 
 void warn_of_unit(double unit, std::vector<std::string>& warnings) {
     if (unit != 1)
-        warnings.push_back(fmt::format("the lengths of the mesh are far from 1: it is measured in "
-                                       "units of 2^{} = {:.3g}",
-                                       std::ilogb(unit), unit));
+        warnings.push_back(fmt::format(
+            "the lengths of the mesh are far from 1: polydec measures it in units of 2^{} = {:.3g}",
+            std::ilogb(unit), unit));
 }
 
 std::int64_t branching_facets(const SimplicialComplex& complex) {
@@ -56,18 +56,17 @@ void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
     const int n = complex.dimension();
     const auto [folded, wound] = find_overlaps(complex, points);
     if (!folded.empty())
-        warnings.push_back(fmt::format(
-            "the mesh is folded: {} of {} cells lie{} over {} neighbors (vertices {}): what is "
-            "computed is for the folded mesh, not for the region that it covers",
-            folded.size(), complex.size(n), folded.size() == 1 ? "s" : "",
-            folded.size() == 1 ? "its" : "their", listed(folded, [&](Index t) {
-                return fmt::format("{}", fmt::join(complex.vertex_numbers(n, t), " "));
-            })));
+        warnings.push_back(
+            fmt::format("the mesh is folded: {} of {} cells lie{} over {} neighbors (vertices {}): "
+                        "results are for the folded mesh, not for the region that it covers",
+                        folded.size(), complex.size(n), folded.size() == 1 ? "s" : "",
+                        folded.size() == 1 ? "its" : "their", listed(folded, [&](Index t) {
+                            return fmt::format("{}", fmt::join(complex.vertex_numbers(n, t), " "));
+                        })));
     if (!wound.empty())
         warnings.push_back(fmt::format(
             "the mesh overlaps itself: cells around {} lie over each other without a fold (vertex "
-            "{}): what is computed is for the mesh as it is glued, not for the region that it "
-            "covers",
+            "{}): results are for the mesh as glued, not for the region that it covers",
             wound.size() == 1 ? "1 vertex" : fmt::format("{} vertices", wound.size()),
             listed(wound, [&](Index v) { return fmt::format("{}", complex.vertex_number(v)); })));
 }
@@ -84,15 +83,14 @@ void warn_of_unjoined(const UnjoinedBoundary& boundary, int n, std::vector<std::
                 found.size() == 1 ? one : many,
                 listed(found, [](Index v) { return fmt::format("{}", v); }), cure));
     };
-    warn(boundary.coincident, "is at the place of another", "are at the places of others",
-         "weld(mesh) joins vertices at one place");
+    warn(boundary.coincident, "coincides with another", "coincide with others",
+         "weld(mesh) joins coincident vertices");
     warn(boundary.hanging, "hangs inside an edge or facet of a larger cell",
          "hang inside edges or facets of larger cells", remedy);
     if (boundary.misfits > 0 && boundary.hanging.empty())
-        warnings.push_back(
-            fmt::format("{} facets of the boundary lie on others with other corners: "
-                        "the mesh is slit there; {}",
-                        boundary.misfits, remedy));
+        warnings.push_back(fmt::format("{} facets of the boundary lie on facets with other "
+                                       "corners: the mesh is slit there; {}",
+                                       boundary.misfits, remedy));
 }
 
 void warn_of_flips(const IntrinsicStatistics& flips, double unit,

@@ -13,14 +13,14 @@ void check_positive_mass(const HodgeStar& star, Side side, int degree) {
     if (zero.empty() && negative.empty())
         return;
     const auto& bad = negative.empty() ? zero : negative;
-    throw InvalidInput(
-        fmt::format("the mass of {} {}-forms is not positive: the duals of {} of {} {}-cells have "
-                    "{} volume (cells {})\nspectra and decompositions need a positive mass: take "
-                    "dual 0-forms, whose mass are the volumes of the cells, or {}",
-                    name(side), degree, bad.size(), star.size(), star.degree(),
-                    negative.empty() ? "zero" : "negative", star.numbers(bad),
-                    positive_stars(star.dimension())),
-        star.place(bad));
+    throw InvalidInput(fmt::format("the mass of {} {}-forms is not positive: the duals of {} of {} "
+                                   "{}-cells have {} volume (cells {})\n"
+                                   "Spectra and decompositions need a positive mass: use dual "
+                                   "0-forms, whose mass is the volumes of the cells, or {}",
+                                   name(side), degree, bad.size(), star.size(), star.degree(),
+                                   negative.empty() ? "zero" : "negative", star.numbers(bad),
+                                   positive_stars(star.dimension())),
+                       star.place(bad));
 }
 
 Definiteness laplacian_definiteness(const HodgeStars& stars, int k) {

@@ -68,17 +68,16 @@ Vector robin_coefficients(const CellComplex& complex, const BoundaryConditions& 
         if (conditions.at(f) != BoundaryCondition::robin)
             continue;
         if (given.size() != 1 && std::ssize(given) != result.size())
-            throw InvalidInput(fmt::format("{} coefficients of Robin's condition are given: "
-                                           "expected one for all facets, or one for each of the "
-                                           "{} {}-cells",
+            throw InvalidInput(fmt::format("{} Robin coefficients are given: expected one for all "
+                                           "facets, or one for each of the {} {}-cells",
                                            given.size(), result.size(), n - 1));
         result[f] = given.size() == 1 ? given[0] : given[f];
         if (!(result[f] > 0) || !std::isfinite(result[f]))
-            throw InvalidInput(fmt::format("the coefficient of Robin's condition at {}-cell {} is "
-                                           "{}: expected a positive number; 0 is the natural "
-                                           "condition",
-                                           n - 1, f, result[f]),
-                               {.degree = n - 1, .cells = {f}});
+            throw InvalidInput(
+                fmt::format("the Robin coefficient at {}-cell {} is {}: expected a positive "
+                            "number; instead of 0, use the natural condition",
+                            n - 1, f, result[f]),
+                {.degree = n - 1, .cells = {f}});
     }
     return result;
 }
@@ -89,10 +88,11 @@ void refuse_robin(const CellComplex& complex, const BoundaryConditions& conditio
     const int n = complex.dimension();
     for (const auto& [f, cell, outward] : boundary_facets(complex))
         if (conditions.at(f) == BoundaryCondition::robin)
-            throw InvalidInput(fmt::format("facet {} has Robin's condition, which {} cannot have: "
-                                           "PoissonSolver, Diffusion and spectrum can",
-                                           f, what),
-                               {.degree = n - 1, .cells = {f}});
+            throw InvalidInput(
+                fmt::format("facet {} has a Robin condition, which is not supported for {}: use "
+                            "PoissonSolver, Diffusion or spectrum, or another condition",
+                            f, what),
+                {.degree = n - 1, .cells = {f}});
 }
 
 std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
@@ -141,10 +141,10 @@ void require_essential(const CellComplex& complex, const BoundaryConditions& con
     for (const BoundaryFacet& on : boundary)
         any = any || conditions.at(on.facet) == BoundaryCondition::essential;
     if (!any)
-        throw InvalidInput(fmt::format("{} gives values on none of the {} facets of the boundary: "
-                                       "expected some; no condition there is the natural one, and "
-                                       "values inside are those of fixed vertices",
-                                       what, boundary.size()));
+        throw InvalidInput(
+            fmt::format("{} gives values on none of the {} boundary facets: expected at least one; "
+                        "omit it for natural conditions, or fix vertices for values inside",
+                        what, boundary.size()));
 }
 
 BoundaryConditions BoundaryConditions::essential(const std::vector<bool>& marks) const {
@@ -192,8 +192,8 @@ BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coeffic
 CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions) {
     check_facets(complex, conditions);
     if (!conditions.fixed_vertices.empty())
-        throw InvalidInput("values are given at vertices, which primal 0-forms alone can have: "
-                           "give those of other forms on facets of the boundary");
+        throw InvalidInput("values are given at vertices, which only primal 0-forms support: give "
+                           "values of other forms on boundary facets");
     const int n = complex.dimension();
     CellMarks marks;
     for (int k = 0; k <= n; ++k)

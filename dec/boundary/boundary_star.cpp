@@ -85,8 +85,8 @@ SparseMatrix of_own(const Cells& cells, int k, const Vector& of_facets) {
     if (k == cells.dimension() - 1)
         return diagonal(of_facets.cwiseQuotient(cells.stars().volumes().primal(k)));
     if (k > 0)
-        throw InvalidInput(fmt::format("the duals within the boundary of {}-cells of one's own are "
-                                       "not known; give a mesh",
+        throw InvalidInput(fmt::format("dual volumes of {}-cells within the boundary are unknown "
+                                       "without a mesh; give a mesh",
                                        k),
                            {.degree = k});
     return diagonal(cells.shares_of_vertices() * of_facets);

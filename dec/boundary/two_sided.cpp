@@ -40,12 +40,11 @@ bool is_two_sided(const CellComplex& complex) {
 void check_not_branching(const Cells& cells) {
     const int facets = cells.dimension() - 1;
     if (const Index f = branching_facet(cells.complex()); f != none)
-        throw InvalidInput(fmt::format("{} cells meet at {}, so what flows through it is no "
-                                       "difference of two values of a dual 0-form: take primal "
-                                       "0-forms",
-                                       cells.complex().coface_counts(facets)[f],
-                                       cells.name(facets, f)),
-                           cells.place(facets, f));
+        throw InvalidInput(
+            fmt::format("{} cells meet at {}, so the flux through it is not a difference of two "
+                        "values of a dual 0-form: use primal 0-forms",
+                        cells.complex().coface_counts(facets)[f], cells.name(facets, f)),
+            cells.place(facets, f));
 }
 
 void check_two_sided(const Cells& cells) {
@@ -53,7 +52,7 @@ void check_two_sided(const Cells& cells) {
     const int facets = cells.dimension() - 1;
     if (const Index f = clashing_facet(cells.complex()); f != none)
         throw InvalidInput(fmt::format("the mesh is non-orientable, so dual 0-forms change sign "
-                                       "around it, at {}: take primal 0-forms",
+                                       "around it, at {}: use primal 0-forms",
                                        cells.name(facets, f)),
                            cells.place(facets, f));
 }

@@ -133,8 +133,8 @@ Diagnosis diagnose(const Discretization& discretization,
         stage("operators");
     examine_metric(discretization, found);
     if (lacks_numbers(found))
-        found.warnings.emplace_back("volumes that are no numbers of double precision in the units "
-                                    "of the file are left out");
+        found.warnings.emplace_back("left out volumes that are outside the range of double "
+                                    "precision in the units of the file");
     return found;
 }
 

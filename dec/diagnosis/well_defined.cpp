@@ -200,8 +200,8 @@ std::string reason(const OperatorVerdict& verdict) {
     const auto cells = fmt::format("{} of the {}-cells {}", verdict.cells, verdict.cell_degree,
                                    verdict.cells == 1 ? "has" : "have");
     return verdict.verdict == WellDefined::no
-               ? fmt::format("{} a dual without extent, by which it divides", cells)
-               : fmt::format("{} the dual of another one", cells);
+               ? fmt::format("it divides by dual volumes, and {} a dual without volume", cells)
+               : fmt::format("{} the same dual as another", cells);
 }
 
 std::vector<SpectrumVerdict> spectrum_verdicts(const HodgeStars& stars) {
@@ -218,7 +218,8 @@ std::vector<SpectrumVerdict> spectrum_verdicts(const HodgeStars& stars) {
         const bool empty = stars[k].size() == 0;
         verdict.exists = !empty && zero[k] == 0 && negative[k] == 0 && (k == 0 || zero[k - 1] == 0);
         if (empty)
-            verdict.reason = fmt::format("no {}-cell has a value that is not given", k);
+            verdict.reason =
+                fmt::format("no {}-cell has a free value: the conditions give all values", k);
         else if (negative[k] > 0)
             verdict.reason = fmt::format("the mass is not positive: {} a negative dual",
                                          cells_with(negative[k], k));
@@ -230,11 +231,12 @@ std::vector<SpectrumVerdict> spectrum_verdicts(const HodgeStars& stars) {
                 fmt::format("an inverse star divides by zero: {} a dual without volume",
                             cells_with(zero[k - 1], k - 1));
         else if (spurious > 0)
-            verdict.reason = spurious == 1
-                                 ? "1 negative dual makes about one spurious negative eigenvalue"
-                                 : fmt::format("{} negative duals make about as many spurious "
-                                               "negative eigenvalues",
-                                               spurious);
+            verdict.reason =
+                spurious == 1
+                    ? "1 negative dual causes about one spurious negative eigenvalue"
+                    : fmt::format(
+                          "{} negative duals cause about as many spurious negative eigenvalues",
+                          spurious);
         verdicts.push_back(std::move(verdict));
     }
     return verdicts;

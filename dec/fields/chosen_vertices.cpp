@@ -38,7 +38,8 @@ std::vector<Index> vertices_of(const CellComplex& complex, int k, const std::vec
 std::vector<Index> boundary_vertices(const Discretization& mesh) {
     auto numbers = numbers_of(boundary_cells(mesh.complex())[0]);
     if (numbers.empty())
-        throw InvalidInput("vertices of the boundary are asked for: the mesh has none");
+        throw InvalidInput(
+            "the mesh has no boundary, and so no boundary vertices: choose other vertices");
     return numbers;
 }
 
@@ -52,7 +53,8 @@ std::vector<Index> vertices_where(const Discretization& mesh,
     auto numbers = numbers_of(marks);
     if (numbers.empty())
         throw InvalidInput(
-            fmt::format("none of the {} vertices is where some are asked for", points.rows()));
+            fmt::format("the predicate holds at none of the {} vertices: expected at least one",
+                        points.rows()));
     return numbers;
 }
 

@@ -12,9 +12,9 @@ namespace polydec {
 
 void check_degree_of_contraction(int k, int largest) {
     if (k < 0 || k > largest)
-        throw InvalidInput(fmt::format("a vector field is to act on {}-forms: expected a degree "
-                                       "from 0 to {}",
-                                       k, largest));
+        throw InvalidInput(fmt::format(
+            "a vector field cannot act on {}-forms here: expected a degree from 0 to {}", k,
+            largest));
 }
 
 Points field_on_input(const Discretization& mesh, const Points& field) {

@@ -36,7 +36,7 @@ Vector mean_of(const SmoothForm& form, const SimplexQuadrature& rule, const Dens
 
 void require_form(const SmoothForm& form) {
     if (!form)
-        throw InvalidInput("an empty function is given for a smooth form");
+        throw InvalidInput("the function of a smooth form is empty: give a function of a point");
 }
 
 /// Integrals of one k-form over simplices given by their corners.

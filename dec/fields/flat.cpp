@@ -35,9 +35,9 @@ void check_field(const Discretization& mesh, bool at_vertices, const DenseMatrix
                                   : Eigen::Index(mesh.complex().size(mesh.dimension()));
     const char* place = at_vertices ? "vertex" : "merged cell";
     if (field.rows() != rows || field.cols() != N)
-        throw InvalidInput(fmt::format("a field of {} x {} numbers is given: expected are {} x {}, "
-                                       "a row for each {}",
-                                       field.rows(), field.cols(), rows, N, place));
+        throw InvalidInput(
+            fmt::format("a field of {} x {} numbers is given: expected {} x {}, a row for each {}",
+                        field.rows(), field.cols(), rows, N, place));
     for (Index row = 0; row < field.rows(); ++row)
         if (!field.row(row).allFinite())
             throw InvalidInput(fmt::format("the vector at {} {} is not finite", place,
@@ -84,8 +84,8 @@ void check_dual_volumes(const Discretization& mesh) {
     if (const auto zero = star(mesh.volumes(), 1).zeros(); !zero.empty())
         throw InvalidInput(
             fmt::format("the dpp flat divides by zero: the dual of the edge with vertices {} has "
-                        "no volume ({} such edges, see HodgeStar::zeros of degree 1); let cells be "
-                        "merged, or take the field at the vertices",
+                        "no volume ({} such edges, see HodgeStar::zeros of degree 1); merge cells, "
+                        "or give the field at the vertices",
                         fmt::join(cell_vertices(mesh, 1, zero.front()), ", "), zero.size()),
             {.degree = 1, .cells = zero, .vertices = cell_vertices(mesh, 1, zero.front())});
 }

@@ -19,8 +19,8 @@ void refuse_flat_pieces(const Discretization& mesh, std::string_view what) {
     const int n = mesh.dimension();
     const auto t = static_cast<Index>(first - flat.begin());
     const auto corners = mesh.pieces().vertex_numbers(n, t);
-    throw InvalidInput(fmt::format("{} is not known in cells with flat pieces, such as the "
-                                   "{}-simplex with vertices {}: leave them out of the mesh",
+    throw InvalidInput(fmt::format("{} is not defined in cells with flat pieces, such as the "
+                                   "{}-simplex with vertices {}: remove these from the mesh",
                                    what, n, fmt::join(corners, " ")),
                        {.degree = n, .cells = {t}, .vertices = corners});
 }

@@ -32,9 +32,9 @@ struct LieDerivative::Parts {
     /// Checks the form and returns its values on the simplices.
     Cochain checked(const Cochain& form) const {
         if (form.side != Side::primal || form.degree != k)
-            throw InvalidInput(fmt::format("a vector field is to act on a {} {}-form: this one "
-                                           "acts on primal {}-forms",
-                                           name(form.side), form.degree, k));
+            throw InvalidInput(
+                fmt::format("a {} {}-form is given: this Lie derivative acts on primal {}-forms",
+                            name(form.side), form.degree, k));
         return lifted(mesh, form);
     }
 

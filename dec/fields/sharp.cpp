@@ -25,8 +25,8 @@ namespace {
 void check_form(const Discretization& mesh, const Cochain& form, int degree) {
     require_points(mesh.ambient_dimension(), "a sharp");
     if (form.side != Side::primal || form.degree != degree)
-        throw InvalidInput(fmt::format("a primal {}-form is expected: a {} {}-form is given",
-                                       degree, name(form.side), form.degree));
+        throw InvalidInput(fmt::format("expected a primal {}-form, not a {} {}-form", degree,
+                                       name(form.side), form.degree));
     check(mesh.complex(), form);
 }
 
@@ -37,11 +37,12 @@ void check_dual_cells(const Discretization& mesh) {
     const auto count = zero.size();
     zero.resize(std::min<std::size_t>(count, 5));
     zero = mesh.input().vertex_numbers(std::move(zero));
-    throw InvalidInput(fmt::format("the sharp to vertices divides by zero: the dual cells of {} "
-                                   "vertices have no volume (vertices {}{}); take vectors at the "
-                                   "cells, sharp_pd, or move the vertices",
-                                   count, fmt::join(zero, ", "), count > zero.size() ? ", .." : ""),
-                       {.vertices = zero});
+    throw InvalidInput(
+        fmt::format(
+            "the sharp to vertices divides by zero: the dual cells of {} vertices have no volume "
+            "(vertices {}{}); use vectors at the cells (sharp_pd), or move the vertices",
+            count, fmt::join(zero, ", "), count > zero.size() ? ", .." : ""),
+        {.vertices = zero});
 }
 
 /// Row i: sum over the other vertices j of an n-simplex of a(i->j) grad lambda_j.

@@ -13,7 +13,7 @@ namespace polydec {
 Vector checked_value(const SmoothForm& form, const Vector& point, Index size, const char* what) {
     Vector value = form(point);
     if (value.size() != size)
-        throw InvalidInput(fmt::format("the {} has {} coefficients at the point ({}): {} expected",
+        throw InvalidInput(fmt::format("the {} has {} coefficients at the point ({}): expected {}",
                                        what, value.size(), fmt::join(point, ", "), size));
     if (!value.allFinite())
         throw InvalidInput(fmt::format("the {} is not finite at the point ({}): the mesh must not "

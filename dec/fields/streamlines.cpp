@@ -81,9 +81,8 @@ Tracer::Tracer(const Discretization& mesh, const DenseMatrix& vectors,
       shortest_(options.shortest) {
     const Points& points = mesh.measured_points();
     if (!mesh.passage().is_identity() || points.cols() == 0)
-        throw InvalidInput(
-            "edges were flipped, or only lengths are known: lines along a field need "
-            "straight simplices with places");
+        throw InvalidInput("streamlines need straight simplices between points: give a mesh with "
+                           "points, without flips");
     if (vectors.rows() != mesh.complex().size(n_) || vectors.cols() != points.cols())
         throw InvalidInput(fmt::format("{} vectors of {} coordinates: expected one of {} for each "
                                        "of the {} {}-cells",
@@ -95,11 +94,13 @@ Tracer::Tracer(const Discretization& mesh, const DenseMatrix& vectors,
     if (spacing_ == 0)
         spacing_ = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm() / 40;
     if (!(spacing_ > 0 && longest_ > 0 && std::isfinite(spacing_) && std::isfinite(longest_)))
-        throw InvalidInput(fmt::format("lines {} apart, {} spacings long: expected numbers above 0",
-                                       spacing_, longest_));
+        throw InvalidInput(fmt::format(
+            "streamlines {} apart and at most {} spacings long: expected finite numbers above 0",
+            spacing_, longest_));
     if (!(shortest_ >= 0 && shortest_ <= longest_))
-        throw InvalidInput(fmt::format("lines of {} to {} spacings: expected numbers that ascend",
-                                       shortest_, longest_));
+        throw InvalidInput(fmt::format(
+            "streamlines of {} to {} spacings: expected ascending numbers of at least 0", shortest_,
+            longest_));
     find_neighbors();
     find_rates(vectors);
     find_bins();

@@ -103,7 +103,7 @@ SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& 
     const Index rows = P.size(cell_degree(P, to.side, to.degree));
     if (O.rows() != rows || O.cols() != columns)
         throw InvalidInput(fmt::format("an operator from {} {}-forms to {} {}-forms on the merged "
-                                       "cells is {} x {}, the one given is {} x {}",
+                                       "cells must be {} x {}, not {} x {}",
                                        name(from.side), from.degree, name(to.side), to.degree, rows,
                                        columns, O.rows(), O.cols()));
     const SparseMatrix down = O * merged_from(discretization, from);
@@ -128,9 +128,8 @@ Cochain to_merged(const Discretization& discretization, const Cochain& form) {
 Cochain on_pieces(const Discretization& mesh, const Cochain& form) {
     check(mesh.complex(), form);
     if (form.side != Side::primal)
-        throw InvalidInput(fmt::format("a dual {}-form cannot be lifted: take its star, which is "
-                                       "primal",
-                                       form.degree));
+        throw InvalidInput(fmt::format(
+            "a dual {}-form cannot be lifted: lift its star, which is primal", form.degree));
     return {Side::primal, form.degree, mesh.merged().lift()[form.degree] * form.values};
 }
 
@@ -173,8 +172,8 @@ Consistency consistency(const Discretization& discretization, const Cochain& for
     const auto& K = discretization.pieces();
     check(K, form);
     if (form.side != Side::dual)
-        throw InvalidInput(fmt::format("consistency is asked of a primal {}-form: it is a question "
-                                       "about dual forms, whose cells may coincide",
+        throw InvalidInput(fmt::format("a primal {}-form is given: only dual forms can be "
+                                       "inconsistent, since dual cells may coincide",
                                        form.degree));
     const int k = cell_degree(K, form.side, form.degree);
     const FormKind kind{form.side, form.degree};
@@ -194,8 +193,8 @@ Consistency consistency(const Discretization& discretization, const Cochain& for
             ? fmt::format("{} lies inside a merged {}-cell, so its dual has no extent, but the "
                           "form has the value {:.6g} there: expected 0",
                           simplex(K, k, result.cell), carrier.dimension, result.found)
-            : fmt::format("{} is a piece of the merged {}-cell {}, whose pieces have one dual, but "
-                          "the form has the value {:.6g} there and {:.6g} in the mean",
+            : fmt::format("{} is a piece of the merged {}-cell {}, whose pieces share one dual, "
+                          "but the form has the value {:.6g} there and {:.6g} on average",
                           simplex(K, k, result.cell), k, carrier.cell, result.found,
                           result.expected);
     return result;

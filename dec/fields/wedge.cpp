@@ -125,7 +125,7 @@ Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Coc
     const int n = complex.dimension();
     if (a.side != Side::primal || b.side != Side::dual || a.degree + b.degree != n)
         throw InvalidInput(
-            fmt::format("the primal-dual product of a {} {}-form and a {} {}-form is asked for: "
+            fmt::format("the primal-dual product is not defined for a {} {}-form and a {} {}-form: "
                         "expected a primal k-form and a dual ({}-k)-form, in this order",
                         name(a.side), a.degree, name(b.side), b.degree, n));
     return a.values.cwiseProduct(b.values);

@@ -21,9 +21,8 @@ namespace {
 
 void check_primal(const CellComplex& complex, const Cochain& form) {
     if (form.side != Side::primal)
-        throw InvalidInput(fmt::format("a dual {}-form has no Whitney form: take its star, which "
-                                       "is primal",
-                                       form.degree));
+        throw InvalidInput(fmt::format(
+            "a dual {}-form has no Whitney form: use its star, which is primal", form.degree));
     check(complex, form);
 }
 
@@ -31,13 +30,13 @@ void check_place(const Pieces& complex, Index top, const Vector& barycentric) {
     const int n = complex.dimension();
     if (top < 0 || top >= complex.size(n))
         throw InvalidInput(
-            fmt::format("{}-simplex {} is asked for: there are {}", n, top, complex.size(n)),
+            fmt::format("{}-simplex {} does not exist: there are {}", n, top, complex.size(n)),
             {.degree = n, .cells = {top}});
     constexpr double rounding = 1e-9;
     if (barycentric.size() != n + 1 ||
         !(std::abs(barycentric.sum() - 1) <= rounding * (1 + barycentric.cwiseAbs().sum())))
-        throw InvalidInput(fmt::format("({}) are no barycentric coordinates in {}-simplex {}: {} "
-                                       "numbers of sum 1 are expected",
+        throw InvalidInput(fmt::format("({}) are not barycentric coordinates in {}-simplex {}: "
+                                       "expected {} numbers of sum 1",
                                        fmt::join(barycentric, ", "), n, top, n + 1),
                            {.degree = n, .cells = {top}});
 }

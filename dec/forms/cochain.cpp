@@ -23,7 +23,7 @@ void check_finite(const Values& values, const char* what) {
     for (Index i = 0; i < values.values.size(); ++i)
         if (!std::isfinite(values.values[i]))
             throw InvalidInput(
-                fmt::format("{} is given, of which number {} is {}: expected finite numbers",
+                fmt::format("{} is given whose value {} is {}: expected finite numbers",
                             described(values, what), i, values.values[i]));
 }
 
@@ -31,8 +31,9 @@ template <class Values>
 void check_values(const CellComplex& complex, const Values& values, const char* what) {
     const int k = cell_degree(complex, values.side, values.degree);
     if (values.values.size() != complex.size(k))
-        throw InvalidInput(fmt::format("{} is given: the complex has {} {}-cells",
-                                       described(values, what), complex.size(k), k));
+        throw InvalidInput(
+            fmt::format("{} is given, but the complex has {} {}-cells: expected one value for each",
+                        described(values, what), complex.size(k), k));
     check_finite(values, what);
 }
 
@@ -56,9 +57,9 @@ double dual_sign(int k) {
 int cell_degree(const CellComplex& complex, Side side, int degree) {
     const int n = complex.dimension();
     if (degree < 0 || degree > n)
-        throw InvalidInput(fmt::format("{} forms and chains of degree {} are asked for: in "
-                                       "dimension {} the degrees are 0 to {}",
-                                       name(side), degree, n, n));
+        throw InvalidInput(fmt::format(
+            "{} forms and chains of degree {} do not exist in dimension {}: expected 0 to {}",
+            name(side), degree, n, n));
     return side == Side::primal ? degree : n - degree;
 }
 
@@ -74,16 +75,16 @@ void check_factors(const CellComplex& complex, Side side, const Cochain& a, cons
     check(complex, a);
     check(complex, b);
     if (a.side != side || b.side != side)
-        throw InvalidInput(fmt::format(
-            "the product of a {} {}-form and a {} {}-form is asked for: expected two {} forms; "
-            "take wedge for primal forms, dual_wedge for dual ones, primal_dual_wedge for a primal "
-            "k-form and a dual (n-k)-form",
-            name(a.side), a.degree, name(b.side), b.degree, name(side)));
+        throw InvalidInput(
+            fmt::format("this product is not defined for a {} {}-form and a {} {}-form: expected "
+                        "two {} forms; use wedge for primal forms, dual_wedge for dual ones, "
+                        "primal_dual_wedge for a primal k-form and a dual (n-k)-form",
+                        name(a.side), a.degree, name(b.side), b.degree, name(side)));
     if (a.degree + b.degree > complex.dimension())
-        throw InvalidInput(fmt::format(
-            "the product of a {}-form and a {}-form has degree {}: in dimension {} there is no "
-            "such form",
-            a.degree, b.degree, a.degree + b.degree, complex.dimension()));
+        throw InvalidInput(fmt::format("the product of a {}-form and a {}-form has degree {}, but "
+                                       "dimension {} has no such forms",
+                                       a.degree, b.degree, a.degree + b.degree,
+                                       complex.dimension()));
 }
 
 Chain boundary(const CellComplex& complex, const Chain& chain) {
@@ -145,8 +146,8 @@ double inner_product(const Cells& cells, const Cochain& a, const Cochain& b) {
 double norm(const Cells& cells, const Cochain& form) {
     const double square = inner_product(cells, form, form);
     if (square < 0)
-        throw InvalidInput(fmt::format("the square of the norm of {} is {:.3g}: the duals of some "
-                                       "{}-cells are negative, so there is no norm",
+        throw InvalidInput(fmt::format("the squared norm of {} is {:.3g}, because some {}-cells "
+                                       "have negative duals: use positive stars",
                                        described(form, "form"), square,
                                        cell_degree(cells.complex(), form.side, form.degree)));
     return std::sqrt(square);

@@ -58,9 +58,9 @@ void scale(SparseMatrix& A, const Vector& left, const Vector& right) {
 
 void check_shapes(const Operator& A, const Operator& B, const char* joined, bool fit) {
     if (!fit)
-        throw InvalidInput(fmt::format("an operator of {} x {} is {} one of {} x {}: they do not "
-                                       "fit",
-                                       A.rows(), A.cols(), joined, B.rows(), B.cols()));
+        throw InvalidInput(
+            fmt::format("a {} x {} operator is {} a {} x {} operator: the sizes do not match",
+                        A.rows(), A.cols(), joined, B.rows(), B.cols()));
 }
 
 } // namespace
@@ -106,7 +106,7 @@ Vector Operator::apply(const Factor& factor, const Vector& x) {
 Vector Operator::operator*(const Vector& values) const {
     if (values.size() != cols_)
         throw InvalidInput(
-            fmt::format("{} values are given to an operator that takes {}", values.size(), cols_));
+            fmt::format("{} values are given to an operator: expected {}", values.size(), cols_));
     Vector sum = Vector::Zero(terms_.empty() ? rows_ : 0);
     for (const Product& product : terms_) {
         Vector x;
@@ -134,9 +134,8 @@ SparseMatrix Operator::matrix(const Factor& factor) {
     if (const auto* mass = std::get_if<Mass>(&factor)) {
         if (mass->inverted)
             throw InvalidInput(
-                fmt::format("the matrix of an operator is asked for that inverts the "
-                            "star of {}-cells, which is no diagonal: it is dense; "
-                            "apply the operator to values instead",
+                fmt::format("the operator inverts the star of {}-cells, which is not diagonal, so "
+                            "its matrix is dense: apply the operator to values instead",
                             mass->star.degree()),
                 {.degree = mass->star.degree()});
         return mass->star.matrix();

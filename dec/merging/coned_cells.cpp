@@ -148,9 +148,9 @@ private:
             }
             if (least <= 0 && most >= 0)
                 throw InvalidInput(
-                    fmt::format("{}-cell {} with the vertices {} has pieces as flat as an area, "
-                                "and not all of it is seen from the mean of its vertices, so it "
-                                "has no star by Galerkin: choose another tolerance of merging",
+                    fmt::format("{}-cell {} with vertices {} has flat pieces and is not "
+                                "star-shaped around the mean of its vertices, so it has no "
+                                "Galerkin star: choose another merge tolerance",
                                 n_, cell,
                                 fmt::join(old().vertex_numbers(merging_.vertices(n_, cell)), ", ")),
                     {.degree = n_, .cells = {cell}});

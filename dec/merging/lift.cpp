@@ -60,9 +60,8 @@ struct RowStore {
     void begin(Index row) { first[row] = last[row] = static_cast<Index>(columns.size()); }
     void append(Index row, Index column, double value) {
         if (columns.size() >= std::size_t(std::numeric_limits<Index>::max()))
-            throw InvalidInput(
-                "the lift has more than 2^31 - 1 entries: a merged cell of p corners "
-                "takes of the order of p^2; lower the merge tolerance");
+            throw InvalidInput("the lift has more than 2^31 - 1 entries: a merged cell of p "
+                               "corners needs about p^2 of them; lower the merge tolerance");
         columns.push_back(column);
         values.push_back(value);
         last[row] = static_cast<Index>(columns.size());
@@ -85,9 +84,9 @@ constexpr std::size_t most_pieces = 2000;
 void check_work(int m, Index F, std::size_t pieces) {
     if (pieces > most_pieces)
         throw InvalidInput(
-            fmt::format("the {}-cell {} is merged from {} simplices: lifting forms to them takes "
-                        "time as the cube of their number; expected at most {}; take "
-                        "StarKind::circumcentric, which lifts nothing, or leave cells unmerged",
+            fmt::format("the {}-cell {} is merged from {} simplices, and the time to lift forms to "
+                        "them grows with the cube of this number; expected at most {}; use "
+                        "StarKind::circumcentric, which needs no lift, or do not merge cells",
                         m, F, pieces, most_pieces),
             {.degree = m, .cells = {F}});
 }

@@ -90,13 +90,13 @@ FacetTags tags_of_facets(const SimplicialComplex& complex, const TaggedSimplices
         result.joint.push_back({next, groups});
         for (const Index facet : cells)
             result.tags[facet] = next;
-        warnings.push_back(fmt::format("{} facet{} in the groups {} at once: the tag is {}, and "
-                                       "conditions by group know all",
+        warnings.push_back(fmt::format("{} facet{} in each of the groups {}: the tag is {}, and "
+                                       "conditions by group apply to all of them",
                                        cells.size(), cells.size() == 1 ? " is" : "s are",
                                        fmt::join(groups, ", "), next));
     }
     if (!strays.empty())
-        warnings.push_back(fmt::format("left out {} facet{} of groups that no cell has: {}",
+        warnings.push_back(fmt::format("left out {} facet{} with a group but without a cell: {}",
                                        strays.size(), strays.size() == 1 ? "" : "s",
                                        list_facets(facets, strays)));
     return result;

@@ -129,10 +129,9 @@ CellVolumes CellVolumes::numbered(std::vector<std::vector<Index>> numbers) const
 
 void CellVolumes::refuse_degree(int k) const {
     if (parts_->primal.empty())
-        throw InvalidInput(fmt::format("volumes of {}-cells are asked for: there are no cells", k));
-    throw InvalidInput(fmt::format("volumes of {}-cells are asked for: there are cells of degrees "
-                                   "0 to {}",
-                                   k, dimension()));
+        throw InvalidInput(fmt::format("volumes of {}-cells do not exist: there are no cells", k));
+    throw InvalidInput(fmt::format(
+        "volumes of {}-cells do not exist: expected a degree from 0 to {}", k, dimension()));
 }
 
 void check_fit(const CellComplex& complex, const CellVolumes& volumes) {

@@ -77,8 +77,8 @@ double largest_extent(const Corners& corners) {
     if (has_volume || (length > 0 && !is_moderate(length)))
         throw InvalidInput(
             fmt::format("the {}-simplex with vertices {} has edges of about {:.3g} and volume "
-                        "{:.3g}: products of such numbers are none; scale the mesh to a size "
-                        "nearer to 1, or leave out what is so much smaller",
+                        "{:.3g}: products of such numbers overflow or underflow; scale the mesh to "
+                        "a size nearer to 1, or remove its extremely small cells",
                         k, fmt::join(list, ", "), length, sphere.volume()),
             place);
     if (metric.lengths() != nullptr)

@@ -44,7 +44,7 @@ double weight(int k, int s, int i) {
 SimplexQuadrature grundmann_moeller(int k, int degree) {
     if (k < 0 || degree < 0)
         throw InvalidInput(fmt::format("a quadrature rule of degree {} on simplices of dimension "
-                                       "{} is asked for: neither can be negative",
+                                       "{} does not exist: expected numbers of at least 0",
                                        degree, k));
     // on a vertex one point is exact
     const int s = k == 0 ? 0 : degree / 2;

@@ -41,7 +41,7 @@ void check_lengths(const Triangles& surface, const Vector& lengths) {
         if (!(triangle_area(a / longest, b / longest, c / longest) > 0))
             throw InvalidInput(
                 fmt::format("triangle {} with vertices {}, {}, {} has sides of lengths {}, {} and "
-                            "{}: no triangle with an area has them",
+                            "{}: no triangle of positive area has such sides",
                             t, surface.tail(3 * t), surface.tail(3 * t + 1),
                             surface.tail(3 * t + 2), a, b, c),
                 {.degree = 2,

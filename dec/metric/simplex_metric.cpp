@@ -196,28 +196,26 @@ Points isolated_points(const Pieces& complex, const Points& by_number) {
 
 void require_points(Eigen::Index coordinates, std::string_view what) {
     if (coordinates == 0)
-        throw InvalidInput(fmt::format("only lengths are known, there are no points, which {} "
-                                       "needs: give a mesh with points",
-                                       what));
+        throw InvalidInput(fmt::format(
+            "only lengths are known, but {} needs points: give a mesh with points", what));
 }
 
 void require_points(const Pieces& complex, const Points& points, std::string_view what) {
     require_points(points.cols(), what);
     if (points.rows() != complex.size(0))
-        throw InvalidInput(fmt::format("{} points are given for {} vertices: expected a row for "
-                                       "each vertex of the complex, in their order (vertex_points "
-                                       "leaves out those of no cell)",
-                                       points.rows(), complex.size(0)));
+        throw InvalidInput(
+            fmt::format("{} points are given for {} vertices: expected a row for each vertex of "
+                        "the complex, in their order (vertex_points omits vertices without a cell)",
+                        points.rows(), complex.size(0)));
 }
 
 void require_straight(const Pieces& complex, const Points& points, std::string_view what) {
     require_points(complex, points, what);
     if (!complex.is_simplicial())
-        throw InvalidInput(
-            fmt::format("the pieces are glued by lengths, as they are after intrinsic "
-                        "flips: {} needs straight simplices between points; give "
-                        "those of the input, or the whole discretization",
-                        what));
+        throw InvalidInput(fmt::format("the pieces are glued by lengths, as after intrinsic flips, "
+                                       "but {} needs straight simplices between points; give the "
+                                       "simplices of the input, or the whole discretization",
+                                       what));
 }
 
 } // namespace polydec

@@ -130,8 +130,8 @@ private:
 
 ChosenStars hybrid(const MergedCells& cells) {
     if (cells.dimension() != GluedSurface::dimension)
-        throw InvalidInput(fmt::format("hybrid stars are asked for in dimension {}: there are some "
-                                       "in dimension {} alone; take galerkin or automatic ones",
+        throw InvalidInput(fmt::format("hybrid stars do not exist in dimension {}, only in "
+                                       "dimension {}: use galerkin or automatic stars",
                                        cells.dimension(), GluedSurface::dimension));
     const BadCells bad(cells);
     if (std::find(bad.marks().begin(), bad.marks().end(), true) == bad.marks().end())
@@ -172,8 +172,8 @@ ChosenStars choose_stars(const MergedCells& cells, StarKind kind) {
     case StarKind::own:
         break;
     }
-    throw InvalidInput("own stars are asked for: choose_stars makes the other kinds; hand over "
-                       "your own to Discretization::with_stars");
+    throw InvalidInput("choose_stars cannot make stars of the kind own: pass your stars to "
+                       "Discretization::with_stars");
 }
 
 } // namespace polydec

@@ -64,8 +64,8 @@ void HodgeStar::check(const Vector& values) const {
 
 void HodgeStar::require_diagonal() const {
     if (!is_diagonal())
-        throw InvalidInput(fmt::format("a diagonal star of {}-cells is needed, and a matrix is "
-                                       "given: take circumcentric stars",
+        throw InvalidInput(fmt::format("the star of {}-cells is a matrix: expected a diagonal "
+                                       "star; use circumcentric stars",
                                        degree_),
                            {.degree = degree_});
 }

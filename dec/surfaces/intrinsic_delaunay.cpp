@@ -204,8 +204,8 @@ void Flipping::flip_all() {
             continue; // reinserted when an adjacent triangle changed
         flip(edge);
         if (statistics_.flips > limit)
-            throw SolverFailure(fmt::format("{} flips of {} edges and no end: the surface has "
-                                            "triangles of nearly no area; remesh it or tidy it",
+            throw SolverFailure(fmt::format("{} flips of {} edges did not suffice: the surface has "
+                                            "triangles of almost no area; remesh or tidy it",
                                             statistics_.flips, surface_.edges()));
     }
 }
@@ -288,8 +288,8 @@ void Flipping::refuse_sharp_corners() const {
             if (std::tan(std::min(angle, std::numbers::pi / 2) / 2) / 2 <= split_goal())
                 throw InvalidInput(
                     fmt::format("the boundary has a corner of angle {:.2g} at vertex {}: however "
-                                "its edges are divided, one keeps a dual below {:.2g} of its "
-                                "length; do without the splits",
+                                "its edges are split, one keeps a dual below {:.2g} of its length; "
+                                "use flips without splits",
                                 angle, end == FanEnd::tail ? surface_.tail(h) : surface_.head(h),
                                 split_goal()),
                     {.vertices = {end == FanEnd::tail ? surface_.tail(h) : surface_.head(h)}});
@@ -309,9 +309,10 @@ bool Flipping::split_boundary() {
         split(edge, fraction);
     const std::int64_t limit = 10000 + std::int64_t{options_.most} * boundary_edges_;
     if (statistics_.splits > limit)
-        throw SolverFailure(fmt::format("{} splits of {} boundary edges and no end: the boundary "
-                                        "has corners of nearly no angle; do without the splits",
-                                        statistics_.splits, boundary_edges_));
+        throw SolverFailure(
+            fmt::format("{} splits of {} boundary edges did not suffice: the boundary has corners "
+                        "of almost no angle; use flips without splits",
+                        statistics_.splits, boundary_edges_));
     return !places.empty();
 }
 

@@ -39,9 +39,8 @@ Passage::Passage(SimplicialComplex input, OrderedSurface ordered, IntrinsicDelau
 
 const IntrinsicDelaunay& Passage::flips(std::string_view what) const& {
     if (!flipped_)
-        throw InvalidInput(fmt::format("{} is asked for, but no edges were flipped: take "
-                                       "DiscretizeOptions::delaunay",
-                                       what));
+        throw InvalidInput(
+            fmt::format("{}: no edges were flipped; set DiscretizeOptions::delaunay", what));
     return flipped_->flips;
 }
 

@@ -36,7 +36,7 @@ void quads_or_tetrahedra() {
 void vertices_at_one_place() {
     const auto box = polydec::read_mesh("box.off"); // six squares, each with corners of its own
     const auto apart = polydec::unjoined_boundary(box);
-    std::cout << apart.coincident.size() << " vertices are at the places of others\n";
+    std::cout << apart.coincident.size() << " vertices coincide with others\n";
     for (const auto& mesh : {box, polydec::weld(box).mesh}) {
         std::cout << "Betti numbers:";
         for (const auto b : polydec::betti_numbers(polydec::discretize(mesh).complex()))

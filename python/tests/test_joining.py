@@ -42,9 +42,9 @@ def test_welding_an_exploded_mesh_gives_it_back(mesh):
 
 def test_slits_are_warned_of_and_the_remedy_helps():
     slit = exploded(meshes.icosphere(3))
-    with pytest.warns(polydec.PolydecWarning, match=r"places of others.*polydec\.meshes\.weld"):
+    with pytest.warns(polydec.PolydecWarning, match=r"coincide with others.*polydec\.meshes\.weld"):
         found = polydec.discretize(slit)
-    assert any("places of others" in each for each in found.warnings)
+    assert any("coincide with others" in each for each in found.warnings)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", polydec.PolydecWarning)
         joined = polydec.discretize(meshes.weld(slit))

@@ -163,7 +163,7 @@ TEST(Table1, in_space_is_cured_down_to_the_edges) {
 TEST(Verdicts, tell_their_reason) {
     for (const auto& verdict : operator_verdicts(circumcentric(grid(4, 4)), Stage::input)) {
         if (verdict.name == "star" && verdict.side == Side::dual && verdict.degree == 1) {
-            EXPECT_TRUE(says(reason(verdict), {"16", "1-cells", "dual", "extent"}));
+            EXPECT_TRUE(says(reason(verdict), {"divides", "16", "1-cells", "dual without volume"}));
         }
         if (verdict.name == "star" && verdict.side == Side::primal && verdict.degree == 2) {
             EXPECT_TRUE(says(reason(verdict), {"32", "2-cells", "dual"}));

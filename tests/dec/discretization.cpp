@@ -70,9 +70,9 @@ TEST(Discretize, gives_a_merged_cell_the_tag_that_its_simplices_share) {
 TEST(Discretize, warns_of_cells_that_were_turned) {
     Mesh mesh = grid(2, 2);
     mesh.simplices.row(3).reverseInPlace();
-    EXPECT_TRUE(each_says(discretize(mesh).warnings(), {{"1 of 8 cells", "oriented"}}));
+    EXPECT_TRUE(each_says(discretize(mesh).warnings(), {{"1 of 8 cells", "orientation"}}));
     mesh.simplices.row(5).reverseInPlace();
-    EXPECT_TRUE(each_says(discretize(mesh).warnings(), {{"2 of 8 cells", "oriented"}}));
+    EXPECT_TRUE(each_says(discretize(mesh).warnings(), {{"2 of 8 cells", "orientation"}}));
 }
 
 TEST(Discretize, warns_of_one_sided_and_branching_meshes) {
@@ -84,7 +84,8 @@ TEST(Discretize, warns_of_one_sided_and_branching_meshes) {
 TEST(Discretize, warns_of_boundaries_that_are_not_joined_with_the_remedy) {
     const Mesh slit =
         made_of({{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {3, 4, 5}});
-    EXPECT_TRUE(each_says(discretize(slit).warnings(), {{"2 vertices", "places", "3, 4", "weld"}}));
+    EXPECT_TRUE(
+        each_says(discretize(slit).warnings(), {{"2 vertices", "coincide", "3, 4", "weld"}}));
     const Mesh hanging = made_of({{0, 0}, {0, 1}, {-1, 0}, {0, 0.5}, {1, 0}, {1, 1}},
                                  {{0, 1, 2}, {0, 4, 3}, {3, 4, 5}, {3, 5, 1}});
     EXPECT_TRUE(each_says(discretize(hanging).warnings(),

@@ -234,7 +234,7 @@ TEST(FacetTags, flips_leave_none) {
     EXPECT_TRUE(discretize(mesh, {.delaunay = Delaunay::flips}).facet_tags().empty());
     auto options = apart;
     options.delaunay = Delaunay::flips;
-    EXPECT_TRUE(says(refusal([&] { discretize(mesh, options); }), {"materials", "flips"}));
+    EXPECT_TRUE(says(refusal([&] { discretize(mesh, options); }), {"flips", "groups"}));
 }
 
 TEST(FacetTags, are_one_for_each_simplex) {

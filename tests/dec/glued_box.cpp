@@ -393,7 +393,7 @@ TEST(GluedBox, is_not_known_after_flips) {
     const auto mesh = discretize(periodic(grid(4, 4), unit_translations(2, 2)), options);
     EXPECT_EQ(mesh.box(), nullptr);
     EXPECT_EQ(mesh.ambient_dimension(), 0);
-    EXPECT_TRUE(says(mesh.warnings().front(), {"glued", "flipped", "no places"}));
+    EXPECT_TRUE(says(mesh.warnings().front(), {"glued", "flipped", "no positions"}));
 }
 
 } // namespace

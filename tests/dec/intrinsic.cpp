@@ -304,7 +304,7 @@ TEST(IntrinsicDelaunay, refuses_by_number_what_are_no_lengths) {
 
 TEST(IntrinsicDelaunay, is_refused_where_it_makes_no_sense) {
     EXPECT_TRUE(says(refusal([] { flipped(mesh_named("kuhn3"), Delaunay::flips); }),
-                     {"dimension 3", "surfaces"}));
+                     {"dimension 3", "surface"}));
     EXPECT_TRUE(says(refusal([] {
                          discretize(mesh_named("uv8"), {.criterion = MergeCriterion::angle,
                                                         .delaunay = Delaunay::flips});

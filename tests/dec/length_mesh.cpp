@@ -134,7 +134,9 @@ TEST(LengthMesh, says_what_needs_points) {
     const auto one = function_form([](const Vector&) { return 1.0; });
     const Cochain edges{Side::primal, 1, Vector::Ones(P.size(1))};
     const DenseMatrix none(mesh.points().rows(), 0);
-    const auto needs = [](const std::string& what) { return Words{"lengths", "no points", what}; };
+    const auto needs = [](const std::string& what) {
+        return Words{"lengths", what, "needs points"};
+    };
     EXPECT_TRUE(says(refusal([&] { de_rham(mesh, 0, one); }), needs("de Rham map")));
     EXPECT_TRUE(says(refusal([&] { dual_de_rham(mesh, 0, one); }), needs("de Rham map")));
     for (const auto kind : {Flat::ppp, Flat::pdp, Flat::dpp, Flat::ppd, Flat::pdd, Flat::dpd})

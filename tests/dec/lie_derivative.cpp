@@ -89,7 +89,7 @@ TEST(LieDerivativeErrors, name_the_kind_of_form_and_the_degree) {
     const LieDerivative along(mesh, 1, Sampling::centered);
     const auto form = random_form(mesh.complex(), Side::dual, 1, 1);
     EXPECT_TRUE(says(refusal([&] { along(field, form); }),
-                     {"vector field", "dual 1-form", "primal 1-forms"}));
+                     {"dual 1-form", "Lie derivative", "primal 1-forms"}));
     const LieDerivative on_simplices(discretized("grid4", MergeCriterion::none), 2,
                                      Sampling::centered);
     const auto area = random_form(mesh.input(), Side::primal, 2, 1);

@@ -79,7 +79,7 @@ TEST(MaterialsOfSurfaces, do_not_go_with_flips) {
     auto options = apart;
     options.delaunay = Delaunay::flips;
     EXPECT_TRUE(
-        says(refusal([&] { discretize(tagged("grid4", 2), options); }), {"materials", "flips"}));
+        says(refusal([&] { discretize(tagged("grid4", 2), options); }), {"flips", "groups"}));
 }
 
 TEST(MarksOfFacets, are_as_many_as_facets) {

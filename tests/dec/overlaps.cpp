@@ -182,7 +182,7 @@ TEST(Discretize, tells_of_folds_and_windings) {
     ASSERT_EQ(folded.size(), 1U);
     EXPECT_TRUE(says(folded[0], {"folded", "1 of 8 cells"}));
     EXPECT_TRUE(each_says(discretize(winding(2, 5, 2)).warnings(),
-                          {{"overlaps", "1 vertex", "vertex 0"}, {"5 vertices", "places"}}));
+                          {{"overlaps", "1 vertex", "vertex 0"}, {"5 vertices", "coincide"}}));
     EXPECT_TRUE(each_says(discretize(made_of({{0}, {1}, {0.5}}, {{0, 1}, {1, 2}})).warnings(),
                           {{"folded", "1 of 2 cells", "vertices 1 2"}}));
 }

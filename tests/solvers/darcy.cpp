@@ -379,7 +379,7 @@ TEST(DarcyByStarsErrors, name_what_does_not_fit) {
     const auto branching = circumcentric(mesh_named("branching"));
     const auto stars = branching.with_stars(StarKind::galerkin).stars();
     EXPECT_TRUE(says(refusal([&] { functions(branching.with_stars(stars), Side::dual); }),
-                     {"cells", "facet", "flows"}));
+                     {"cells", "facet", "flux"}));
     const auto mesh = circumcentric(grid(2, 2));
     const auto by_galerkin = mesh.with_stars(mesh.with_stars(StarKind::galerkin).stars());
     EXPECT_TRUE(says(refusal([&] { with_conductivity(by_galerkin, Side::dual, Vector::Ones(8)); }),

@@ -276,7 +276,7 @@ TEST(DualProblemRefuses, what_has_not_two_sides) {
     EXPECT_TRUE(says(dual_refusal(moebius(12, 2)),
                      {"non-orientable", "dual 0-forms", "facet 0", "vertices 0, 1"}));
     EXPECT_TRUE(says(dual_refusal(read_golden("branching.off")),
-                     {"3 cells", "facet 0", "vertices 0, 1", "flows"}));
+                     {"3 cells", "facet 0", "vertices 0, 1", "flux"}));
 }
 
 TEST(DualProblemRefuses, interior_facets_without_dual) {

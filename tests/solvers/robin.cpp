@@ -294,7 +294,7 @@ TEST(Robin, is_refused_by_name_where_it_is_not_known) {
     EXPECT_TRUE(says(refusal([&] { functions(mesh, Side::primal, robin(-1)); }),
                      {"Robin", "1-cell 0", "-1"}));
     EXPECT_TRUE(says(refusal([&] { functions(mesh, Side::primal, {BoundaryCondition::robin}); }),
-                     {"0 coefficients", "Robin", "12 1-cells"}));
+                     {"0 Robin coefficients", "12 1-cells"}));
 }
 
 } // namespace

@@ -97,10 +97,10 @@ class Glued(TestCase):
     def test_after_flips_there_are_lengths_alone(self):
         refused = self.refuse("poisson", self.square, "--side", "primal", "--rhs", "sin(2*pi*x)",
                               "--delaunay", *TORUS)
-        self.assertSays(refused, "lengths", "no points")
+        self.assertSays(refused, "lengths", "needs points")
         answer = self.ask("info", self.square, "--delaunay", *TORUS)
         self.assertIsNone(answer["ambient_dimension"])
-        self.assertTrue(any("no places" in text for text in answer["warnings"]))
+        self.assertTrue(any("no positions" in text for text in answer["warnings"]))
 
 
 if __name__ == "__main__":

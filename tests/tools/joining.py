@@ -70,7 +70,7 @@ class SplitVertices(TestCase):
         info = self.ask("info", "seam.off")
         self.assertEqual(info["unjoined"], {"coincident": 7 + 2 * 15, "hanging": 0, "misfits": 0})
         self.assertEqual(info["boundary_components"], 1)
-        self.assertSays(" ".join(info["warnings"]), "37", "vertices", "places", "--weld")
+        self.assertSays(" ".join(info["warnings"]), "37", "vertices", "coincide", "--weld")
         self.assertSays(self.succeed("info", "seam.off").out, "not joined", "37")
 
     def test_every_command_tells(self):
@@ -79,7 +79,7 @@ class SplitVertices(TestCase):
                       ["poisson", "--side", "primal", "--rhs", "1"], ["distance", "--from", 0]):
             with self.subTest(words[0]):
                 told = self.succeed(words[0], "seam.off", *words[1:]).err
-                self.assertSays(told, "37", "places", "--weld")
+                self.assertSays(told, "37", "coincide", "--weld")
 
     def test_are_joined_if_asked_wherever_the_option_stands(self):
         for words in (["--weld", "seam.off"], ["seam.off", "--weld"], ["seam.off", "--weld", "1e-6"],

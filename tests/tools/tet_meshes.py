@@ -334,7 +334,7 @@ class Orientation(Tetrahedra):
 
     def test_some_cells_turned(self):
         cells = [[c[1], c[0], *c[2:]] if i % 5 == 0 else c for i, c in enumerate(self.cells)]
-        self.check(cells, [(10, 48, "cells", "oriented")])
+        self.check(cells, [(10, 48, "cells", "orientation")])
 
     def test_all_cells_turned(self):
         self.check([[c[1], c[0], *c[2:]] for c in self.cells], [])
