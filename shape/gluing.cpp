@@ -34,10 +34,10 @@ std::vector<FacetSide> facet_sides(const Shape& shape) {
         const bool is_boundary = around.size() == 1;
         const bool is_twisted = shape.functions == ShapeFunctions::twisted;
         if (is_twisted && around.size() > 2)
-            throw InvalidInput(fmt::format(
-                "{} simplices meet at facet {}: twisted functions need two at most, since there is "
-                "no orientation across others",
-                around.size(), facet));
+            throw InvalidInput(
+                fmt::format("{} simplices meet at facet {}: twisted functions need at most two, "
+                            "since orientation is not defined across more",
+                            around.size(), facet));
         for (std::size_t i = 0; i < around.size(); ++i) {
             const auto [cell, omitted] = around[i];
             // coherent orientations show the facet with opposite signs

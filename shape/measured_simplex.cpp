@@ -75,9 +75,9 @@ long double MeasuredSimplex::facet_volume(int omitted) const {
 MeasuredSimplex measured_simplex(const Shape& shape, Index simplex) {
     if (auto found = measured_simplex(squares_of(shape, simplex)))
         return std::move(*found);
-    throw InvalidInput(fmt::format("{} does not exist with the lengths of its edges, or has no "
-                                   "volume: lengths that make one are needed",
-                                   name_of(shape, simplex)));
+    throw InvalidInput(
+        fmt::format("{} has no volume, or no simplex has its edge lengths: correct the lengths",
+                    name_of(shape, simplex)));
 }
 
 std::optional<MeasuredSimplex> measured_simplex(LongMatrix squares) {
@@ -140,10 +140,9 @@ double metric_share(const Shape& shape) {
     const Worst worst = worst_of(shape);
     const double share = worst.sensitivity * error * (1 + error) + shape.metric_error;
     if (!(share < 0.5))
-        throw InvalidInput(fmt::format(
-            "{} is so flat that the rounding of its edges' lengths changes its shape: flip edges, "
-            "or improve or remove flat simplices",
-            name_of(shape, worst.simplex)));
+        throw InvalidInput(fmt::format("{} is so flat that rounding of its edge lengths changes "
+                                       "its shape: flip edges, or improve or remove flat simplices",
+                                       name_of(shape, worst.simplex)));
     return share;
 }
 

@@ -46,11 +46,13 @@ bool are_one_forms(const Shape& shape, int degree) {
     if (degree == 0 || degree == n)
         return false;
     if (degree != 1 || n != 2)
-        throw InvalidInput(fmt::format("{}-forms of a shape of dimension {}: expected degree 0 or "
-                                       "{}, or 1 on a surface; others have no such bounds",
-                                       degree, n, n));
+        throw InvalidInput(
+            fmt::format("{}-forms of a shape of dimension {}: expected degree 0 or {}, or 1 on a "
+                        "surface; no bounds are known for other degrees",
+                        degree, n, n));
     if (shape.conductivity.size() > 0 || shape.density.size() > 0)
-        throw InvalidInput("1-forms of a shape with weights: these are known for functions alone");
+        throw InvalidInput("1-forms of a shape with weights: only functions support weights; omit "
+                           "conductivity and density");
     refuse_robin(shape.pieces, shape.conditions, "1-forms of a shape");
     return true;
 }

@@ -20,14 +20,14 @@ void check_finite(const char* what, const DenseMatrix& values) {
         for (Eigen::Index i = 0; i < values.rows(); ++i)
             if (!std::isfinite(values(i, j)))
                 throw InvalidInput(
-                    fmt::format("{} of row {}: {} is no finite number", what, i, values(i, j)));
+                    fmt::format("{} of row {}: {} is not a finite number", what, i, values(i, j)));
 }
 
 void check_source(const char* what, const Shape& shape, const DenseMatrix& source) {
     const int n = shape.pieces.dimension();
     if (source.rows() != shape.pieces.size(n) || (source.cols() != 1 && source.cols() != n + 1))
-        throw InvalidInput(fmt::format("{}: {} x {} numbers, expected one for each of the {} "
-                                       "simplices, or {}, for its corners",
+        throw InvalidInput(fmt::format("{}: {} x {} numbers; expected one row for each of the {} "
+                                       "simplices, of 1 number or of {}, one for each corner",
                                        what, source.rows(), source.cols(), shape.pieces.size(n),
                                        n + 1));
     check_finite(what, source);
@@ -37,15 +37,16 @@ void check(const PoissonProblem& problem, const Vector& values) {
     const Shape& shape = problem.shape;
     polydec::check(shape);
     if (shape.functions != ShapeFunctions::ordinary)
-        throw InvalidInput("the error of twisted functions: expected ordinary ones");
+        throw InvalidInput("the error is known only for ordinary functions, not for twisted ones");
     check_source("source", shape, problem.source);
     const Index facets = shape.pieces.size(shape.pieces.dimension() - 1);
     if (problem.flow.size() != 0 && problem.flow.size() != facets)
-        throw InvalidInput(
-            fmt::format("flow: {} numbers for {} facets", problem.flow.size(), facets));
+        throw InvalidInput(fmt::format("flow: {} numbers; expected one for each of the {} facets",
+                                       problem.flow.size(), facets));
     if (values.size() != shape.pieces.size(0))
         throw InvalidInput(
-            fmt::format("values: {} numbers for {} vertices", values.size(), shape.pieces.size(0)));
+            fmt::format("values: {} numbers; expected one for each of the {} vertices",
+                        values.size(), shape.pieces.size(0)));
     check_finite("flow", problem.flow);
     check_finite("values", values);
 }
@@ -107,15 +108,14 @@ struct InUnits {
         error.gradients.col(last) = slopes;
         if (!std::isfinite(error.energy) || !std::isfinite(error.size) ||
             !error.gradients.allFinite())
-            throw InvalidInput("the error is out of the range of numbers: give the problem in "
-                               "other units");
+            throw InvalidInput(
+                "the error is outside the range of double precision: use other units");
         if (error.l2)
             error.l2 = norm(*error.l2, 0, false);
         if (error.l2 && !std::isfinite(*error.l2)) {
             error.l2 = std::nullopt;
             error.warnings.push_back(
-                "the L2 error is out of the range of numbers: give the problem "
-                "in other units");
+                "the L2 error is outside the range of double precision: use other units");
         }
     }
 };
@@ -220,9 +220,9 @@ PoissonError poisson_error(const PoissonProblem& given, const Vector& values,
     } else if (options.l2) {
         error.l2 = l2_error(forms, corners, data, options.linear_solver);
         if (!error.l2)
-            error.warnings.push_back("the eigenvalues that the L2 error depends on cannot be "
-                                     "counted; flip edges, or improve cells that are "
-                                     "very much smaller or flatter than others");
+            error.warnings.push_back(
+                "the bound of the L2 error needs a count of eigenvalues, which failed; flip edges, "
+                "or improve cells that are much smaller or flatter than others");
     }
     units.restore(error);
     return error;
@@ -235,8 +235,9 @@ Enclosed goal_interval(const PoissonProblem& given, const Vector& values, const 
     const InUnits units(given, values.cwiseAbs().maxCoeff());
     const PoissonForms forms(units.problem.shape, options.linear_solver);
     if (forms.vertices().kernel.cols() > 0)
-        throw InvalidInput("a goal of a solution that is known up to constants: give values, or "
-                           "Robin's condition, on a part of every component's boundary");
+        throw InvalidInput(
+            "a goal needs a unique solution, but this one is known up to constants: give values or "
+            "Robin conditions on a part of the boundary of every component");
     const double largest = goal.cwiseAbs().maxCoeff();
     const int unit = largest > 0 ? std::ilogb(largest) : 0;
     DenseMatrix scaled = goal;
@@ -264,8 +265,7 @@ Enclosed goal_interval(const PoissonProblem& given, const Vector& values, const 
     };
     const Enclosed found{restored(value - half), restored(value), restored(value + half)};
     if (!std::isfinite(found.lower) || !std::isfinite(found.upper))
-        throw InvalidInput("the goal is out of the range of numbers: give the problem in other "
-                           "units");
+        throw InvalidInput("the goal is outside the range of double precision: use other units");
     return found;
 }
 
@@ -275,8 +275,8 @@ PoissonProblem poisson_problem(const Discretization& mesh, const BoundaryConditi
     const Pieces& pieces = mesh.pieces();
     const int n = pieces.dimension();
     if (mesh.complex().size(0) != pieces.size(0))
-        throw InvalidInput("vertices inside of merged cells have no values: discretize the mesh "
-                           "with the criterion none");
+        throw InvalidInput("vertices inside merged cells have no values: discretize the mesh with "
+                           "the criterion none");
     const Simplices& corners = pieces.simplices(n);
     problem.source.resize(corners.rows(), n + 1);
     for (Index s = 0; s < corners.rows(); ++s)

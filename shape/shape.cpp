@@ -21,8 +21,8 @@ void check_weights(const char* what, const Vector& weights, Index simplices) {
     check_as_many(what, weights.size(), simplices);
     for (Index s = 0; s < simplices; ++s)
         if (!(weights[s] > 0) || !std::isfinite(weights[s]))
-            throw InvalidInput(fmt::format("{} {} of simplex {}: expected a positive number", what,
-                                           weights[s], s));
+            throw InvalidInput(fmt::format("{} {} of simplex {}: expected a finite positive number",
+                                           what, weights[s], s));
 }
 
 /// The share by which the lengths of a flipped surface may be off.
@@ -120,13 +120,12 @@ void check(const Shape& shape) {
     check_weights("density", shape.density, pieces.size(n));
     const auto& fixed = shape.conditions.fixed_vertices;
     if (std::find(fixed.begin(), fixed.end(), true) != fixed.end())
-        throw InvalidInput("a vertex with a given value: functions on a shape are not bound at "
-                           "points, so give conditions on facets");
+        throw InvalidInput("a vertex has a given value, but functions on a shape have no values at "
+                           "points: give conditions on facets");
     for (const double error : {shape.length_error, shape.metric_error})
         if (!(error >= 0 && error < 0.1))
-            throw InvalidInput(fmt::format("lengths may be off by a share of {}: expected one from "
-                                           "0 to 0.1",
-                                           error));
+            throw InvalidInput(fmt::format(
+                "the relative error of lengths is {}: expected a number from 0 to 0.1", error));
     robin_coefficients(pieces, shape.conditions);
 }
 

@@ -87,7 +87,7 @@ void Enclosing::find_upper() {
     const FormFamily& family = conforming_.family();
     if (options_.count > family.size())
         throw InvalidInput(fmt::format("{} eigenvalues of a shape: the mesh has {} functions of "
-                                       "degree {}, so 1 to {} can be had; refine it for more",
+                                       "degree {}, so expected 1 to {}; refine the mesh for more",
                                        options_.count, family.size(), options_.level,
                                        family.size()));
     tell("upper bounds");
@@ -267,10 +267,10 @@ ShapeSpectrum shape_spectrum(const Shape& shape, const ShapeSpectrumOptions& opt
     check_level(options.level);
     if (options.count < 1)
         throw InvalidInput(
-            fmt::format("{} eigenvalues of a shape: expected 1 at least", options.count));
+            fmt::format("{} eigenvalues of a shape: expected at least 1", options.count));
     if (!(options.width >= 0))
-        throw InvalidInput(
-            fmt::format("enclosures of width {}: expected a share of at least 0", options.width));
+        throw InvalidInput(fmt::format(
+            "enclosures of relative width {}: expected a number of at least 0", options.width));
     if (are_one_forms(shape, options.degree))
         return one_form_spectrum(shape, options);
     const Shape of = options.degree == 0 ? shape : top_forms(shape);

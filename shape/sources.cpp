@@ -17,10 +17,10 @@ void check_sources(const Triangles& surface, std::span<const Index> sources) {
     std::vector<bool> reached(std::size_t(surface.vertices()), false);
     for (const Index v : sources) {
         if (v < 0 || v >= surface.vertices())
-            throw InvalidInput(fmt::format("vertex {} is given as a source: expected one of 0 to "
-                                           "{}",
-                                           v, surface.vertices() - 1),
-                               {.vertices = {v}});
+            throw InvalidInput(
+                fmt::format("vertex {} is a source but does not exist: expected 0 to {}", v,
+                            surface.vertices() - 1),
+                {.vertices = {v}});
         reached[sets.find(v).element] = true;
     }
     for (Index v = 0; v < surface.vertices(); ++v)
@@ -36,8 +36,8 @@ Vector in_units_of_lengths(const Triangles& surface, const Vector& unfolded, int
         unfolded.unaryExpr([&](double distance) { return std::ldexp(distance, exponent); });
     for (Index v = 0; v < surface.vertices(); ++v)
         if (!std::isfinite(distances[v]))
-            throw InvalidInput(fmt::format("the distance of vertex {} is out of the range of "
-                                           "numbers: give lengths in a larger unit",
+            throw InvalidInput(fmt::format("the distance of vertex {} is outside the range of "
+                                           "double precision: give lengths in a larger unit",
                                            v),
                                {.vertices = {v}});
     return distances;

@@ -19,7 +19,7 @@ Index trusted_count(const FormFamily& family, double s, Direction direction,
     }
     throw SolverFailure(fmt::format(
         "the eigenvalues below {:.6g} cannot be counted: rounding hides the signs of pivots; flip "
-        "edges, or improve or remove cells that are very much smaller or flatter than others",
+        "edges, or improve or remove cells that are much smaller or flatter than others",
         s));
 }
 
@@ -47,11 +47,10 @@ void check_level(int level) {
 
 std::string warning_of_large(const Shape& shape, const std::vector<Index>& simplices, double s,
                              double limit) {
-    return fmt::format(
-        "no lower bounds of eigenvalues above {:.6g}, where {:.6g} is wanted: {} of the {} "
-        "simplices are too large for it ({}); divide these",
-        limit, s, simplices.size(), shape.pieces.size(shape.pieces.dimension()),
-        listed(simplices, [](Index simplex) { return std::to_string(simplex); }));
+    return fmt::format("no lower bounds of eigenvalues exist above {:.6g}, but {:.6g} is required: "
+                       "{} of the {} simplices are too large ({}); divide these",
+                       limit, s, simplices.size(), shape.pieces.size(shape.pieces.dimension()),
+                       listed(simplices, [](Index simplex) { return std::to_string(simplex); }));
 }
 
 } // namespace polydec

@@ -281,9 +281,9 @@ WindowDistances distances_by_windows(const UnfoldedTriangles& surface,
     for (; !front.is_over(); ++windows) {
         if (windows >= most)
             throw SolverFailure(fmt::format(
-                "{} windows do not suffice for the distances on {} triangles: probably many are "
-                "needles. DiscretizeOptions::delaunay gives better ones with the same distances; "
-                "DistanceMethod::heat needs no windows",
+                "{} windows do not suffice for the distances on {} triangles: probably many "
+                "triangles are needles. DiscretizeOptions::delaunay gives better triangles with "
+                "the same distances; DistanceMethod::heat needs no windows",
                 most, surface.triangles()));
         front.step();
     }

@@ -46,10 +46,10 @@ std::string bound_in_words(const PoissonError& bound) {
         bound.size > 0 ? fmt::format(", {:.2g} % of its size", 100 * bound.energy / bound.size)
                        : "";
     const std::string l2 = bound.l2 ? fmt::format(", of u in L2 at most {:.3g}", *bound.l2) : "";
-    return fmt::format(
-        "error of the gradient at most {:.3g}{}{}\n  (proved, of u linear on triangles "
-        "with f linear on triangles and boundary data as edges have them)",
-        bound.energy, share, l2);
+    return fmt::format("error of the gradient at most {:.3g}{}{}\n"
+                       "  (proved for u and f linear on triangles, boundary values linear and flow "
+                       "constant on edges)",
+                       bound.energy, share, l2);
 }
 
 } // namespace
