@@ -25,15 +25,15 @@ namespace {
 void check_cells(const Discretization& mesh) {
     const int n = mesh.dimension();
     if (n < 2)
-        throw InvalidInput(fmt::format("a flow in dimension {} is asked for: expected 2 at least, "
-                                       "with less there is no vorticity",
+        throw InvalidInput(fmt::format("flows are not defined in dimension {}: expected at least "
+                                       "2, since vorticity needs two dimensions",
                                        n));
     check_two_sided(mesh);
     if (const auto& both = mesh.complex().canceled(n - 1); !both.empty())
-        throw InvalidInput(fmt::format("{}-cell {} lies on both sides of facet {}: divide it for "
-                                       "flows",
-                                       n, both.front().cell, both.front().face),
-                           {.degree = n, .cells = {both.front().cell}});
+        throw InvalidInput(
+            fmt::format("{}-cell {} lies on both sides of facet {}: divide the cell for flows", n,
+                        both.front().cell, both.front().face),
+            {.degree = n, .cells = {both.front().cell}});
 }
 
 /// The coefficients of z ^ e_i ^ e_j, i < j, for what z is in the basis: which one and its sign.

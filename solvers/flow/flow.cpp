@@ -82,11 +82,11 @@ Vector Flow::midpoint(const Vector& w) const {
         if (change <= steps_.tolerance)
             return 2 * middle - w;
     }
-    throw SolverFailure(
-        fmt::format("the midpoint of a step of {:.6g} of a flow was not found in {} "
-                    "passes: the last one changed it by {:.2g}\nTake steps well "
-                    "below the exchange time, {:.6g}.",
-                    steps_.time_step, steps_.most_passes, change, equations_.exchange_time(w)));
+    throw SolverFailure(fmt::format("the midpoint of a time step of {:.6g} did not converge in {} "
+                                    "passes: the last pass changed it by {:.2g}\n"
+                                    "Use steps well below the exchange time, {:.6g}.",
+                                    steps_.time_step, steps_.most_passes, change,
+                                    equations_.exchange_time(w)));
 }
 
 Vector Flow::imex(const Vector& w) const {

@@ -17,8 +17,8 @@ namespace polydec {
 
 Vector flow_of_vorticity(const Discretization& mesh, const Vector& vorticity) {
     if (mesh.dimension() != 2)
-        throw InvalidInput(fmt::format("a flow in dimension {} is to be made of vorticities at "
-                                       "vertices: expected a surface; else give velocities",
+        throw InvalidInput(fmt::format("vorticities at vertices define no flow in dimension {}: "
+                                       "expected a surface; give velocities instead",
                                        mesh.dimension()));
     const Vector psi = PoissonSolver({mesh, Side::primal, 0, {BoundaryCondition::essential}})
                            .solve({Side::primal, 0, vorticity})

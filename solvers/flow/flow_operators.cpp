@@ -19,16 +19,16 @@ void check_numbers(const char* what, const Vector& values, Index expected) {
         return;
     check_as_many(what, values.size(), expected);
     if (!values.allFinite())
-        throw InvalidInput(fmt::format("{} of a flow are not finite: expected numbers", what));
+        throw InvalidInput(
+            fmt::format("{} of a flow are not all finite: expected finite numbers", what));
 }
 
 void check_options(const Discretization& mesh, const FlowOptions& options) {
     const int n = mesh.dimension();
     const Index facets = mesh.complex().size(n - 1);
     if (!(options.viscosity >= 0) || !std::isfinite(options.viscosity))
-        throw InvalidInput(fmt::format("a viscosity of {} is given: expected a finite one of 0 or "
-                                       "more",
-                                       options.viscosity));
+        throw InvalidInput(fmt::format(
+            "the viscosity is {}: expected a finite number of at least 0", options.viscosity));
     check_numbers("fluxes at the boundary", options.boundary_flux, facets);
     check_numbers("vorticities of the frame", options.rotation, mesh.complex().size(n - 2));
     if (options.wall_velocity.size() == 0)
@@ -37,7 +37,7 @@ void check_options(const Discretization& mesh, const FlowOptions& options) {
     check_as_many("components of velocities of walls", options.wall_velocity.cols(),
                   mesh.ambient_dimension());
     if (!options.wall_velocity.allFinite())
-        throw InvalidInput("velocities of walls are not finite: expected numbers");
+        throw InvalidInput("velocities of walls are not all finite: expected finite numbers");
 }
 
 /// Around each (n-2)-cell, the part of the circulation that is along the boundary, where the

@@ -65,8 +65,8 @@ struct FlowProjection::Solver {
 FlowProjection::FlowProjection(std::shared_ptr<const FlowOperators> operators, double theta)
     : operators_(std::move(operators)), theta_(theta) {
     if (!(theta * operators_->options.viscosity >= 0))
-        throw InvalidInput(
-            fmt::format("a part of {} of a time step is given: expected 0 or more", theta));
+        throw InvalidInput(fmt::format(
+            "the part theta of a time step is {}: expected a number of at least 0", theta));
     solver_ = std::make_shared<Solver>(*operators_, theta);
 }
 
@@ -80,8 +80,8 @@ FlowProjection::Flow FlowProjection::solve(const Vector& momentum) const {
 
 FlowProjection::Flow FlowProjection::solve_at_rest(const Vector& momentum) const {
     if (theta_ != 0)
-        throw InvalidInput("a flow at rest is asked for of a projection with friction: take theta "
-                           "= 0");
+        throw InvalidInput(
+            "a projection with friction cannot solve for a flow at rest: use theta = 0");
     return solve(operators_->in_unit(momentum, 2, "momenta"), Vector::Zero(momentum.size()));
 }
 

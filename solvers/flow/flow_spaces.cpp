@@ -67,10 +67,10 @@ void FlowSpaces::check_balance(const Vector& of) const {
     Vector out = derivative(cells.complex(), cells.dimension() - 1) * of;
     const Compatibility found = loose.balance(out);
     if (found.worst > rounding)
-        throw InvalidInput(fmt::format("through the boundary of a component {:.6g} more flows out "
-                                       "than in, {:.3g} of all that flows: expected a balance, or "
-                                       "an open facet",
-                                       found.excess, found.worst));
+        throw InvalidInput(
+            fmt::format("the net outflow through the boundary of a component is {:.6g}, {:.3g} of "
+                        "the total flux: expected 0, or an open facet",
+                        found.excess, found.worst));
 }
 
 } // namespace polydec

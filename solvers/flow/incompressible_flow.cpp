@@ -104,9 +104,8 @@ double IncompressibleFlow::relative_energy(const Vector& w, const Vector& other)
         return 1;
     const double ratio = ratio_of_energies(w, other);
     if (!std::isfinite(ratio))
-        throw InvalidInput(
-            "the ratio of the energies of two flows is no number: the second flow is "
-            "at rest, or the first is too fast");
+        throw InvalidInput("the ratio of the energies of two flows is not finite: the second flow "
+                           "is at rest, or the first is too fast");
     return ratio;
 }
 

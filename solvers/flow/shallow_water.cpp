@@ -98,10 +98,11 @@ struct ShallowWater::Parts {
         check_as_many("fluxes", state.flux.size(), star.size());
         for (Index cell = 0; cell < areas.size(); ++cell)
             if (!(state.depth[cell] > 0))
-                throw InvalidInput(fmt::format("shallow water in cell {} is {} deep: expected a "
-                                               "depth above 0; take shorter steps, or more water",
-                                               cell, state.depth[cell]),
-                                   {.degree = 2, .cells = {cell}});
+                throw InvalidInput(
+                    fmt::format("the depth of shallow water in cell {} is {}: expected a number "
+                                "above 0; use shorter steps or more water",
+                                cell, state.depth[cell]),
+                    {.degree = 2, .cells = {cell}});
         return in_unit(state.flux, 2, "fluxes");
     }
 
@@ -117,9 +118,8 @@ struct ShallowWater::Parts {
 
 ShallowWater::ShallowWater(const Discretization& mesh, const ShallowWaterOptions& options) {
     if (mesh.dimension() != 2)
-        throw InvalidInput(fmt::format("shallow water in dimension {} is asked for: expected a "
-                                       "surface",
-                                       mesh.dimension()));
+        throw InvalidInput(fmt::format(
+            "shallow water is not defined in dimension {}: expected a surface", mesh.dimension()));
     parts_ = std::make_shared<Parts>(mesh, options);
 }
 

@@ -22,7 +22,7 @@ namespace {
 void check_viscosity(double viscosity) {
     if (!(viscosity > 0) || !std::isfinite(viscosity))
         throw InvalidInput(
-            fmt::format("a viscosity of {} is given: expected a finite one above 0", viscosity));
+            fmt::format("the viscosity is {}: expected a finite number above 0", viscosity));
 }
 
 /// Throws InvalidInput if there are flows without vorticity, divergence and pressure: those around
@@ -31,11 +31,12 @@ void check_held_back(const CellComplex& complex, const FlowSpaces& spaces) {
     const int n = complex.dimension();
     for (const BoundaryFacet& on : spaces.open)
         if (spaces.vorticity.fixed()[n - 1][on.facet])
-            throw InvalidInput(fmt::format("facet {} is open and without vorticity, which leaves a "
-                                           "slow flow undetermined: expected a known pressure and "
-                                           "velocity along it (FlowBoundary::pressure)",
-                                           on.facet),
-                               {.degree = n - 1, .cells = {on.facet}});
+            throw InvalidInput(
+                fmt::format(
+                    "facet {} is open and without vorticity, which does not determine a slow flow: "
+                    "give the pressure and the velocity along the facet (FlowBoundary::pressure)",
+                    on.facet),
+                {.degree = n - 1, .cells = {on.facet}});
     CellMarks left_out = spaces.flux.fixed();
     std::vector<bool> sticks(static_cast<std::size_t>(complex.size(n)), false);
     for (const BoundaryFacet& on : spaces.dragged)
@@ -52,9 +53,10 @@ void check_held_back(const CellComplex& complex, const FlowSpaces& spaces) {
     mark_faces(complex, left_out);
     const Index free = betti_numbers(relative_complex(complex, left_out).complex)[n - 1];
     if (free > 0)
-        throw InvalidInput(fmt::format("{} flows around holes or between open facets are held back "
-                                       "by nothing: expected a wall without slip",
-                                       free));
+        throw InvalidInput(
+            fmt::format("{} flows around holes or between open facets meet no resistance, so the "
+                        "solution is not unique: expected a wall without slip",
+                        free));
 }
 
 /// Blocks of constraints on a flux: its turn, and its divergence.
@@ -81,7 +83,8 @@ Vector or_zeros(const char* what, const Vector& values, Eigen::Index size) {
         return Vector::Zero(size);
     check_as_many(what, values.size(), size);
     if (!values.allFinite())
-        throw InvalidInput(fmt::format("{} on the boundary are not finite", what));
+        throw InvalidInput(
+            fmt::format("{} on the boundary are not all finite: expected finite numbers", what));
     return values;
 }
 
@@ -161,9 +164,9 @@ StokesFlow StokesSolver::solve(const Cochain& force, const StokesData& data) con
     const int n = of.n;
     check(of.cells.complex(), force);
     if (force.side != Side::primal || force.degree != n - 1)
-        throw InvalidInput(fmt::format("a {} {}-form is given as a force: expected its flux, a "
-                                       "primal {}-form",
-                                       name(force.side), force.degree, n - 1));
+        throw InvalidInput(
+            fmt::format("the force is a {} {}-form: expected its flux, a primal {}-form",
+                        name(force.side), force.degree, n - 1));
     const auto given = [&](const char* what, const Vector& values, int power, const auto& star) {
         return of.in_unit(or_zeros(what, values, star.rows()), power, what);
     };

@@ -38,8 +38,7 @@ BoundaryForms boundary_data(const FormSpace& space, const std::vector<FacetValue
     const int facets = cells.dimension() - 1;
     if (space.degree() != 0)
         throw InvalidInput(
-            fmt::format("values of {}-forms are given by facets: expected functions, "
-                        "of degree 0",
+            fmt::format("values by facet are given for {}-forms: expected functions, of degree 0",
                         space.degree()));
     const bool at_vertices = space.side() == Side::primal;
     Vector u = Vector::Zero(cells.size(at_vertices ? 0 : facets));

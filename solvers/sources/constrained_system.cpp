@@ -20,10 +20,10 @@ void check_sizes(const ConstrainedSystem& system) {
     const auto n = static_cast<std::size_t>(system.A.rows());
     if (system.A.cols() != system.A.rows() || system.fixed.size() != n || system.tied.size() != n ||
         static_cast<std::size_t>(system.weights.size()) != n)
-        throw InvalidInput(fmt::format("constrained system of {} rows, {} columns, {} flags fixed, "
-                                       "{} flags tied, {} weights: expected equal sizes",
-                                       n, system.A.cols(), system.fixed.size(), system.tied.size(),
-                                       system.weights.size()));
+        throw InvalidInput(fmt::format(
+            "a constrained system has {} rows, {} columns, {} flags fixed, {} flags tied and {} "
+            "weights: expected equal numbers",
+            n, system.A.cols(), system.fixed.size(), system.tied.size(), system.weights.size()));
 }
 
 /// Scales weights, of which only ratios matter, by a power of two: the largest is then 1 to 2.
@@ -124,11 +124,12 @@ void FreeComponents::remove_means(Vector& u) const {
 void check_loads(const char* what, const Vector& loads, int degree) {
     for (Index i = 0; i < loads.size(); ++i)
         if (!std::isfinite(loads[i]))
-            throw InvalidInput(fmt::format("{} at {}-cell {} is {}: data times volumes leave the "
-                                           "range of numbers there; divide all data by a power of "
-                                           "two, and multiply the solution by it",
-                                           what, degree, i, loads[i]),
-                               {.degree = degree, .cells = {i}});
+            throw InvalidInput(
+                fmt::format(
+                    "{} at {}-cell {} is {}: data times volumes leave the range of double "
+                    "precision; divide all data by a power of two, and multiply the solution by it",
+                    what, degree, i, loads[i]),
+                {.degree = degree, .cells = {i}});
 }
 
 std::vector<std::string> warning_of(const Compatibility& compatibility) {
@@ -172,11 +173,12 @@ ConstrainedSolver::ConstrainedSolver(ConstrainedSystem&& system, const std::stri
 Solution ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) const {
     const auto n = static_cast<Index>(system_.A.rows());
     if (b.size() != n || fixed_values.size() != n)
-        throw InvalidInput(fmt::format("right-hand side of {} and fixed values of {} entries: "
-                                       "expected {}",
-                                       b.size(), fixed_values.size(), n));
+        throw InvalidInput(
+            fmt::format("the right-hand side has {} entries and the fixed values {}: expected {}",
+                        b.size(), fixed_values.size(), n));
     if (!fixed_values.allFinite())
-        throw InvalidInput("fixed values of a constrained system are not finite: scale the data");
+        throw InvalidInput(
+            "fixed values of a constrained system are not all finite: scale the data");
     Vector u = Vector::Zero(n);
     for (Index i = 0; i < n; ++i)
         if (system_.fixed[i])
@@ -196,7 +198,7 @@ Solution ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) c
     components_.remove_means(u);
     if (!u.allFinite())
         throw SolverFailure("the solution has values that are not finite: data or weights leave "
-                            "the range of numbers; scale them");
+                            "the range of double precision; scale them");
     return {std::move(u), solver_->report(), compatibility, warning_of(compatibility)};
 }
 

@@ -171,24 +171,24 @@ Vector conductances(const FormSpace& space, const FormEquations& of) {
     const Vector layer = of.robin_below.diagonal().cwiseProduct(areas);
     for (const Index f : cells.stars()[facets].zeros())
         if (!of.left_out_below[f] && layer[f] == 0)
-            throw InvalidInput(fmt::format("the dual of {} has no length, or its parts, each over "
-                                           "the conductivity beside it, cancel, so the flux "
-                                           "through it is not defined: let cospherical cells be "
-                                           "merged, or change one of the conductivities",
-                                           cells.name(facets, f)),
-                               cells.place(facets, f));
+            throw InvalidInput(
+                fmt::format("the dual of {} has no length, or its parts, each divided by its "
+                            "conductivity, cancel, so the flux through the facet is not defined: "
+                            "merge cospherical cells, or change one of the conductivities",
+                            cells.name(facets, f)),
+                cells.place(facets, f));
     Vector result = Vector::Zero(areas.size());
     for (Index f = 0; f < result.size(); ++f) {
         if (of.left_out_below[f] || cells.complex().coface_counts(facets)[f] == 0)
             continue;
         const double resistance = lengths[f] + layer[f];
         if (layer[f] > 0 && !(resistance > 0))
-            throw InvalidInput(fmt::format("the dual of {}, of length {}, and 1 over the "
-                                           "coefficient of Robin's condition there add up to {}: "
-                                           "expected a positive sum; take a smaller coefficient "
-                                           "or primal forms",
-                                           cells.name(facets, f), lengths[f], resistance),
-                               cells.place(facets, f));
+            throw InvalidInput(
+                fmt::format(
+                    "the dual of {} has length {}, and its sum with 1 over the Robin coefficient "
+                    "is {}: expected a positive sum; use a smaller coefficient or primal forms",
+                    cells.name(facets, f), lengths[f], resistance),
+                cells.place(facets, f));
         result[f] = areas[f] / resistance;
     }
     return result;

@@ -92,8 +92,7 @@ DenseMatrix PoissonSolver::harmonic_forms() const {
 CurlCurlSolution solve_curl_curl(const PoissonSolver& solver, const Cochain& j,
                                  const BoundaryForms& data) {
     if (j.side != Side::primal)
-        throw InvalidInput("a dual form is given as the source of a curl of a curl: expected a "
-                           "primal one");
+        throw InvalidInput("the source of curl curl is a dual form: expected a primal form");
     const auto first = solver.solve(j, data);
     Cochain exact{Side::primal, j.degree, Vector::Zero(j.values.size())};
     if (j.degree > 0)

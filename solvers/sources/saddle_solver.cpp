@@ -103,16 +103,16 @@ SaddleSolver::SaddleSolver(Vector scales, const SparseMatrix& M, const SparseMat
       domain_dimension_(domain_dimension),
       solver_(make_linear_solver(engine)) {
     if (!scales_.allFinite())
-        throw InvalidInput("a matrix is given as inner products whose diagonal is not positive: "
-                           "expected a positive definite one");
+        throw InvalidInput("the diagonal of the matrix of inner products is not positive: expected "
+                           "a positive definite matrix");
     solver_->factorize(saddle(M, D, C, scales_, above, -below),
                        {.symmetry = Symmetry::symmetric,
                         .domain_dimension = domain_dimension,
                         .many_solves = true});
     // on the kernel of D, M determines the signs
     if (const auto negative = solver_->negative_pivots(); negative && *negative != D.rows())
-        throw InvalidInput(fmt::format("a matrix is given as inner products that has {} negative "
-                                       "eigenvalues: expected a positive definite one",
+        throw InvalidInput(fmt::format("the matrix of inner products has {} negative eigenvalues: "
+                                       "expected a positive definite matrix",
                                        *negative - D.rows()));
 }
 
@@ -152,11 +152,12 @@ SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g,
     report.residual = b.isZero(0) ? 0 : left.stableNorm() / b.stableNorm();
     constexpr double limit = 1e-10;
     if (!(error <= limit))
-        throw SolverFailure(fmt::format("{}: the solution of a mixed problem is not to be trusted: "
-                                        "backward error {:.2g}\nThe matrix of the inner products "
-                                        "is nearly singular, or its data contradict each other.",
-                                        report.engine, error),
-                            report);
+        throw SolverFailure(
+            fmt::format("{}: the solution of a mixed problem is unreliable: backward error {:.2g}\n"
+                        "The matrix of inner products is nearly singular, or the data contradict "
+                        "each other.",
+                        report.engine, error),
+            report);
     const Vector solution = y.cwiseProduct(scales_);
     return {solution.head(size_), solution.tail(g.size()), report};
 }

@@ -58,8 +58,8 @@ Index coexact_forms(const CellComplex& complex, const std::vector<Index>& betti,
 }
 
 [[noreturn]] void refuse_to_tell(Index zeros, Index harmonic, int k) {
-    throw SolverFailure(fmt::format("{} eigenvalues cannot be told from zero, but there are {} "
-                                    "harmonic {}-forms: rounding hides whether forms are coexact",
+    throw SolverFailure(fmt::format("rounding hides which forms are coexact: {} eigenvalues are "
+                                    "zero up to rounding, but there are {} harmonic {}-forms",
                                     zeros, harmonic, k));
 }
 
@@ -130,16 +130,16 @@ void measure(const Pencil& given, const DenseMatrix& modes, Index count, Spectru
 Spectrum coexact_spectrum(const FormSpace& space, const SpectrumOptions& options) {
     space.refuse_robin("a coexact spectrum");
     if (space.side() != Side::primal)
-        throw InvalidInput("coexact spectra are of primal forms: a coexact dual form is the star "
-                           "of an exact primal one");
+        throw InvalidInput("the forms are dual: expected primal forms; the coexact dual forms are "
+                           "the stars of exact primal forms");
     const Cells inside = space.inside();
     const CellComplex& complex = inside.complex();
     const int k = space.degree();
     const auto betti = betti_numbers(complex);
     const Index size = space.size(), all_coexact = coexact_forms(complex, betti, k);
     if (options.count < 1 || options.count > all_coexact)
-        throw InvalidInput(fmt::format("{} coexact {}-forms asked for: there are {}", options.count,
-                                       k, all_coexact));
+        throw InvalidInput(fmt::format("{} coexact {}-forms requested: expected 1 to {}",
+                                       options.count, k, all_coexact));
     SpectrumOptions all = options;
     all.count = betti[k] + 2 * options.count + 10;
     if (all.count > size / 2)
@@ -157,9 +157,9 @@ Spectrum coexact_spectrum(const FormSpace& space, const SpectrumOptions& options
             return found;
         }
         if (all.count == size)
-            throw SolverFailure(fmt::format("{} coexact {}-forms asked for: of {} that there are, "
-                                            "rounding hides all but {}",
-                                            options.count, k, all_coexact, modes.cols()));
+            throw SolverFailure(fmt::format(
+                "{} coexact {}-forms requested: {} exist, but rounding hides all but {}",
+                options.count, k, all_coexact, modes.cols()));
         all.count = all.count > size / 2 ? size : 2 * all.count;
     }
 }

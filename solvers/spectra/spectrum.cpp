@@ -25,15 +25,13 @@ namespace {
 void check_count(const FormSpace& space, const SpectrumOptions& options) {
     const int k = space.cell_degree();
     if (space.size() == 0)
-        throw InvalidInput(
-            fmt::format("{} {}-forms have no eigenvalues here: with these conditions "
-                        "they are 0 on all {}-cells",
-                        name(space.side()), space.degree(), k));
+        throw InvalidInput(fmt::format(
+            "{} {}-forms have no eigenvalues here: the conditions make them 0 on all {}-cells",
+            name(space.side()), space.degree(), k));
     if (options.count < 1 || options.count > space.size())
-        throw InvalidInput(fmt::format("{} eigenvalues asked for: {} {}-forms live on {} {}-cells, "
-                                       "so 1 to {} can be had",
-                                       options.count, name(space.side()), space.degree(),
-                                       space.size(), k, space.size()));
+        throw InvalidInput(fmt::format(
+            "{} eigenvalues requested: {} {}-forms live on {} {}-cells, so expected 1 to {}",
+            options.count, name(space.side()), space.degree(), space.size(), k, space.size()));
 }
 
 std::vector<std::string> warning_of_negative_values(const Spectrum& spectrum,
@@ -48,7 +46,7 @@ std::vector<std::string> warning_of_negative_values(const Spectrum& spectrum,
     if (negative == 0 || duals == 0)
         return {};
     return {fmt::format("{} of the eigenvalues {} negative and spurious: {} next to these forms {} "
-                        "a negative dual (the mesh is not Delaunay there); take {}",
+                        "a negative dual (the mesh is not Delaunay there); use {}",
                         negative, negative == 1 ? "is" : "are",
                         duals == 1 ? "1 cell" : fmt::format("{} cells", duals),
                         duals == 1 ? "has" : "have", positive_stars(n))};
@@ -72,10 +70,10 @@ DenseMatrix kernel(const Cells& inside, const SpectrumOptions& options, int k, I
 std::vector<std::string> warning_of_rough_values(const std::vector<Index>& rough) {
     if (rough.empty())
         return {};
-    return {fmt::format("{} of the eigenvalues, number {} first, {} not known to 1e-6: rounding "
-                        "beside the largest one hides the rest; mind the radii, and improve cells "
-                        "of extreme shape",
-                        rough.size(), rough.front(), rough.size() == 1 ? "is" : "are")};
+    return {fmt::format(
+        "{} of the eigenvalues, number {} first, {} not known to 1e-6, because of rounding errors "
+        "relative to the largest one: check the radii, and improve cells of extreme shape",
+        rough.size(), rough.front(), rough.size() == 1 ? "is" : "are")};
 }
 
 void use_input_units(Spectrum& spectrum, double unit) {

@@ -37,8 +37,8 @@ GeodesicDistance::GeodesicDistance(const Triangles& surface, const Vector& lengt
     const GeodesicOptions defaults;
     if (!(options.time_scale == defaults.time_scale) ||
         options.linear_solver != defaults.linear_solver)
-        throw InvalidInput("GeodesicOptions::time_scale and GeodesicOptions::linear_solver are for "
-                           "the heat method: leave them out, or ask for DistanceMethod::heat");
+        throw InvalidInput("GeodesicOptions::time_scale and GeodesicOptions::linear_solver apply "
+                           "only to the heat method: omit them, or use DistanceMethod::heat");
 }
 
 GeodesicDistance::GeodesicDistance(const Discretization& discretization,

@@ -48,9 +48,9 @@ HeatStep::HeatStep(const Triangles& surface, const SurfaceMetric& metric, const 
 DenseMatrix HeatStep::operator()(const DenseMatrix& b) const {
     DenseMatrix u = solver_->solve(b.colwise() + from_held_);
     if (!u.allFinite())
-        throw SolverFailure(fmt::format("{} gives heat that is not finite: the triangles are too "
-                                        "badly shaped",
-                                        solver_->report().engine));
+        throw SolverFailure(
+            fmt::format("{} returned heat that is not finite: the triangles are too badly shaped",
+                        solver_->report().engine));
     return u;
 }
 

@@ -83,10 +83,9 @@ void check_vectors(const GluedSurface& surface, std::span<const Index> sources,
     for (std::size_t s = 0; s < sources.size(); ++s) {
         const Complex vector = vectors[static_cast<Eigen::Index>(s)];
         if (given[sources[s]])
-            throw InvalidInput(fmt::format("vertex {} is given twice as a source: expected one "
-                                           "vector for it",
-                                           sources[s]),
-                               {.vertices = {sources[s]}});
+            throw InvalidInput(
+                fmt::format("vertex {} is a source twice: expected one vector for it", sources[s]),
+                {.vertices = {sources[s]}});
         given[sources[s]] = true;
         if (!std::isfinite(std::abs(vector)))
             throw InvalidInput(fmt::format("the vector at vertex {} is ({}, {}): expected finite "

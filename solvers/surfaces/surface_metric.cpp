@@ -44,7 +44,7 @@ void find_components(const Triangles& surface, SurfaceMetric& metric) {
 SurfaceMetric surface_metric(const Triangles& surface, const Vector& lengths) {
     check_lengths(surface, lengths);
     if (surface.triangles() == 0)
-        throw InvalidInput("the surface has no triangles: expected one at least");
+        throw InvalidInput("the surface has no triangles: expected at least one");
     SurfaceMetric metric;
     metric.unit = std::exp2(std::ilogb(lengths.maxCoeff()));
     metric.lengths = lengths / metric.unit;
@@ -69,7 +69,7 @@ SurfaceMetric surface_metric(const Triangles& surface, const Vector& lengths) {
 void check_time_scale(double time_scale) {
     if (!(time_scale >= 1e-6 && time_scale <= 1e6))
         throw InvalidInput(
-            fmt::format("a time scale of {} is given: expected one from 1e-6 to 1e6", time_scale));
+            fmt::format("the time scale is {}: expected a number from 1e-6 to 1e6", time_scale));
 }
 
 std::string explained(const Triangles& surface, const SurfaceMetric& metric,

@@ -13,8 +13,8 @@ namespace {
 
 Triangles triangles_of(const Discretization& mesh) {
     if (mesh.input_points().cols() == 0)
-        throw InvalidInput("paths on a surface of which only lengths are known: they lie nowhere "
-                           "in space; take ShortestPaths");
+        throw InvalidInput("only lengths of the surface are known, so paths have no positions in "
+                           "space: use ShortestPaths");
     return Triangles(mesh.input());
 }
 

@@ -23,20 +23,21 @@ void check_orientation(const GluedSurface& surface) {
         const auto& [h, g] = surface.halfedges(e);
         const bool coherent = surface.is_coherent(e);
         if (!sides.join(h / 3, g / 3, coherent ? 1 : -1))
-            throw InvalidInput(fmt::format("the surface is one-sided: a way across edge {} (from "
-                                           "vertex {} to {}) leads back with left and right "
-                                           "exchanged. Angles need a surface with two sides",
-                                           e, surface.first_vertex(e), surface.last_vertex(e)),
-                               {.degree = 1,
-                                .cells = {e},
-                                .vertices = {surface.first_vertex(e), surface.last_vertex(e)}});
+            throw InvalidInput(
+                fmt::format(
+                    "the surface is one-sided: a path across edge {} (from vertex {} to {}) "
+                    "returns with left and right exchanged. Angles need a surface with two sides",
+                    e, surface.first_vertex(e), surface.last_vertex(e)),
+                {.degree = 1,
+                 .cells = {e},
+                 .vertices = {surface.first_vertex(e), surface.last_vertex(e)}});
         if (!coherent && incoherent < 0)
             incoherent = e;
     }
     if (incoherent >= 0)
         throw InvalidInput(
             fmt::format(
-                "triangles {} and {} at edge {} are not oriented alike: reverse one of them",
+                "triangles {} and {} at edge {} have opposite orientations: reverse one of them",
                 surface.halfedges(incoherent)[0] / 3, surface.halfedges(incoherent)[1] / 3,
                 incoherent),
             {.degree = 1, .cells = {incoherent}});
@@ -111,11 +112,11 @@ TangentFrames tangent_frames(const GluedSurface& surface, const Vector& lengths)
     for (Index v = 0; v < surface.vertices(); ++v) {
         const Fan around = fan(surface, frames.reference[v]);
         if (around.halfedges.size() != corners[v])
-            throw InvalidInput(fmt::format("the triangles around vertex {} are several fans (the "
-                                           "first has {} of {} corners): split the vertex, one "
-                                           "for each fan",
-                                           v, around.halfedges.size(), corners[v]),
-                               {.vertices = {v}});
+            throw InvalidInput(
+                fmt::format("the triangles around vertex {} form several fans (the first has {} of "
+                            "{} corners): split the vertex into one for each fan",
+                            v, around.halfedges.size(), corners[v]),
+                {.vertices = {v}});
         measure(surface, metric, v, around, frames);
     }
     return frames;

@@ -143,15 +143,15 @@ void check(const AbsorbingLayer& layer, const FormSpace& space) {
             smallest = std::min(smallest, extent[a]);
     const double width = layer.width / mesh.unit();
     if (!(width > 0 && width < smallest))
-        throw InvalidInput(fmt::format("an absorbing layer of the width {:.6g} is asked for: "
-                                       "expected one above 0 and below {:.6g}, that of the mesh",
+        throw InvalidInput(fmt::format("the width of the absorbing layer is {:.6g}: expected a "
+                                       "number above 0 and below {:.6g}, the width of the mesh",
                                        layer.width, mesh.unit() * smallest));
     if (!(layer.reflection > 0 && layer.reflection < 1 && layer.power >= 1 &&
           std::isfinite(layer.power)))
-        throw InvalidInput(fmt::format("a layer with the reflection {:.6g} and the power {:.6g} is "
-                                       "asked for: expected one between 0 and 1, and one of at "
-                                       "least 1",
-                                       layer.reflection, layer.power));
+        throw InvalidInput(
+            fmt::format("the absorbing layer has reflection {:.6g} and power {:.6g}: expected a "
+                        "reflection between 0 and 1, and a power of at least 1",
+                        layer.reflection, layer.power));
 }
 
 } // namespace
@@ -200,8 +200,8 @@ LayerParts layer_parts(const AbsorbingLayer& layer, const FormSpace& space, cons
         if (layer.kind == LayerKind::stretched)
             throw InvalidInput(
                 fmt::format("{}-cell {} lies in the absorbing layer and is not parallel to the "
-                            "axes, so coordinates cannot be stretched there: take a conducting "
-                            "layer, or boxes for its cells",
+                            "axes, so coordinates cannot be stretched there: use a conducting "
+                            "layer, or boxes as cells",
                             degree, cell),
                 {.degree = degree, .cells = {cell}});
     }

@@ -69,9 +69,9 @@ Diffusion::Diffusion(const FormSpace& space, double nu, const std::string& linea
     const int k = space.cell_degree();
     check_positive_mass(mass_, side_, degree_);
     if (!(coefficient_ >= 0) || !std::isfinite(coefficient_))
-        throw InvalidInput(fmt::format("a coefficient of diffusion of {} is given: expected a "
-                                       "finite one of at least 0",
-                                       coefficient_));
+        throw InvalidInput(fmt::format(
+            "the coefficient of diffusion is {}: expected a finite number of at least 0",
+            coefficient_));
     solver_ = make_linear_solver(linear_solver);
     stiffness_ = space.stiffness();
     facts_ = {.symmetry = Symmetry::symmetric,
@@ -93,10 +93,9 @@ Diffusion::Diffusion(const HodgeStar& mass, const Operator& stiffness, Side side
              .many_solves = true},
       solver_(make_linear_solver(linear_solver)) {
     if (stiffness.rows() != mass.size() || stiffness.cols() != mass.size())
-        throw InvalidInput(fmt::format("a stiffness of {} x {} is given: expected {} x {}, as the "
-                                       "star of {}-cells",
-                                       stiffness.rows(), stiffness.cols(), mass.size(), mass.size(),
-                                       mass.degree()));
+        throw InvalidInput(fmt::format(
+            "the stiffness is {} x {}: expected {} x {}, like the star of {}-cells",
+            stiffness.rows(), stiffness.cols(), mass.size(), mass.size(), mass.degree()));
     check_positive_mass(mass, side, degree_);
     for (Index cell = 0; cell < mass.size(); ++cell)
         kept_.push_back(cell);
@@ -127,9 +126,8 @@ void Diffusion::check_growth(const Vector& before, const Vector& after) const {
     const double from = before.dot(mass_ * before), to = after.dot(mass_ * after);
     if (!(to <= from * (1 + rounding)))
         throw SolverFailure(fmt::format(
-            "a step of diffusion of {} {}-forms makes their norm larger, by {:.2g} of "
-            "itself: the Laplacian has negative eigenvalues, as it may by stars with "
-            "negative duals; take {}",
+            "a step of diffusion of {} {}-forms increases their norm by a factor of 1 + {:.2g}: "
+            "the Laplacian has negative eigenvalues, probably because of negative duals; use {}",
             name(side_), degree_, std::sqrt(to / from) - 1, positive_stars(mass_.dimension())));
 }
 
@@ -153,8 +151,8 @@ Vector Diffusion::rate(const Vector& values) const {
 
 const FormEquations& Diffusion::equations() const {
     if (!space_)
-        throw InvalidInput("a diffusion by a stiffness knows no boundary: add what it brings to "
-                           "the rate");
+        throw InvalidInput("diffusion by a stiffness matrix does not support boundary data: add "
+                           "their effect to the rate");
     return space_->equations.get([&] { return FormEquations(space_->of); });
 }
 

@@ -90,13 +90,12 @@ void Evolution::Equation::add(const Unknown& unknown) {
     if (!stiff && unknown.diffusion != 0)
         stiff = std::make_shared<Diffusion>(space, unknown.diffusion, options.linear_solver);
     if (stiff && (stiff->side() != side || stiff->degree() != degree))
-        throw InvalidInput(fmt::format("unknown {}: its stiff part is for {} {}-forms, and it is a "
-                                       "{} {}-form",
-                                       parts.size(), name(stiff->side()), stiff->degree(),
-                                       name(side), degree));
+        throw InvalidInput(fmt::format(
+            "unknown {}: its stiff part acts on {} {}-forms, but the unknown is a {} {}-form",
+            parts.size(), name(stiff->side()), stiff->degree(), name(side), degree));
     if (unknown.boundary && !stiff)
-        throw InvalidInput(fmt::format("unknown {}: data on the boundary are given, and no "
-                                       "diffusion that would take them in",
+        throw InvalidInput(fmt::format("unknown {}: data on the boundary are given, but no "
+                                       "diffusion uses them; add a diffusion or remove the data",
                                        parts.size()));
     std::vector<Index> kept(unknown.start.size());
     std::iota(kept.begin(), kept.end(), 0);
@@ -279,8 +278,8 @@ std::vector<Vector> Evolution::state() const {
 
 void Evolution::resume(double time, const std::vector<Vector>& state) {
     if (state.size() != 2 || state[0].size() != equation_->start.size())
-        throw InvalidInput(fmt::format("a state of another evolution is given: expected {} values "
-                                       "and the integrator's memory",
+        throw InvalidInput(fmt::format("the state belongs to another evolution: expected {} values "
+                                       "and the memory of the integrator",
                                        equation_->start.size()));
     begin(time, state[0], state[1]);
 }

@@ -14,7 +14,7 @@ FixedSteps::FixedSteps(double time_step, std::vector<Vector> state)
     : time_step_(time_step), state_(std::move(state)) {
     if (!(time_step > 0) || !std::isfinite(time_step))
         throw InvalidInput(
-            fmt::format("a time step of {} is given: expected a finite one above 0", time_step));
+            fmt::format("the time step is {}: expected a finite number above 0", time_step));
 }
 
 void FixedSteps::advance(std::int64_t steps, const TimeListener& progress) {
@@ -26,9 +26,8 @@ void FixedSteps::advance(std::int64_t steps, const TimeListener& progress) {
     }
     for (const Vector& values : state_)
         if (!values.allFinite())
-            throw SolverFailure(fmt::format("after step {}, at the time {:.6g}, values are no "
-                                            "finite numbers: take shorter steps, or look at the "
-                                            "data",
+            throw SolverFailure(fmt::format("after step {}, at time {:.6g}, values are not finite: "
+                                            "use shorter steps, or check the data",
                                             steps_, time()));
 }
 
@@ -36,9 +35,9 @@ Arrival FixedSteps::march(double until, const TimeListener& progress) {
     constexpr double most = 1e15;
     const double last = std::round(until / time_step_);
     if (!(last >= static_cast<double>(steps_) && last <= most))
-        throw InvalidInput(fmt::format("the run cannot march to the time {:.6g}: expected a time "
-                                       "of at least {:.6g}, where it is now",
-                                       until, time()));
+        throw InvalidInput(fmt::format(
+            "the run cannot march to time {:.6g}: expected at least {:.6g}, the current time",
+            until, time()));
     advance(static_cast<std::int64_t>(last) - steps_, progress);
     return Arrival::at_time;
 }
@@ -49,8 +48,8 @@ void FixedSteps::resume(double time, const std::vector<Vector>& state) {
         fits =
             state[i].size() == state_[i].size() || std::min(state[i].size(), state_[i].size()) == 0;
     if (!fits)
-        throw InvalidInput("a state of another run is given: expected one that state() of this run "
-                           "has given, and its time");
+        throw InvalidInput("the state belongs to another run: expected a state that state() of "
+                           "this run returned, and its time");
     steps_ = std::llround(time / time_step_);
     state_ = state;
 }

@@ -32,9 +32,9 @@ struct Degrees {
 Degrees degrees(const FormSpace& space) {
     const int n = space.cells().dimension(), degree = space.degree();
     if (degree >= n)
-        throw InvalidInput(fmt::format("waves of {}-forms are asked for: in dimension {} the "
-                                       "degrees are 0 to {}",
-                                       degree, n, n - 1));
+        throw InvalidInput(
+            fmt::format("waves of {}-forms do not exist in dimension {}: expected degree 0 to {}",
+                        degree, n, n - 1));
     return space.side() == Side::primal ? Degrees{degree, degree + 1}
                                         : Degrees{n - degree, n - degree - 1};
 }
@@ -49,7 +49,7 @@ void check_wave_stars(const FormSpace& space) {
     const auto negative = stars[on.B].negatives();
     if (!negative.empty())
         throw InvalidInput(fmt::format("the duals of {} {}-cells are negative, the first is cell "
-                                       "{}: waves would grow without bound; take {}",
+                                       "{}: waves would grow without bound; use {}",
                                        negative.size(), on.B,
                                        stars[on.B].numbers({negative.front()}),
                                        positive_stars(stars.dimension())),
@@ -87,8 +87,8 @@ double chosen_step(const FormSpace& space, double time_step, double unit) {
     if (time_step == 0)
         return std::isfinite(limit) ? part_of_stable_step * limit : 1;
     if (!(time_step > 0 && time_step < limit))
-        throw InvalidInput(fmt::format("a time step of {:.6g} is given: expected one above 0 and "
-                                       "below {:.6g}, beyond which waves grow",
+        throw InvalidInput(fmt::format("the time step is {:.6g}: expected a number above 0 and "
+                                       "below {:.6g}, the limit of stability",
                                        unit * time_step, unit * limit));
     return time_step;
 }

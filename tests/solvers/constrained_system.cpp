@@ -166,7 +166,7 @@ TEST(ConstrainedSystem, refuses_sizes_that_do_not_fit) {
                  ConstrainedSolver solver(system_of(paths({3}), {true, false, false}), "auto");
                  solver.solve(Vector::Zero(2), Vector::Zero(3));
              }),
-             {"right-hand side", "2", "fixed values", "3 entries", "3"}));
+             {"right-hand side", "2 entries", "fixed values", "3", "3"}));
 }
 
 } // namespace

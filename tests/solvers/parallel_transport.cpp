@@ -234,7 +234,7 @@ TEST(ParallelTransport, refuses_surfaces_without_angles) {
     EXPECT_TRUE(says(refused(glued(moebius(9, 2))), {"one-sided"}));
     GluedSample turned = flat(2);
     turned.surface.reverse(3);
-    EXPECT_TRUE(says(refused(turned), {"triangles 0", "3", "edge 0", "oriented"}));
+    EXPECT_TRUE(says(refused(turned), {"triangles 0", "3", "edge 0", "orientations"}));
     Mesh pinched;
     pinched.points.resize(5, 2);
     pinched.points << 0, 0, 1, 0, 0, 1, -1, 0, 0, -1;
@@ -250,7 +250,7 @@ TEST(ParallelTransport, refuses_vectors_that_make_no_sense) {
         return refusal([&] { transported(torus.surface, torus.lengths, sources, vectors); });
     };
     EXPECT_TRUE(says(refused({0, 1}, one_vector(1)), {"1 vectors", "2 sources"}));
-    EXPECT_TRUE(says(refused({4, 4}, TangentVectors::Ones(2)), {"vertex 4", "twice", "source"}));
+    EXPECT_TRUE(says(refused({4, 4}, TangentVectors::Ones(2)), {"vertex 4", "source", "twice"}));
     EXPECT_TRUE(says(refused({4}, one_vector({1, NAN})), {"vector", "vertex 4", "(1, nan)"}));
     EXPECT_TRUE(says(refused({9}, one_vector(1)), {"vertex 9", "source", "0", "8"}));
     EXPECT_TRUE(says(refused({}, TangentVectors(0)), {"source", "vertex 0"}));

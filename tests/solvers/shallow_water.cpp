@@ -143,7 +143,7 @@ TEST(ShallowWaterErrors, name_the_cell_and_the_dimension) {
     EXPECT_TRUE(says(refusal([&] {
                          water.rate({Vector{{1, 1, 0, 1}}, Vector::Zero(12)});
                      }),
-                     {"water", "cell 2", "0", "depth"}));
+                     {"depth", "water", "cell 2", "0"}));
     EXPECT_TRUE(says(refusal([] { ShallowWater{circumcentric(kuhn(3, 1))}; }),
                      {"shallow water", "dimension 3", "surface"}));
 }

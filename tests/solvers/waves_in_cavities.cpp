@@ -234,7 +234,7 @@ TEST(WaveErrors, name_what_is_wrong) {
     EXPECT_TRUE(says(refusal([&] {
                          coexact_spectrum({{mesh.complex(), mesh.volumes()}, Side::dual, 0});
                      }),
-                     {"coexact", "primal forms", "dual form"}));
+                     {"forms are dual", "primal forms", "coexact dual forms"}));
 }
 
 } // namespace

@@ -16,7 +16,7 @@ class Stars(TestCase):
         self.write("t.off", OBTUSE)
         heat = ("heat", "t.off", "--side", "dual", "--initial", "x<1.5", "--until", 200,
                 "--time-step", .5)
-        self.assertSays(self.fail_with(3, *heat, "--star", "circumcentric"), "t.off", "norm larger",
+        self.assertSays(self.fail_with(3, *heat, "--star", "circumcentric"), "t.off", "increases their norm",
                         "negative", "--star automatic")
         self.assertLess(self.ask(*heat)["relative_norm"], 1)
         spectrum = ("spectrum", "t.off", "--side", "dual", "--degree", 0, "--count", 3)
