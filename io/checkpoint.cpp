@@ -72,7 +72,7 @@ private:
 void check_whole(const SourceFile& file) {
     WordReader words(file);
     if (!file.text.starts_with(heading))
-        words.fail("it is no checkpoint of this version of polydec");
+        words.fail("it is not a checkpoint of this version of polydec");
     if ((file.text.size() - heading.size()) % word_size != 0 || words.left() == 0)
         words.fail("it is cut off");
     Fingerprint found;
@@ -133,7 +133,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t prob
     Checkpoint result;
     result.problem = words.next();
     if (result.problem != problem)
-        words.fail("it belongs to another mesh, equation or option; begin anew, or give the same");
+        words.fail("it belongs to another mesh, equation or option; start a new run, or use the "
+                   "same inputs");
     result.step = words.next();
     result.time = std::bit_cast<double>(words.next());
     const std::uint64_t count = words.next();
@@ -142,7 +143,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t prob
         sizes.push_back(words.next());
     for (const std::uint64_t size : sizes) {
         if (size >= words.left())
-            words.fail("its sizes are not those of its numbers");
+            words.fail("its sizes do not match its numbers");
         Vector& values = result.state.emplace_back(static_cast<Eigen::Index>(size));
         for (double& value : values)
             value = std::bit_cast<double>(words.next());

@@ -85,10 +85,10 @@ void JsonWriter::integer(std::int64_t value) {
 
 void JsonWriter::number(double value) {
     if (!std::isfinite(value)) {
-        throw SolverFailure(fmt::format("the result has no finite number for '{}', but {}: "
-                                        "coordinates or data are too large, too small or too far "
-                                        "apart; scale them",
-                                        state_->last_key, value));
+        throw SolverFailure(
+            fmt::format("the result for '{}' is {}, not a finite number: coordinates or data are "
+                        "too large, too small or too far apart; scale them",
+                        state_->last_key, value));
     }
     state_->writer.Double(value);
 }

@@ -23,8 +23,8 @@ Frames::Frames(Run& run, std::vector<double> times, MarchOptions options)
         return;
     const auto problem = run_.fingerprint();
     if (!problem)
-        throw InvalidInput("a checkpoint cannot compare the functions that this run calls: give "
-                           "the run a label that says what they compute and with which numbers");
+        throw InvalidInput("a checkpoint cannot compare the functions of this run: give the run a "
+                           "label that names the functions and their parameters");
     problem_ = problem->value();
     if (options_.resume && std::filesystem::exists(options_.checkpoint))
         go_on();
@@ -52,7 +52,8 @@ void Frames::go_on() {
         refuse("it is not the checkpoint of a march");
     const Vector of_march = last.state.back();
     if (last.step > times_.size() || (last.step > 0 && times_[last.step - 1] != of_march[1]))
-        refuse("it belongs to a march to another list of times; begin anew, or give the same");
+        refuse("it belongs to a march with another list of times; start a new run, or give the "
+               "same times");
     last.state.pop_back();
     run_.resume(last.time, last.state);
     passed_ = last.step;

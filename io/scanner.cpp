@@ -145,9 +145,10 @@ Index Scanner::vertex(Index vertices, Index first) {
 
 double Scanner::as_coordinate(double value, Index vertex) const {
     if (!std::isfinite(value)) {
-        fail(fmt::format("vertex {} (counted from 0) has a coordinate that is NaN, infinite or "
-                         "beyond the doubles; expected finite numbers; repair or remove the vertex",
-                         vertex));
+        fail(fmt::format(
+            "vertex {} (counted from 0) has a coordinate that is NaN, infinite or outside the "
+            "range of double precision; expected finite numbers; repair or remove the vertex",
+            vertex));
     }
     return value;
 }
@@ -155,14 +156,14 @@ double Scanner::as_coordinate(double value, Index vertex) const {
 Index Scanner::as_count(std::int64_t value, std::string_view plural,
                         std::size_t least_bytes) const {
     if (value < 0) {
-        fail(fmt::format("{} {} are promised; expected a number that is not negative; correct it",
-                         value, plural));
+        fail(fmt::format("{} {} are announced; expected a number of at least 0; correct it", value,
+                         plural));
     }
 
     // The last record needs no separator behind it, hence the one byte more.
     if (least_bytes > 0 &&
         static_cast<std::uint64_t>(value) > (bytes_to_come() + 1) / least_bytes) {
-        fail(fmt::format("{} {} are promised, but {} bytes follow; expected at least {} bytes for "
+        fail(fmt::format("{} {} are announced, but {} bytes follow; expected at least {} bytes for "
                          "each; correct the number, or export again if the file was cut off",
                          value, plural, bytes_to_come(), least_bytes));
     }

@@ -39,7 +39,7 @@ SourceFile read_source_file(const std::filesystem::path& path) {
     try {
         return {name, named([&] { return file.read(); })};
     } catch (const std::bad_alloc&) {
-        refuse(name, fmt::format("memory does not suffice for its {} bytes", file.size()));
+        refuse(name, fmt::format("not enough memory for its {} bytes", file.size()));
     }
 }
 

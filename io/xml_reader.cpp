@@ -104,9 +104,9 @@ std::string_view XmlReader::read_name() {
     const auto size = std::min(rest().find_first_of(" \t\r\n=/<>\"'&!?"), rest().size());
     const auto name = rest().substr(0, size);
     if (name.empty()) {
-        fail(fmt::format("{} where a name should be; expected a tag or attribute of XML; export "
-                         "it again",
-                         quote_word(rest().substr(0, 10))));
+        fail(fmt::format(
+            "found {} in place of a name; expected a tag or attribute of XML; export it again",
+            quote_word(rest().substr(0, 10))));
     }
     go_to(position_ + size);
     return name;
@@ -115,7 +115,7 @@ std::string_view XmlReader::read_name() {
 std::string XmlReader::read_value() {
     skip_spaces();
     if (!starts_with("="))
-        fail("an attribute without a value; expected = and a value in quotes; export it again");
+        fail("an attribute has no value; expected = and a value in quotes; export it again");
     go_to(position_ + 1);
     skip_spaces();
     const auto end = starts_with("\"") || starts_with("'") ? rest().find(rest().front(), 1)

@@ -16,8 +16,8 @@ namespace {
 void check_finite(double value, const std::filesystem::path& path, Eigen::Index row,
                   Eigen::Index column) {
     if (!std::isfinite(value)) {
-        throw InvalidInput(fmt::format("entry ({}, {}), counted from 0, of what should be written "
-                                       "to {} is NaN or infinite; find out what made it so",
+        throw InvalidInput(fmt::format("cannot write {2}: entry ({0}, {1}), counted from 0, is NaN "
+                                       "or infinite; correct the operator that it comes from",
                                        row, column, path.string()),
                            {.path = path});
     }

@@ -32,8 +32,8 @@ std::size_t choice(Scanner& scanner, const std::vector<std::string_view>& words)
     const auto found = scanner.word(expected);
     const auto place = std::find(words.begin(), words.end(), found);
     if (place == words.end()) {
-        scanner.fail(fmt::format("{} stands here; expected {}; convert the file", quote_word(found),
-                                 expected));
+        scanner.fail(
+            fmt::format("found {}; expected {}; convert the file", quote_word(found), expected));
     }
     return static_cast<std::size_t>(place - words.begin());
 }
@@ -61,8 +61,8 @@ Scanner behind_banner(const Scanner& scanner) {
 double read_value(Scanner& scanner) {
     const double value = scanner.number("a number");
     if (!std::isfinite(value)) {
-        scanner.fail("the entry is NaN, infinite or beyond the doubles; expected a finite number; "
-                     "find out what made it so");
+        scanner.fail("the entry is NaN, infinite or outside the range of double precision; "
+                     "expected a finite number; correct the program that wrote it");
     }
     return value;
 }
@@ -70,7 +70,8 @@ double read_value(Scanner& scanner) {
 Index read_size(Scanner& scanner, std::string_view what) {
     const auto size = scanner.integer(what);
     if (size < 0 || size > std::numeric_limits<Index>::max())
-        scanner.fail(fmt::format("{} as {}; expected 0 to 2^31 - 1; correct the line", size, what));
+        scanner.fail(
+            fmt::format("{1} is {0}; expected 0 to 2^31 - 1; correct the line", size, what));
     return static_cast<Index>(size);
 }
 
@@ -108,8 +109,8 @@ void sort_and_check(std::vector<Entry>& entries, const Scanner& scanner) {
             return place(a) == place(b);
         });
     if (twice != entries.end()) {
-        scanner.fail(fmt::format("the entry in row {} and column {} was there twice; expected it "
-                                 "once; add the two up or remove one",
+        scanner.fail(fmt::format("the entry in row {} and column {} occurs twice; expected it "
+                                 "once; add the two or remove one",
                                  twice->row + 1, twice->column + 1));
     }
 }
@@ -139,7 +140,7 @@ SparseMatrix matrix_from(const std::vector<Entry>& entries, Index rows, Index co
 
 void expect_end(Scanner& scanner) {
     if (!scanner.at_end()) {
-        scanner.fail("more entries follow than are promised; expected the end of the file; correct "
+        scanner.fail("more entries follow than announced; expected the end of the file; correct "
                      "the number of entries");
     }
 }
@@ -186,7 +187,7 @@ DenseMatrix parse_matrix_market_array(const SourceFile& file) {
     scanner.end_line("the line of sizes");
     const auto promised = std::int64_t{rows} * columns;
     if (static_cast<std::uint64_t>(promised) > (scanner.remaining() + 1) / 2) {
-        scanner.fail(fmt::format("{} entries are promised, but {} bytes follow; expected at least "
+        scanner.fail(fmt::format("{} entries are announced, but {} bytes follow; expected at least "
                                  "2 bytes for each; correct the line of sizes",
                                  promised, scanner.remaining()));
     }

@@ -54,11 +54,11 @@ std::vector<std::string> CellLists::warnings_of_lesser(int dimension, Eigen::Ind
         if (count == 0)
             continue;
         const char* const name = k == 1 ? "edge" : most_corners == 3 ? "triangle" : "polygon";
-        warnings.push_back(fmt::format(
-            "left out {} {}{} beside the cells of dimension {}; the first has the vertices {}",
-            count, name, count == 1 ? "" : "s", dimension,
-            fmt::join(corners.begin() + offsets[first], corners.begin() + offsets[first + 1],
-                      ", ")));
+        warnings.push_back(fmt::format("left out {} {}{} with vertices that no cell of dimension "
+                                       "{} uses; the first has vertices {}",
+                                       count, name, count == 1 ? "" : "s", dimension,
+                                       fmt::join(corners.begin() + offsets[first],
+                                                 corners.begin() + offsets[first + 1], ", ")));
     }
     return warnings;
 }
@@ -101,16 +101,14 @@ Mesh CellLists::mesh(Points points) && {
 }
 
 std::string second_groups_warning(std::size_t count) {
-    return fmt::format(
-        "left out {} second group{} of cells: of those of the mesh the first group is "
-        "the tag",
-        count, count == 1 ? "" : "s");
+    return fmt::format("left out {} second group{} of cells: the first group of a cell is its tag",
+                       count, count == 1 ? "" : "s");
 }
 
 std::string higher_order_warning(std::size_t cells) {
-    return fmt::format("{} of second or higher order read by the corners; the midpoints, and what "
-                       "other nodes there are, left out",
-                       cells == 1 ? "1 cell" : fmt::format("{} cells", cells));
+    return fmt::format(
+        "read only the corners of {} of second or higher order; left out midpoints and other nodes",
+        cells == 1 ? "1 cell" : fmt::format("{} cells", cells));
 }
 
 std::optional<Index> tag_from(double number) {

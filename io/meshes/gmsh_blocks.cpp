@@ -72,8 +72,8 @@ GmshSection read_gmsh_elements(GmshSource& source) {
 void check_all_there(const GmshSource& source, const GmshSection& section, Index records,
                      std::string_view plural) {
     if (records < section.records) {
-        source.fail(fmt::format("{} {} are promised, but the blocks have {}; expected as many; "
-                                "export it again",
+        source.fail(fmt::format("the section announces {} {}, but its blocks have {}; expected "
+                                "equal numbers; export it again",
                                 section.records, plural, records));
     }
 }
@@ -97,7 +97,7 @@ GmshNodeBlock read_gmsh_node_block(GmshSource& source, Index before, Index promi
     const Index count = source.count("nodes of a block", {.integers = 1, .reals = 3});
     if (count > promised - before) {
         source.fail(fmt::format("a block of {} nodes, but only {} of {} are left; expected the "
-                                "sum that was promised; export it again",
+                                "announced total; export it again",
                                 count, promised - before, promised));
     }
     return {count, has_parameters ? static_cast<int>(dimension) : 0};
@@ -110,7 +110,7 @@ GmshElementBlock read_gmsh_element_block(GmshSource& source, Index left) {
     const Index count = source.count("elements of a block", {.integers = 1 + nodes});
     if (count > left) {
         source.fail(fmt::format("a block of {} elements, but only {} are left; expected the "
-                                "sum that was promised; export it again",
+                                "announced total; export it again",
                                 count, left));
     }
     return {kind, dimension, entity, count};
@@ -132,8 +132,8 @@ OldGmshElementBlock read_old_gmsh_element_block(GmshSource& source, Index left) 
         source.format().order.has_value() ? source.integer("the number of elements") : 1;
     const auto tags = source.integer("the number of tags");
     if (count < 1 || count > left || tags < 0) {
-        source.fail(fmt::format("a block of {} elements with {} tags, where {} elements are left; "
-                                "expected numbers that fit; export it again",
+        source.fail(fmt::format("a block of {} elements with {} tags, but only {} elements are "
+                                "left; expected the announced total; export it again",
                                 count, tags, left));
     }
     return {kind, static_cast<Index>(count), tags};

@@ -24,9 +24,9 @@ void GmshGroups::read(GmshSource& source, bool is_partitioned) {
         for (Index entity = 0; entity < counts[dimension]; ++entity)
             read_entity(source, dimension, is_partitioned);
         if (const auto twice = lists_[dimension].close()) {
-            source.fail(fmt::format("the entity {} of dimension {} is there twice; expected "
-                                    "it once; export it again",
-                                    *twice, dimension));
+            source.fail(fmt::format(
+                "the entity {} of dimension {} occurs twice; expected it once; export it again",
+                *twice, dimension));
         }
     }
 }
@@ -62,7 +62,7 @@ std::string quoted_name(Scanner& scanner) {
     const auto end = rest.find_first_of("\"\n\r", 1);
     if (rest.front() != '"' || end == std::string_view::npos || rest[end] != '"')
         scanner.fail("a physical name without quotes; expected one such as \"wall\"; correct it or "
-                     "leave the section $PhysicalNames out");
+                     "remove the section $PhysicalNames");
     return std::string(scanner.bytes(end + 1, "a physical name").substr(1, end - 1));
 }
 
@@ -91,8 +91,8 @@ std::vector<GroupName> read_gmsh_names(Scanner& scanner, const GmshFormat& forma
 Index group_tag(std::int64_t number, const GmshSource& source) {
     constexpr std::int64_t most = std::numeric_limits<Index>::max();
     if (number > most || number < -most) {
-        source.fail(fmt::format("the physical group {}; expected a number of 32 bits; number "
-                                "the groups again",
+        source.fail(fmt::format("the physical group {} is out of range; expected a number of 32 "
+                                "bits; renumber the groups",
                                 number));
     }
     return static_cast<Index>(number < 0 ? -number : number);

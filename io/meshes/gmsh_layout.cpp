@@ -72,7 +72,7 @@ private:
         if (keyword.empty())
             return false;
         if (!is_gmsh_keyword(keyword))
-            refuse_layout(file_, "a word stands outside of the sections");
+            refuse_layout(file_, "a word is outside the sections");
         const std::string name = keyword.substr(1);
         if (name == "MeshFormat" && !format_)
             format_ =
@@ -93,7 +93,7 @@ private:
         else
             skip_section(name);
         if (read_word("the end of a section") != "$End" + name)
-            refuse_layout(file_, "a section has another length than promised");
+            refuse_layout(file_, "a section does not have the announced length");
         return true;
     }
 
@@ -203,7 +203,7 @@ private:
             before += block.count;
         }
         if (before < section.records)
-            refuse_layout(file_, "there are fewer nodes than promised");
+            refuse_layout(file_, "there are fewer nodes than announced");
     }
 
     void read_elements() {
@@ -238,7 +238,7 @@ private:
                 static_cast<std::size_t>(block.count);
         }
         if (before < section.records)
-            refuse_layout(file_, "there are fewer elements than promised");
+            refuse_layout(file_, "there are fewer elements than announced");
     }
 
     void read_old_elements() {
@@ -315,7 +315,7 @@ private:
                     layout_.others.push_back(std::move(table));
                 if (layout_.cells.fields.empty() ||
                     (n == layout_.dimension() && layout_.others.size() > 0))
-                    refuse_layout(file_, "there are other cells than simplices");
+                    refuse_layout(file_, "there are cells other than simplices");
             }
     }
 

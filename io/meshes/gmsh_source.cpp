@@ -19,8 +19,8 @@ std::endian read_order(Scanner& scanner) {
         return std::endian::little;
     if (one == std::string_view("\0\0\0\1", 4))
         return std::endian::big;
-    scanner.fail("the bytes behind the version are not the number 1; expected it, to "
-                 "show the order of bytes; export it again");
+    scanner.fail("the bytes after the version are not the number 1, which shows the order of "
+                 "bytes; export it again");
 }
 
 } // namespace

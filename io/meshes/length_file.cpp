@@ -54,14 +54,15 @@ void check_edges(Scanner& scanner, const LengthMesh& mesh, const std::vector<std
     const auto line = [&](Index row) { return lines[static_cast<std::size_t>(row)]; };
     const auto name = fmt::format("edge {} {}", fault->a, fault->b);
     if (fault->kind == EdgeFault::Kind::missing)
-        throw InvalidInput(fmt::format("{}: {} of the simplices has no length; expected every edge "
-                                       "once; add a line for it",
-                                       scanner.name(), name),
-                           {.degree = 1, .vertices = {fault->a, fault->b}, .path = scanner.name()});
+        throw InvalidInput(
+            fmt::format(
+                "{}: {} of the simplices has no length; expected each edge once; add a line for it",
+                scanner.name(), name),
+            {.degree = 1, .vertices = {fault->a, fault->b}, .path = scanner.name()});
     scanner.set_line(line(fault->row));
     if (fault->kind == EdgeFault::Kind::repeated)
-        scanner.fail(fmt::format("{} has a length on line {} already; expected every edge once; "
-                                 "remove one of the two",
+        scanner.fail(fmt::format("{} already has a length on line {}; expected each edge once; "
+                                 "remove one of the two lines",
                                  name, line(fault->previous)));
     scanner.fail(fmt::format("{} belongs to no simplex; expected edges of the simplices; remove "
                              "the line or correct its vertices",
@@ -115,7 +116,7 @@ LengthMesh parse_lengths(const SourceFile& file) {
                                {.path = file.name});
         check_edges(scanner, mesh, lines);
     } catch (const std::bad_alloc&) {
-        throw IoError(fmt::format("cannot read {}: memory does not suffice", file.name),
+        throw IoError(fmt::format("cannot read {}: not enough memory", file.name),
                       {.path = file.name});
     }
     return mesh;
@@ -123,8 +124,8 @@ LengthMesh parse_lengths(const SourceFile& file) {
 
 LengthMesh read_lengths(const std::filesystem::path& path) {
     if (!is_length_file(path))
-        throw InvalidInput(fmt::format("{}: lengths of edges are read from .nsl; expected this "
-                                       "extension; rename the file, or read it with read_mesh",
+        throw InvalidInput(fmt::format("{}: read_lengths reads edge lengths from .nsl files; "
+                                       "rename the file, or read it with read_mesh",
                                        path.string()),
                            {.path = path});
     return parse_lengths(read_source_file(path));
@@ -132,10 +133,10 @@ LengthMesh read_lengths(const std::filesystem::path& path) {
 
 void write_lengths(const std::filesystem::path& path, const LengthMesh& mesh) {
     if (!is_length_file(path))
-        throw InvalidInput(fmt::format("cannot write {}: lengths of edges go to a file with the "
-                                       "extension .nsl",
-                                       path.string()),
-                           {.path = path});
+        throw InvalidInput(
+            fmt::format("cannot write {}: edge lengths need a file with the extension .nsl",
+                        path.string()),
+            {.path = path});
     check(mesh);
     for (Index e = 0; e < mesh.edges.rows(); ++e)
         if (!is_length(mesh.lengths[e]))

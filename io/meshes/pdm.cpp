@@ -86,13 +86,13 @@ std::string pdm_bytes(const std::vector<std::int64_t>& vertices, std::int64_t by
 PdmReader::PdmReader(PartialFile file) : file_(std::move(file)) {
     const std::string header = file_.read(0, std::min(file_.size, PdmLayout::header_bytes));
     if (!header.starts_with(magic))
-        fail("this is no .pdm file of version 1; write the mesh as one");
+        fail("the file is not a .pdm file of version 1; write the mesh again");
     if (std::ssize(header) < PdmLayout::header_bytes)
         fail("the file ends within its header; write it again");
     const std::size_t words_end = magic.size() + header_words * sizeof(std::int64_t);
     if (header.compare(words_end, PdmLayout::sum_bytes,
                        checksum_of(std::string_view(header).substr(0, words_end))) != 0)
-        fail("the header is damaged: its checksum is another; write the file again");
+        fail("the header is damaged: its checksum does not match; write the file again");
     std::array<std::int64_t, header_words> words{};
     for (std::size_t i = 0; i < header_words; ++i)
         words[i] = little<std::int64_t>(header, magic.size() + i * sizeof(std::int64_t));
@@ -104,10 +104,10 @@ PdmReader::PdmReader(PartialFile file) : file_(std::move(file)) {
         fail(fmt::format("{} vertices and {} cells; expected at least one of each", vertices,
                          cells));
     if (words[4] != layout_.number_bytes() || words[6] != PdmLayout::block_bytes)
-        fail("the widths of its numbers are none of this version");
+        fail("the widths of its numbers do not belong to this version; write the mesh again");
     if (file_.size != layout_.file_bytes())
-        fail(fmt::format("the file has {} bytes, and {} vertices and {} cells take {}: it was cut "
-                         "off, or written on; write it again",
+        fail(fmt::format("the file has {} bytes, but {} vertices and {} cells need {}: it was cut "
+                         "off or extended; write it again",
                          file_.size, vertices, cells, layout_.file_bytes()));
 }
 
@@ -132,7 +132,7 @@ std::string PdmReader::checked(std::int64_t begin, std::int64_t end) const {
             static_cast<std::size_t>(layout_.block_begin(block + 1) - layout_.block_begin(block)));
         if (sums.compare(static_cast<std::size_t>((block - first) * PdmLayout::sum_bytes),
                          PdmLayout::sum_bytes, checksum_of(one)) != 0)
-            fail(fmt::format("the bytes {} to {} are damaged: their checksum is another; write "
+            fail(fmt::format("the bytes {} to {} are damaged: their checksum does not match; write "
                              "the file again",
                              layout_.block_begin(block), layout_.block_begin(block + 1) - 1));
     }

@@ -89,11 +89,10 @@ void check_count(const Scanner& scanner, const PlyElement& element, PlyEncoding 
     }
     const auto count = static_cast<std::size_t>(element.count);
     if (bytes > 0 && count > (scanner.bytes_to_come() + 1) / bytes) {
-        scanner.fail(fmt::format("{} elements {} are promised in line {}, but {} bytes follow; "
-                                 "expected at least {} bytes for each; correct the number, or "
-                                 "export again if the file was cut off",
-                                 count, quote_word(element.name), line, scanner.bytes_to_come(),
-                                 bytes));
+        scanner.fail(fmt::format(
+            "{} elements {} are announced in line {}, but {} bytes follow; expected at least {} "
+            "bytes for each; correct the number, or export again if the file was cut off",
+            count, quote_word(element.name), line, scanner.bytes_to_come(), bytes));
     }
 }
 
@@ -152,9 +151,9 @@ private:
         element.name = scanner_.word("the name of an element");
         for (const auto& other : header_.elements) {
             if (other.name == element.name) {
-                scanner_.fail(fmt::format("the element {} is there a second time; expected one; "
-                                          "correct the header",
-                                          quote_word(element.name)));
+                scanner_.fail(
+                    fmt::format("the element {} occurs twice; expected it once; correct the header",
+                                quote_word(element.name)));
             }
         }
         scanner_.stay_on_line("the number of elements");

@@ -31,7 +31,7 @@ RecordTable points_of(const PartialFile& file, const PlyElement& element, std::i
     for (const char* axis : {"x", "y", "z"}) {
         const auto place = element.find(axis);
         if (place == element.properties.size())
-            refuse_layout(file, "vertices have not all coordinates");
+            refuse_layout(file, "vertices lack coordinates");
         table.fields.push_back({offsets[place], element.properties[place].type});
     }
     table.runs = {run_of(element, begin, offsets.back())};
@@ -86,7 +86,7 @@ std::optional<MeshLayout> ply_layout(const PartialFile& file) {
         refuse_layout(file, "not all faces are triangles, or the file is cut off");
     if (place < file.size)
         layout.warnings.push_back(
-            fmt::format("{} bytes behind the last element left out", file.size - place));
+            fmt::format("left out {} bytes after the last element", file.size - place));
     return layout;
 }
 

@@ -39,9 +39,9 @@ private:
         const Scanner place = scanner_;
         const auto keyword = scanner_.word("a section");
         if (!is_gmsh_keyword(keyword)) {
-            place.fail(fmt::format("{} stands outside of the sections; expected a keyword such as "
-                                   "$Nodes; check the format",
-                                   quote_word(keyword)));
+            place.fail(fmt::format(
+                "{} is outside the sections; expected a keyword such as $Nodes; check the format",
+                quote_word(keyword)));
         }
         const auto name = keyword.substr(1);
         if (name == "MeshFormat") {
@@ -117,9 +117,8 @@ private:
 
     void close_nodes(const GmshSource& source) {
         if (const auto twice = nodes_.close()) {
-            source.fail(fmt::format("the node {} is there twice; expected every number once; "
-                                    "number the nodes again",
-                                    *twice));
+            source.fail(fmt::format(
+                "the node {} occurs twice; expected each number once; renumber the nodes", *twice));
         }
     }
 
@@ -232,9 +231,9 @@ private:
     static void read_number_of_nodes(GmshSource& source, const GmshKind& kind) {
         const auto nodes = source.integer("the number of nodes");
         if (nodes != kind.nodes) {
-            source.fail(fmt::format("{} nodes of an element of Gmsh's type {}; expected {}; export "
-                                    "it again",
-                                    nodes, kind.type, kind.nodes));
+            source.fail(fmt::format(
+                "an element of Gmsh's type {1} has {0} nodes; expected {2}; export it again", nodes,
+                kind.type, kind.nodes));
         }
     }
 

@@ -30,9 +30,9 @@ public:
             if (word == "End")
                 break;
             if (is_letter(word[0]) && !places_.emplace(word, scanner).second) {
-                keyword_place.fail(fmt::format("the section {} is there a second time; expected "
-                                               "one; join the two",
-                                               quote_word(word)));
+                keyword_place.fail(
+                    fmt::format("the section {} occurs twice; expected it once; join the two",
+                                quote_word(word)));
             }
         }
     }

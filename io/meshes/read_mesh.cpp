@@ -43,7 +43,7 @@ const Format& format_of(const std::filesystem::path& path) {
                                        "mesh with points; read it with read_lengths",
                                        path.string()),
                            {.path = path});
-    throw InvalidInput(fmt::format("{}: the extension '{}' stands for no mesh format; expected one "
+    throw InvalidInput(fmt::format("{}: '{}' is not the extension of a mesh format; expected one "
                                    "of {}; rename or convert the file",
                                    path.string(), extension, known),
                        {.path = path});
@@ -78,11 +78,11 @@ Mesh parse_mesh(const SourceFile& file) {
         const auto other = foreign_format(file);
         if (other.empty())
             throw;
-        throw InvalidInput(fmt::format("{}: expected what {} stands for, but the file is {}",
+        throw InvalidInput(fmt::format("{}: the extension {} does not match the file, which is {}",
                                        file.name, format.extension, other),
                            {.path = file.name});
     } catch (const std::bad_alloc&) {
-        throw IoError(fmt::format("cannot read {}: memory does not suffice", file.name),
+        throw IoError(fmt::format("cannot read {}: not enough memory", file.name),
                       {.path = file.name});
     }
 }

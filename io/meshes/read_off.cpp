@@ -38,7 +38,7 @@ Beginning behind_n(Scanner scanner, bool has_four) {
     constexpr std::int64_t most = 1000;
     const auto axes = scanner.integer("the dimension of the points");
     if (axes < 1 || axes > most) {
-        scanner.fail(fmt::format("points of dimension {}; expected 1 to {} behind nOFF; correct it",
+        scanner.fail(fmt::format("points of dimension {}; expected 1 to {} after nOFF; correct it",
                                  axes, most));
     }
     return {scanner, axes + (has_four ? 1 : 0)};
@@ -133,7 +133,7 @@ Mesh read_off(const SourceFile& file) {
 
     Mesh mesh = split_polygons(std::move(polygons));
     if (!scanner.at_end()) {
-        mesh.warnings.push_back(fmt::format("what follows the {} faces was left out, from line {}",
+        mesh.warnings.push_back(fmt::format("left out everything after the {} faces, from line {}",
                                             faces, scanner.line()));
     }
     return mesh;

@@ -85,7 +85,7 @@ public:
         Mesh mesh = split_polygons(std::move(polygons_));
         if (is_rest) {
             mesh.warnings.push_back(
-                fmt::format("{} bytes behind the last element left out", source_.remaining()));
+                fmt::format("left out {} bytes after the last element", source_.remaining()));
         }
         return mesh;
     }
@@ -98,9 +98,10 @@ private:
             const std::string name(1, "xyz"[axis]);
             const auto place = element.find(name);
             if (place == element.properties.size() || element.properties[place].is_list) {
-                source_.fail(fmt::format("the element vertex has no number {}; expected x, y and, "
-                                         "unless it is a mesh of the plane, z; correct the header",
-                                         name));
+                source_.fail(
+                    fmt::format("the element vertex has no property {}; expected x, y and, except "
+                                "for a mesh of the plane, z; correct the header",
+                                name));
             }
             axis_of[place] = axis;
         }
@@ -118,10 +119,10 @@ private:
             }
             const double value = source_.value(property.type);
             if (!std::isfinite(value)) {
-                source_.fail(fmt::format(
-                    "vertex {} (counted from 0) has a coordinate that is NaN, infinite or beyond "
-                    "the doubles; expected finite numbers; repair or remove the vertex",
-                    vertex));
+                source_.fail(fmt::format("vertex {} (counted from 0) has a coordinate that is NaN, "
+                                         "infinite or outside the range of double precision; "
+                                         "expected finite numbers; repair or remove the vertex",
+                                         vertex));
             }
             polygons_.points(vertex, axis_of[i]) = value;
         }

@@ -35,9 +35,10 @@ Mesh joined(Points places) {
     Mesh& mesh = welded.mesh;
     mesh.warnings.clear();
     if (welded.apart > 0)
-        mesh.warnings.push_back(fmt::format(
-            "joined {} {} of STL's triangles at places up to {:.3g} (1e-9 of the mesh) from others",
-            welded.apart, welded.apart == 1 ? "corner" : "corners", length));
+        mesh.warnings.push_back(fmt::format("joined {} {} of STL triangles with others at most "
+                                            "{:.3g} away (1e-9 of the mesh's size)",
+                                            welded.apart, welded.apart == 1 ? "corner" : "corners",
+                                            length));
     return std::move(mesh);
 }
 
@@ -74,7 +75,7 @@ Mesh read_binary(const SourceFile& file) {
             read_corner(file, triangle, corner, places);
     Mesh mesh = joined(std::move(places));
     if (file.text.size() > promised_bytes(file)) {
-        mesh.warnings.push_back(fmt::format("{} bytes behind the {} triangles left out",
+        mesh.warnings.push_back(fmt::format("left out {} bytes after the {} triangles",
                                             file.text.size() - promised_bytes(file), triangles));
     }
     return mesh;
@@ -141,9 +142,9 @@ private:
     void expect(std::string_view keyword) {
         const auto word = scanner_.word(keyword);
         if (!equal_ignoring_case(word, keyword)) {
-            scanner_.fail(fmt::format("{} stands here; expected {}; correct the line or export the "
-                                      "file again",
-                                      quote_word(word), keyword));
+            scanner_.fail(
+                fmt::format("found {}; expected {}; correct the line or export the file again",
+                            quote_word(word), keyword));
         }
     }
 
@@ -174,12 +175,11 @@ Mesh read_stl(const SourceFile& file) {
         return read_binary(file);
     if (has_header) {
         throw InvalidInput(
-            fmt::format(
-                "{}: the file has {} bytes; expected {} for the {} triangles that its header "
-                "promises, or a text that begins with solid; export it again{}",
-                file.name, file.text.size(), promised_bytes(file),
-                (promised_bytes(file) - header_bytes) / triangle_bytes,
-                promised_bytes(file) > file.text.size() ? ", it seems cut off" : ""),
+            fmt::format("{}: the file has {} bytes; expected {} for the {} triangles that its "
+                        "header announces, or a text that begins with solid; export it again{}",
+                        file.name, file.text.size(), promised_bytes(file),
+                        (promised_bytes(file) - header_bytes) / triangle_bytes,
+                        promised_bytes(file) > file.text.size() ? ", it seems cut off" : ""),
             {.path = file.name});
     }
     throw InvalidInput(fmt::format("{}: the file has {} bytes; expected a binary STL of at least "

@@ -30,9 +30,9 @@ struct Nodes {
 void read_number(Scanner& scanner, const char* record, Index place, std::int64_t first) {
     const auto number = scanner.integer(fmt::format("the number of a {}", record));
     if (number != first + place) {
-        scanner.fail(fmt::format("a {} of the number {}; expected {}, for they must be "
-                                 "numbered one by one; number them again",
-                                 record, number, first + place));
+        scanner.fail(fmt::format(
+            "a {} has the number {}; expected {}, since numbers must be consecutive; renumber them",
+            record, number, first + place));
     }
 }
 
@@ -171,8 +171,8 @@ std::filesystem::path cells_beside(const std::filesystem::path& path) {
         if (std::filesystem::exists(cells, none))
             return cells;
     }
-    throw InvalidInput(fmt::format("{}: neither {} nor .face is beside it; expected the file of "
-                                   "the cells; put it there",
+    throw InvalidInput(fmt::format("{}: there is neither {} nor .face in the same folder; expected "
+                                   "the file of the cells; add it",
                                    path.string(), with_extension(path, ".ele").string()),
                        {.path = path});
 }

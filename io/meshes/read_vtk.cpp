@@ -130,10 +130,9 @@ private:
             arrays_.points = grid_points(grid_, cells_place_);
         }
         if (arrays_.points.size() != 3 * grid_.points[0] * grid_.points[1] * grid_.points[2]) {
-            cells_place_.fail(fmt::format("{} points of a grid of {} x {} x {}; expected the "
-                                          "product; export it again",
-                                          arrays_.points.size() / 3, grid_.points[0],
-                                          grid_.points[1], grid_.points[2]));
+            cells_place_.fail(fmt::format(
+                "{} points for a grid of {} x {} x {}; expected the product; export it again",
+                arrays_.points.size() / 3, grid_.points[0], grid_.points[1], grid_.points[2]));
         }
         add_grid_cells(grid_, cells_place_, arrays_);
     }
@@ -145,8 +144,8 @@ private:
             for (std::size_t i = 0; i < grid_.points[axis]; ++i)
                 places.push_back(origin_[axis] + static_cast<double>(i) * spacing_[axis]);
         } else if (places.size() != grid_.points[axis]) {
-            cells_place_.fail(fmt::format("{} coordinates along axis {} of a grid of {} points; "
-                                          "expected as many; export it again",
+            cells_place_.fail(fmt::format("{} coordinates along axis {} for {} points; expected "
+                                          "equal numbers; export it again",
                                           places.size(), axis, grid_.points[axis]));
         }
     }
@@ -174,9 +173,9 @@ private:
     void read_keyword(const char* expected) {
         const auto word = scanner_.word(expected);
         if (lower_case(word) != expected) {
-            scanner_.fail(fmt::format("{} among the cells; expected {}, as version 5 has it; "
-                                      "export it again",
-                                      quote_word(word), expected));
+            scanner_.fail(fmt::format(
+                "found {} among the cells; expected {}, as in version 5; export it again",
+                quote_word(word), expected));
         }
     }
 
@@ -214,8 +213,8 @@ private:
             place += 1 + static_cast<std::size_t>(length);
         }
         if (place != numbers.size()) {
-            cells_place_.fail(fmt::format("{} cells take {} numbers, but {} are promised; expected "
-                                          "as many; correct the line",
+            cells_place_.fail(fmt::format("{} cells have {} numbers, but the line announces {}; "
+                                          "expected equal numbers; correct the line",
                                           cells, place, numbers.size()));
         }
     }
@@ -251,12 +250,12 @@ private:
         }
         const bool has_points = !arrays_.points.empty() || (has_grid() && grid_.points[0] > 0);
         if (!known && (!has_points || cells_place_.line() == 1)) {
-            place.fail(fmt::format("{} in front of the points or cells; expected POINTS, CELLS, "
+            place.fail(fmt::format("found {} before the points or cells; expected POINTS, CELLS, "
                                    "POLYGONS or other keywords of a grid; check the format",
                                    quote_word(keyword)));
         }
         if (!known) {
-            warnings_.push_back(fmt::format("what follows {} in line {} was left out",
+            warnings_.push_back(fmt::format("left out everything after {} in line {}",
                                             quote_word(keyword), place.line()));
         }
         return known && arrays_.tags.empty();

@@ -29,8 +29,7 @@ public:
         Mesh mesh = vtk_mesh(arrays_, place_of(vtu_.cells("connectivity")), file_);
         if (joined > 0) {
             mesh.warnings.push_back(fmt::format(
-                "{} vertices at places where other pieces of the grid have one joined to these",
-                joined));
+                "joined {} vertices to coincident vertices of other pieces of the grid", joined));
         }
         return mesh;
     }

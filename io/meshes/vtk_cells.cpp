@@ -118,11 +118,10 @@ private:
         const auto last = arrays_.ends.empty() ? 0.0 : arrays_.ends.back();
         if (arrays_.ends.size() != arrays_.types.size() ||
             last != static_cast<double>(arrays_.corners.size())) {
-            place_.fail(fmt::format("{} types, {} offsets up to {} and {} corners of cells do not "
-                                    "belong together; expected an offset for each type, up to the "
-                                    "number of corners; export it again",
-                                    arrays_.types.size(), arrays_.ends.size(), last,
-                                    arrays_.corners.size()));
+            place_.fail(fmt::format(
+                "{} types, {} offsets up to {} and {} corners of cells do not match; expected an "
+                "offset for each type, up to the number of corners; export it again",
+                arrays_.types.size(), arrays_.ends.size(), last, arrays_.corners.size()));
         }
     }
 
@@ -182,12 +181,11 @@ private:
             if (kind.type == type)
                 return kind;
         constexpr double polyhedron = 42;
-        place_.fail(fmt::format("cell {} is {}of VTK's type {}; expected tetrahedra, hexahedra, "
-                                "wedges, pyramids (10 to 16), polygons (5 to 9) or lines (3, 4); "
-                                "{}",
-                                cell, type == polyhedron ? "a polyhedron, " : "", type,
-                                type == polyhedron ? "read the mesh it was made from"
-                                                   : "convert it before"));
+        place_.fail(fmt::format(
+            "cell {} is {}of VTK's type {}, which is not supported; expected tetrahedra, "
+            "hexahedra, wedges, pyramids (10 to 16), polygons (5 to 9) or lines (3, 4); {}",
+            cell, type == polyhedron ? "a polyhedron, " : "", type,
+            type == polyhedron ? "read the mesh that it comes from" : "convert it first"));
     }
 
     Index vertex_at(std::size_t place, std::size_t cell) const {

@@ -67,9 +67,9 @@ double VtkSource::read_header() {
 
     const auto encoding = keyword("ASCII or BINARY");
     if (encoding != "ascii" && encoding != "binary") {
-        scanner_.fail(fmt::format("{} behind the title; expected ASCII or BINARY; correct the "
-                                  "third line",
-                                  quote_word(encoding)));
+        scanner_.fail(fmt::format(
+            "found {} after the title; expected ASCII or BINARY; correct the third line",
+            quote_word(encoding)));
     }
     is_binary_ = encoding == "binary";
     return version;
@@ -94,8 +94,8 @@ NumberType VtkSource::read_type() {
     const auto word = scanner_.word("a type of numbers");
     const auto type = type_of(word);
     if (!type) {
-        scanner_.fail(fmt::format("{} is no type of numbers that is read; expected float, "
-                                  "double, int or another of VTK's; export it again",
+        scanner_.fail(fmt::format("{} is not a supported type of numbers; expected float, double, "
+                                  "int or another of VTK's types; export it again",
                                   quote_word(word)));
     }
     return *type;
@@ -103,10 +103,10 @@ NumberType VtkSource::read_type() {
 
 void VtkSource::check_room(std::size_t count, std::size_t each) {
     if (count > (scanner_.remaining() + 1) / each) {
-        scanner_.fail(fmt::format("{} numbers are promised, but {} bytes follow; expected at "
-                                  "least {} bytes for each; correct the number, or export "
-                                  "again if the file was cut off",
-                                  count, scanner_.remaining(), each));
+        scanner_.fail(
+            fmt::format("{} numbers are announced, but {} bytes follow; expected at least {} bytes "
+                        "for each; correct the number, or export again if the file was cut off",
+                        count, scanner_.remaining(), each));
     }
 }
 

@@ -119,8 +119,7 @@ private:
                 inflate(source_.read(sizes[block]), is_smaller ? last_size_ : size_);
             if (!content) {
                 place_.fail(fmt::format("block {} of a compressed array is damaged; expected a "
-                                        "zlib stream of the size that is promised; export it "
-                                        "again",
+                                        "zlib stream of the announced size; export it again",
                                         block));
             }
             result += *content;
@@ -167,17 +166,16 @@ void check_promise(const VtuText& array, const ArrayDecoder& decoder, std::size_
                    const Scanner& place) {
     const double promised = decoder.promised();
     if (array.numbers && promised != *array.numbers * static_cast<double>(each)) {
-        place.fail(fmt::format("the compressed array {} promises {:.0f} bytes; expected {:.0f}, by "
-                               "the numbers of points, cells and corners of its piece; export it "
-                               "again",
-                               quote_word(array.name()), promised,
-                               *array.numbers * static_cast<double>(each)));
+        place.fail(fmt::format(
+            "the compressed array {} announces {:.0f} bytes; expected {:.0f}, from the numbers of "
+            "points, cells and corners of its piece; export it again",
+            quote_word(array.name()), promised, *array.numbers * static_cast<double>(each)));
     }
     if (promised > decoder.capacity()) {
-        place.fail(fmt::format("the compressed array {} promises {:.0f} bytes; expected at most "
-                               "{:.0f}, which the rest of the file can hold; export it again, it "
-                               "seems cut off",
-                               quote_word(array.name()), promised, decoder.capacity()));
+        place.fail(
+            fmt::format("the compressed array {} announces {:.0f} bytes; expected at most {:.0f}, "
+                        "the capacity of the rest of the file; export it again, it seems cut off",
+                        quote_word(array.name()), promised, decoder.capacity()));
     }
 }
 
@@ -255,9 +253,9 @@ std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding
     const auto bytes = decoder_of(array, encoding, place).bytes();
     const auto each = size_of(type);
     if (bytes.size() % each != 0) {
-        place.fail(fmt::format("an array of {} bytes, of which each number takes {}; expected a "
-                               "multiple; export it again",
-                               bytes.size(), each));
+        place.fail(fmt::format(
+            "an array has {} bytes, and each number needs {}; expected a multiple; export it again",
+            bytes.size(), each));
     }
     std::vector<double> values(bytes.size() / each);
     for (std::size_t i = 0; i < values.size(); ++i)

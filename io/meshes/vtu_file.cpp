@@ -75,7 +75,7 @@ void VtuFile::read_piece(const XmlTag& tag) {
 
 void VtuFile::require_one_piece() const {
     if (pieces_ > 1) {
-        reader_.fail(fmt::format("{} pieces of the grid; expected one; merge them, for instance "
+        reader_.fail(fmt::format("the grid has {} pieces; expected one; merge them, for instance "
                                  "with ParaView's filters Merge Blocks and Clean to Grid",
                                  pieces_));
     }
@@ -85,8 +85,8 @@ void VtuFile::read_appended(const XmlTag& tag) {
     const auto encoding = tag.attribute("encoding", "base64");
     const auto mark = reader_.rest().find('_');
     if ((encoding != "raw" && encoding != "base64") || mark == std::string_view::npos) {
-        reader_.fail(fmt::format("AppendedData in the encoding {}; expected raw or base64, and "
-                                 "a _ in front of the data; export it again",
+        reader_.fail(fmt::format("AppendedData in the encoding {}; expected raw or base64, and a _ "
+                                 "before the data; export it again",
                                  quote_word(encoding)));
     }
     encoding_.appended_is_raw = encoding == "raw";
@@ -102,8 +102,7 @@ void VtuFile::keep_array(XmlTag tag, const std::string& outer) {
         return;
     const int piece = std::max(0, pieces_ - 1);
     if (is_needed && find(outer, outer == "Points" ? "" : name, piece) != nullptr) {
-        reader_.fail(fmt::format("the array {} is there a second time; expected one; export "
-                                 "it again",
+        reader_.fail(fmt::format("the array {} occurs twice; expected it once; export it again",
                                  quote_word(name)));
     }
     const bool has_text = !tag.closes;
@@ -175,8 +174,8 @@ const VtuText& VtuFile::cells(const char* name, int piece) const {
 const VtuText& VtuFile::points(int piece) const {
     const auto* array = find("Points", "", piece);
     if (array != nullptr && array->tag.attribute("NumberOfComponents", "3") != "3") {
-        reader_.fail("the points have not three components; expected three, the last may be "
-                     "0; export it again");
+        reader_.fail("the points do not have three components; expected three, the last may be 0; "
+                     "export it again");
     }
     return needed(array, "of points");
 }

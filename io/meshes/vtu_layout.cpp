@@ -31,7 +31,7 @@ public:
         const auto width = static_cast<std::int64_t>(encoding_.header_bytes);
         const auto bytes = number_of_bytes(header, width);
         if (bytes > file_.size - header - width || bytes % table.reach() != 0)
-            refuse_layout(file_, "an array has another length than promised");
+            refuse_layout(file_, "an array does not have the announced length");
         table.runs = {{bytes / table.reach(), header + width, table.reach()}};
         return table;
     }
@@ -74,10 +74,10 @@ MeshLayout layout_of(const PartialFile& file, const SourceFile& front, const Vtu
     const double type = rows_of(types, file, layout.order, 0, 1)(0, 0);
     const int corners = corners_of(type);
     if (corners == 0)
-        refuse_layout(file, "there are other cells than simplices");
+        refuse_layout(file, "there are cells other than simplices");
     layout.cells = arrays.table(vtu.cells("connectivity"), corners);
     if (ends.count() != types.count() || layout.cells.count() != types.count())
-        refuse_layout(file, "not all cells have as many corners");
+        refuse_layout(file, "not all cells have the same number of corners");
     layout.expected = {{types, type, 0},
                        {ends, static_cast<double>(corners), static_cast<double>(corners)}};
     for (const auto& [section, array, piece] : vtu.arrays())

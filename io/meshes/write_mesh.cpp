@@ -34,8 +34,7 @@ void check_points(const Path& path, const Points& points) {
     for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex) {
         if (!points.row(vertex).allFinite()) {
             refuse(path,
-                   fmt::format("vertex {} has a coordinate that is NaN or infinite; find out "
-                               "what made it so",
+                   fmt::format("vertex {} has a coordinate that is NaN or infinite; correct it",
                                vertex),
                    {.vertices = {static_cast<Index>(vertex)}});
         }
@@ -279,8 +278,9 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
     check_points(path, mesh.points);
     check_simplices(path, mesh);
     if (!mesh.tags.empty() && static_cast<Eigen::Index>(mesh.tags.size()) != mesh.simplices.rows())
-        refuse(path, fmt::format("{} tags for {} simplices: expected one for each, or none",
-                                 mesh.tags.size(), mesh.simplices.rows()));
+        refuse(path,
+               fmt::format("{} tags are given for {} simplices; expected one for each, or none",
+                           mesh.tags.size(), mesh.simplices.rows()));
     check_facet_tags(mesh);
     const auto extension = lower_extension(path);
     if (extension == ".nsc") {
@@ -303,7 +303,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
             path, extension,
             {mesh.points, {mesh.simplices.data(), corners}, corners / size, nullptr, size});
     } else {
-        refuse(path, fmt::format("the extension '{}' stands for no mesh format; use .off, .obj, "
+        refuse(path, fmt::format("'{}' is not the extension of a mesh format; use .off, .obj, "
                                  ".ply, .stl, .mesh, .nsc or .pdm",
                                  extension));
     }
@@ -314,9 +314,10 @@ void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh) {
     check_points(path, mesh.points);
     const auto extension = lower_extension(path);
     if (extension != ".off" && extension != ".obj" && extension != ".ply") {
-        refuse(path, fmt::format("the extension '{}' stands for no format of polygons; use .off, "
-                                 ".obj or .ply",
-                                 extension));
+        refuse(path,
+               fmt::format(
+                   "'{}' is not the extension of a format for polygons; use .off, .obj or .ply",
+                   extension));
     }
     if (mesh.points.cols() > 3) {
         refuse(path, fmt::format("{} holds polygons in R^2 and R^3, not in R^{}; write the "

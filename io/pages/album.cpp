@@ -31,15 +31,13 @@ std::string title_of(std::string_view page) {
 
 std::string album_html(const std::string& title, const std::vector<std::string>& pages) {
     if (pages.empty())
-        throw InvalidInput("an album without pages: name at least one");
+        throw InvalidInput("an album needs pages: name at least one");
     std::string links, sections, chosen;
     for (std::size_t i = 0; i < pages.size(); ++i) {
         const std::string name = title_of(pages[i]);
         if (name.empty())
-            throw InvalidInput(
-                fmt::format("page {} of an album is none that polydec wrote; make it "
-                            "with write_page",
-                            i));
+            throw InvalidInput(fmt::format(
+                "page {} of an album was not written by polydec; write it with write_page", i));
         links += fmt::format("\n<a id=\"to-{0}\" href=\"#page-{0}\">{1}</a>", i, name);
         chosen += fmt::format("body:has(#page-{0}:target) #to-{0} {{ font-weight: bold; }}\n", i);
         // the first one comes last, so that the choice of another can hide it
@@ -64,7 +62,7 @@ void write_album(const std::filesystem::path& path, const std::string& title,
         texts.push_back(read_source_file(page).text);
         if (title_of(texts.back()).empty())
             throw InvalidInput(
-                fmt::format("{} is no page that polydec wrote; make it with write_page",
+                fmt::format("{} was not written by polydec; write the page with write_page",
                             printable(page.string())),
                 {.path = page});
     }

@@ -92,15 +92,16 @@ Page draw_page(const Discretization& mesh, std::string title) {
         add_measures(page.grid, mesh);
     } else {
         page.groups = std::get<std::vector<Index>>(page.grid.cell_data.front().values);
-        page.text.facts.emplace_back("Edges were flipped: cells are shown as they lie over the "
-                                     "input's triangles, whose other edges count as merged away.");
+        page.text.facts.emplace_back(
+            "Edges were flipped: the page draws cells over the triangles of the input and shows "
+            "the other edges of these triangles as merged away.");
     }
     return page;
 }
 
 Page draw_page(const Discretization& mesh, const std::vector<NamedForm>& forms, std::string title) {
     if (forms.empty())
-        throw InvalidInput("a page of no forms: name one, or draw the cells alone");
+        throw InvalidInput("a page needs forms: name one, or draw only the cells");
     const auto& first = forms.front().form;
     Page page;
     page.text.title = std::move(title);

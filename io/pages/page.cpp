@@ -66,7 +66,7 @@ void add_flow(Page& page, PageArrows& arrows, const Discretization& mesh) {
         arrows.lines = streamlines(mesh, arrows.vectors);
     } catch (const InvalidInput& error) {
         page.text.warnings.push_back(
-            fmt::format("`{}` has no lines along its arrows: {}", arrows.field, error.what()));
+            fmt::format("`{}` has no streamlines: {}", arrows.field, error.what()));
     }
 }
 

@@ -64,8 +64,8 @@ public:
 
     PageHeader make() {
         if (faces_.size() > most_triangles || page_.grid.points.rows() > most_triangles)
-            throw InvalidInput(fmt::format("a page of {} triangles and {} points cannot be shown: "
-                                           "it holds {} of each; write a .vtu file",
+            throw InvalidInput(fmt::format("a page cannot show {} triangles and {} points: "
+                                           "expected at most {} of each; write a .vtu file",
                                            faces_.size(), page_.grid.points.rows(),
                                            most_triangles));
         add_points();
@@ -192,8 +192,8 @@ private:
                 const auto& later = page_.steps[s].*of_step;
                 if (later.size() != list.size() || later[i].name != array.name ||
                     later[i].components != array.components || later[i].size() != array.size())
-                    throw InvalidInput(fmt::format("step {} of a page has not the arrays of the "
-                                                   "others: expected the same names and sizes",
+                    throw InvalidInput(fmt::format("step {} of a page has other arrays than the "
+                                                   "first step: expected the same names and sizes",
                                                    s));
                 add_values(fmt::format("f{}.{}", field, s), later[i]);
             }
@@ -219,10 +219,9 @@ private:
     void add_arrows_of_fields() {
         for (const auto& arrows : page_.arrows) {
             if (arrows.sites.rows() != arrows.vectors.rows())
-                throw InvalidInput(fmt::format("{} vectors stand at {} sites of the arrows `{}`: "
-                                               "expected as many",
-                                               arrows.vectors.rows(), arrows.sites.rows(),
-                                               arrows.field));
+                throw InvalidInput(fmt::format(
+                    "{} vectors are given for {} sites of the arrows `{}`: expected equal numbers",
+                    arrows.vectors.rows(), arrows.sites.rows(), arrows.field));
             const Index rows = static_cast<Index>(arrows.sites.rows());
             const Index stride = 1 + (rows - 1) / most_arrows;
             Points sites((rows + stride - 1) / stride, arrows.sites.cols());

@@ -51,8 +51,8 @@ std::string filled_page(std::string_view text,
     result += text;
     if (result.size() > most_bytes)
         throw InvalidInput(
-            fmt::format("the page would take {} MB, more than the {} MB that "
-                        "browsers open well: show fewer fields, or write a .vtu file",
+            fmt::format("the page would need {} MB, more than the {} MB that browsers open well: "
+                        "show fewer fields, or write a .vtu file",
                         result.size() >> 20, most_bytes >> 20));
     return result;
 }

@@ -35,7 +35,7 @@ public:
         corners_ = whole(vtu_.lists(vtu_.cells("connectivity"), ends));
         types_ = whole(vtu_.values(vtu_.cells("types")));
         if (ends_.size() != types_.size())
-            vtu_.fail("there are not as many offsets as types; export it again");
+            vtu_.fail("the numbers of offsets and types differ; export it again");
         const auto* const faces = vtu_.find("Cells", "faces");
         const auto* const face_ends = vtu_.find("Cells", "faceoffsets");
         if (faces != nullptr && face_ends != nullptr) {
@@ -49,7 +49,7 @@ public:
         Index begin = 0, faces_begin = 0;
         for (std::size_t cell = 0; cell < types_.size(); begin = ends_[cell++]) {
             if (ends_[cell] < begin || ends_[cell] > static_cast<Index>(corners_.size()))
-                refuse(cell, "has corners that are not there");
+                refuse(cell, "has corners that do not exist");
             const std::vector<Index> corners(corners_.begin() + begin,
                                              corners_.begin() + ends_[cell]);
             if (types_[cell] == 42)
@@ -73,7 +73,8 @@ private:
         for (const double number : numbers) {
             if (!(std::abs(number) <= std::numeric_limits<Index>::max()) ||
                 number != std::floor(number))
-                vtu_.fail(fmt::format("{} among numbers of cells; expected whole ones", number));
+                vtu_.fail(
+                    fmt::format("found {} among numbers of cells; expected whole numbers", number));
             result.push_back(static_cast<Index>(number));
         }
         return result;
@@ -103,7 +104,7 @@ private:
         default:
             break;
         }
-        refuse(cell, "is none that a page shows");
+        refuse(cell, "is not supported by pages");
     }
 
     void add_solid(std::size_t cell, const std::vector<Index>& corners, const FaceList& list,
@@ -123,12 +124,12 @@ private:
     Index add_faces(std::size_t cell, Index begin) {
         const Index end = cell < face_ends_.size() ? face_ends_[cell] : -1;
         if (end <= begin || end > static_cast<Index>(faces_.size()))
-            refuse(cell, "has faces that are not there");
+            refuse(cell, "has faces that do not exist");
         std::vector<std::vector<Index>> faces;
         for (Index at = begin + 1; at < end;) {
             const Index size = faces_[at++];
             if (size < 3 || size > end - at)
-                refuse(cell, "has faces that are not there");
+                refuse(cell, "has faces that do not exist");
             faces.emplace_back(faces_.begin() + at, faces_.begin() + at + size);
             at += size;
         }
@@ -176,7 +177,7 @@ std::vector<std::pair<std::string, std::string>> listed(const SourceFile& source
             files.emplace_back(tag.attribute("timestep", std::to_string(files.size())),
                                tag.attribute("file"));
             if (tag.attribute("part", "0") != "0")
-                reader.fail("a second part of a step; expected one; merge them into one");
+                reader.fail("a step has a second part; expected one; merge the parts");
         }
     if (files.empty())
         reader.fail("the series lists no files; expected elements DataSet");
@@ -198,8 +199,8 @@ Page read_series(const std::filesystem::path& path) {
         if (page.steps.size() == 1)
             page.grid = std::move(grid);
         else if (grid.corners != page.grid.corners || grid.points != page.grid.points)
-            throw InvalidInput(fmt::format("{}: the cells or points of {} are not those of the "
-                                           "first file; expected the same in all",
+            throw InvalidInput(fmt::format("{}: the cells or points of {} differ from the first "
+                                           "file; expected the same in all files",
                                            path.string(), file),
                                {.path = path});
     }

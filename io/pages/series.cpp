@@ -44,7 +44,7 @@ void make_folder(const std::filesystem::path& folder, const std::string& stem, s
     std::error_code error;
     std::filesystem::create_directory(folder, error);
     if (!std::filesystem::is_directory(folder))
-        throw IoError(fmt::format("{} cannot be made, the folder for the steps of a series{}",
+        throw IoError(fmt::format("cannot create {}, the folder for the steps of a series{}",
                                   printable(folder.string()),
                                   error ? ": " + error.message() : std::string()),
                       {.path = folder});
@@ -77,19 +77,20 @@ Series::Series(std::filesystem::path path, Page page, const std::vector<double>&
       page_(std::move(page)) {
     const std::string extension = lower_extension(path_);
     if (extension != ".pvd" && extension != ".html")
-        throw InvalidInput(fmt::format("cannot write {}: a series is a .pvd file, or a page, .html",
-                                       printable(path_.string())),
-                           {.path = path_});
+        throw InvalidInput(
+            fmt::format("cannot write {}: a series needs the extension .pvd, or .html for a page",
+                        printable(path_.string())),
+            {.path = path_});
     is_page_ = extension == ".html";
     check_replaceable(path_);
     page_.steps.clear();
     page_.arrows.clear();
     if (is_page_ && !times.empty())
-        throw InvalidInput(fmt::format("{} cannot be gone on with: a page is made of all its steps "
-                                       "at once; write a .pvd file, and make a page of it at the "
-                                       "end",
-                                       printable(path_.string())),
-                           {.path = path_});
+        throw InvalidInput(
+            fmt::format("cannot continue {}: a page is written from all steps at once; write a "
+                        ".pvd file, and convert it to a page at the end",
+                        printable(path_.string())),
+            {.path = path_});
     keep_steps(times);
     if (!is_page_)
         make_folder(std::filesystem::path(path_).replace_extension(), path_.stem().string(),
@@ -109,10 +110,9 @@ void Series::check_run() const {
     if (is_there && read_source_file(path_).text.find(mark_of(run_)) != std::string::npos)
         return;
     throw InvalidInput(
-        fmt::format("{} {}: give the series of the run that is gone on with, or begin "
-                    "anew under another name",
-                    printable(path_.string()),
-                    is_there ? "was written by another run" : "is not there"),
+        fmt::format(
+            "{} {}: give the series of the resumed run, or start a new series under another name",
+            printable(path_.string()), is_there ? "was written by another run" : "is not there"),
         {.path = path_});
 }
 
@@ -125,10 +125,10 @@ void Series::keep_steps(const std::vector<double>& times) {
         const std::string file = file_of_step(steps_.size());
         const auto path = path_.parent_path() / file;
         if (!std::filesystem::is_regular_file(path))
-            throw InvalidInput(fmt::format("{} is not there, a step of the series that is to be "
-                                           "gone on with: begin anew",
-                                           printable(path.string())),
-                               {.path = path});
+            throw InvalidInput(
+                fmt::format("{}, a step of the resumed series, does not exist: start a new series",
+                            printable(path.string())),
+                {.path = path});
         std::string text;
         append_number(text, time);
         steps_.push_back({text, file});
@@ -154,11 +154,11 @@ Series::~Series() {
 
 void Series::check_time(double time) const {
     if (is_closed_)
-        throw InvalidInput("a step after the end of a series: it is closed");
+        throw InvalidInput("the series is closed: add no more steps");
     if (!std::isfinite(time) || (!steps_.empty() && time <= last_))
-        throw InvalidInput(fmt::format("step {} of a series at the time {}: expected a time above "
-                                       "that of the step before",
-                                       steps_.size(), time));
+        throw InvalidInput(fmt::format(
+            "step {} of a series has the time {}: expected a time after the previous step",
+            steps_.size(), time));
 }
 
 void Series::check_arrays(const std::vector<VtuArray>& arrays,
@@ -169,16 +169,15 @@ void Series::check_arrays(const std::vector<VtuArray>& arrays,
                arrays[i].values.index() == first[i].values.index() &&
                arrays[i].size() == first[i].size();
     if (!fits)
-        throw InvalidInput(
-            fmt::format("step {} of a series has not the arrays of the steps before: "
-                        "expected the same names, kinds and sizes",
-                        steps_.size()));
+        throw InvalidInput(fmt::format("step {} of a series has other arrays than the previous "
+                                       "steps: expected the same names, kinds and sizes",
+                                       steps_.size()));
 }
 
 void Series::add(double time, const std::vector<NamedForm>& forms) {
     check_time(time);
     if (!page_.mesh && !mesh_)
-        throw InvalidInput("forms in a series that was begun without a mesh: add arrays");
+        throw InvalidInput("a series without a mesh cannot store forms: add arrays");
     if (mesh_) {
         Page page = draw_page(*mesh_, forms);
         page.arrows.clear();

@@ -17,12 +17,11 @@ namespace polydec {
 
 LevelSets level_sets(const Discretization& given, const Cochain& form, const Vector& levels) {
     if (form.side != Side::primal || form.degree != 0)
-        throw InvalidInput(
-            fmt::format("level sets of a {} {}-form: expected a primal 0-form, which "
-                        "has its values at vertices",
-                        name(form.side), form.degree));
+        throw InvalidInput(fmt::format("level sets of a {} {}-form are not defined: expected a "
+                                       "primal 0-form, with values at vertices",
+                                       name(form.side), form.degree));
     const Discretization& mesh = placed(given);
-    require_points(mesh.input(), mesh.input_points(), "level sets");
+    require_points(mesh.input(), mesh.input_points(), "a level set");
     check(given.complex(), form);
     const Mesh cells{mesh.input_points(), mesh.input().simplices(mesh.dimension()), {}};
     LevelSets sets = level_sets(cells, form_at_places(given, form).values, levels);

@@ -119,12 +119,12 @@ void check_faces(const SolidFaces& faces) {
             complain("fewer than three corners: leave it out");
         if (!mean_of(faces.polygons, f).allFinite() ||
             (faces.depth_sites.rows() > 0 && !faces.depth_sites.row(f).allFinite()))
-            complain("a coordinate that is NaN or infinite: find out what made it so");
+            complain("a coordinate that is NaN or infinite: correct it");
         if (faces.values.size() > 0 && !std::isfinite(faces.values[f]))
-            complain("a value that is NaN or infinite: find out what made it so");
+            complain("a value that is NaN or infinite: correct it");
         if (!faces.fills.empty() && !faces.fills[f].empty() && !is_color(faces.fills[f]))
-            complain("a fill that is no color: expected \"#rrggbb\", or \"\" for that of its "
-                     "value");
+            complain("a fill that is not a color: expected \"#rrggbb\", or \"\" for the color of "
+                     "its value");
     }
 }
 
@@ -231,9 +231,9 @@ public:
         const Index n_cells = given.complex().size(3);
         require_points(mesh.points().cols(), "a drawing");
         if (mesh.dimension() != 3 || mesh.points().cols() != 3)
-            throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates are no solid: "
-                                           "expected 3 and 3",
-                                           mesh.dimension(), mesh.points().cols()));
+            throw InvalidInput(fmt::format(
+                "cells of dimension {} in {} coordinates are not a solid: expected 3 and 3",
+                mesh.dimension(), mesh.points().cols()));
         if (values.size() != 0 && values.size() != n_cells)
             throw InvalidInput(fmt::format(
                 "{} values are given: expected one for each of the {} merged 3-cells, or none",
@@ -245,7 +245,7 @@ public:
             if (keep(centroids_.row(cell).transpose()))
                 cells_.push_back(cell);
         if (cells_.empty())
-            throw InvalidInput("no cell is kept: let 'keep' be true of a centroid");
+            throw InvalidInput("no cell is kept: 'keep' must be true for at least one centroid");
     }
 
     const std::vector<Index>& cells() const { return cells_; }
@@ -339,7 +339,7 @@ SolidFaces kept_cells(const Discretization& given,
 
 std::string color_at(ColorMap map, double t) {
     if (std::isnan(t))
-        throw InvalidInput("the color of NaN is asked for: find out what made it so");
+        throw InvalidInput("NaN has no color: correct the value");
     const std::span<const Color> colors = map == ColorMap::sequential
                                               ? std::span<const Color>(sequential_colors)
                                               : std::span<const Color>(diverging_colors);
@@ -351,7 +351,7 @@ std::string color_at(ColorMap map, double t) {
 
 SvgPoint seen_at(const SolidView& view, const Vector& point) {
     if (point.size() != 3 || !point.allFinite())
-        throw InvalidInput("a point to be seen must have three finite coordinates");
+        throw InvalidInput("a point to view must have three finite coordinates");
     return Frame(view)(point);
 }
 

@@ -108,8 +108,8 @@ StructureDrawing::StructureDrawing(const Discretization& given, const StructureO
                                        "shows solids",
                                        mesh.dimension(), points_.cols()));
     if (!mesh.passage().is_identity())
-        throw InvalidInput("edges were flipped, and are no straight lines any more: draw the mesh "
-                           "without flips, or as a page");
+        throw InvalidInput(
+            "flipped edges are not straight lines: draw the mesh without flips, or as a page");
     if (is_plane_) {
         view_.eye = Point(0, 0, 1);
         view_.up = Point(0, 1, 0);

@@ -50,10 +50,9 @@ Extent extent_of(const SvgDrawing& drawing) {
         for (const auto& point : points)
             for (int axis = 0; axis < 2; ++axis) {
                 if (!std::isfinite(point[axis]))
-                    throw InvalidInput(fmt::format(
-                        "shape {} of the drawing has a coordinate or radius that is NaN or "
-                        "infinite: find out what made it so",
-                        i));
+                    throw InvalidInput(fmt::format("shape {} of the drawing has a coordinate or "
+                                                   "radius that is NaN or infinite: correct it",
+                                                   i));
                 extent.low[axis] = std::min(extent.low[axis], point[axis]);
                 extent.high[axis] = std::max(extent.high[axis], point[axis]);
             }
@@ -189,7 +188,7 @@ std::string to_svg(const SvgDrawing& drawing) {
 
 SvgDrawing side_by_side(const std::vector<SvgDrawing>& drawings) {
     if (drawings.empty())
-        throw InvalidInput("there are no drawings to be put side by side: give one");
+        throw InvalidInput("there are no drawings to arrange side by side: give at least one");
     SvgDrawing row{.width = 0, .margin = 0};
     std::vector<View> views;
     double above = 0; // the middle

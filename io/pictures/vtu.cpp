@@ -76,15 +76,15 @@ private:
     void check_points() const {
         if (grid_.points.cols() > 3) {
             refuse_file(path_,
-                        fmt::format("VTU holds points of R^3, not of R^{}; project them before",
+                        fmt::format("VTU holds points of R^3, not of R^{}; project them first",
                                     grid_.points.cols()));
         }
         for (Eigen::Index point = 0; point < grid_.points.rows(); ++point) {
             if (!grid_.points.row(point).allFinite()) {
-                refuse_file(path_,
-                            fmt::format("point {} has a coordinate that is NaN or infinite; find "
-                                        "out what made it so",
-                                        point));
+                refuse_file(
+                    path_,
+                    fmt::format("point {} has a coordinate that is NaN or infinite; correct it",
+                                point));
             }
             if (!(grid_.points.row(point).array().abs() <= largest_).all())
                 refuse_file(path_,
@@ -99,9 +99,8 @@ private:
         const bool same = grid_.offsets.size() == cells && grid_.face_offsets.size() == cells;
         const auto last = grid_.offsets.empty() ? 0 : grid_.offsets.back();
         if (!same || last != static_cast<std::int64_t>(grid_.corners.size())) {
-            refuse_file(path_,
-                        "types, offsets and corners of the cells do not belong together; append "
-                        "cells with add_cell and add_polyhedron");
+            refuse_file(path_, "types, offsets and corners of the cells do not match; append cells "
+                               "with add_cell and add_polyhedron");
         }
     }
 
@@ -119,10 +118,9 @@ private:
 
         const bool has_faces = grid_.face_offsets[cell] >= 0;
         if (has_faces != (grid_.types[cell] == VtuCell::polyhedron)) {
-            refuse_file(path_,
-                        fmt::format("cell {}: polyhedra, and they alone, have faces; append it "
-                                    "with add_cell or add_polyhedron",
-                                    cell));
+            refuse_file(path_, fmt::format("cell {}: polyhedra have faces, other cells have none; "
+                                           "append it with add_cell or add_polyhedron",
+                                           cell));
         }
         if (has_faces)
             check_faces(cell, faces_begin);
@@ -168,10 +166,9 @@ private:
             const bool control = std::any_of(array.name.begin(), array.name.end(),
                                              [](char c) { return c >= 0 && c < ' '; });
             if (array.name.empty() || control || !names.insert(array.name).second) {
-                refuse_file(path_,
-                            fmt::format("the name '{}' of an array of {} is empty, not printable "
-                                        "or there twice; choose another",
-                                        control ? "?" : array.name, plural));
+                refuse_file(path_, fmt::format("the name '{}' of an array of {} is empty, not "
+                                               "printable or not unique; choose another",
+                                               control ? "?" : array.name, plural));
             }
             check_array(array, count, plural);
             check_numbers(array, count ? largest_ : std::numeric_limits<double>::max(), plural);
@@ -200,10 +197,10 @@ private:
             const double number = (*numbers)[i];
             const auto entry = i / static_cast<std::size_t>(array.components);
             if (!std::isfinite(number))
-                refuse_file(path_,
-                            fmt::format("the array '{}' of {} is NaN or infinite in entry {}; find "
-                                        "out what made it so",
-                                        array.name, plural, entry));
+                refuse_file(
+                    path_,
+                    fmt::format("the array '{}' of {} is NaN or infinite in entry {}; correct it",
+                                array.name, plural, entry));
             if (!(std::abs(number) <= largest))
                 refuse_file(path_,
                             fmt::format("the array '{}' of {} has {} in entry {}, which Float32 "

@@ -337,7 +337,7 @@ TEST(DrawSolidErrors, say_what_is_no_solid) {
                      {"no cell", "keep"}));
     EXPECT_TRUE(says(refusal([&] { kept_cells(mesh, all_of_it, 1); }), {"gap", "1", "0", "1"}));
     EXPECT_TRUE(
-        says(refusal([] { color_at(ColorMap::diverging, std::nan("")); }), {"color", "NaN"}));
+        says(refusal([] { color_at(ColorMap::diverging, std::nan("")); }), {"NaN", "color"}));
     EXPECT_TRUE(
         says(refusal([] { seen_at({}, Vector::Ones(2)); }), {"point", "three", "coordinates"}));
 }

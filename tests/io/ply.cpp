@@ -145,7 +145,7 @@ TEST(Ply, RefusesBrokenHeaders) {
     EXPECT_TRUE(says(reading_error("a.ply", start + vertex + "property list float int q\n"),
                      {"InvalidInput", "a.ply:6", "length", "list"}));
     EXPECT_TRUE(says(reading_error("a.ply", start + vertex + vertex + "end_header\n"),
-                     {"InvalidInput", "a.ply:6", "element", "vertex", "second"}));
+                     {"InvalidInput", "a.ply:6", "element", "vertex", "twice"}));
     EXPECT_TRUE(says(reading_error("a.ply", start + vertex + "nonsense\n"),
                      {"InvalidInput", "a.ply:6", "nonsense", "keyword"}));
     EXPECT_TRUE(
