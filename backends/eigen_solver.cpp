@@ -20,7 +20,7 @@ void check(const std::string& name, const SymmetricOperator& A, Index count,
     if (A.size < 0 || !A.apply)
         throw InvalidInput(name + ": the operator has a negative size or no apply()");
     if (count < 0 || count > A.size)
-        throw InvalidInput(fmt::format("{}: asked for {} eigenpairs of an operator of size {}",
+        throw InvalidInput(fmt::format("{}: {} eigenpairs requested, but the operator has size {}",
                                        name, count, A.size));
     if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance))
         throw InvalidInput(
@@ -31,9 +31,9 @@ void check(const std::string& name, const SymmetricOperator& A, Index count,
                                        name, options.krylov_dimension, options.max_restarts));
     if (options.start.size() > 0 &&
         (options.start.size() != A.size || !options.start.allFinite() || options.start.isZero(0.0)))
-        throw InvalidInput(fmt::format("{}: the start vector has {} entries, must have {}, finite "
-                                       "and not all zero",
-                                       name, options.start.size(), A.size));
+        throw InvalidInput(
+            fmt::format("{}: the start vector has {} entries; expected {}, finite and not all zero",
+                        name, options.start.size(), A.size));
 }
 
 EigenOptions filled_in(const EigenOptions& options, Index size, Index count, std::int64_t usual) {
@@ -58,16 +58,16 @@ public:
     void check_input(const Columns& X) const {
         if (!X.allFinite())
             throw SolverFailure(name_ + ": the iteration broke down (an invariant subspace)\n"
-                                        "Try another start vector.",
+                                        "Use another start vector.",
                                 SolveReport::failed(name_));
     }
 
     template <typename Columns>
     void check_output(const Columns& Y, Eigen::Index columns) const {
         if (Y.rows() != A_->size || Y.cols() != columns || !Y.allFinite())
-            throw SolverFailure(name_ + ": the operator gave NaN, infinity or a vector of another "
-                                        "size",
-                                SolveReport::failed(name_));
+            throw SolverFailure(
+                name_ + ": the operator returned NaN, infinity or a vector of another size",
+                SolveReport::failed(name_));
     }
 
     void apply(const Vector& x, Vector& y) const {
@@ -118,9 +118,10 @@ EigenPairs EigenSolver::largest(const SymmetricOperator& A, Index count,
         return compute(watched(A, name()), count,
                        filled_in(options, A.size, count, usual_dimension(count)));
     } catch (const std::bad_alloc&) {
-        throw OutOfMemory(fmt::format("{}: memory does not suffice for {} eigenpairs of an "
-                                      "operator of size {}\nAsk for fewer, or allow more memory.",
-                                      name(), count, A.size));
+        throw OutOfMemory(
+            fmt::format("{}: not enough memory for {} eigenpairs of an operator of size {}\n"
+                        "Request fewer, or allow more memory.",
+                        name(), count, A.size));
     }
 }
 

@@ -39,7 +39,7 @@ struct CloseModule {
 using Module = std::unique_ptr<void, CloseModule>;
 
 // A library that is loaded, its threads and their storage may need so much of address space. Where
-// that is not to be had, the system's loader ends the program instead of failing.
+// that is not available, the system's loader ends the program instead of failing.
 constexpr std::uint64_t room_of_module = std::uint64_t{256} << 20;
 
 void require_room(const std::filesystem::path& path) {
@@ -50,10 +50,11 @@ void require_room(const std::filesystem::path& path) {
         return;
     const auto used = used_pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
     if (used + room_of_module > limit.rlim_cur)
-        throw BackendUnavailable(fmt::format(
-            "{}: is not loaded: {} MB of address space are in use, the limit is {} MB, and a "
-            "module may need {} MB\nRaise that limit.",
-            path.string(), used >> 20, limit.rlim_cur >> 20, room_of_module >> 20));
+        throw BackendUnavailable(
+            fmt::format("{}: the module is not loaded: {} MB of address space are in use, the "
+                        "limit is {} MB, and a module may need {} MB\n"
+                        "Raise the limit.",
+                        path.string(), used >> 20, limit.rlim_cur >> 20, room_of_module >> 20));
 }
 
 // A name without a slash would be searched for in the system's folders instead of here.
@@ -74,7 +75,7 @@ Function* find_function(const Module& module, const char* name, const std::files
     void* const symbol = dlsym(module.get(), name);
     if (!symbol)
         throw IoError(
-            fmt::format("{}: is no engine module: it exports no function {}", path.string(), name),
+            fmt::format("{}: not an engine module: it exports no function {}", path.string(), name),
             {.path = path});
     return reinterpret_cast<Function*>(symbol);
 }
@@ -98,10 +99,10 @@ void load_engine_module(const std::filesystem::path& path, EngineRegistrar& regi
         return;
     const int version = find_function<int()>(module, "polydec_engine_module_version", path)();
     if (version != engine_module_version)
-        throw BackendUnavailable(fmt::format("{}: is an engine module of version {}, and this "
-                                             "polydec takes version {}\nBuild it against the "
-                                             "headers of this polydec.",
-                                             path.string(), version, engine_module_version));
+        throw BackendUnavailable(
+            fmt::format("{}: the engine module has version {}, but this polydec needs version {}\n"
+                        "Build it against the headers of this polydec.",
+                        path.string(), version, engine_module_version));
     const auto register_engines =
         find_function<void(EngineRegistrar&)>(module, "polydec_register_engines", path);
 

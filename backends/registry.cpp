@@ -175,15 +175,16 @@ template <typename Factory>
     std::unique_lock lock(registry().mutex);
     const auto found = known.find(name);
     if (found == known.end() && !reason.empty())
-        throw BackendUnavailable(fmt::format("the {} `{}` is not there: {}", kind, name, reason));
+        throw BackendUnavailable(
+            fmt::format("the {} `{}` is not available: {}", kind, name, reason));
     if (found == known.end())
-        throw InvalidInput(fmt::format("there is no {} called `{}`{}\nKnown are: {}.", kind, name,
+        throw InvalidInput(fmt::format("there is no {} called `{}`{}\nAvailable: {}.", kind, name,
                                        did_you_mean(name, available_names(known)),
                                        fmt::join(available_names(known), ", ")));
     EngineInfo engine = found->second.told();
     lock.unlock();
     add_reason(engine);
-    throw BackendUnavailable(fmt::format("the {} `{}` is not part of this program\n"
+    throw BackendUnavailable(fmt::format("this program does not contain the {} `{}`\n"
                                          "To get it: {}.",
                                          kind, name, engine.how_to_get));
 }
@@ -201,7 +202,7 @@ template <typename Factory>
 void enroll(std::map<std::string, Entry<Factory>>& known, EngineInfo info, EngineKind kind,
             Factory factory) {
     if (info.name.empty() || !factory)
-        throw InvalidInput("an engine to be registered needs a name and a factory");
+        throw InvalidInput("a registered engine needs a name and a factory");
     info.kind = kind;
 
     const std::lock_guard lock(registry().mutex);
@@ -234,8 +235,9 @@ void check(const LinearSolverOptions& options) {
         throw InvalidInput(
             fmt::format("linear solver: the tolerance {} is not positive", options.tolerance));
     if (options.max_iterations < 0 || options.blas_threads < 0)
-        throw InvalidInput(fmt::format("linear solver: {} iterations on {} threads make no sense",
-                                       options.max_iterations, options.blas_threads));
+        throw InvalidInput(fmt::format(
+            "linear solver: {} iterations on {} threads: expected numbers of at least 0",
+            options.max_iterations, options.blas_threads));
 }
 
 } // namespace
@@ -245,14 +247,16 @@ std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name,
     check(options);
     auto solver = find(registry().linear, name, "linear solver")(options);
     if (!solver)
-        throw BackendUnavailable(fmt::format("the factory of linear solver `{}` made none", name));
+        throw BackendUnavailable(
+            fmt::format("the factory of the linear solver `{}` returned nothing", name));
     return solver;
 }
 
 std::unique_ptr<EigenSolver> make_eigen_solver(const std::string& name) {
     auto solver = find(registry().eigen, name, "eigensolver")();
     if (!solver)
-        throw BackendUnavailable(fmt::format("the factory of eigensolver `{}` made none", name));
+        throw BackendUnavailable(
+            fmt::format("the factory of the eigensolver `{}` returned nothing", name));
     return solver;
 }
 
@@ -260,7 +264,8 @@ std::unique_ptr<Integrator> make_integrator(const std::string& name,
                                             const IntegratorOptions& options) {
     auto integrator = find(registry().integrator, name, "integrator")(options);
     if (!integrator)
-        throw BackendUnavailable(fmt::format("the factory of integrator `{}` made none", name));
+        throw BackendUnavailable(
+            fmt::format("the factory of the integrator `{}` returned nothing", name));
     return integrator;
 }
 

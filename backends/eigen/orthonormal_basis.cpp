@@ -35,15 +35,14 @@ constexpr Eigen::Index chunk = 2048;
 OrthonormalBasis::OrthonormalBasis(Eigen::Index rows, Eigen::Index capacity)
     : columns_(rows, capacity) {
     if (capacity > rows)
-        throw InvalidInput(
-            fmt::format("{} orthonormal columns of {} entries: there are no more than {}", capacity,
-                        rows, rows));
+        throw InvalidInput(fmt::format("{} orthonormal columns of {} entries: expected at most {}",
+                                       capacity, rows, rows));
 }
 
 DenseMatrix OrthonormalBasis::append(DenseMatrix& W, double floor) {
     if (W.rows() != columns_.rows() || size_ + W.cols() > columns_.cols())
-        throw InvalidInput(fmt::format("{} columns of {} entries for a basis of {} that has room "
-                                       "for {} of {}",
+        throw InvalidInput(fmt::format("{} columns of {} entries do not fit into a basis of {} "
+                                       "columns with room for {} of {} entries",
                                        W.cols(), W.rows(), size_, columns_.cols(),
                                        columns_.rows()));
     const auto basis = columns_.leftCols(size_);
@@ -78,7 +77,7 @@ void OrthonormalBasis::combine(const DenseMatrix& S) {
 DenseMatrix OrthonormalBasis::orthonormalize(DenseMatrix& W, double floor) {
     const DenseMatrix gram = transposed_product(W, W);
     if (!gram.allFinite())
-        throw SolverFailure("orthonormal columns: infinite or not a number");
+        throw SolverFailure("orthonormal columns: an entry is NaN or infinite");
     const Vector lengths = gram.diagonal().cwiseSqrt();
     if (!(lengths.array() > floor).all())
         return orthonormalize_one_by_one(W, floor);

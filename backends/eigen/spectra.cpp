@@ -99,7 +99,7 @@ EigenPairs SpectraSolver::compute(const SymmetricOperator& A, Index count,
         EigenPairs pairs = solve_by_lanczos(A, count, options, start);
         if (!pairs.values.allFinite() || !pairs.vectors.allFinite())
             throw SolverFailure("spectra: the iteration broke down (an invariant subspace)\n"
-                                "Try another start vector.",
+                                "Use another start vector.",
                                 SolveReport::failed("spectra"));
         return pairs;
     } catch (const Error&) {

@@ -111,7 +111,7 @@ Cvode::Cvode(const IntegratorOptions& options) : Integrator("cvode", options) {
 
 void Cvode::start(const Vector& memory) {
     if (memory.size() != 0)
-        throw InvalidInput(name() + ": cannot go on with a memory: expected none");
+        throw InvalidInput(name() + ": cannot resume from a memory: expected none");
     vector_.reset(N_VNew_Serial(state().size(), context_.get()));
     solver_.reset(SUNLinSolNewEmpty(context_.get()));
     if (!vector_ || !solver_)
@@ -199,10 +199,10 @@ void Cvode::require(int answer, const char* step) {
         answer == CV_FIRST_RHSFUNC_ERR || answer == CV_REPTD_RHSFUNC_ERR)
         fail_of_rate();
     if (answer == CV_TOO_MUCH_WORK)
-        fail(fmt::format("{} steps do not suffice: allow more by most_steps or larger errors, or, "
-                         "if steps are short where the solution is smooth, make what is stiff the "
-                         "stiff part",
-                         options().most_steps));
+        fail(fmt::format(
+            "{} steps do not suffice: allow more steps (most_steps) or larger errors; if steps are "
+            "short where the solution is smooth, move stiff terms into the stiff part",
+            options().most_steps));
     fail(fmt::format("{}: {}", step, heard_.empty() ? fmt::format("error {}", answer) : heard_));
 }
 

@@ -42,15 +42,16 @@ Integrator::Integrator(const std::string& name, const IntegratorOptions& options
 
 void Integrator::check(const InitialValueProblem& problem, double time, const Vector& state) const {
     if (!problem.rate && !problem.stiff)
-        throw InvalidInput(name() + ": the problem has no rate, neither a stiff one");
+        throw InvalidInput(name() + ": the problem has neither a rate nor a stiff rate");
     if (problem.stiff && !(problem.stiff->rate && problem.stiff->prepare && problem.stiff->solve))
         throw InvalidInput(name() + ": the stiff part needs a rate, prepare and solve");
     if (!std::isfinite(time))
-        throw InvalidInput(fmt::format("{}: the time at the beginning is {}", name(), time));
+        throw InvalidInput(
+            fmt::format("{}: the initial time is {}: expected a finite number", name(), time));
     if (const auto i = first_not_finite(state); i < state.size())
-        throw InvalidInput(fmt::format("{}: entry {} of the state at the beginning is {}: expected "
-                                       "finite numbers",
-                                       name(), i, state[i]));
+        throw InvalidInput(
+            fmt::format("{}: entry {} of the initial state is {}: expected finite numbers", name(),
+                        i, state[i]));
     if (problem.scale.size() != 0 &&
         (problem.scale.size() != state.size() || !problem.scale.allFinite() ||
          !(problem.scale.array() > 0).all()))
@@ -58,7 +59,7 @@ void Integrator::check(const InitialValueProblem& problem, double time, const Ve
                                        "the state, or none",
                                        name(), state.size()));
     if (options_.fixed_step > 0 && !traits().has_fixed_steps)
-        throw InvalidInput(name() + ": takes steps by the tolerances, and no fixed ones");
+        throw InvalidInput(name() + ": chooses steps by the tolerances: omit fixed_step");
 }
 
 void Integrator::begin(InitialValueProblem problem, double time, Vector state,
@@ -86,8 +87,8 @@ Arrival Integrator::advance(double time) {
 
 Vector Integrator::sized(Vector rate, const char* what) const {
     if (rate.size() != state_.size())
-        throw InvalidInput(fmt::format("{}: {} has {} entries, the state {}", name(), what,
-                                       rate.size(), state_.size()));
+        throw InvalidInput(fmt::format("{}: {} has {} entries; expected {}, as many as the state",
+                                       name(), what, rate.size(), state_.size()));
     return rate;
 }
 
@@ -157,7 +158,7 @@ void Integrator::fail_of_rate() {
         look("the rate", rate(time_, state_));
     if (problem_.stiff)
         look("the stiff rate", stiff_rate(time_, state_));
-    fail("a rate is not finite, however short the step: the solution may end here");
+    fail("a rate is not finite, even for the shortest step: the solution may end here");
 }
 
 } // namespace polydec

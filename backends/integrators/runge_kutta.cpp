@@ -27,8 +27,8 @@ public:
                const AdditiveTable& stiff)
         : Integrator(name, options), plain_(plain), stiff_(stiff) {
         if (stiff.embedded_order == 0 && !is_fixed())
-            throw InvalidInput(fmt::format("{}: takes steps of one length, since it knows nothing "
-                                           "of their errors: give a fixed_step above 0",
+            throw InvalidInput(fmt::format("{}: does not estimate errors, so all steps have one "
+                                           "length: give a fixed_step above 0",
                                            name));
     }
 
@@ -81,8 +81,8 @@ void RungeKutta::start(const Vector& memory) {
     table_ = is_stiff() ? &stiff_ : &plain_;
     const bool goes_on = memory.size() == 5;
     if (memory.size() != 0 && (!goes_on || !memory.allFinite() || memory.head(4).minCoeff() < 0))
-        throw InvalidInput(name() + ": cannot go on with a memory that is not its own: expected "
-                                    "five numbers, four of them at least 0");
+        throw InvalidInput(name() + ": cannot resume from the memory of another integrator: "
+                                    "expected five numbers, the first four at least 0");
     wanted_ = goes_on ? memory[0] : options().first_step;
     last_error_ = goes_on ? memory[1] : 1;
     step_ = goes_on ? memory[2] : 0;
@@ -111,7 +111,7 @@ Arrival RungeKutta::march(double until) {
         const double end = left_ == 1 ? until : time() + step_;
         if (end <= time())
             fail("steps have become too short to change the time: the solution may end here, or a "
-                 "rate be no smooth function of the state");
+                 "rate may not be a smooth function of the state");
         Trial trial = take(step_, end);
         if (!(trial.error <= 1)) {
             reject(trial);
@@ -128,10 +128,10 @@ Arrival RungeKutta::march(double until) {
         if (end == until)
             return Arrival::at_time;
     }
-    fail(fmt::format("{} steps do not suffice: allow more by most_steps or larger errors, or, if "
-                     "steps are short where the solution is smooth, make what is stiff the stiff "
-                     "part",
-                     options().most_steps));
+    fail(fmt::format(
+        "{} steps do not suffice: allow more steps (most_steps) or larger errors; if steps are "
+        "short where the solution is smooth, move stiff terms into the stiff part",
+        options().most_steps));
 }
 
 void RungeKutta::learn_first_rates() {
@@ -257,8 +257,8 @@ bool RungeKutta::solve_stage(double time, double gamma, const Vector& known, Vec
 
 void RungeKutta::reject(const Trial& trial) {
     if (is_fixed())
-        fail(fmt::format("a step of {:.6g} ends in what is no number, or its equations are not "
-                         "solved: take shorter ones",
+        fail(fmt::format("a step of {:.6g} gives values that are not finite, or its equations "
+                         "cannot be solved: use shorter steps",
                          step_));
     ++counts().rejected;
     const double order = table_->embedded_order + 1;

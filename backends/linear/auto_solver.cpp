@@ -130,10 +130,10 @@ std::string missed_engines(const SparseMatrix& A, const MatrixFacts& facts) {
         return {};
     const bool misses_cholmod = std::find(names.begin(), names.end(), "cholmod") != names.end();
     const std::string nearest = misses_cholmod ? "cholmod" : names.front();
-    return fmt::format("the engine `auto` misses {} for {} unknowns, and takes a slower one of "
-                       "Eigen's\nTo get {}: {}.",
-                       fmt::join(names, ", "), A.rows(), nearest,
-                       how_to_get_linear_solver(nearest));
+    return fmt::format(
+        "the engine `auto` lacks {} for {} unknowns, and uses a slower engine of Eigen\n"
+        "To get {}: {}.",
+        fmt::join(names, ", "), A.rows(), nearest, how_to_get_linear_solver(nearest));
 }
 
 std::string take_missed_engines() {
@@ -145,7 +145,7 @@ void AutoSolver::factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFa
     matrix_ = nullptr;
     report_ = {};
     if (!A)
-        throw InvalidInput("auto: there is no matrix behind the pointer");
+        throw InvalidInput("auto: the pointer to the matrix is null");
     candidates_ = suitable_engines(*A, facts);
     note_missed_engines(*A, facts);
     facts_ = facts;
@@ -215,7 +215,7 @@ std::optional<Index> AutoSolver::negative_pivots() const {
 
 DenseMatrix AutoSolver::solve_columns(const Eigen::Ref<const DenseMatrix>& B) {
     if (!matrix_)
-        throw InvalidInput("auto: solve() needs a successful factorize() before");
+        throw InvalidInput("auto: call factorize() successfully before solve()");
     if (!engine_)
         start();
     DenseMatrix X;

@@ -29,8 +29,9 @@ void check_entries(const SparseMatrix& A, const std::string& name) {
     for (Eigen::Index i = 0; i < A.rows(); ++i)
         for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
             if (!std::isfinite(entry.value()))
-                throw InvalidInput(fmt::format("{}: entry ({}, {}) of the matrix is {}", name, i,
-                                               entry.col(), entry.value()));
+                throw InvalidInput(
+                    fmt::format("{}: entry ({}, {}) of the matrix is {}: expected a finite number",
+                                name, i, entry.col(), entry.value()));
 }
 
 double ratio(double numerator, double denominator) {
@@ -77,10 +78,10 @@ auto CheckedSolver::within_memory(const char* purpose, Eigen::Index size, Work w
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        throw OutOfMemory(fmt::format("{0}: memory does not suffice to {1} a {2} x {2} matrix\n{3}",
+        throw OutOfMemory(fmt::format("{0}: not enough memory to {1} a {2} x {2} matrix\n{3}",
                                       name_, purpose, size,
                                       traits_.method == Method::direct
-                                          ? "Take an iterative engine, or allow more memory."
+                                          ? "Use an iterative engine, or allow more memory."
                                           : "Allow more memory."),
                           SolveReport::failed(name_));
     }
@@ -92,18 +93,20 @@ void CheckedSolver::check(const SparseMatrix& A, const MatrixFacts& facts) const
             fmt::format("{}: a {} x {} matrix is not square", name_, A.rows(), A.cols()));
     if (facts.symmetry == Symmetry::general) {
         if (traits_.symmetry == Symmetry::symmetric)
-            throw InvalidInput(name_ + ": takes symmetric matrices only, and the facts do not say "
-                                       "that this one is\nSay so in the facts, or take eigen.lu.");
+            throw InvalidInput(name_ + ": supports only symmetric matrices, and the facts do not "
+                                       "say that this matrix is symmetric\n"
+                                       "Say so in the facts, or use eigen.lu.");
         if (facts.inertia == Inertia::wanted || facts.kernel.cols() > 0)
-            throw InvalidInput(name_ + ": inertia and kernels are for symmetric matrices, and the "
-                                       "facts do not say that this one is");
+            throw InvalidInput(name_ + ": inertia and kernels need a symmetric matrix, and the "
+                                       "facts do not say that this matrix is symmetric");
     } else if (facts.definiteness > traits_.definiteness) {
-        throw InvalidInput(name_ + ": takes positive (semi)definite matrices only, and the facts "
-                                   "do not say that this one is\nTake eigen.ldlt or eigen.lu.");
+        throw InvalidInput(name_ + ": supports only positive (semi)definite matrices, and the "
+                                   "facts do not say that this matrix is one\n"
+                                   "Use eigen.ldlt or eigen.lu.");
     }
     if (facts.inertia == Inertia::wanted && traits_.inertia == Inertia::unneeded)
         throw InvalidInput(name_ + ": does not count negative eigenvalues\n"
-                                   "Take eigen.ldlt or cholmod.");
+                                   "Use eigen.ldlt or cholmod.");
     check_entries(A, name_);
 }
 
@@ -128,7 +131,7 @@ void CheckedSolver::factorize(std::shared_ptr<const SparseMatrix> A, const Matri
     matrix_ = nullptr;
     report_ = {};
     if (!A)
-        throw InvalidInput(name_ + ": there is no matrix behind the pointer");
+        throw InvalidInput(name_ + ": the pointer to the matrix is null");
     check(*A, facts);
     const auto size = A->rows();
     within_memory("factorize", size, [&] { factorize_valid(std::move(A), facts, previous); });
@@ -162,7 +165,7 @@ void CheckedSolver::factorize_valid(std::shared_ptr<const SparseMatrix> A, const
 
 void CheckedSolver::check_right_hand_side(const Eigen::Ref<const DenseMatrix>& B) const {
     if (!matrix_)
-        throw InvalidInput(name_ + ": solve() needs a successful factorize() before");
+        throw InvalidInput(name_ + ": call factorize() successfully before solve()");
     if (B.rows() != matrix_->rows())
         throw InvalidInput(fmt::format("{}: a right-hand side of {} rows for a {} x {} matrix",
                                        name_, B.rows(), matrix_->rows(), matrix_->cols()));
@@ -171,8 +174,9 @@ void CheckedSolver::check_right_hand_side(const Eigen::Ref<const DenseMatrix>& B
     for (Eigen::Index j = 0; j < B.cols(); ++j)
         for (Eigen::Index i = 0; i < B.rows(); ++i)
             if (!std::isfinite(B(i, j)))
-                throw InvalidInput(
-                    fmt::format("{}: entry {} of right-hand side {} is {}", name_, i, j, B(i, j)));
+                throw InvalidInput(fmt::format(
+                    "{}: entry {} of right-hand side {} is {}: expected a finite number", name_, i,
+                    j, B(i, j)));
 }
 
 CheckedSolver::Solution CheckedSolver::invert(const DenseMatrix& B) {
@@ -270,8 +274,8 @@ DenseMatrix CheckedSolver::solve_scaled(const Eigen::Ref<const DenseMatrix>& B) 
         if (!(part <= kernel_limit))
             throw InvalidInput(fmt::format(
                 "{}: right-hand side {} has a part in the kernel of the matrix, {:.2g} of its "
-                "norm\nNo solution exists; take that part away (for Neumann data: make the mean "
-                "0).",
+                "norm\n"
+                "No solution exists; remove this part (for Neumann data: make the mean 0).",
                 name_, j, part));
     }
     return solve_checked(consistent).columns;

@@ -22,7 +22,7 @@ CholeskyRoot::CholeskyRoot(const SparseMatrix& M) {
     factor->analyzePattern(columns);
     if (!factor->fits())
         throw SolverFailure(fmt::format("the root of a {} x {} matrix has more than 2^31 - 1 "
-                                        "entries: take a diagonal star, or a smaller mesh",
+                                        "entries: use a diagonal star, or a smaller mesh",
                                         M.rows(), M.cols()));
     factor->factorize(columns);
     if (factor->info() != Eigen::Success)

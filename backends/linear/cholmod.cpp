@@ -103,7 +103,7 @@ private:
 void Cholmod::require_success(const char* step) const {
     switch (work_.common.status) {
     case CHOLMOD_TOO_LARGE:
-        fail(fmt::format("{}: more than 2^31 - 1 entries in the factor\nTake eigen.cg.", step));
+        fail(fmt::format("{}: more than 2^31 - 1 entries in the factor\nUse eigen.cg.", step));
     case CHOLMOD_OUT_OF_MEMORY:
         throw std::bad_alloc();
     default:
@@ -133,11 +133,11 @@ void Cholmod::require_pivots(bool is_definite) const {
     const auto row =
         static_cast<const Index*>(factor->Perm)[std::min(factor->minor, factor->n - 1)];
     if (is_definite)
-        fail(fmt::format("the matrix is not positive definite, as its facts say: row {} has no "
-                         "positive pivot",
+        fail(fmt::format("the matrix is not positive definite, although its facts say so: row {} "
+                         "has no positive pivot",
                          row));
     fail(fmt::format("zero pivot in row {}: the matrix, or a leading block of it, is singular\n"
-                     "Move the shift, give the kernel in the facts, or take eigen.lu.",
+                     "Move the shift, give the kernel in the facts, or use eigen.lu.",
                      row));
 }
 

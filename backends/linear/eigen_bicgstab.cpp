@@ -21,7 +21,7 @@ class EigenBicgstab final : public EigenIteration<Bicgstab> {
 public:
     explicit EigenBicgstab(const LinearSolverOptions& options)
         : EigenIteration("eigen.bicgstab", {.method = Method::iterative}, options,
-                         "the matrix is badly conditioned or singular\nTake eigen.lu.") {
+                         "the matrix is badly conditioned or singular\nUse eigen.lu.") {
         iteration_.preconditioner().setDroptol(drop_tolerance);
         iteration_.preconditioner().setFillfactor(fill_factor);
     }

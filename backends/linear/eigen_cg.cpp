@@ -16,8 +16,9 @@ class EigenCg final : public EigenIteration<ConjugateGradients> {
 public:
     explicit EigenCg(const LinearSolverOptions& options)
         : EigenIteration("eigen.cg", of_conjugate_gradients, options,
-                         "the matrix is badly conditioned, indefinite, or the right-hand side is "
-                         "none of its images\nTake a direct engine.") {}
+                         "the matrix is badly conditioned or indefinite, or the right-hand side is "
+                         "not in its range\n"
+                         "Use a direct engine.") {}
 
 protected:
     void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
@@ -27,8 +28,8 @@ void EigenCg::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern p
     const Vector diagonal = A.diagonal();
     for (Eigen::Index i = 0; i < diagonal.size(); ++i)
         if (diagonal[i] < 0.0)
-            fail(fmt::format("the matrix is not positive semidefinite, as its facts say: entry "
-                             "({0}, {0}) is {1:.3g}",
+            fail(fmt::format("the matrix is not positive semidefinite, although its facts say so: "
+                             "entry ({0}, {0}) is {1:.3g}",
                              i, diagonal[i]));
     EigenIteration::compute(A, facts, pattern);
 }

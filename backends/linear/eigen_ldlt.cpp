@@ -44,17 +44,17 @@ void EigenLdlt::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern
         ldlt_.analyzePattern(columns);
     if (!ldlt_.fits())
         fail(fmt::format("the factor of this {} x {} matrix has more than 2^31 - 1 entries\n"
-                         "Take cholmod or eigen.cg.",
+                         "Use cholmod or eigen.cg.",
                          A.rows(), A.cols()));
     ldlt_.factorize(columns);
     if (ldlt_.info() != Eigen::Success || !ldlt_.vectorD().allFinite())
         fail("zero pivot: the matrix, or a leading block of it, is singular\n"
-             "Move the shift, give the kernel in the facts, or take eigen.lu.");
+             "Move the shift, give the kernel in the facts, or use eigen.lu.");
 
     const auto negative = static_cast<Index>((ldlt_.vectorD().array() < 0.0).count());
     if (facts.definiteness == Definiteness::positive && negative > 0)
-        fail(fmt::format("the matrix is not positive definite, as its facts say: {} pivots are "
-                         "negative",
+        fail(fmt::format("the matrix is not positive definite, although its facts say so: {} "
+                         "pivots are negative",
                          negative));
     negative_pivots_ = negative;
 }

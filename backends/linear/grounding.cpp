@@ -26,9 +26,10 @@ DenseMatrix orthonormal_kernel(const DenseMatrix& basis) {
     Eigen::ColPivHouseholderQR<DenseMatrix> qr(scaled);
     qr.setThreshold(kernel_tolerance);
     if (qr.rank() < scaled.cols())
-        throw InvalidInput(fmt::format("kernel: the {} columns of the basis span {} dimensions "
-                                       "only\nGive independent columns.",
-                                       scaled.cols(), qr.rank()));
+        throw InvalidInput(
+            fmt::format("kernel: the {} columns of the basis span only {} dimensions\n"
+                        "Give independent columns.",
+                        scaled.cols(), qr.rank()));
     return qr.householderQ() * DenseMatrix::Identity(scaled.rows(), scaled.cols());
 }
 

@@ -115,10 +115,10 @@ void Mumps::require(int answer, const char* step) {
     case -6:
     case -10:
         fail("zero pivot: the matrix is singular\n"
-             "Move the shift, give the kernel in the facts, or take eigen.lu.");
+             "Move the shift, give the kernel in the facts, or use eigen.lu.");
     case -51:
     case -52:
-        fail(fmt::format("{}: the matrix is too large for 32-bit numbers\nTake eigen.cg.", step));
+        fail(fmt::format("{}: the matrix is too large for 32-bit numbers\nUse eigen.cg.", step));
     default:
         fail(fmt::format("{}: MUMPS's error {}", step, answer));
     }
@@ -168,12 +168,12 @@ void Mumps::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pat
 
     if (const int count = run_->told(null_pivot_count); count > 0)
         fail(fmt::format("{} zero pivots: the matrix is singular\n"
-                         "Move the shift, give the kernel in the facts, or take eigen.lu.",
+                         "Move the shift, give the kernel in the facts, or use eigen.lu.",
                          count));
     const Index negative = run_->told(negative_pivot_count);
     if (facts.definiteness == Definiteness::positive && negative > 0)
-        fail(fmt::format("the matrix is not positive definite, as its facts say: {} pivots are "
-                         "negative",
+        fail(fmt::format("the matrix is not positive definite, although its facts say so: {} "
+                         "pivots are negative",
                          negative));
     negative_pivots_ = negative;
 }
@@ -194,8 +194,8 @@ CheckedSolver::Solution Mumps::apply_inverse(const DenseMatrix& B) {
 void component::add_mumps(EngineRegistrar& registrar) {
     // MUMPS comes with a stand-in for MPI under the same names, which a real one would hide.
     if (dlsym(RTLD_DEFAULT, "MPI_Init_thread"))
-        throw BackendUnavailable("mumps: the program has an MPI of its own, and this is the "
-                                 "sequential MUMPS");
+        throw BackendUnavailable(
+            "mumps: the program uses MPI, but this is the sequential MUMPS: use another engine");
     registrar.add_linear_solver({.name = "mumps"}, [](const LinearSolverOptions& options) {
         return std::make_unique<Mumps>(options);
     });

@@ -146,8 +146,8 @@ const SparseMatrix& CgMultigrid::without_zero_rows(const SparseMatrix& A,
         if (diagonal[i] > 0.0)
             continue;
         if (diagonal[i] < 0.0 || !may_be_zero || A.row(i).norm() > 0.0)
-            fail(fmt::format("the matrix is not positive {1}definite, as its facts say: entry "
-                             "({0}, {0}) is {2:.3g}",
+            fail(fmt::format("the matrix is not positive {1}definite, although its facts say so: "
+                             "entry ({0}, {0}) is {2:.3g}",
                              i, may_be_zero ? "semi" : "", diagonal[i]));
         ones.emplace_back(i, i, 1.0);
     }
@@ -203,15 +203,15 @@ void CgMultigrid::fail_because(KSPConvergedReason reason, Index iterations) cons
     double residual = 0.0;
     KSPGetResidualNorm(solver_.get(), &residual);
 
-    const char* cause = "the matrix is badly conditioned, indefinite, or the right-hand side is "
-                        "none of its images";
+    const char* cause =
+        "the matrix is badly conditioned or indefinite, or the right-hand side is not in its range";
     if (reason == KSP_DIVERGED_INDEFINITE_MAT)
-        cause = "the matrix is not positive semidefinite, as its facts say";
+        cause = "the matrix is not positive semidefinite, although its facts say so";
     if (reason == KSP_DIVERGED_INDEFINITE_PC || reason == KSP_DIVERGED_PC_FAILED)
-        cause = "multigrid makes nothing of this matrix";
-    fail(fmt::format("no convergence after {} iterations ({}), residual {:.2g}: {}\nTake cholmod "
-                     "or another direct engine.",
-                     iterations, text ? text : "no reason known", residual, cause),
+        cause = "multigrid fails for this matrix";
+    fail(fmt::format("no convergence after {} iterations ({}), residual {:.2g}: {}\n"
+                     "Use cholmod or another direct engine.",
+                     iterations, text ? text : "unknown reason", residual, cause),
          SolveReport::failed(name(), iterations, residual));
 }
 

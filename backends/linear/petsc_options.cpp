@@ -55,9 +55,10 @@ void require_read(const std::string& engine, const std::string& options) {
         PetscOptionsUsed(nullptr, option.c_str(), &used);
         const std::string own_name = option.substr(std::string(prefix).size());
         if (!used && !own_name.starts_with("mg_"))
-            throw InvalidInput(fmt::format("{}: nobody reads the engine option -{}\nIt is misspelt,"
-                                           " or belongs to another method of PETSc.",
-                                           engine, own_name));
+            throw InvalidInput(
+                fmt::format("{}: the engine option -{} has no effect\n"
+                            "It is misspelled, or belongs to another method of PETSc.",
+                            engine, own_name));
     }
 }
 

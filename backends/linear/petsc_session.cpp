@@ -67,13 +67,13 @@ PetscErrorCode start_petsc() {
 void start(const std::string& engine) {
     if (PetscFinalizeCalled || mpi_has_ended())
         throw BackendUnavailable(
-            engine + ": PETSc or MPI has been ended in this program and cannot be started again\n"
-                     "End them after the last solver is gone.");
+            engine + ": this program has finalized PETSc or MPI, which cannot start again\n"
+                     "Finalize them after the last solver is destroyed.");
     if (PetscInitializeCalled)
         return;
     if (const auto error = start_petsc())
-        throw BackendUnavailable(fmt::format("{}: PETSc cannot be started: its error {}", engine,
-                                             static_cast<int>(error)));
+        throw BackendUnavailable(
+            fmt::format("{}: PETSc cannot start: PETSc error {}", engine, static_cast<int>(error)));
     at_exit(end_petsc);
 }
 

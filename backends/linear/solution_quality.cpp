@@ -15,10 +15,11 @@ bool SolutionQuality::is_good(double wished) const {
 
 // What no matrix hits is what a forgotten kernel leaves behind.
 std::string SolutionQuality::failure() const {
-    return fmt::format("the solution is not to be trusted: |b - A x| / |b| = {:.2g}, backward "
-                       "error {:.2g}\nThe matrix is singular to working precision or its facts are "
-                       "wrong; if it has a kernel, give it in the facts.",
-                       residual, backward_error);
+    return fmt::format(
+        "the solution is unreliable: |b - A x| / |b| = {:.2g}, backward error {:.2g}\n"
+        "The matrix is singular to working precision, or its facts are wrong; if it has a kernel, "
+        "give it in the facts.",
+        residual, backward_error);
 }
 
 } // namespace polydec

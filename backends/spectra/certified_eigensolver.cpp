@@ -310,11 +310,11 @@ Proof CertifiedEigensolver::State::prove(Index count) {
             return proof;
         untrusted = pairs.values()[i - 1];
         if (i < found() && ++failures > most_failures)
-            throw SolverFailure(fmt::format(
-                "the eigenvalues up to {:.6g} cannot be counted: the factorizations of A - tau M "
-                "near it are not accurate enough ({} found); ask for fewer or more eigenvalues, or "
-                "waive the proof",
-                pencil.eigenvalue(untrusted), i));
+            throw SolverFailure(
+                fmt::format("the eigenvalues up to {:.6g} cannot be counted: the factorizations of "
+                            "A - tau M near this value are not accurate enough ({} found); request "
+                            "fewer or more eigenvalues, or waive the proof",
+                            pencil.eigenvalue(untrusted), i));
     }
     return Proof::no_gap;
 }
@@ -347,7 +347,7 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
     State& s = *state_;
     if (count < 1 || count > s.size())
         throw InvalidInput(
-            fmt::format("{} eigenvalues asked for: there are 1 to {} to be had", count, s.size()));
+            fmt::format("{} eigenvalues requested: expected 1 to {}", count, s.size()));
     constexpr Index spare = 3; // behind a gap
     Index wanted =
         std::max(count + std::max(spare, count / 10), std::min(s.options.zeros, s.size()) + spare);
@@ -384,17 +384,16 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
             // a cluster without end, or not yet seen
             wanted = s.found() + std::max<Index>(3, s.found() / 3);
             if (wanted > count + largest_cluster)
-                throw SolverFailure(fmt::format(
-                    "no gap in the spectrum within {} eigenvalues behind number {}: the count "
-                    "cannot be proved; waive the proof or ask for fewer",
-                    largest_cluster, count));
+                throw SolverFailure(
+                    fmt::format("the spectrum has no gap within {} eigenvalues after number {}, so "
+                                "the count cannot be proved; waive the proof or request fewer",
+                                largest_cluster, count));
         }
     }
-    throw SolverFailure(fmt::format(
-        "{} eigenvalues asked for, {} found, and the proof that none is missing is not reached: "
-        "rounding hides the others, or there are too many close to each other; improve cells of "
-        "extreme shape, or ask for fewer",
-        count, s.found()));
+    throw SolverFailure(fmt::format("{} eigenvalues requested, {} found, without a proof that none "
+                                    "is missing: rounding hides the others, or too many are close "
+                                    "together; improve cells of extreme shape, or request fewer",
+                                    count, s.found()));
 }
 
 } // namespace polydec

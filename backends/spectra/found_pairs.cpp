@@ -210,8 +210,8 @@ void take_proved(FoundPairs& pairs, const ScaledPencil& pencil, DenseMatrix vect
     if (vectors.cols() == 0)
         return;
     if (vectors.rows() != pencil.size() || vectors.cols() > pencil.size() || !vectors.allFinite())
-        throw InvalidInput(fmt::format("{} vectors of {} numbers are to be started with: expected "
-                                       "at most {} of as many finite ones",
+        throw InvalidInput(fmt::format("{} start vectors of {} numbers: expected at most {} "
+                                       "vectors of the same number of finite entries",
                                        vectors.cols(), vectors.rows(), pencil.size()));
     std::vector<Index> lengthy;
     for (Index i = 0; i < vectors.cols(); ++i)
@@ -231,9 +231,9 @@ std::vector<Index> rough_values(const FoundPairs& pairs, double norm, double uni
     for (Index i = 0; i < count; ++i) {
         if (!pairs.is_accurate(i, 1))
             throw SolverFailure(fmt::format(
-                "eigenvalue {} cannot be told from its neighbors: it is {:.6g} to within {:.3g}, "
-                "since rounding beside the largest one, about {:.3g}, hides it; improve or remove "
-                "cells that are very much smaller or flatter than others",
+                "eigenvalue {} cannot be separated from its neighbors: it is {:.6g} to within "
+                "{:.3g}, because of rounding errors relative to the largest one, about {:.3g}; "
+                "improve or remove cells that are much smaller or flatter than others",
                 i, unit * pairs.values()[i], unit * pairs.radii()[i], unit * norm));
         if (!pairs.is_accurate(i, largest_radius_share))
             rough.push_back(i);

@@ -153,8 +153,8 @@ void scale_entries(SparseMatrix& A, int exponent) {
         entry = std::ldexp(before, exponent);
         if (before != 0 && !std::isnormal(entry))
             throw InvalidInput(
-                "eigenproblem A x = lambda M x: entries of A, in the scale in which M "
-                "is 1, differ by more than numbers can tell");
+                "eigenproblem A x = lambda M x: entries of A, scaled so that M is 1, leave the "
+                "range of double precision; improve cells of extreme shape");
     }
 }
 

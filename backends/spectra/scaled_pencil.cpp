@@ -27,7 +27,7 @@ constexpr const char* what = "eigenproblem A x = lambda M x";
 void check_symmetric(const SparseMatrix& A, const char* name) {
     if (!is_finite(A) || A.rows() != A.cols() || !SparseMatrix(A.transpose()).isApprox(A, 1e-12))
         throw InvalidInput(
-            fmt::format("{}: a symmetric matrix {} of finite numbers is expected", what, name));
+            fmt::format("{}: expected a symmetric matrix {} of finite numbers", what, name));
 }
 
 /// Throws unless entries, or those of the diagonal, are positive; `name` says of what.
@@ -63,9 +63,8 @@ void check_part(const GramPart& part, Eigen::Index size) {
     if ((numbers && !numbers->allFinite()) || !is_finite(part.F) || !is_finite(part.F_error))
         throw InvalidInput(fmt::format("{}: a number of a part F^T W F is not finite", what));
     if (!part.uncertainty.allFinite() || (part.uncertainty.array() < 0).any())
-        throw InvalidInput(fmt::format("{}: an uncertainty of a part F^T W F is not a finite "
-                                       "number from 0 on",
-                                       what));
+        throw InvalidInput(fmt::format(
+            "{}: an uncertainty of a part F^T W F is not a finite number of at least 0", what));
 }
 
 void check(const Pencil& pencil) {
@@ -80,7 +79,7 @@ void check(const Pencil& pencil) {
         check_symmetric(C, "C");
     if (!(pencil.mass_uncertainty >= 0) || !(pencil.mass_uncertainty < 1))
         throw InvalidInput(
-            fmt::format("{}: M is known to within {} of itself, expected a share from 0 to 1", what,
+            fmt::format("{}: the relative error of M is {}, expected a number from 0 to 1", what,
                         pencil.mass_uncertainty));
     check_weights(pencil.M, "M");
     std::ptrdiff_t inverses = 0;
@@ -90,7 +89,7 @@ void check(const Pencil& pencil) {
     }
     if (inverses > 1)
         throw InvalidInput(
-            fmt::format("{}: {} parts have inverse weights, expected one at most", what, inverses));
+            fmt::format("{}: {} parts have inverse weights, expected at most one", what, inverses));
 }
 
 } // namespace
