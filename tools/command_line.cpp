@@ -26,10 +26,9 @@ using Names = std::vector<std::string>;
 std::string unknown(const CLI::App& app, const std::string& argument) {
     const auto shown = printable(argument);
     if (argument.size() > 1 && argument[0] == '-' && argument[1] != '-')
-        return fmt::format(
-            "{} has no option '{}'; write ./ before a file of that name, and a value "
-            "that begins with a minus as in --rhs=-x",
-            app.get_name(), shown);
+        return fmt::format("{} has no option '{}'; write ./ before a file of that name, and "
+                           "--rhs=-x for a value that begins with a minus sign",
+                           app.get_name(), shown);
     if (argument.substr(0, 2) == "--") {
         Names names;
         for (const auto* option : app.get_options())

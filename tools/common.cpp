@@ -74,14 +74,13 @@ std::vector<Points> images(const Mesh& mesh, const MeshArguments& arguments) {
 std::variant<Mesh, LengthMesh, PeriodicMesh> read_glued(const MeshArguments& arguments) {
     if (is_length_file(arguments.mesh)) {
         if (!arguments.periods.empty() || !arguments.glue.empty())
-            throw InvalidInput(
-                fmt::format("{}: a file of lengths has no points to map to others; glue it by "
-                            "giving vertices on both sides the same number",
-                            arguments.glue.empty() ? "--periodic" : "--glue"));
+            throw InvalidInput(fmt::format("{}: a file of lengths has no points to map; to glue "
+                                           "it, give vertices on both sides the same number",
+                                           arguments.glue.empty() ? "--periodic" : "--glue"));
         if (arguments.joining.are_given())
             throw InvalidInput(
-                fmt::format("{}: a file of lengths has no points that could coincide; give the "
-                            "vertices to be joined the same number",
+                fmt::format("{}: a file of lengths has no points that could coincide; to join "
+                            "vertices, give them the same number",
                             arguments.joining.hanging ? "--join-hanging" : "--weld"));
         return read_lengths(arguments.mesh);
     }
@@ -148,7 +147,7 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, std::option
             "X,Y\tglue along this translation, repeatable; expressions and pictures stay unglued")
         ->check(check_vector);
     command.add_option("--glue", arguments.glue,
-                       "MAP\tglue it along an isometry, given by the image of a point: 'x+1; 1-y'");
+                       "MAP\tglue along an isometry, given by the image of a point: 'x+1; 1-y'");
     add_joining(command, arguments.joining);
     command.add_flag("--peel", arguments.peel,
                      "first remove flat cells on the boundary of a solid");

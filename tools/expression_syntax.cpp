@@ -81,7 +81,7 @@ private:
 
     void compare() {
         if (levels_.back().has_compared)
-            refuse("a comparison cannot be compared: write a < x && x < b");
+            refuse("a comparison cannot be compared again: write a < x && x < b");
         levels_.back().has_compared = true;
     }
 
@@ -89,8 +89,7 @@ private:
         const bool digits = at_ > 0 && is_digit(text_[at_ - 1]) && at_ + 1 < text_.size() &&
                             is_digit(text_[at_ + 1]);
         if (!levels_.back().is_argument_list)
-            refuse("a comma separates arguments of functions alone; decimals are written with a "
-                   "point");
+            refuse("a comma only separates arguments of functions; write decimals with a point");
         else if (digits)
             refuse("is this a decimal comma? Write a point, or a blank between two arguments");
         levels_.back().has_compared = false;
@@ -121,7 +120,7 @@ private:
 
 std::string misread_syntax(std::string_view text) {
     if (text.size() > longest)
-        return fmt::format("it has {} characters; expected {} at most", text.size(), longest);
+        return fmt::format("it has {} characters; expected at most {}", text.size(), longest);
     const auto stranger = text.find_first_not_of(characters);
     if (stranger != std::string_view::npos)
         return fmt::format("the character at position {} cannot occur in an expression",

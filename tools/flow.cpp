@@ -235,9 +235,7 @@ void add_flow(CLI::App& app) {
                         "GROUP ..\tno-slip walls in these physical groups (name or number), which "
                         "--keep-groups keeps apart");
     command->add_option("--open-on", arguments->open_on, "GROUP ..\topen facets in these groups");
-    add_time(
-        *command, arguments->time,
-        "0.4 of the time in which the contents of a cell are exchanged at first, for imex 0.8");
+    add_time(*command, arguments->time, "0.4 of the initial exchange time of a cell, 0.8 for imex");
     command
         ->add_option("--scheme", arguments->scheme,
                      "NAME\tmidpoint (order 2, conserves energy without viscosity) or imex (order "

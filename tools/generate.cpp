@@ -40,7 +40,7 @@ const std::vector<Surface>& surfaces() {
          [](int a, int b) { return grid(a, b); }},
         {"hexagons",
          "unit square of hexagons, each fanned",
-         {{"--columns", "N\thexagons to a row", 16}},
+         {{"--columns", "N\thexagons in each row", 16}},
          [](int a, int) { return hexagons(a); }},
         {"well-centered",
          "unit square of acute triangles",

@@ -203,9 +203,10 @@ void check_boundary(const HeatArguments& arguments) {
         arguments.conditions.essential_where.empty() && arguments.conditions.essential_on.empty() &&
         arguments.conditions.fixed_where.empty())
         throw InvalidInput("--boundary-values of primal forms apply at essential facets: select "
-                           "these by --essential-where");
+                           "facets by --essential-where");
     if (!arguments.boundary.empty() && arguments.conditions.natural)
-        throw InvalidInput("--boundary-values apply at essential facets: --natural has none");
+        throw InvalidInput("--boundary-values apply at essential facets, but --natural has none: "
+                           "omit one of them");
 }
 
 void run_heat(HeatArguments arguments) {

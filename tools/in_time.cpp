@@ -81,11 +81,11 @@ void check_time(const TimeArguments& arguments, Paths inputs) {
     if (!arguments.out.empty())
         check_output_file(arguments.out, {".pvd", ".html"}, inputs);
     if (arguments.resume && lower_extension(arguments.out) == ".html")
-        throw InvalidInput(fmt::format("cannot resume with {}: a page is written from all frames "
-                                       "at once; write a .pvd file, then convert it by polydec "
-                                       "view",
-                                       printable(arguments.out.string())),
-                           {.path = arguments.out});
+        throw InvalidInput(
+            fmt::format("cannot resume with {}: a page is written from all frames at once; write a "
+                        ".pvd file, then convert it with polydec view",
+                        printable(arguments.out.string())),
+            {.path = arguments.out});
     if (!arguments.checkpoint.empty())
         check_output_file(arguments.checkpoint, {".checkpoint"}, inputs);
 }
@@ -99,7 +99,7 @@ TimeSteps time_steps(const TimeArguments& arguments, double length) {
         multiple * std::max(1.0, std::ceil(arguments.until / length / multiple - rounding));
     if (!(count <= most))
         throw InvalidInput(fmt::format("{:.3g} steps of {:.3g} are too many: expected at most "
-                                       "{:.0g}",
+                                       "{:.0g}; use a larger --time-step or a smaller --until",
                                        count, length, most));
     return {static_cast<Index>(count), arguments.until / count};
 }

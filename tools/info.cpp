@@ -67,7 +67,7 @@ void write_duals(Text& text, const Diagnosis& facts) {
         text("  {} edges removed; {} of the triangles ({:.1f} %) were in a concyclic pair\n",
              facts.merged_pairs.facets, facts.merged_pairs.simplices, percent_of_pairs(facts));
     if (facts.looser)
-        text("  {} more pairs of cells would merge by --tolerance {:.0e}\n", facts.looser->pairs,
+        text("  {} more pairs of cells would merge with --tolerance {:.0e}\n", facts.looser->pairs,
              facts.looser->tolerance);
     if (facts.flips)
         return write_flips(text, facts.flips->statistics);

@@ -122,8 +122,9 @@ void check_unchanged(const std::filesystem::path& mesh, const std::vector<Finger
     if (was == before.end() && is == now.end())
         return;
     const auto& changed = was == before.end() ? is->file : was->file;
-    throw IoError(fmt::format("{} changed while it was read: try again when it is complete",
-                              printable(changed.string())));
+    throw IoError(
+        fmt::format("{} changed while polydec read it: try again when the file is complete",
+                    printable(changed.string())));
 }
 
 std::vector<std::string> files_of_result(const std::filesystem::path& folder) {

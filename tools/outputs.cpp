@@ -39,7 +39,7 @@ void check_folder(const Path& out, const Path& folder) {
     struct stat status {};
     const auto name = printable(folder.string());
     if (::stat(folder.c_str(), &status) != 0)
-        refuse(out, fmt::format("{}; make the folder {} first", system_reason(), name));
+        refuse(out, fmt::format("{}; create the folder {} first", system_reason(), name));
     if (!S_ISDIR(status.st_mode))
         refuse(out, fmt::format("{} is not a folder", name));
     if (!is_writable(folder) || ::access(folder.c_str(), X_OK) != 0)
@@ -94,7 +94,7 @@ void check_output_folder(const Path& out) {
     while (::stat(target.c_str(), &status) != 0 && target.has_relative_path())
         target = target.parent_path();
     if (!S_ISDIR(status.st_mode))
-        throw IoError(fmt::format("cannot make the folder {}: the file {} is in the way",
+        throw IoError(fmt::format("cannot create the folder {}: the file {} is in the way",
                                   printable(out.string()), printable(target.string())),
                       {.path = out});
     check_folder(out, target);

@@ -124,7 +124,7 @@ void add_bound(Solved& answer, const Discretization& mesh, const FormSpace& spac
         return;
     const bool l2 = mesh.pieces().size(2) <= most_for_l2;
     if (!l2)
-        answer.without_bound = fmt::format("above {} triangles it takes too long", most_for_l2);
+        answer.without_bound = fmt::format("it takes too long above {} triangles", most_for_l2);
     try {
         const auto problem = poisson_problem(mesh, space.conditions(), conductivity, f, flux);
         answer.bound = poisson_error(problem, u, {.l2 = l2, .linear_solver = engine});

@@ -59,7 +59,7 @@ public:
         for (std::size_t i = 0; i < state.size(); ++i) {
             if (state[i].size() != result.rows())
                 throw InvalidInput(
-                    fmt::format("{} holds vectors of different sizes: start without it",
+                    fmt::format("{} contains vectors of different sizes: run without --resume",
                                 printable(path_.string())),
                     {.path = path_});
             result.col(static_cast<Index>(i)) = state[i];

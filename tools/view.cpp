@@ -62,11 +62,11 @@ void bind_pages(const ViewArguments& arguments) {
     pages.insert(pages.end(), arguments.more.begin(), arguments.more.end());
     for (const auto& page : pages)
         if (!is_page(page))
-            throw InvalidInput(fmt::format("{} with other files: only .html pages can be combined; "
-                                           "convert it by `polydec view`",
+            throw InvalidInput(fmt::format("cannot combine {} with other files: only .html pages "
+                                           "can be combined; convert it with `polydec view`",
                                            printable(page.string())));
     if (arguments.out.empty())
-        throw InvalidInput("combined pages need a name: add -o NAME.html");
+        throw InvalidInput("combined pages need an output file: add -o NAME.html");
     check_output_file(arguments.out, {".html"}, pages);
     log.timing.begin("write");
     write_album(arguments.out, arguments.out.stem().string(), pages);

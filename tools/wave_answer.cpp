@@ -48,7 +48,7 @@ struct Swung : Answer {
         text("waves of {} {}-forms, {}\n", name(side), degree, in_words(steps, ran));
         text("  {}\n  {}\n", conditions, in_words(stars));
         if (layer_width > 0)
-            text("  an absorbing layer of the width {:.6g}, {}\n", layer_width, name(layer));
+            text("  an absorbing layer of width {:.6g}, {}\n", layer_width, name(layer));
         text("  steps {}\n", stable_step ? fmt::format("are stable below {:.6g}", *stable_step)
                                          : "of any length are stable");
         text("  values from {:.10g} to {:.10g}; energy {}{}\n", min, max, in_digits(energy),

@@ -180,13 +180,15 @@ void run_info(const Ranks& ranks, const SharedArguments& arguments) {
 
 void add_shared_info(CLI::App& app, const Ranks& ranks) {
     const auto [command, arguments] = add_command<SharedArguments>(
-        app, "info", "what the mesh is, before and after merging",
+        app, "info", "describes the mesh before and after merging",
         [ranks](const SharedArguments& given) { run_info(ranks, given); });
     add_shared_arguments(*command, *arguments);
     refuse_option(*command, "--star");
     refuse_option(*command, "--out");
-    command->footer("For Betti numbers and what holds for operators, use `polydec "
-                    "info`.\n\nExample:\n  mpirun -n 4 polydec-mpi info engine.pdm --json");
+    command->footer("`polydec info` also reports Betti numbers and properties of the operators.\n"
+                    "\n"
+                    "Example:\n"
+                    "  mpirun -n 4 polydec-mpi info engine.pdm --json");
 }
 
 } // namespace polydec::tools

@@ -45,7 +45,8 @@ void end_all(const Ranks& ranks) {
     } catch (...) {
     }
     polydec::console::be_silent(false);
-    polydec::console::tell(fmt::format("polydec-mpi: rank {} alone: {}\n", ranks.rank(), text));
+    polydec::console::tell(
+        fmt::format("polydec-mpi: only rank {} failed: {}\n", ranks.rank(), text));
     ranks.abort(polydec::resource_failure);
 }
 

@@ -57,13 +57,13 @@ void add_shared_operators(CLI::App& app, const Ranks& ranks) {
         ->add_option("--out", arguments->out,
                      "FOLDER\tfolder for the files, created or replaced as a whole")
         ->required();
-    command->footer(
-        "Files of the merged complex, in PETSc's binary format (.petsc): d_k star_k volume_k "
-        "dual_volume_k laplacian_primal_k laplacian_dual_j. Rows are in the order of the cells, "
-        "for "
-        "any number of ranks. MatLoad and VecLoad read them, and so do PETSc's scripts for MATLAB "
-        "and Python.\n\nExample:\n"
-        "  mpirun -n 4 polydec-mpi operators engine.pdm --out operators");
+    command->footer("Files of the merged complex, in PETSc's binary format (.petsc): d_k star_k "
+                    "volume_k dual_volume_k laplacian_primal_k laplacian_dual_j. Rows are in the "
+                    "order of the cells, for any number of ranks. MatLoad, VecLoad and PETSc's "
+                    "scripts for MATLAB and Python read them.\n"
+                    "\n"
+                    "Example:\n"
+                    "  mpirun -n 4 polydec-mpi operators engine.pdm --out operators");
 }
 
 } // namespace polydec::tools

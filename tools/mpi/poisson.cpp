@@ -98,10 +98,10 @@ void warn_of_negative(const Ranks& ranks, const DistributedMesh& mesh, Side side
     const auto count =
         ranks.sum(static_cast<GlobalIndex>(HodgeStar(mesh.cells.volumes, k).negatives().size()));
     if (count > 0)
-        log.warn(fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay "
-                             "there): the solution may be far off there; `polydec poisson` has "
-                             "other stars",
-                             count, k, count == 1 ? "has" : "have"));
+        log.warn(
+            fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay there): "
+                        "the solution may be far off there; `polydec poisson` supports other stars",
+                        count, k, count == 1 ? "has" : "have"));
 }
 
 void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
