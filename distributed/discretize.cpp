@@ -59,7 +59,7 @@ void refuse_flat_cells(const LocalComplex& local, const std::vector<Index>& flat
         if (!sphere.look_at(layout.at(n, t)))
             throw InvalidInput(fmt::format(
                 "the cell with vertices {} has no volume, and lies on no neighbor's sphere: move "
-                "one of its vertices, or exchange it and its neighbors for others",
+                "one of its vertices, or replace the cell and its neighbors",
                 fmt::join(local.complex.vertex_numbers(n, t), " ")));
 }
 
@@ -135,7 +135,7 @@ DistributedMesh discretize(const Ranks& ranks, MeshSlice slice, const std::vecto
 void check_stars(const Ranks& ranks, const DistributedMesh& mesh) {
     if (mesh.star == StarKind::circumcentric)
         return;
-    std::string why = "are asked for";
+    std::string why = "are requested";
     if (mesh.star == StarKind::automatic) {
         GlobalIndex found = 0;
         int k = -1;
@@ -146,12 +146,12 @@ void check_stars(const Ranks& ranks, const DistributedMesh& mesh) {
         const StarKind kind = automatic_kind(mesh.dimension(), found == 0);
         if (kind == StarKind::circumcentric)
             return;
-        why = fmt::format("are {} ones here, since the dual of {} of the {}-cells is not positive",
-                          name(kind), found, k);
+        why =
+            fmt::format("are {} stars here, since the duals of {} of the {}-cells are not positive",
+                        name(kind), found, k);
     }
-    throw InvalidInput(fmt::format("{} stars {}; several ranks have circumcentric stars alone: "
-                                   "take StarKind::circumcentric if these will do, or solve in "
-                                   "one process",
+    throw InvalidInput(fmt::format("{} stars {}, but several ranks support only circumcentric "
+                                   "stars: use StarKind::circumcentric, or solve in one process",
                                    name(mesh.star), why));
 }
 

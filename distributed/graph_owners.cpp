@@ -104,8 +104,8 @@ std::vector<int> owners_by_graph(const Ranks& ranks, const MeshSlice& slice) {
     MatPartitioningDestroy(&partitioning);
     return result;
 #else
-    throw BackendUnavailable(
-        "PTScotch is not part of this PETSc: take another way to own vertices");
+    throw BackendUnavailable("this PETSc does not contain PTScotch: use another distribution of "
+                             "vertices, such as morton");
 #endif
 }
 

@@ -48,7 +48,7 @@ const EngineMethod& method(const std::string& engine) {
             return known;
         names.emplace_back(known.engine);
     }
-    throw InvalidInput(fmt::format("there is no engine '{}' over several ranks{}\nKnown are: {}.",
+    throw InvalidInput(fmt::format("there is no engine '{}' over several ranks{}\nAvailable: {}.",
                                    engine, did_you_mean(engine, names), fmt::join(names, ", ")));
 }
 
@@ -122,10 +122,10 @@ void Ksp::set_up(const std::string& own_options, double room) {
         if (info == mumps_lacks_room && 2 * room <= most_room)
             return set_up(own_options, 2 * room);
         if (info < 0)
-            fail(fmt::format("MUMPS could not factorize the matrix: its error {}{}", info,
+            fail(fmt::format("MUMPS could not factorize the matrix: MUMPS error {}{}", info,
                              info == mumps_lacks_room || info == mumps_lacks_memory ||
                                      info == mumps_may_not_have_more
-                                 ? ", memory does not suffice: take more ranks"
+                                 ? ", not enough memory: use more ranks"
                                  : ""));
     }
     check_setup();
@@ -137,7 +137,7 @@ void Ksp::check_setup() const {
     require(KSPGetPC(solver_->ksp.get(), &pc), "looking at a solver");
     require(PCGetFailedReason(pc, &reason), "looking at a solver");
     if (ranks_.any(reason != PC_NOERROR))
-        fail("the matrix cannot be factorized, or multigrid makes nothing of it");
+        fail("the matrix cannot be factorized, or multigrid fails for it");
 }
 
 void Ksp::fail(const std::string& why) const {
@@ -170,7 +170,7 @@ Vector Ksp::solve(const Vector& b, Index& iterations) {
         const char* text = nullptr;
         KSPGetConvergedReasonString(solver_->ksp.get(), &text);
         fail(fmt::format("no convergence after {} iterations ({})", steps,
-                         text != nullptr ? text : "no reason known"));
+                         text != nullptr ? text : "unknown reason"));
     }
     return result;
 }

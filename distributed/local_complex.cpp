@@ -100,7 +100,7 @@ Index place_of(const Simplices& simplices, const std::vector<GlobalIndex>& verti
         return true;
     };
     if (low == simplices.rows() || !is_it())
-        throw InvalidInput(fmt::format("a {}-simplex is not held by the rank that owns its first "
+        throw InvalidInput(fmt::format("a {}-simplex is missing on the rank that owns its first "
                                        "vertex {}: each rank needs all cells around its vertices",
                                        width - 1, list[0]));
     return low;

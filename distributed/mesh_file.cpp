@@ -38,13 +38,14 @@ PartialFile open_on_all(const Ranks& ranks, const std::filesystem::path& path) {
         } catch (const IoError& error) {
             throw IoError(fmt::format("cannot read {}: {}", name, error.what()), {.path = path});
         }
-        throw IoError(fmt::format("cannot read {}: it is no regular file", name), {.path = path});
+        throw IoError(fmt::format("cannot read {}: it is not a regular file", name),
+                      {.path = path});
     });
     const auto size = static_cast<std::int64_t>(opened->size());
     const GlobalIndex longest = ranks.largest(size), shortest = -ranks.largest(-size);
     if (shortest < longest)
         throw IoError(fmt::format("cannot read {}: it has {} bytes on one rank and {} on another; "
-                                  "all of them need the same file",
+                                  "all ranks need the same file",
                                   name, shortest, longest),
                       {.path = path});
     return {path.string(), size, [opened](std::int64_t begin, std::int64_t end) {
@@ -141,7 +142,7 @@ MeshSlice read_slice(const Ranks& ranks, const std::filesystem::path& path) {
         "read", [&] { return ranks.rank() == 0 ? std::optional(tidied(path)) : std::nullopt; });
     MeshSlice slice = scatter(ranks, mesh);
     if (ranks.rank() == 0 && ranks.size() > 1 && !why.empty())
-        slice.warnings.push_back(fmt::format("one rank has read the whole file: {}", why));
+        slice.warnings.push_back(fmt::format("one rank read the whole file: {}", why));
     return slice;
 }
 
@@ -151,7 +152,7 @@ void write_slice(const Ranks& ranks, const std::filesystem::path& path, const Me
     std::unique_ptr<AtomicFile> file; // of rank 0
     ranks.together("write", [&] {
         if (lower_extension(path) != ".pdm")
-            throw InvalidInput(fmt::format("cannot write {}: several ranks write .pdm alone",
+            throw InvalidInput(fmt::format("cannot write {}: several ranks write only .pdm",
                                            printable(path.string())),
                                {.path = path});
         if (ranks.rank() == 0) {

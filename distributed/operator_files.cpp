@@ -93,7 +93,7 @@ private:
             error = closed;
         const auto check = [&] {
             if (error)
-                throw IoError(fmt::format("cannot write {}: PETSc's error {}", path.string(),
+                throw IoError(fmt::format("cannot write {}: PETSc error {}", path.string(),
                                           static_cast<int>(error)),
                               {.path = path});
         };

@@ -22,8 +22,8 @@ void require(PetscErrorCode error, const char* what) {
 PetscInt petsc_number(GlobalIndex number) {
     if (number > std::numeric_limits<PetscInt>::max())
         throw InvalidInput(fmt::format(
-            "{} rows: this PETSc counts to {}; take one that is built with 64-bit indices", number,
-            std::numeric_limits<PetscInt>::max()));
+            "{} rows are too many: this PETSc supports at most {}; use a PETSc with 64-bit indices",
+            number, std::numeric_limits<PetscInt>::max()));
     return static_cast<PetscInt>(number);
 }
 

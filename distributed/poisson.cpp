@@ -38,8 +38,9 @@ struct OwnFacets {
             coface_counts.push_back(counts[piece]);
         for (Index f = 0; f < essential.size(); ++f)
             if (coface_counts[f] == 1 && conditions.at(f) == BoundaryCondition::robin)
-                throw InvalidInput("a facet has Robin's condition, which the Poisson problem on "
-                                   "several machines cannot have: PoissonSolver can");
+                throw InvalidInput(
+                    "a facet has a Robin condition, which the Poisson problem over several ranks "
+                    "does not support: use PoissonSolver in one process");
             else if (coface_counts[f] == 1)
                 (conditions.at(f) == BoundaryCondition::essential ? essential : natural)[f] = 1;
     }
@@ -85,15 +86,15 @@ void check_fluxes(const DistributedMesh& mesh, const OwnFacets& facets) {
             sum += cells.signs[e];
         if (facets.coface_counts[f] > 2)
             throw InvalidInput(fmt::format("{} cells meet at {}, so the flux through it is not a "
-                                           "difference of two values: solve for primal 0-forms",
+                                           "difference of two values: use primal 0-forms",
                                            facets.coface_counts[f], named(mesh, f)));
         if (facets.coface_counts[f] == 2 && sum != 0)
             throw InvalidInput(fmt::format("the mesh is non-orientable, so dual 0-forms change "
-                                           "sign around it, at {}: solve for primal 0-forms",
+                                           "sign around it, at {}: use primal 0-forms",
                                            named(mesh, f)));
         if (facets.coface_counts[f] == 2 && std::binary_search(zeros.begin(), zeros.end(), f))
             throw InvalidInput(fmt::format("the dual of {} has no length, so the flux through it "
-                                           "is not defined: let cospherical cells be merged",
+                                           "is not defined: merge cospherical cells",
                                            named(mesh, f)));
     }
 }
@@ -130,7 +131,7 @@ Vector facets_without_dual(const Ranks& ranks, const DistributedMesh& mesh,
 void check_values(const Vector& values, const Points& sites, const char* what) {
     check_as_many(what, static_cast<Index>(values.size()), static_cast<Index>(sites.rows()));
     if (!values.allFinite())
-        throw InvalidInput(fmt::format("{}: a value is no number", what));
+        throw InvalidInput(fmt::format("{}: a value is not finite: expected finite numbers", what));
 }
 
 } // namespace

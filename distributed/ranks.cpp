@@ -42,8 +42,7 @@ Report describe(const std::exception_ptr& failure) {
     } catch (const IoError& error) {
         return {Kind::io, error.what(), error.place()};
     } catch (const std::bad_alloc&) {
-        return {
-            Kind::io, "memory does not suffice: take more ranks, or machines with more memory", {}};
+        return {Kind::io, "not enough memory: use more ranks, or machines with more memory", {}};
     } catch (const std::exception& error) {
         return {Kind::other, error.what(), {}};
     } catch (...) {

@@ -37,7 +37,7 @@ GlobalSimplices whole_numbers(const DenseMatrix& numbers, const PartialFile& fil
         for (Eigen::Index j = 0; j < numbers.cols(); ++j) {
             const double number = numbers(i, j);
             if (!(std::abs(number) < 0x1p53) || number != std::floor(number))
-                refuse_layout(file, "the number of a vertex is none");
+                refuse_layout(file, "the number of a vertex is not a whole number");
             result(i, j) = static_cast<GlobalIndex>(number);
         }
     return result;
@@ -81,7 +81,7 @@ public:
             cells.array() -= first_;
             for (const GlobalIndex vertex : cells.reshaped())
                 if (vertex < 0 || vertex >= count_)
-                    refuse_layout(file_, "a cell has a vertex that there is not");
+                    refuse_layout(file_, "a cell has a vertex that does not exist");
         });
     }
 
@@ -106,14 +106,14 @@ private:
             std::sort(nodes_.begin(), nodes_.end());
             const auto is_same = [](const Node& a, const Node& b) { return a[0] == b[0]; };
             if (std::adjacent_find(nodes_.begin(), nodes_.end(), is_same) != nodes_.end())
-                refuse_layout(file_, "two nodes have one number");
+                refuse_layout(file_, "two nodes have the same number");
         });
     }
 
     GlobalIndex vertex_of(GlobalIndex number) const {
         const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), Node{number, 0});
         if (found == nodes_.end() || (*found)[0] != number)
-            refuse_layout(file_, "a cell has a node that there is not");
+            refuse_layout(file_, "a cell has a node that does not exist");
         return (*found)[1];
     }
 

@@ -110,8 +110,9 @@ namespace polydec {
 
 DenseMatrix largest_eigenvectors(const Ranks&, const SharedOperator&, Index, const Vector&,
                                  double) {
-    throw BackendUnavailable("slepc: spectra over several ranks need SLEPc, which was not there "
-                             "when polydec was built\nInstall slepc-dev and build it again.");
+    throw BackendUnavailable(
+        "slepc: spectra over several ranks need SLEPc, which was missing when polydec was built\n"
+        "Install slepc-dev and build polydec again.");
 }
 
 } // namespace polydec

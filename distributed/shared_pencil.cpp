@@ -28,7 +28,7 @@ void check_positive(const HodgeStar& star, bool zeros_too) {
     if (!bad.empty())
         throw InvalidInput(
             fmt::format("star_{} is not positive on cells {}: the mesh is not Delaunay there; "
-                        "other stars, which are positive on every mesh, run in one process",
+                        "stars that are positive on every mesh need a single process",
                         star.degree(), star.numbers(bad)),
             star.place(bad));
 }

@@ -147,8 +147,8 @@ SharedSolver::~SharedSolver() = default;
 Solution SharedSolver::solve(const Vector& b, const Vector& fixed_values) const {
     State& s = *state_;
     if (s.ranks.any(!b.allFinite() || !fixed_values.allFinite()))
-        throw InvalidInput("right-hand side or fixed values of a constrained system are not "
-                           "finite: scale the data");
+        throw InvalidInput("the right-hand side or fixed values of a constrained system are not "
+                           "all finite: scale the data");
     Vector u = Vector::Zero(b.size());
     for (Index i = 0; i < u.size(); ++i)
         if (s.system.held.fixed[i])
@@ -166,7 +166,7 @@ Solution SharedSolver::solve(const Vector& b, const Vector& fixed_values) const 
     s.components.remove_means(u);
     if (s.ranks.any(!u.allFinite()))
         throw SolverFailure("the solution has values that are not finite: data or weights leave "
-                            "the range of numbers; scale them");
+                            "the range of double precision; scale them");
     result.values = std::move(u);
     return result;
 }

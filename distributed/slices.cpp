@@ -100,7 +100,7 @@ MeshSlice scatter(const Ranks& ranks, const std::optional<Mesh>& mesh) {
         if (ranks.rank() != 0)
             return;
         if (!mesh)
-            throw InvalidInput("there is no mesh on rank 0 to be scattered");
+            throw InvalidInput("rank 0 has no mesh to scatter: give it one");
         for (int r = 0; r < ranks.size(); ++r) {
             const MeshSlice slice = slice_for(*mesh, r, ranks.size());
             sizes[r].push_back(

@@ -134,10 +134,11 @@ bool SharedSearch::prove(Index count) {
     // factors of B - tau are those of a matrix that is off by rounding, which must not reach over
     constexpr double lost_by_factors = 1e-13;
     if ((high - low) / 2 < lost_by_factors * pencil_.norm())
-        throw SolverFailure(fmt::format("the eigenvalues up to {:.6g} cannot be counted: beside "
-                                        "the largest one, about {:.3g}, the gap behind them is "
-                                        "rounding; ask for fewer or more, or waive the proof",
-                                        low, pencil_.norm()));
+        throw SolverFailure(
+            fmt::format("the eigenvalues up to {:.6g} cannot be counted: the gap after them is "
+                        "below the rounding error of the largest one, about {:.3g}; request fewer "
+                        "or more, or waive the proof",
+                        low, pencil_.norm()));
     const OwnedMat matrix = shifted(tau);
     const Ksp factor(ranks_, matrix.get(), {"petsc.mumps"}, Definiteness::indefinite);
     const auto below = static_cast<Index>(factor.negative_pivots());
@@ -170,14 +171,13 @@ void SharedSearch::find(Index count) {
             wanted = pairs_.count() + std::max<Index>(3, pairs_.count() / 3);
         }
         if (wanted > count + largest_cluster)
-            throw SolverFailure(fmt::format("no gap in the spectrum within {} eigenvalues behind "
-                                            "number {}: the count cannot be proved; waive the "
-                                            "proof or ask for fewer",
-                                            largest_cluster, count));
+            throw SolverFailure(
+                fmt::format("the spectrum has no gap within {} eigenvalues after number {}, so the "
+                            "count cannot be proved; waive the proof or request fewer",
+                            largest_cluster, count));
     }
-    throw SolverFailure(fmt::format("{} eigenvalues asked for, {} found, and the proof that none "
-                                    "is missing is not reached; improve cells of extreme shape, "
-                                    "or ask for fewer",
+    throw SolverFailure(fmt::format("{} eigenvalues requested, {} found, without a proof that none "
+                                    "is missing; improve cells of extreme shape, or request fewer",
                                     count, pairs_.count()));
 }
 
@@ -193,8 +193,8 @@ Spectrum spectrum(const Ranks& ranks, const DistributedMesh& mesh, Side side, in
     check_stars(ranks, mesh);
     const GlobalIndex size = mesh.cells.degree(k).count;
     if (options.count < 1 || options.count > size)
-        throw InvalidInput(fmt::format("{} eigenvalues asked for: there are 1 to {} to be had",
-                                       options.count, size));
+        throw InvalidInput(
+            fmt::format("{} eigenvalues requested: expected 1 to {}", options.count, size));
     SharedSearch search(ranks, mesh, options, k);
     search.find(options.count);
     const FoundPairs& pairs = search.pairs();

@@ -34,7 +34,7 @@ void check_double_cells(const Ranks& ranks, const MeshSlice& slice) {
         for (Eigen::Index t = 0; t < slice.simplices.rows(); ++t) {
             const Corners corners = sorted_corners(slice.simplices, t);
             if (std::adjacent_find(corners.begin(), corners.end()) != corners.end())
-                refuse("cells with a repeated corner are to be left out");
+                refuse("some cells have a repeated corner");
             auto& parcel = parcels[vertices.rank_of(corners[0])];
             parcel.insert(parcel.end(), corners.begin(), corners.end());
         }
@@ -53,7 +53,7 @@ void check_double_cells(const Ranks& ranks, const MeshSlice& slice) {
             return std::equal(a, a + width, b);
         };
         if (std::adjacent_find(cells.begin(), cells.end(), is_same) != cells.end())
-            refuse("cells on the same vertices are to be left out");
+            refuse("some cells have the same vertices");
     });
 }
 
@@ -65,7 +65,7 @@ void check_flat_cells(const Ranks& ranks, const MeshSlice& slice, const NumberPl
         own.simplices = slice.simplices.unaryExpr([&](GlobalIndex vertex) { return here(vertex); });
         const FlatCells flat = find_flat_cells(own);
         if (!flat.removable.empty() || !flat.stuck.empty())
-            refuse("there are cells without volume");
+            refuse("some cells have no volume");
     });
 }
 

@@ -35,7 +35,7 @@ Outcome outcome(Work work) {
     }
 }
 
-constexpr const char* fallback = "one rank has read the whole file: ";
+constexpr const char* fallback = "one rank read the whole file: ";
 
 std::vector<std::string> without_fallback(std::vector<std::string> warnings) {
     std::erase_if(warnings, [](const std::string& w) { return w.starts_with(fallback); });
