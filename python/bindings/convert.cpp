@@ -24,7 +24,7 @@ template <class Scalar>
 py::object csr_of(const Eigen::SparseMatrix<Scalar, Eigen::RowMajor, Index>& matrix,
                   py::handle owner) {
     if (!matrix.isCompressed())
-        throw InvalidInput("a sparse matrix with gaps cannot be shown: compress it");
+        throw InvalidInput("a sparse matrix with gaps cannot be shared with Python: compress it");
     const py::tuple parts =
         py::make_tuple(view(matrix.valuePtr(), {matrix.nonZeros()}, owner),
                        view(matrix.innerIndexPtr(), {matrix.nonZeros()}, owner),

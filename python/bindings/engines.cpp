@@ -56,7 +56,7 @@ protected:
             using Columns = py::array_t<double, py::array::f_style | py::array::forcecast>;
             const auto found = Columns::ensure(solve_(array(DenseMatrix(B))));
             if (!found || found.size() != B.size())
-                fail("the function of Python gave something else than as many numbers");
+                fail("the Python function did not return as many numbers as it got");
             return {Eigen::Map<const DenseMatrix>(found.data(), B.rows(), B.cols())};
         });
     }
@@ -106,8 +106,8 @@ private:
         if (values.shape(0) > count || vectors.shape(0) != A.size ||
             vectors.shape(1) != values.shape(0))
             throw SolverFailure(fmt::format(
-                "{}: the function of Python gave {} values and a table of {} x {} for their "
-                "vectors: expected at most {} values and {} numbers for each",
+                "{}: the Python function returned {} values and a {} x {} array of vectors: "
+                "expected at most {} values and {} numbers for each",
                 name_, values.shape(0), vectors.shape(0), vectors.shape(1), count, A.size));
         return {vector(values), columns(vectors), static_cast<Index>(values.shape(0)), operations};
     }

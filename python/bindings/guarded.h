@@ -21,8 +21,8 @@ public:
     template <class Work>
     auto use(Work work) {
         if (user_ == std::this_thread::get_id())
-            throw InvalidInput("a function that a solver calls uses the same solver: expected one "
-                               "that needs its arguments alone");
+            throw InvalidInput("a function called by a solver uses the same solver: expected a "
+                               "function that uses only its arguments");
         return unlocked([&] {
             const std::lock_guard lock(in_use_);
             const Mark mark(user_);

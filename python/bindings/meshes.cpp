@@ -35,7 +35,7 @@ Mesh mesh_of(const Numbers& points, const Integers& simplices, const Integers& t
 using CellBlock = std::tuple<int, Integers, Integers, Integers, std::size_t>;
 
 Mesh mesh_of_cells(const Numbers& points, const std::vector<CellBlock>& blocks) {
-    const SourceFile given{"the mesh that is given", ""};
+    const SourceFile given{"the given mesh", ""};
     Points places = rows(points);
     CellLists cells;
     for (const auto& [dimension, corner_array, end_array, tag_array, nodes] : blocks) {

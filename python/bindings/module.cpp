@@ -3,7 +3,7 @@
 
 PYBIND11_MODULE(_core, module) {
     using namespace polydec::python;
-    module.doc() = "What the package polydec is made of; use that.";
+    module.doc() = "Implementation of the package polydec; use the package.";
     module.attr("__version__") = POLYDEC_VERSION;
     add_errors(module);
     add_meshes(module);

@@ -19,14 +19,14 @@ Values = Union[float, npt.ArrayLike, Callable[[Floats], Any]]
 
 def _array(values: Any, name: str) -> npt.NDArray[Any]:
     if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
-        raise InvalidInput(f"{name} have masked entries: expected a value for each, fill them")
+        raise InvalidInput(f"{name} have masked entries: expected values everywhere; fill them")
     try:
         array = np.asarray(values)
     except ValueError as error:
-        raise InvalidInput(f"{name} are no array: {error}") from None
+        raise InvalidInput(f"{name} are not an array: {error}") from None
     if array.dtype == object:
-        raise InvalidInput(f"{name} are no array of numbers: rows have different lengths, or "
-                           "entries are no numbers")
+        raise InvalidInput(f"{name} are not an array of numbers: rows have different lengths, or "
+                           "entries are not numbers")
     return array
 
 
@@ -100,7 +100,7 @@ def marks(essential: Any, places: Floats, count: int, name: str = "essential") -
     array = _array(essential, name)
     if array.dtype != bool:
         raise InvalidInput(f"{name} is of the type {array.dtype}: expected True, False, or one of "
-                           "them for each facet; values at vertices are for fixed")
+                           "them for each facet; select vertices with fixed")
     if array.ndim == 0:
         return [bool(array)]
     if array.shape != (count,):

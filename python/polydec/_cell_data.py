@@ -29,8 +29,8 @@ def cell_data(cells: Cells, given: CellNumbers | None, name: str) -> _core.CellD
     if callable(given):
         places = getattr(cells, "centroids", None)
         if places is None:
-            raise InvalidInput(f"{name}: a function of places is given for cells of one's own, "
-                               "which have none: give a dual 0-form")
+            raise InvalidInput(f"{name}: a function of positions is given for cells without a "
+                               "mesh, which have no positions: give a dual 0-form")
         return _core.CellData(at_places(given, places(cells.dim), name), True)
     if np.ndim(given) == 0:
         return _core.CellData(floats(np.full(cells.size(cells.dim), given), name), True)

@@ -82,7 +82,7 @@ class Cells:
 
     def __getitem__(self, k: int) -> Degree:
         if not 0 <= k <= self.dim:
-            raise IndexError(f"degree {k} is asked for: expected 0 to {self.dim}")
+            raise IndexError(f"degree {k} is out of range: expected 0 to {self.dim}")
         return Degree(self, k)
 
     # ---- topology
@@ -208,7 +208,7 @@ class Cells:
         b_side, b_degree, b_values = as_form(self, b, k, side)
         if (a_side, a_degree) != (b_side, b_degree):
             raise InvalidInput(f"the inner product of a {a_side} {a_degree}-form and a {b_side} "
-                               f"{b_degree}-form is asked for: expected forms of one kind")
+                               f"{b_degree}-form is not defined: expected forms of the same kind")
         return self._cells.inner_product(a_side, a_degree, a_values, b_values)
 
     def norm(self, form: Form, k: int | None = None, side: str = "primal") -> float:
@@ -313,7 +313,7 @@ def as_form(cells: Cells, form: Form, degree: int | None,
     if isinstance(form, Cochain):
         return form.side, form.degree, form.values
     if degree is None:
-        raise InvalidInput("an array is given without its degree: expected a Cochain, or an array "
+        raise InvalidInput("an array is given without a degree: expected a Cochain, or an array "
                            "and the degree of the form")
     values = floats(form, f"values of the {side} {degree}-form")
     return side, degree, form_at_cells(cells, values, side, degree)

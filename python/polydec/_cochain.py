@@ -56,7 +56,7 @@ class Cochain:
     def complex(self) -> Cells:
         """The cells that carry the form. Raises `InvalidInput` if none were given."""
         if self._complex is None:
-            raise InvalidInput("the form does not say on which complex it lives")
+            raise InvalidInput("the form has no complex: expected a form that knows its complex")
         return self._complex
 
     def _made(self, what: str) -> Cochain:
@@ -85,7 +85,7 @@ class Cochain:
         from ._fields import wedge
         from ._complex import Complex
         if not isinstance(self.complex, Complex):
-            raise InvalidInput("products of forms are those of a Complex")
+            raise InvalidInput("products of forms need a Complex, not just cells")
         product: Cochain = wedge(self.complex, self, other)
         return product
 
@@ -96,7 +96,7 @@ class Cochain:
     def _same(self, other: Cochain) -> None:
         if (self.side, self.degree, len(self.values)) != (other.side, other.degree,
                                                           len(other.values)):
-            raise InvalidInput(f"{self!r} and {other!r} are not of one kind")
+            raise InvalidInput(f"{self!r} and {other!r} are not of the same kind")
 
     def _with(self, values: Floats) -> Cochain:
         return Cochain(values, self.degree, self.side, self._complex)

@@ -237,8 +237,8 @@ class Complex(Cells):
 
     def __reduce__(self) -> tuple[Any, ...]:
         if self._given is None:
-            raise InvalidInput("a complex with stars of its own cannot be pickled: pickle what it "
-                               "was made of, and take with_star again")
+            raise InvalidInput("a complex with its own stars cannot be pickled: pickle its mesh "
+                               "and options, and call with_star again")
         return _made_again, (self._given, self._options)
 
 
@@ -382,8 +382,8 @@ def _without_options(mesh: MeshLike, in_units: bool, star: str = "automatic") ->
 def mesh_of(complex: Complex) -> _core.Discretization:
     """The C++ discretization of a Complex. Raises InvalidInput for other types."""
     if not isinstance(complex, Complex):
-        raise InvalidInput(f"something of the type {type(complex).__name__} is given: expected the "
-                           "Complex that discretize makes of a mesh, since forms are on its cells")
+        raise InvalidInput(f"an object of type {type(complex).__name__} is given: expected the "
+                           "Complex that discretize returns for a mesh")
     return complex._mesh
 
 
@@ -395,6 +395,6 @@ def as_cells(given: CellsLike, in_units: bool = False) -> Cells:
 def as_complex(given: CellsLike, in_units: bool = False, star: str = "automatic") -> Complex:
     """As `as_cells`, for functions that need positions of cells. A mesh gets these stars."""
     if isinstance(given, Cells) and not isinstance(given, Complex):
-        raise InvalidInput(f"{given!r} alone are given: expected the Complex that discretize makes "
-                           "of a mesh, since places of cells are needed")
+        raise InvalidInput(f"only {given!r} is given: expected the Complex that discretize returns "
+                           "for a mesh, since positions of cells are needed")
     return given if isinstance(given, Complex) else _without_options(given, in_units, star)

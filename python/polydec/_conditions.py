@@ -35,7 +35,7 @@ def facet_coefficients(cells: Cells, robin: Any) -> Floats:
     given = floats(np.full(facets, robin) if np.ndim(robin) == 0 else robin,
                    "coefficients of Robin's condition")
     if len(given) != facets:
-        raise InvalidInput(f"{len(given)} coefficients of Robin's condition are given: expected one, "
+        raise InvalidInput(f"{len(given)} Robin coefficients are given: expected one, "
                            f"or one for each of {facets} facets")
     return given
 
@@ -56,15 +56,15 @@ def vertex_numbers(cells: Cells, chosen: Any, name: str) -> Integers:
     given = at_cells(cells, given)
     if given.shape != (cells.size(0),) or not given.any():
         raise InvalidInput(f"{name} marks {np.count_nonzero(given)} of {given.size} vertices: "
-                           f"expected some of {cells.size(0)}")
+                           f"expected at least one of {cells.size(0)}")
     return integers(np.flatnonzero(given), name)
 
 
 def _whole(cells: Cells) -> Complex:
     if isinstance(cells, Complex):
         return cells
-    raise InvalidInput("vertices are chosen by places or groups, which cells of one's own do not "
-                       "have: give their numbers")
+    raise InvalidInput("cells without a mesh have no positions or groups to choose vertices by: "
+                       "give the numbers of vertices")
 
 
 def vertex_marks(cells: Cells, fixed: Any) -> list[bool]:
@@ -74,7 +74,7 @@ def vertex_marks(cells: Cells, fixed: Any) -> list[bool]:
     marked = np.zeros(cells.size(0), dtype=bool)
     numbers = vertex_numbers(cells, fixed, "fixed")
     if len(numbers) == 0 or numbers.min() < 0 or numbers.max() >= len(marked):
-        raise InvalidInput(f"fixed has {len(numbers)} vertices: expected some, by numbers from 0 to "
+        raise InvalidInput(f"fixed has {len(numbers)} vertices: expected at least one, from 0 to "
                            f"{len(marked) - 1}")
     marked[numbers] = True
     result: list[bool] = marked.tolist()

@@ -137,8 +137,8 @@ class Evolution(Run):
             given = called(time, *self._told(forms))
             several = (given,) if len(self._kinds) == 1 and not isinstance(given, tuple) else given
             if len(several) != len(self._kinds):
-                raise InvalidInput(f"the reaction gives rates of {len(several)} unknowns: expected "
-                                   f"{len(self._kinds)}")
+                raise InvalidInput(f"the reaction gives rates of {len(several)} unknowns: "
+                                   f"expected {len(self._kinds)}")
             return [rate(each, *kind) for each, kind in zip(several, self._kinds)]
 
         return rates
@@ -192,8 +192,8 @@ def _each(boundary: Any, unknowns: int) -> Sequence[Any]:
         return [boundary]
     given = [None] * unknowns if boundary is None else boundary
     if not isinstance(given, (list, tuple)) or len(given) != unknowns:
-        raise InvalidInput(f"values on the boundary are given for other than {unknowns} unknowns: "
-                           "expected a sequence with values or None for each")
+        raise InvalidInput(f"boundary values are not a sequence of {unknowns} entries: expected "
+                           "values or None for each unknown")
     return given
 
 
@@ -210,8 +210,8 @@ def _at_boundary(boundary: Any, cells: Cells, side: str,
         if isinstance(given, Mapping):
             unknown = set(given) - _names
             if unknown:
-                raise InvalidInput(f"data on the boundary named {min(unknown)!r} are given: expected "
-                                   + ", ".join(sorted(_names)))
+                raise InvalidInput(f"boundary data have the unknown name {min(unknown)!r}: "
+                                   "expected " + ", ".join(sorted(_names)))
             return boundary_data(**given)
         made = floats(np.full(size, given) if np.ndim(given) == 0 else given,
                       "values on the boundary")

@@ -74,8 +74,8 @@ def coefficients(form: Callable[[Floats], Any], width: int,
         if values.ndim == 1 and components == 1:
             values = values[:, None]
         if values.shape != (len(points), components):
-            raise InvalidInput(f"the form gives an array of shape {values.shape} at {len(points)} "
-                               f"points: expected ({len(points)}, {components})")
+            raise InvalidInput(f"the form returned an array of shape {values.shape} at "
+                               f"{len(points)} points: expected ({len(points)}, {components})")
         return floats(values, "values of the form", 2)
 
     return rows

@@ -68,9 +68,9 @@ def _of_simplices(mesh: Mesh) -> Mesh:
     if any(are_shared(cells, 3) for cells in (mesh.simplices[:1000], mesh.simplices)) \
             or not are_shared(mesh.simplices, 2):
         return mesh
-    raise InvalidInput("cells of 4 corners in space are tetrahedra, but of these no two share a "
-                       "triangle, though some share an edge: quadrilaterals are given by "
-                       "split_polygons(points, cells), such tetrahedra as a Mesh")
+    raise InvalidInput("cells of 4 corners in space are read as tetrahedra, but no two of these "
+                       "share a triangle, though some share an edge: for quadrilaterals, use "
+                       "split_polygons(points, cells); for tetrahedra, give a Mesh")
 
 
 def split_polygons(points: npt.ArrayLike, polygons: Sequence[npt.ArrayLike],
@@ -130,7 +130,7 @@ def _block(kind: str, cells: Any, tags: Integers) -> tuple[int, Integers, Intege
     if name not in _KINDS or table.shape[1] < _KINDS[name][1]:
         raise InvalidInput(f"the mesh has cells of the type {kind} with {table.shape[1]} nodes: "
                            "expected tetra, hexahedron, wedge, pyramid, triangle, quad, polygon or "
-                           "line; convert others before")
+                           "line; convert other cells first")
     dimension, corners = _KINDS[name]
     ends = np.arange(1, len(table) + 1, dtype=np.int32) * np.int32(corners)
     return (dimension, np.ascontiguousarray(table[:, :corners]).ravel(), ends, tags,

@@ -108,6 +108,6 @@ def glue(mesh: MeshLike, isometries: Sequence[Callable[[Floats], Any]]) -> Perio
 def _with_points(mesh: MeshLike) -> Mesh:
     given = as_mesh(mesh)
     if not isinstance(given, Mesh):
-        raise InvalidInput("a mesh without points is given: expected one with points, which "
-                           "are taken to others")
+        raise InvalidInput("the mesh has no points: expected a mesh with points, which the "
+                           "translations or isometries map to others")
     return given

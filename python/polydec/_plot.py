@@ -26,7 +26,7 @@ def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:
         points, offsets, corners = complex.polygons()
         seen = np.arange(len(offsets) - 1)
     else:
-        raise InvalidInput(f"a complex of dimension {complex.dim} is to be drawn: expected 2 or 3")
+        raise InvalidInput(f"cannot draw a complex of dimension {complex.dim}: expected 2 or 3")
     starts = offsets[seen]
     return points, [points[corners[a:b]] for a, b in zip(starts, offsets[seen + 1])], seen
 
@@ -101,7 +101,7 @@ def _colors(complex: Complex, values: Form, degree: int | None, side: str,
             side, degree = "primal", 0 if len(array) == complex.size(0) else 2
     cells = degree if side == "primal" else complex.dim - degree
     if cells not in (0, 2) or len(array) != complex.size(cells):
-        raise InvalidInput(f"a {side} {degree}-form of {len(array)} values is to be shown: "
+        raise InvalidInput(f"cannot show a {side} {degree}-form of {len(array)} values: "
                            f"expected {complex.size(0)} values on vertices or {complex.size(2)} "
                            "on 2-cells")
     array = complex._on_box(cells, array)
@@ -129,7 +129,7 @@ def to_meshio(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None
     lists = box.cells(n)
     sizes = np.diff(lists.offsets)
     if n not in (1, 2) and not (n == 3 and (sizes == 4).all()):
-        raise InvalidInput("meshio knows no polyhedra as polydec merges them: write_vtu does")
+        raise InvalidInput("meshio does not support merged polyhedra: use write_vtu")
     names = {1: {2: "line"}, 2: {3: "triangle", 4: "quad"}, 3: {4: "tetra"}}[n]
     blocks, numbers = [], []
     for size in np.unique(sizes):

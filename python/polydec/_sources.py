@@ -220,10 +220,10 @@ class PoissonSolver:
 def _with_conductivity(cells: Cells, side: str, degree: int, kappa: CellNumbers) -> Complex:
     if degree != 0:
         raise InvalidInput(f"a conductivity is given for {degree}-forms: expected functions, of "
-                           "degree 0; the material of others is a star (Complex.with_material)")
+                           "degree 0; for other degrees use a star (Complex.with_material)")
     if not isinstance(cells, Complex):
-        raise InvalidInput("conductivities are given for cells of one's own: how their duals are "
-                           "divided among them is not known; give a mesh")
+        raise InvalidInput("conductivities are given for cells without a mesh, so the share of "
+                           "each cell in the duals is unknown: give a mesh")
     return cells.with_conductivity(kappa, side)
 
 
@@ -262,8 +262,8 @@ def _trace_of(cells: Cells, boundary: Values, side: str, degree: int, places: Fl
 
 def _integrals(given: Values, degree: int) -> npt.ArrayLike:
     if callable(given):
-        raise InvalidInput(f"a function of places is given for {degree}-forms: expected their "
-                           "integrals, as de_rham makes them")
+        raise InvalidInput(f"a function of positions is given for {degree}-forms: expected their "
+                           "integrals, which de_rham computes")
     return given
 
 

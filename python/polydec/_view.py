@@ -49,7 +49,7 @@ class Page:
         try:
             Path(path).write_text(self.html, encoding="utf-8")
         except OSError as error:
-            raise IoError(f"{os.fspath(path)} cannot be written: {error.strerror}",
+            raise IoError(f"cannot write {os.fspath(path)}: {error.strerror}",
                           path=os.fspath(path)) from None
 
     def _repr_html_(self) -> str:
@@ -246,6 +246,6 @@ def _cells_of(complex: Complex, forms: Sequence[_Named]) -> int:
     """The degree of the cells that carry the forms."""
     kinds = {k if side == "primal" else complex.dim - k for _, side, k, _, _ in forms}
     if len(kinds) > 1:
-        raise InvalidInput("forms on cells of several degrees are given: expected those of one, "
-                           "since a picture has cells of one degree")
+        raise InvalidInput("forms on cells of several degrees are given: expected forms on cells "
+                           "of one degree, the cells of the picture")
     return kinds.pop() if kinds else complex.dim

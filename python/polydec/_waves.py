@@ -110,8 +110,8 @@ class Waves(Run):
         absorbing = None
         if given.width != 0:
             if not isinstance(complex, Complex):
-                raise InvalidInput("an absorbing layer needs to know where the cells are: expected "
-                                   "the Complex that discretize makes of a mesh, not cells alone")
+                raise InvalidInput("an absorbing layer needs the positions of cells: expected the "
+                                   "Complex that discretize returns for a mesh, not just cells")
             absorbing = (mesh_of(complex), given.width, given.kind,
                          [(bool(a), bool(b)) for a, b in given.sides],
                          given.reflection, given.power)
