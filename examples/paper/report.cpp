@@ -37,8 +37,7 @@ void check(const Table& table) {
         for (std::size_t j = 0; j < table.columns.size(); ++j) {
             const auto* number = std::get_if<double>(&table.rows[i][j]);
             if (number != nullptr && std::isinf(*number))
-                throw InvalidInput(fmt::format("table '{}': '{}' of row {} is infinite; find out "
-                                               "what made it so",
+                throw InvalidInput(fmt::format("table '{}': '{}' of row {} is infinite; correct it",
                                                table.name, table.columns[j], i));
         }
     }

@@ -148,7 +148,7 @@ def test_ctrl_c_ends_a_march(square):
     with pytest.raises(KeyboardInterrupt):
         run.march(1e4)
     timer.join()
-    assert np.isfinite(run.forms[0]).all() # and it can be gone on with
+    assert np.isfinite(run.forms[0]).all() # and the run can continue
     assert not run.march(run.time + 0.01)
 
 
@@ -295,7 +295,7 @@ def test_series(sphere, tmp_path):
     with polydec.Series(tmp_path / "film.pvd", sphere) as film:
         for t in (0.0, 1.0):
             film.add(t, {"z": t * sphere.points[:, 2]})
-        with pytest.raises(polydec.InvalidInput, match="above"):
+        with pytest.raises(polydec.InvalidInput, match="after"):
             film.add(0.5, {"z": sphere.points[:, 2]})
     assert (tmp_path / "film.pvd").read_text().count("DataSet timestep") == 2
     with polydec.Series(tmp_path / "film.html", sphere, title="A film") as page:

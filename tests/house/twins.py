@@ -134,6 +134,18 @@ class Twins(unittest.TestCase):
                 (self.root / "README.md").write_text(f"Read\nsee {word}\n")
                 self.assert_only(words.check(self.root), "README.md:2", f"`{word}`")
 
+    def test_each_phrase_is_found_over_two_lines_too(self):
+        for phrase in words.PHRASES:
+            with self.subTest(phrase=phrase):
+                self.assert_phrase("README.md", f"Read\nsee {phrase}\n", phrase)
+                first, rest = phrase.split(" ", 1)
+                self.assert_phrase("base/a.cpp", f'{SPDX}t("see {first} "\n  "{rest}");\n', phrase)
+
+    def assert_phrase(self, name, text, phrase):
+        (self.root / name).write_text(text)
+        self.assert_only(words.check(self.root), f"{name}:2", f"`{phrase}`")
+        (self.root / name).unlink()
+
     def test_each_flaw_of_a_site_is_named(self):
         html = self.root / "html"
         html.mkdir()

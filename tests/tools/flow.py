@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The subcommand flow: what it keeps, conditions, series, and runs that are killed and gone on with."""
+"""The subcommand flow: what it keeps, conditions, series, and runs that are killed and resumed."""
 import math
 
 import command

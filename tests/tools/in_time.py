@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The subcommands heat and wave: decay, swing, series, and runs that are killed and gone on with."""
+"""The subcommands heat and wave: decay, swing, series, and runs that are killed and resumed."""
 import math
 import os
 import random

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs of the command that are ended at random times, and gone on with."""
+"""Runs of the command that are ended at random times, and resumed."""
 import os
 import random
 import signal

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The subcommand maxwell, waves of dual forms, and runs and spectra that are stopped and gone on
-with."""
+"""The subcommand maxwell, waves of dual forms, and runs and spectra that are stopped and
+resumed."""
 import math
 import signal
 
