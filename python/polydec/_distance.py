@@ -75,13 +75,21 @@ def geodesic_distance(complex: CellsLike, sources: Any, *, method: str = "exact"
 
 
 class ShortestPath(NamedTuple):
-    """A shortest path from a vertex to the nearest source, straight in each triangle."""
+    """A shortest path from a vertex to the nearest source, straight in each triangle.
+
+    Attributes
+    ----------
+    source : int
+        The vertex where it ends.
+    length : float
+    segments : numpy.ndarray, shape (segments, 2, N)
+        End points of the straight pieces, in order. On glued meshes the position jumps where the path
+        crosses a seam.
+    """
 
     source: int
     length: float
     segments: Floats
-    """(segments, 2, N): end points of the straight pieces, in order. On glued meshes the position
-    jumps where the path crosses a seam."""
 
     @property
     def points(self) -> Floats:

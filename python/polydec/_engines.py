@@ -16,7 +16,8 @@ from ._arrays import Floats, floats, matrix_parts
 
 @dataclass(frozen=True)
 class Backend:
-    """A known engine; `kind` is "linear", "eigen", "integrator" or "mesher".
+    """A known engine, with its `name` and a `description`; `kind` is "linear", "eigen", "integrator" or
+    "mesher".
 
     If it is not `available`, `how_to_get` names the package and the option to add it. `license` is
     the SPDX expression of the code behind it.

@@ -17,7 +17,8 @@ from ._vertices import at_cells
 
 
 class CountBelow(NamedTuple):
-    """Bounds of the number of eigenvalues below a number; `at_most` is None on coarse meshes."""
+    """Bounds `at_least` and `at_most` of the number of eigenvalues below a number; `at_most` is None on
+    coarse meshes."""
 
     at_least: int
     at_most: int | None

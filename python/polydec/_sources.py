@@ -97,7 +97,8 @@ class PoissonSolution:
 
 @dataclass(frozen=True)
 class CurlCurlSolution:
-    """A potential, the part of the current that is not a curl, and a report of the solve."""
+    """The `potential`, the part of the current `removed` because it is not a curl, and a `report` of the
+    solve."""
 
     potential: Cochain
     removed: Cochain

@@ -19,7 +19,7 @@ class Certificate:
     """Proof that no eigenvalue is missing, by Sylvester's law of inertia.
 
     `shift` lies above all returned values. The mesh has `below_shift` eigenvalues below `shift`;
-    `returned_below_shift` of these were computed.
+    `returned_below_shift` of these were computed; `complete` states whether these are all.
     """
 
     shift: float
