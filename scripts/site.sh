@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Builds the site of the documentation from clean: pages, C++ and Python in one search.
 # Usage: scripts/site.sh [FOLDER] (default: build/site). Needs Sphinx, myst-parser, the theme of
-# Read the Docs, MathJax 2 and doxygen (packages.txt), and the package polydec, on PYTHONPATH or in
-# build/release/python. PYTHON names another interpreter.
+# Read the Docs, MathJax 2, doxygen, nbclient, IPython's kernel and matplotlib (packages.txt), and the
+# package polydec, on PYTHONPATH or in build/release/python. PYTHON names another interpreter.
 # POLYDEC_EDIT_ADDRESS, the address of a forge's editor, adds links to edit.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)

@@ -20,7 +20,8 @@ myst_enable_extensions = ["dollarmath"]
 root_doc = "index"
 primary_domain = "cpp"
 highlight_language = "none"
-autodoc_default_options = {"members": True, "undoc-members": True, "member-order": "bysource"}
+# Fields without a comment of their own are explained by the text of their class.
+autodoc_default_options = {"members": True, "member-order": "bysource"}
 autodoc_typehints = "none"
 napoleon_use_ivar = True
 
@@ -34,6 +35,7 @@ mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_CHTML"
 mathjax2_config = {"tex2jax": {"processClass": "math"}}
 myst_update_mathjax = False  # it writes for MathJax 3
 html_css_files = ["site.css"]
+html_search_scorer = str(root / "docs/site/scorer.js")
 # The address of a forge's editor, such as https://forge.example/polydec/edit/main/, adds a link.
 html_context = {"edit_address": os.environ.get("POLYDEC_EDIT_ADDRESS", "")}
 templates_path = [str(root / "docs/site/templates")]
@@ -43,5 +45,11 @@ def docstring(app, what, name, thing, options, lines):
     lines[:] = markup.docstring("\n".join(lines)).splitlines() + [""]
 
 
+def skip(app, what, name, thing, skipped, options):
+    """Fields of named tuples, whose texts Python writes."""
+    return True if (getattr(thing, "__doc__", "") or "").startswith("Alias for field") else None
+
+
 def setup(app):
     app.connect("autodoc-process-docstring", docstring, priority=1)
+    app.connect("autodoc-skip-member", skip)

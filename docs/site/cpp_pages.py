@@ -139,6 +139,9 @@ def write(root, out, scratch):
                                       members(compound.iter("memberdef"), seen, source, name)))
             nodes = [node for _, node in sorted(free[header], key=lambda item: item[0])]
             page.append(members(nodes, seen, source))
+            if not types[header] and not nodes:
+                included = re.findall(r'^#include "([^"]+)"', "\n".join(source), re.M)
+                page.append("Includes " + ", ".join(f"``{name}``" for name in included) + ".\n")
         (out / (folder.replace("/", "-") + ".rst")).write_text("\n".join(page))
     names = sorted(path.stem for path in out.glob("*.rst"))
     (out / "index.rst").write_text("C++\n===\n\n.. toctree::\n   :maxdepth: 2\n\n   "

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Writes the pages that Sphinx reads: docs/, the sources that these link to, and both interfaces.
+"""Writes the pages that Sphinx reads: docs/, the sources that these link to, executed notebooks, and
+both interfaces.
 
 Usage: pages.py FOLDER (empty or absent). Pages keep their places, so links between them hold.
 """
-import json
-import os
 import re
 import shutil
 import sys
 from pathlib import Path
 
 import cpp_pages
+import notebooks
 
 ROOT = Path(__file__).resolve().parents[2]
 # What MathJax needs to typeset TeX with its own fonts: a fortieth of the whole.
@@ -45,6 +45,12 @@ Forty answers <docs/answers/README>
 ```
 ```{{toctree}}
 :hidden:
+:caption: Notebooks
+:maxdepth: 1
+{notebooks}
+```
+```{{toctree}}
+:hidden:
 :caption: Interfaces
 :maxdepth: 2
 python
@@ -62,17 +68,24 @@ CONTRIBUTING
 
 
 def source_page(path):
-    """A page with a file, a notebook or the list of a folder."""
+    """A page with a file or the list of a folder."""
     relative = path.relative_to(ROOT).as_posix()
     if path.is_dir():
         names = sorted(entry.name for entry in path.iterdir() if entry.suffix in LANGUAGE)
         return f"# {relative}\n\n" + "\n".join(f"* [{name}]({path.name}/{name})" for name in names)
-    if path.suffix == ".ipynb":
-        cells = [("".join(cell["source"]), cell["cell_type"])
-                 for cell in json.loads(path.read_text())["cells"]]
-        return f"# {relative}\n\n" + "\n\n".join(
-            text if kind == "markdown" else f"```python\n{text}\n```" for text, kind in cells)
     return f"# {relative}\n\n````{LANGUAGE.get(path.suffix, 'none')}\n{path.read_text()}\n````\n"
+
+
+def search_words():
+    """The words of search_words.txt for each page."""
+    lines = (ROOT / "docs/site/search_words.txt").read_text().splitlines()
+    return dict(line.split(": ", 1) for line in lines if not line.startswith("#"))
+
+
+def indexed(place, text):
+    """The text of a page, found by its words."""
+    words = search_words().get(place)
+    return f"```{{index}} {words}\n```\n\n{text}" if words else text
 
 
 def copied(path, out, done):
@@ -80,7 +93,11 @@ def copied(path, out, done):
     if path in done:
         return
     done.add(path)
-    text = path.read_text() if path.suffix == ".md" else source_page(path)
+    place = path.relative_to(ROOT).as_posix()
+    if path.suffix == ".ipynb":
+        text = notebooks.page(path, (out / place).parent, out.parent / "static/notebooks")
+    else:
+        text = path.read_text() if path.suffix == ".md" else source_page(path)
 
     def link(match):
         words, target, anchor = match.groups()
@@ -94,10 +111,11 @@ def copied(path, out, done):
         target = target.rstrip("/") + ("" if other.suffix == ".md" else ".md")
         return f"{words}({target}{anchor or ''})"
 
-    text = LINK.sub(link, text)
-    place = path.relative_to(ROOT).as_posix()
+    text = indexed(place.removesuffix(".md"), LINK.sub(link, text))
     head = ""
-    if path.suffix != ".md":
+    if path.suffix == ".ipynb":
+        place += ".md"
+    elif path.suffix != ".md":
         head, place = "---\norphan: true\n---\n", place + ".md"
     elif place.startswith(("docs/decisions/", "docs/decisions.md")):
         head = "---\norphan: true\nnosearch: true\n---\n"
@@ -122,7 +140,7 @@ def python_page(names, module):
         "Classes\n-------", entries(classes, "class"),
         "Errors\n------", entries(errors, "exception"),
         "polydec.meshes\n--------------", ".. automodule:: polydec.meshes\n"
-        "   :exclude-members: " + ", ".join(types))) + "\n"
+        "   :exclude-members: " + ", ".join(names))) + "\n"
 
 
 def copy_mathjax(out):
@@ -139,8 +157,8 @@ def main(out):
                  *sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs").glob("*/*.md"))]:
         copied(page, out, done)
     shutil.copytree(ROOT / "docs/images", out / "docs/images")
-    (out / "cite.md").write_text("# How to cite\n\n```yaml\n"
-                                 + (ROOT / "CITATION.cff").read_text() + "```\n")
+    (out / "cite.md").write_text(indexed(
+        "cite", "# How to cite\n\n```yaml\n" + (ROOT / "CITATION.cff").read_text() + "```\n"))
     cpp_pages.write(ROOT, out / "cpp", out.parent / "doxygen")
     import polydec
     (out / "python.rst").write_text(python_page(polydec.__all__, polydec))
@@ -148,12 +166,15 @@ def main(out):
               if path.stem != "README"]
     coming = [f"docs/coming-from/{path.stem}"
               for path in sorted((ROOT / "docs/coming-from").glob("*.md"))]
+    lessons = [f"python/notebooks/{path.name}"
+               for path in sorted((ROOT / "python/notebooks").glob("*.ipynb"))]
     answers = "\n".join(sorted(path.stem for path in (ROOT / "docs/answers").glob("*.md")
                                if path.stem != "README"))
     with (out / "docs/answers/README.md").open("a") as page:
         page.write(f"\n```{{toctree}}\n:hidden:\n{answers}\n```\n")
     (out / "index.md").write_text(INDEX.format(
-        start=(out / "README.md").read_text(), pages="\n".join(listed), coming="\n".join(coming)))
+        start=(out / "README.md").read_text(), pages="\n".join(listed), coming="\n".join(coming),
+        notebooks="\n".join(lessons)))
 
 
 if __name__ == "__main__":
