@@ -237,17 +237,32 @@ void Enclosing::warn() {
                         rough, options_.count, options_.width, wide.maxCoeff()));
 }
 
-/// On the shape as it is, or bisected until all is as narrow as asked for.
+/// Bisects as many of these simplices, those in front first, as leave at most `most`. Not all may
+/// fit.
+Shape bisected_up_to(const Shape& shape, const std::vector<Index>& simplices, Index most) {
+    const int n = shape.pieces.dimension();
+    const auto first = [&](std::size_t count) {
+        return bisected(shape, {simplices.begin(), simplices.begin() + count});
+    };
+    std::size_t low = 0, high = simplices.size();
+    while (high - low > 1) {
+        const std::size_t middle = low + (high - low) / 2;
+        (first(middle).pieces.size(n) <= most ? low : high) = middle;
+    }
+    return first(low);
+}
+
+/// On the shape as it is, or bisected until all enclosures are narrow or no more simplices fit.
 ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
     const int n = shape.pieces.dimension();
     const Index vertices = shape.pieces.size(0), simplices = shape.pieces.size(n);
+    bool full = simplices >= options.max_triangles;
     for (;;) {
         Enclosing enclosing(shape, options);
-        const bool may_refine = shape.pieces.size(n) < options.max_triangles;
         auto marked = enclosing.coarse();
-        if (!may_refine || marked.empty()) {
+        if (full || marked.empty()) {
             ShapeSpectrum result = enclosing.enclose();
-            if (!may_refine || widths(result).maxCoeff() <= options.width) {
+            if (full || widths(result).maxCoeff() <= options.width) {
                 if (shape.pieces.size(n) > simplices) {
                     result.modes = DenseMatrix(result.modes.topRows(vertices));
                     result.edge_modes = {};
@@ -256,7 +271,9 @@ ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
             }
             marked = enclosing.marked();
         }
-        shape = flipped(bisected(shape, marked)).shape;
+        const Shape all = bisected(shape, marked);
+        full = all.pieces.size(n) > options.max_triangles;
+        shape = flipped(full ? bisected_up_to(shape, marked, options.max_triangles) : all).shape;
     }
 }
 

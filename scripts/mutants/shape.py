@@ -85,4 +85,6 @@ MUTANTS = {
                            "Bisection.of_solids_keeps_volume_topology_and_shape"),
     "rounded_middles_forgotten": ("shape/shape.cpp", "130 * mesh.dimension()", "0 * mesh.dimension()",
                                   "Refine.knows_what_rounding_has_changed"),
+    "more_simplices_than_allowed": ("shape/shape_spectrum.cpp", "pieces.size(n) <= most ? low : high", "pieces.size(n) <= 2 * most ? low : high",
+                                    "Adaptive.fills_the_most_triangles_and_warns"),
 }

@@ -289,11 +289,11 @@ TEST(Adaptive, enclosures_of_solids_and_at_level_1_become_narrow) {
     }
 }
 
-TEST(Adaptive, stops_at_the_most_triangles_with_a_warning) {
+TEST(Adaptive, fills_the_most_triangles_and_warns) {
     const auto found = shape_spectrum(unmerged(cube_surface(2)),
                                       {.count = 4, .width = 1e-9, .max_triangles = 200});
-    EXPECT_GE(found.simplices, 200);
-    EXPECT_LE(found.simplices, 1000);
+    EXPECT_GE(found.simplices, 190);
+    EXPECT_LE(found.simplices, 200);
     ASSERT_FALSE(found.warnings.empty());
     EXPECT_TRUE(says(found.warnings.back(), {"3 of 4", "1e-09", "refine"}));
 }
