@@ -8,6 +8,7 @@
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/stars/star.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 #include "dec/surfaces/passage.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"

@@ -2,6 +2,7 @@
 #include "complex/merging.h"
 
 #include "base/checks.h"
+#include "complex/blocks.h"
 #include "complex/incidence_rows.h"
 
 #include <fmt/format.h>

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "base/lazy.h"
-#include "complex/blocks.h"
 #include "complex/pieces.h"
 
 #include <memory>
 #include <vector>
 
 namespace polydec {
+
+struct Blocks;
 
 /// Pieces K, the complex P of the cells that they merge into, and the maps between them.
 ///

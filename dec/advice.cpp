@@ -5,6 +5,7 @@
 #include "complex/surfaces/glued_surface.h"
 #include "dec/metric/triangle.h"
 #include "dec/stars/star.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 
 #include <fmt/format.h>
 

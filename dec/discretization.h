@@ -4,7 +4,6 @@
 #include "dec/discretize_options.h"
 #include "dec/forms/cells.h"
 #include "dec/merging/merged_cells.h"
-#include "dec/merging/merged_tags.h"
 #include "dec/surfaces/passage.h"
 #include "meshes/length_mesh.h"
 #include "meshes/mesh.h"

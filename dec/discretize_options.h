@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/merging/merge.h"
+#include "dec/merging/degenerate_facets.h"
 #include "dec/metric/centers.h"
 #include "dec/stars/star_kind.h"
 

@@ -2,6 +2,7 @@
 #include "distributed/merging.h"
 
 #include "base/errors.h"
+#include "complex/blocks.h"
 #include "dec/merging/facet_links.h"
 #include "dec/merging/straightness.h"
 #include "dec/metric/circumcentric_volumes.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/own_cells.h"
 
+#include "complex/blocks.h"
 #include "dec/metric/subsets.h"
 #include "distributed/piece_rows.h"
 

@@ -22,6 +22,18 @@ struct GroupName {
     std::string name = {};
 };
 
+/// A tag of facets that belong to several groups at once.
+struct JointTag {
+    Index tag = 0;
+    std::vector<Index> groups = {}; ///< ascending, two or more
+};
+
+/// For each facet of a complex its tag, 0 for none, and the meaning of joint tags.
+struct FacetTags {
+    std::vector<Index> tags = {}; ///< or empty
+    std::vector<JointTag> joint = {};
+};
+
 /// The input cell that contains each simplex: polygons and solids are split, other cells are
 /// divided or omitted. Data per cell are in the order of the input's cells.
 struct InputCells {

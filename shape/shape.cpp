@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 #include "shape/measured_simplex.h"
 
 #include <fmt/format.h>

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "dec/fingerprint.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 #include "io/checkpoint.h"
 #include "io/pictures/draw_modes.h"
 #include "shape/flipped.h"

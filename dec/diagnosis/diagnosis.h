@@ -4,6 +4,7 @@
 #include "dec/advice.h"
 #include "dec/diagnosis/well_defined.h"
 #include "dec/merging/facet_kinds.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 #include "meshes/unjoined_boundary.h"
 
 #include <array>

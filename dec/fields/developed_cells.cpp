@@ -3,6 +3,7 @@
 
 #include "base/decompositions.h"
 #include "dec/metric/simplex_geometry.h"
+#include "dec/metric/simplex_layout.h"
 
 namespace polydec {
 

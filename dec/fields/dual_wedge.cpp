@@ -9,6 +9,7 @@
 #include "dec/metric/permutation_sign.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
+#include "dec/metric/simplex_layout.h"
 #include "dec/metric/subsets.h"
 #include "dec/stars/star.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/mean_spheres.h"
 
+#include "dec/metric/circumsphere.h"
 #include "dec/metric/simplex_geometry.h"
 
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "complex/blocks.h"
 #include "complex/disjoint_sets.h"
 #include "dec/merging/absorb_flat.h"
 #include "dec/merging/facet_defects.h"

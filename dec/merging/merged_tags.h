@@ -14,18 +14,6 @@ namespace polydec {
 /// Throws InvalidInput for a wrong number of tags.
 std::vector<Index> tags_of_cells(const SimplicialComplex& complex, const std::vector<Index>& tags);
 
-/// A tag of facets that belong to several groups at once.
-struct JointTag {
-    Index tag = 0;
-    std::vector<Index> groups = {}; ///< ascending, two or more
-};
-
-/// For each (n-1)-simplex its tag, 0 for none, and the meaning of joint tags.
-struct FacetTags {
-    std::vector<Index> tags = {}; ///< or empty
-    std::vector<JointTag> joint = {};
-};
-
 /// The facet tags of the complex; empty if `facets` is. Facets with several tags get a joint tag,
 /// one per set of groups, which no group uses. Facets of no cell are left out. Both cases give a
 /// warning. Time O(facets log(size(n-1))). Throws InvalidInput for a wrong number of tags.

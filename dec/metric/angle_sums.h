@@ -2,7 +2,7 @@
 #pragma once
 
 #include "complex/pieces.h"
-#include "dec/metric/simplex_metric.h"
+#include "dec/metric/simplex_layout.h"
 
 namespace polydec {
 

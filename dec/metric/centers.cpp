@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "dec/metric/center_heights.h"
 
 #include <fmt/format.h>
 
@@ -51,7 +52,7 @@ Centers Centers::of_cells(Points moments, Points terms) {
     return result;
 }
 
-double Centers::shared_coordinate(Index s, int i) const {
+double CenterHeights::shared_coordinate(Index s, int i) const {
     const auto moments = given_->front().row(s);
     constexpr double rounding = 1e-12;
     const double sum = moments.sum();
@@ -80,13 +81,14 @@ Points center_coordinates(const Pieces& complex, const SimplexMetric& metric,
     check_number("the centers of simplices of degree", k, 0, complex.dimension());
     centers.check_fit(complex);
     SimplexLayout layout(complex, metric);
+    const CenterHeights heights(centers);
     Circumsphere sphere;
     Points result(complex.size(k), k + 1);
     for (Index s = 0; s < complex.size(k); ++s) {
-        if (!centers.know(k))
+        if (!heights.know(k))
             sphere.look_at(layout, k, s);
         for (int i = 0; i <= k; ++i)
-            result(s, i) = centers.coordinate(k, s, i, sphere);
+            result(s, i) = heights.coordinate(k, s, i, sphere);
     }
     return result;
 }

@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "base/prefetch.h"
+#include "dec/metric/center_heights.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/rounding.h"
 
@@ -130,7 +131,7 @@ private:
 
     const Pieces& complex_;
     const SimplexMetric& metric_;
-    const Centers& centers_;
+    CenterHeights centers_;
     FlatSimplices flat_;
     std::vector<Values> primal_, dual_;
     std::vector<Bounds> terms_, rounding_;

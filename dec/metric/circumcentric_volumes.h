@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/pieces.h"
-#include "dec/metric/cell_volumes.h"
-#include "dec/metric/centers.h"
-#include "dec/metric/simplex_metric.h"
+#include "dec/metric/geometry.h"
 
 namespace polydec {
 
@@ -17,12 +14,6 @@ namespace polydec {
 /// cannot have the given lengths (a triangle that violates the triangle inequality; in higher
 /// dimensions, edges whose Gram matrix is not positive definite).
 CellVolumes circumcentric_volumes(const Pieces& complex, const SimplexMetric& metric);
-
-/// Treatment of n-simplices without volume.
-enum class FlatSimplices {
-    refused,
-    passed_over, ///< they contribute to no dual; their volume is indistinguishable from zero
-};
 
 /// The same with duals between other centers. Throws likewise, and for centers of other simplices.
 /// If the centers know the heights in n-simplices, these simplices may also be flat.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/metric/pack.h"
-#include "dec/metric/simplex_metric.h"
+#include "dec/metric/simplex_layout.h"
 #include "dec/metric/two_doubles.h"
 
 #include <array>

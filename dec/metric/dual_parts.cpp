@@ -2,6 +2,7 @@
 #include "dec/metric/dual_parts.h"
 
 #include "base/checks.h"
+#include "dec/metric/center_heights.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/subsets.h"
 
@@ -45,6 +46,7 @@ Points parts_of_duals(const Geometry& geometry, const Centers& centers, int k, i
     check_number("parts of the duals of simplices of degree", k, 0, m);
     centers.check_fit(complex);
     SimplexLayout layout(complex, geometry.metric());
+    const CenterHeights from(centers);
     Circumsphere sphere;
     Points parts = Points::Ones(complex.size(k), 1);
     for (int j = k + 1; j <= m; ++j) {
@@ -53,10 +55,10 @@ Points parts_of_duals(const Geometry& geometry, const Centers& centers, int k, i
         std::vector<double> heights(static_cast<std::size_t>(j) + 1);
         Points next = Points::Zero(complex.size(j), steps.back().face + 1);
         for (Index t = 0; t < complex.size(j); ++t) {
-            if (!centers.know(j))
+            if (!from.know(j))
                 sphere.look_at(layout, j, t);
             for (int i = 0; i <= j; ++i)
-                heights[i] = centers.height(j, t, i, sphere, facets[complex.face(j, t, i)]);
+                heights[i] = from.height(j, t, i, sphere, facets[complex.face(j, t, i)]);
             for (const auto& [face, omitted, below] : steps)
                 next(t, face) +=
                     heights[omitted] * parts(complex.face(j, t, omitted), below) / (j - k);

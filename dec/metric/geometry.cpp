@@ -2,8 +2,15 @@
 #include "dec/metric/geometry.h"
 
 #include "base/checks.h"
+#include "dec/metric/circumcentric_volumes.h"
+
+#include <utility>
 
 namespace polydec {
+
+Geometry::Geometry(const Pieces& pieces, const SimplexMetric& metric, const Centers& centers,
+                   FlatSimplices flat)
+    : Geometry(pieces, metric, dual_volumes(pieces, metric, centers, flat), centers) {}
 
 Geometry::Geometry(const Pieces& pieces, const SimplexMetric& metric, const CellVolumes& volumes,
                    const Centers& centers, std::vector<bool> flat)
@@ -21,6 +28,10 @@ Geometry::Geometry(const Pieces& pieces, const SimplexMetric& metric, const Cell
     if (!flat_->empty())
         check_as_many("marks of flat simplices", std::ssize(*flat_),
                       pieces.size(pieces.dimension()));
+}
+
+Geometry Geometry::with_centers(const Centers& centers) const {
+    return {pieces_, metric_, dual_volumes(pieces_, metric_, centers), centers, *flat_};
 }
 
 } // namespace polydec

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/metric/circumcentric_volumes.h"
+#include "complex/pieces.h"
+#include "dec/metric/cell_volumes.h"
+#include "dec/metric/centers.h"
+#include "dec/metric/simplex_metric.h"
 
 #include <memory>
 #include <vector>
 
 namespace polydec {
+
+/// Treatment of n-simplices without volume.
+enum class FlatSimplices {
+    refused,
+    passed_over, ///< they contribute to no dual; their volume is indistinguishable from zero
+};
 
 /// Simplices and their geometry: the metric, the centers that span the duals, and the volumes of
 /// both. Merging, the lift, products and stars use it. A handle: copies cost nothing.
@@ -14,8 +23,7 @@ class Geometry {
 public:
     /// Measures the simplices. Throws like dual_volumes.
     Geometry(const Pieces& pieces, const SimplexMetric& metric, const Centers& centers = {},
-             FlatSimplices flat = FlatSimplices::refused)
-        : Geometry(pieces, metric, dual_volumes(pieces, metric, centers, flat), centers) {}
+             FlatSimplices flat = FlatSimplices::refused);
 
     /// Of known volumes. `flat` marks n-simplices too flat to determine a field from their corners
     /// (see flat_simplices) that belong to a cell with other simplices; empty if there are none.
@@ -34,9 +42,7 @@ public:
     bool is_flat(Index t) const { return !flat_->empty() && (*flat_)[t]; }
 
     /// The same simplices with duals between other centers. Throws like dual_volumes.
-    Geometry with_centers(const Centers& centers) const {
-        return {pieces_, metric_, dual_volumes(pieces_, metric_, centers), centers, *flat_};
-    }
+    Geometry with_centers(const Centers& centers) const;
 
     /// The same with other marks.
     Geometry with_flat(std::vector<bool> flat) const {

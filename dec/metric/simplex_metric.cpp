@@ -2,6 +2,7 @@
 #include "dec/metric/simplex_metric.h"
 
 #include "base/errors.h"
+#include "dec/metric/simplex_layout.h"
 #include "dec/metric/triangle.h"
 #include "meshes/distance.h"
 

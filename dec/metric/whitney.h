@@ -3,7 +3,7 @@
 
 #include "base/types.h"
 #include "complex/pieces.h"
-#include "dec/metric/simplex_metric.h"
+#include "dec/metric/simplex_layout.h"
 
 #include <span>
 #include <vector>

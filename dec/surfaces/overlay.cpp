@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "dec/metric/simplex_metric.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 #include "dec/surfaces/strand_places.h"
 
 #include <algorithm>

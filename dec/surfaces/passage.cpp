@@ -3,6 +3,8 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "complex/surfaces/ordered_surface.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 
 #include <fmt/format.h>
 
@@ -26,16 +28,20 @@ OrderedSurface ordered(const SimplicialComplex& input, const GluedSurface& surfa
 
 } // namespace
 
+struct Passage::Flipped {
+    IntrinsicDelaunay flips;
+    Vector directions;
+};
+
 Passage::Passage(SimplicialComplex input) : input_(input), pieces_(input) {}
 
 Passage::Passage(SimplicialComplex input, IntrinsicDelaunay flips, Index first_new_vertex)
-    : Passage(input, ordered(input, flips.surface, first_new_vertex), std::move(flips)) {}
-
-Passage::Passage(SimplicialComplex input, OrderedSurface ordered, IntrinsicDelaunay&& flips)
-    : input_(input),
-      pieces_(ordered.pieces),
-      flipped_(std::make_shared<const Flipped>(
-          Flipped{std::move(flips), std::move(ordered.directions)})) {}
+    : Passage(std::move(input)) {
+    OrderedSurface surface = ordered(input_, flips.surface, first_new_vertex);
+    pieces_ = surface.pieces;
+    flipped_ =
+        std::make_shared<const Flipped>(Flipped{std::move(flips), std::move(surface.directions)});
+}
 
 const IntrinsicDelaunay& Passage::flips(std::string_view what) const& {
     if (!flipped_)

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "complex/simplicial_complex.h"
-#include "complex/surfaces/ordered_surface.h"
-#include "dec/surfaces/intrinsic_delaunay.h"
 
 #include <memory>
 #include <string_view>
 
 namespace polydec {
+
+struct IntrinsicDelaunay;
 
 /// The passage from the simplices of a mesh to the pieces that are measured and merged, and back.
 /// Both are the same unless the edges of a surface were flipped; no other class knows of flips.
@@ -45,11 +45,7 @@ public:
     SparseMatrix matrix_back(int k) const;
 
 private:
-    struct Flipped {
-        IntrinsicDelaunay flips;
-        Vector directions;
-    };
-    Passage(SimplicialComplex input, OrderedSurface ordered, IntrinsicDelaunay&& flips);
+    struct Flipped;
 
     /// Values on k-pieces in the orientation of the flips, or the other way round.
     Vector turned(int k, Vector values) const;

@@ -5,6 +5,7 @@
 #include "base/decompositions.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/simplex_faces.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 
 #include <algorithm>
 #include <array>

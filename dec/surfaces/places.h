@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/metric/simplex_metric.h"
+#include "dec/metric/simplex_layout.h"
 #include "dec/surfaces/overlay.h"
 
 #include <optional>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "complex/surfaces/glued_surface.h"
 #include "dec/discretization.h"
 
 #include <memory>

@@ -4,6 +4,7 @@
 #include "dec/discretization.h"
 #include "dec/forms/laplacian.h"
 #include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/circumsphere.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"

@@ -6,6 +6,7 @@
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/side_lengths.h"
 #include "dec/stars/star.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 #include "meshes/generate.h"
 #include "tests/support/families.h"
 #include "tests/support/glued.h"

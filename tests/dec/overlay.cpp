@@ -2,6 +2,7 @@
 #include "dec/surfaces/overlay.h"
 
 #include "dec/fields/transfer.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 #include "dec/surfaces/strand_places.h"
 #include "meshes/generate.h"
 #include "tests/support/families.h"

@@ -11,6 +11,7 @@
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/stars/star.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/families.h"

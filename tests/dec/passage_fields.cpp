@@ -8,6 +8,7 @@
 #include "dec/metric/centers.h"
 #include "dec/metric/overlaps.h"
 #include "dec/stars/star.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/circumcentric.h"

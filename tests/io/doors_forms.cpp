@@ -2,6 +2,8 @@
 //
 // Every function of complexes and forms, asked of every kind of sample with right inputs and with
 // flawed ones: see expect_answers.
+#include "complex/blocks.h"
+#include "dec/merging/merged_tags.h"
 #include "tests/io/doors.h"
 
 #include <gtest/gtest.h>

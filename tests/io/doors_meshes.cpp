@@ -2,6 +2,7 @@
 //
 // What makes complexes, volumes and systems, asked with tables that fit and with tables that do
 // not: see expect_answers.
+#include "dec/merging/merged_tags.h"
 #include "tests/io/doors.h"
 #include "tests/io/support.h"
 

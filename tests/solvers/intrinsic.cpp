@@ -4,6 +4,7 @@
 #include "dec/forms/derivative.h"
 #include "dec/material_stars.h"
 #include "dec/stars/star.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/sources/hodge.h"

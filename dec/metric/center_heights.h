@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/metric/centers.h"
+#include "dec/metric/circumsphere.h"
+
+namespace polydec {
+
+/// Where the centers of single simplices lie: their heights over facets, and how certain these are.
+class CenterHeights {
+public:
+    explicit CenterHeights(const Centers& centers) : kind_(centers.kind_), given_(centers.given_) {}
+
+    /// Whether the centers of k-simplices are known without a sphere; such simplices may be flat.
+    bool know(int k) const { return kind_ == Kind::of_cells && k == given_->front().cols() - 1; }
+
+    /// Signed distance from the facet without corner i to the center of k-simplex s, positive
+    /// towards that corner, times the volume of the facet. The sphere must have looked at s.
+    double moment(int k, Index s, int i, const Circumsphere& sphere) const {
+        return know(k) ? given_->front()(s, i)
+                       : coordinate(k, s, i, sphere) * (k * sphere.volume());
+    }
+
+    /// The moments of all corners: these numbers times the factor.
+    struct Moments {
+        const double* numbers;
+        double factor;
+    };
+    Moments moments(int k, Index s, const Circumsphere& sphere) const {
+        if (know(k))
+            return {&given_->front()(s, 0), 1};
+        const double factor = k * sphere.volume();
+        return kind_ == Kind::circumcenters || kind_ == Kind::of_cells
+                   ? Moments{sphere.barycentric(), factor}
+                   : Moments{&(*given_)[k](kind_ == Kind::centroids ? 0 : s, 0), factor};
+    }
+
+    double height(int k, Index s, int i, const Circumsphere& sphere, double facet_volume) const {
+        return moment(k, s, i, sphere) / facet_volume;
+    }
+
+    /// Coordinate of the center of k-simplex s at corner i; the sphere must have looked at s. The
+    /// centroid's for an n-simplex without volume that shares its center: it has weight zero.
+    double coordinate(int k, Index s, int i, const Circumsphere& sphere) const {
+        return know(k)                    ? shared_coordinate(s, i)
+               : kind_ == Kind::centroids ? (*given_)[k](0, i)
+               : kind_ == Kind::given     ? (*given_)[k](s, i)
+                                          : sphere.barycentric(i);
+    }
+
+    /// Scale of the errors of heights in k-simplex s; the sphere must have looked at s. Given
+    /// centers do not move when corners do.
+    HeightTerms uncertainty(int k, Index s, const Circumsphere& sphere) const {
+        return terms(k, s, sphere.uncertainty(), 0);
+    }
+    HeightTerms rounding(int k, Index s, const Circumsphere& sphere) const {
+        return terms(k, s, sphere.rounding(), 2);
+    }
+
+private:
+    using Kind = Centers::Kind;
+
+    HeightTerms terms(int k, Index s, const HeightTerms& of_sphere, int column) const {
+        if (know(k))
+            return {given_->back()(s, column), given_->back()(s, column + 1)};
+        const bool moves = kind_ == Kind::circumcenters || kind_ == Kind::of_cells;
+        return moves ? of_sphere : HeightTerms{of_sphere.growth, 0};
+    }
+    double shared_coordinate(Index s, int i) const;
+
+    Kind kind_;
+    std::shared_ptr<const std::vector<Points>> given_;
+};
+
+} // namespace polydec
