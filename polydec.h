@@ -58,6 +58,7 @@
 #include "dec/merging/merged_volumes.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/centers.h"
+#include "dec/metric/circumcenters.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/geometry.h"
 #include "dec/metric/quadrature.h"

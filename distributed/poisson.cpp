@@ -4,6 +4,7 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "dec/merging/facet_defects.h"
+#include "dec/metric/circumcenters.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/rounding.h"

@@ -2,6 +2,7 @@
 #include "dec/merging/facet_defects.h"
 
 #include "dec/merging/flat_simplices.h"
+#include "dec/metric/circumcenters.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/rounding.h"
 

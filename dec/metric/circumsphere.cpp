@@ -122,36 +122,6 @@ void square_slopes(int k, const Number* triangle, Number* column, Plain<Number>*
     squares[0] = static_cast<Plain<Number>>(squared);
 }
 
-/// make() returns the spheres for one thread; refuse(s) throws.
-template <class Make, class Refuse>
-Vector radii_of(Index count, Make make, Refuse refuse) {
-    constexpr Index part_size = 1 << 13;
-    Vector radii(count);
-    for_each_part(count, part_size, [&](Index begin, Index end) {
-        Circumspheres spheres = make();
-        for (Index s = begin; s < end; ++s) {
-            if (!(spheres[s].volume() > 0))
-                refuse(s);
-            radii[s] = spheres[s].radius();
-        }
-    });
-    return radii;
-}
-
-/// Throws InvalidInput for a vertex without point.
-void check_table(const Points& points, const Simplices& simplices) {
-    for (const Index vertex : simplices.reshaped())
-        check_number("the point", vertex, 0, points.rows() - 1);
-}
-
-[[noreturn]] void refuse(std::span<const Index> vertices) {
-    throw InvalidInput(fmt::format("the {}-simplex with vertices {} has no volume, and so no "
-                                   "circumsphere: remove it or move a vertex",
-                                   vertices.size() - 1, fmt::join(vertices, ", ")),
-                       {.degree = static_cast<int>(vertices.size()) - 1,
-                        .vertices = {vertices.begin(), vertices.end()}});
-}
-
 } // namespace
 
 /// Looks at one simplex per lane of Number; corner i of simplex l is at corners[i * lanes + l].
@@ -308,7 +278,7 @@ bool Circumsphere::look_at(const Corners& corners) {
 
 void Circumsphere::look_at(SimplexLayout& layout, int k, Index s) {
     if (!look_at(layout.at(k, s)))
-        refuse(layout.complex().vertex_numbers(k, s));
+        refuse_circumsphere(layout.complex().vertex_numbers(k, s));
 }
 
 void Circumsphere::measure_distances(const Corners& corners) {
@@ -330,6 +300,14 @@ void Circumsphere::measure_distances(const Corners& corners) {
 
 void Circumsphere::refuse_flat() {
     throw InvalidInput("a simplex without volume has no circumsphere: remove it or move a vertex");
+}
+
+void refuse_circumsphere(std::span<const Index> vertices) {
+    throw InvalidInput(fmt::format("the {}-simplex with vertices {} has no volume, and so no "
+                                   "circumsphere: remove it or move a vertex",
+                                   vertices.size() - 1, fmt::join(vertices, ", ")),
+                       {.degree = static_cast<int>(vertices.size()) - 1,
+                        .vertices = {vertices.begin(), vertices.end()}});
 }
 
 void Circumspheres::look_from(Index s) {
@@ -357,34 +335,6 @@ void Circumspheres::look_from(Index s) {
                 prefetch(place(soon + l, i));
         }
     Circumsphere::look<Pack>(spheres_.data(), k, N, places.data());
-}
-
-Vector circumradii(const Points& points, const Simplices& simplices) {
-    check_table(points, simplices);
-    return radii_of(
-        static_cast<Index>(simplices.rows()), [&] { return Circumspheres(points, simplices); },
-        [&](Index s) { refuse(vertices(simplices, s)); });
-}
-
-Vector circumradii(const Pieces& complex, const SimplexMetric& metric, int k) {
-    check_number("circumradii in degree", k, 0, complex.dimension());
-    return radii_of(
-        complex.size(k), [&] { return Circumspheres(complex, metric, k); },
-        [&](Index s) { refuse(complex.vertex_numbers(k, s)); });
-}
-
-Points circumcenters(const Points& points, const Simplices& simplices) {
-    require_points(points.cols(), "a circumcenter");
-    check_table(points, simplices);
-    Circumspheres spheres(points, simplices);
-    Points centers = Points::Zero(simplices.rows(), points.cols());
-    for (Index s = 0; s < simplices.rows(); ++s) {
-        if (!(spheres[s].volume() > 0))
-            refuse(vertices(simplices, s));
-        for (Index i = 0; i < simplices.cols(); ++i)
-            centers.row(s) += spheres[s].barycentric(i) * points.row(simplices(s, i));
-    }
-    return centers;
 }
 
 } // namespace polydec

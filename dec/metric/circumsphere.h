@@ -142,16 +142,7 @@ private:
     Index first_ = 0, count_ = 0;
 };
 
-/// Circumradii of all k-simplices in the given table (rows of vertex numbers). These functions
-/// throw InvalidInput, naming the vertices, for a simplex without volume and for a vertex without
-/// point.
-Vector circumradii(const Points& points, const Simplices& simplices);
-
-/// Circumradii of all k-simplices of the complex.
-Vector circumradii(const Pieces& complex, const SimplexMetric& metric, int k);
-
-/// Circumcenters of all k-simplices in the given table: one row of N coordinates each. Throws like
-/// circumradii.
-Points circumcenters(const Points& points, const Simplices& simplices);
+/// Throws InvalidInput: a simplex with these vertices has no circumsphere.
+[[noreturn]] void refuse_circumsphere(std::span<const Index> vertices);
 
 } // namespace polydec

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/pieces.h"
+#include "base/types.h"
 
 #include <memory>
 #include <string>
@@ -10,6 +10,8 @@
 #include <vector>
 
 namespace polydec {
+
+class Pieces;
 
 /// The metric of a simplicial complex: points of its vertices, or only lengths of its edges, which
 /// need not come from any points. All simplices are flat. Quantities measured per simplex (volumes,

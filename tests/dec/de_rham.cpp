@@ -2,6 +2,7 @@
 #include "dec/fields/de_rham.h"
 
 #include "dec/forms/derivative.h"
+#include "dec/metric/circumcenters.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/subsets.h"
 #include "dec/stars/star.h"

@@ -11,6 +11,7 @@
 #include "dec/fields/transfer.h"
 #include "dec/fields/whitney_interpolation.h"
 #include "dec/forms/laplacian.h"
+#include "dec/metric/simplex_geometry.h"
 #include "meshes/generate.h"
 #include "meshes/periodic.h"
 #include "tests/support/circumcentric.h"

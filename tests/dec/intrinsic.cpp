@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
+#include "complex/surfaces/ordered_surface.h"
 #include "dec/discretization.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/laplacian.h"

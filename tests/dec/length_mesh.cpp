@@ -11,6 +11,7 @@
 #include "dec/fields/wedge.h"
 #include "dec/fields/whitney_interpolation.h"
 #include "dec/merging/facet_kinds.h"
+#include "dec/metric/circumcenters.h"
 #include "dec/metric/circumsphere.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"

@@ -6,6 +6,7 @@
 #include "dec/merging/facet_kinds.h"
 #include "dec/merging/lift.h"
 #include "dec/merging/merged_volumes.h"
+#include "dec/metric/circumcenters.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/dual_parts.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/decompositions.h"
 #include "dec/metric/cell_volumes.h"
+#include "dec/metric/circumcenters.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/rounding.h"

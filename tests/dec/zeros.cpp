@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "dec/discretization.h"
+#include "dec/metric/circumcenters.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"

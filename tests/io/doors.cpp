@@ -4,6 +4,8 @@
 // not answer, not throw something else.
 #include "tests/io/doors.h"
 
+#include "dec/metric/circumcenters.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -9,6 +9,7 @@
 
 #include "backends/registry.h"
 #include "dec/material_stars.h"
+#include "dec/metric/circumcenters.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/positive_mass.h"
 #include "dec/stars/star.h"
