@@ -43,6 +43,8 @@ if(TARGET polydec_command)
     endif()
     install(TARGETS polydec_command
         RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT polydec)
+    install(FILES ${PROJECT_SOURCE_DIR}/cmake/polydec.metainfo.xml COMPONENT polydec
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo RENAME invalid.polydec.polydec.metainfo.xml)
     include(ShellFiles)
 endif()
 

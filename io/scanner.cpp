@@ -2,6 +2,7 @@
 #include "io/scanner.h"
 
 #include "base/errors.h"
+#include "base/read_number.h"
 
 #include <fmt/format.h>
 
@@ -92,7 +93,7 @@ double Scanner::number(std::string_view expected) {
     const char* first = position_ + (plus ? 1 : 0);
 
     double value = 0.0;
-    const auto [last, error] = std::from_chars(first, end_, value);
+    const auto [last, error] = read_number(first, end_, value);
     if (error != std::errc::invalid_argument && last != end_ && (*last == 'D' || *last == 'd'))
         return fortran_number(expected);
     if (error == std::errc::invalid_argument || !ends_word(last))

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "base/read_number.h"
 #include "dec/metric/simplex_metric.h"
 #include "io/source_file.h"
 #include "tools/expression_syntax.h"
@@ -15,10 +16,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <system_error>
 #include <vector>
 
 namespace polydec::tools {
@@ -34,9 +35,9 @@ constexpr int most_coordinates = 64;
 }
 
 /// The parser's own way goes through a stream, which takes a lack of memory for a wrong number.
-int read_number(const char* text, int* position, double* value) {
+int recognize_number(const char* text, int* position, double* value) {
     const bool begins_number = std::isdigit(static_cast<unsigned char>(*text)) != 0 || *text == '.';
-    const auto [end, error] = std::from_chars(text, text + std::strlen(text), *value);
+    const auto [end, error] = read_number(text, text + std::strlen(text), *value);
     if (!begins_number || error != std::errc())
         return 0;
     *position += static_cast<int>(end - text);
@@ -54,7 +55,7 @@ std::vector<double> read_numbers(const std::string& path) {
         if (at == end)
             return values;
         double value = 0;
-        const auto [next, error] = std::from_chars(at, end, value);
+        const auto [next, error] = read_number(at, end, value);
         const bool ends = next == end || std::isspace(static_cast<unsigned char>(*next));
         if (error != std::errc() || !ends || !std::isfinite(value))
             throw InvalidInput(fmt::format("{}: entry {} is not a finite number: expected numbers "
@@ -96,7 +97,7 @@ Expression::Expression(const std::string& option, const std::string& text, const
         }
         if (!label.empty())
             parser.DefineVar(label, &state_->label_value);
-        parser.AddValIdent(read_number);
+        parser.AddValIdent(recognize_number);
         parser.SetExpr(text);
         parser.Eval();
         for (const auto& [name, place] : parser.GetUsedVar())

@@ -3,6 +3,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/printable.h"
+#include "base/read_number.h"
 #include "examples/paper/process.h"
 #include "system/memory.h"
 
@@ -10,11 +11,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace polydec::tools {
@@ -27,7 +28,7 @@ std::optional<Number> number_of(std::string_view text) {
     if (text.substr(0, 1) == "+" && text.substr(0, 2) != "+-")
         text.remove_prefix(1);
     Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] = read_number(text.data(), text.data() + text.size(), value);
     const bool good = error == std::errc() && end == text.data() + text.size();
     return good && std::isfinite(static_cast<double>(value)) ? std::optional(value) : std::nullopt;
 }

@@ -2,18 +2,19 @@
 #include "meshes/tetgen/tetgen_files.h"
 
 #include "base/errors.h"
+#include "base/read_number.h"
 #include "system/regular_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
 #include <limits>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace polydec {
@@ -38,7 +39,7 @@ public:
         at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
         Number number{};
         const char* const begin = text_.data() + at_;
-        const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), number);
+        const auto [end, error] = read_number(begin, text_.data() + text_.size(), number);
         if (error != std::errc())
             malformed(fmt::format("a number is missing after {} bytes", at_));
         at_ += static_cast<std::size_t>(end - begin);

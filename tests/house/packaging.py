@@ -8,6 +8,7 @@ import ast
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -132,6 +133,10 @@ class Recipes(unittest.TestCase):
         self.assertIn("eigen >=3.4,<6", recipe["requirements"]["host"])
         ast.parse(SPACK.read_text())
         self.assertEqual(read_yaml((ROOT / "paper/paper.md").read_text().split("---")[1])["bibliography"], "paper.bib")
+
+    @unittest.skipUnless(shutil.which("appstreamcli"), "there is no appstreamcli (appstream)")
+    def test_software_centers_read_the_description(self):
+        run("appstreamcli", "validate", "--no-net", ROOT / "cmake/polydec.metainfo.xml")
 
     def test_the_paper_cites_what_there_is(self):
         cited = set(re.findall(r"@([a-z]+[0-9]*)", (ROOT / "paper/paper.md").read_text()))
