@@ -86,14 +86,14 @@ DenseMatrix RelativeComplex::restrict_columns(int k, const DenseMatrix& whole) c
     check_number("values on cells of degree", k, 0, complex.dimension());
     check_as_many(fmt::format("values on {}-cells of the whole complex", k), whole.rows(),
                   whole_sizes[k]);
-    return whole(cells[k], Eigen::all);
+    return whole(cells[k], Eigen::indexing::all);
 }
 
 DenseMatrix RelativeComplex::extend_columns(int k, const DenseMatrix& kept) const {
     check_number("values on cells of degree", k, 0, complex.dimension());
     check_as_many(fmt::format("values on kept {}-cells", k), kept.rows(), complex.size(k));
     DenseMatrix whole = DenseMatrix::Zero(whole_sizes[k], kept.cols());
-    whole(cells[k], Eigen::all) = kept;
+    whole(cells[k], Eigen::indexing::all) = kept;
     return whole;
 }
 

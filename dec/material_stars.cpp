@@ -96,7 +96,7 @@ SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMa
     entries.reserve(K.size(n) * (n + 1) * (n + 1));
     for (Index t = 0; t < K.size(n); ++t) {
         const Index cell = numbers[mass.cell(t)];
-        const Points corners = points(vertices(K.simplices(n), t), Eigen::all);
+        const Points corners = points(vertices(K.simplices(n), t), Eigen::indexing::all);
         const DenseMatrix edges = corners.bottomRows(n).rowwise() - corners.row(0);
         const DenseMatrix M = flux_products(corners, inverses[cell],
                                             std::abs(edges.determinant()) / std::tgamma(n + 1));

@@ -19,8 +19,8 @@ MeshSlice slice_for(const Mesh& mesh, int rank, int ranks) {
     const auto rows = [rank](const EqualStretches& stretches) {
         return Eigen::seqN(stretches.begin(rank), stretches.end(rank) - stretches.begin(rank));
     };
-    slice.points = mesh.points(rows(vertices), Eigen::all);
-    slice.simplices = mesh.simplices(rows(cells), Eigen::all).cast<GlobalIndex>();
+    slice.points = mesh.points(rows(vertices), Eigen::indexing::all);
+    slice.simplices = mesh.simplices(rows(cells), Eigen::indexing::all).cast<GlobalIndex>();
     if (rank == 0)
         slice.warnings = mesh.warnings;
     return slice;

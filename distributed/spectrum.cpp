@@ -117,7 +117,7 @@ Index SharedSearch::ask(Index count) {
             good.push_back(j);
     if (good.empty())
         return 0;
-    Y = sharpened(DenseMatrix(Y(Eigen::all, good)));
+    Y = sharpened(DenseMatrix(Y(Eigen::indexing::all, good)));
     pairs_.take(Y, pencil_.enclose(Y));
     return static_cast<Index>(Y.cols());
 }

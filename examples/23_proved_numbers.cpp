@@ -13,7 +13,7 @@ polydec::Mesh l_shape(int cells) {
     polydec::Mesh mesh = polydec::kuhn({2 * cells, 2 * cells}, {2.0, 2.0});
     polydec::Index kept = 0;
     for (polydec::Index t = 0; t < mesh.simplices.rows(); ++t) {
-        const auto corners = mesh.points(mesh.simplices.row(t), Eigen::all);
+        const auto corners = mesh.points(mesh.simplices.row(t), Eigen::indexing::all);
         if ((corners.colwise().mean().array() < 1).any())
             mesh.simplices.row(kept++) = mesh.simplices.row(t).eval();
     }

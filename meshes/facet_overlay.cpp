@@ -21,7 +21,7 @@ FacetOverlay::FacetOverlay(const Simplices& triangles,
         auto& own = vertices_[static_cast<std::size_t>(f)];
         own.insert(own.end(), triangles.row(f).begin(), triangles.row(f).end());
         std::sort(own.begin(), own.end());
-        const Points at = points(triangles.row(f).transpose(), Eigen::all);
+        const Points at = points(triangles.row(f).transpose(), Eigen::indexing::all);
         least.row(f) = at.colwise().minCoeff().array() - length;
         largest.row(f) = at.colwise().maxCoeff().array() + length;
     }
@@ -88,7 +88,7 @@ void FacetOverlay::cross(Index a, Index b, Index c, Index d, std::vector<Index>&
     if (!(s > 0 && s < 1 && t > 0 && t < 1) || (s * u - w - t * v).norm() > length_)
         return;
     const auto touches = [&](Index vertex, Index from, Index to) {
-        return squared_distance(points_.row(vertex), points_({from, to}, Eigen::all)) <=
+        return squared_distance(points_.row(vertex), points_({from, to}, Eigen::indexing::all)) <=
                length_ * length_;
     };
     if (touches(a, c, d) || touches(b, c, d) || touches(c, a, b) || touches(d, a, b))
@@ -257,7 +257,8 @@ void FacetOverlay::add_fan(Index f, const DividedEdges& edges,
             continue;
         double least = std::numeric_limits<double>::infinity();
         for (Index i = 0; i < 3; ++i) {
-            const Points edge = points_({triangles_(f, i), triangles_(f, (i + 1) % 3)}, Eigen::all);
+            const Points edge =
+                points_({triangles_(f, i), triangles_(f, (i + 1) % 3)}, Eigen::indexing::all);
             least = std::min(least, squared_distance(points_.row(v), edge));
         }
         if (least > farthest) {

@@ -59,7 +59,7 @@ std::vector<DividedEdges::Entry> on_edges(const OwnUnits& own, const HangingNode
                 for (Index j = i + 1; j < nodes.facets.cols(); ++j) {
                     const Index a = nodes.facets(f, i), b = nodes.facets(f, j);
                     const double square =
-                        squared_distance(points.row(v), points({a, b}, Eigen::all));
+                        squared_distance(points.row(v), points({a, b}, Eigen::indexing::all));
                     if (square > least)
                         continue;
                     const Eigen::RowVectorXd along = points.row(b) - points.row(a);
@@ -150,7 +150,8 @@ public:
 
 private:
     static Eigen::RowVectorXd center(const Points& points, const std::vector<Index>& corners) {
-        return points(corners, Eigen::all).colwise().sum() / static_cast<double>(corners.size());
+        return points(corners, Eigen::indexing::all).colwise().sum() /
+               static_cast<double>(corners.size());
     }
 
     void divide_triangle(Index cell) {

@@ -127,7 +127,7 @@ public:
             result.vertices.push_back(leader == v ? static_cast<Index>(kept.size()) - 1
                                                   : result.vertices[leader]);
         }
-        result.points = box_.points(kept, Eigen::all);
+        result.points = box_.points(kept, Eigen::indexing::all);
         result.quotient.vertices = static_cast<Index>(kept.size());
         result.quotient.simplices = box_.simplices.unaryExpr(
             [&](Index v) { return result.vertices[static_cast<std::size_t>(v)]; });
@@ -149,7 +149,7 @@ private:
             return;
         const double tolerance =
             1e-8 * (box_.points.colwise().maxCoeff() - box_.points.colwise().minCoeff()).norm();
-        Points rest = box_.points(glued, Eigen::all);
+        Points rest = box_.points(glued, Eigen::indexing::all);
         for (Index from = glued.front(), rank = 0; rank <= rest.cols(); ++rank) {
             for (const Index v : glued)
                 if (std::abs(length({v, from}) - length({to[v], to[from]})) > tolerance)

@@ -69,7 +69,7 @@ void join_near(const Points& points, double length, DisjointSets& sets) {
     const auto near = crowded(points, length);
     if (near.empty())
         return;
-    const PointTree tree(points(near, Eigen::all));
+    const PointTree tree(points(near, Eigen::indexing::all));
     DisjointSets of_near(static_cast<Index>(near.size()));
     tree.join_all(0, length * length, of_near);
     const auto firsts = of_near.firsts();

@@ -50,7 +50,7 @@ std::vector<Index> different(const Simplices& rows) {
 std::vector<Index> first_at_place(const Simplices& rows, const Points& points, double length) {
     const auto vertices = different(rows);
     DisjointSets sets(static_cast<Index>(vertices.size()));
-    join_near(points(vertices, Eigen::all), length, sets);
+    join_near(points(vertices, Eigen::indexing::all), length, sets);
     const auto firsts = sets.firsts();
     std::vector<Index> result(static_cast<std::size_t>(points.rows()));
     std::iota(result.begin(), result.end(), 0);
@@ -81,7 +81,7 @@ OpenFacets single(const OpenFacets& facets, const std::vector<Index>& first) {
             kept.push_back(*begin);
         begin = end;
     }
-    OpenFacets result{corners(kept, Eigen::all)};
+    OpenFacets result{corners(kept, Eigen::indexing::all)};
     for (const Index f : kept) {
         result.opposite.push_back(first[facets.opposite[f]]);
         result.cells.push_back(facets.cells[f]);
@@ -113,15 +113,16 @@ BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Point
         return static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), v) -
                                   vertices.begin());
     };
-    const PointTree tree(own.points(vertices, Eigen::all));
+    const PointTree tree(own.points(vertices, Eigen::indexing::all));
     Points centroids(open.corners.rows(), own.points.cols());
     for (Index f = 0; f < centroids.rows(); ++f)
-        centroids.row(f) = own.points(open.corners.row(f).transpose(), Eigen::all).colwise().mean();
+        centroids.row(f) =
+            own.points(open.corners.row(f).transpose(), Eigen::indexing::all).colwise().mean();
     const PointTree tree_of_centroids(centroids);
     std::vector<Index> misfits;
     for (Index f = 0; f < std::ssize(open.cells); ++f) {
         const auto corners = open.corners.row(f);
-        const Points simplex = own.points(corners.transpose(), Eigen::all);
+        const Points simplex = own.points(corners.transpose(), Eigen::indexing::all);
         std::vector<Index> of_cell; // those vertices of its cell that are on the boundary
         for (const Index v : corners)
             of_cell.push_back(place(v));

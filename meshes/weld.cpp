@@ -97,7 +97,8 @@ double thickness(const DenseMatrix& edges) {
 class Welding {
 public:
     Welding(const Mesh& mesh, const DistinctPlaces& places, double length)
-        : Welding(mesh, places, OwnUnits(mesh.points(places.vertices(), Eigen::all)), length) {}
+        : Welding(mesh, places, OwnUnits(mesh.points(places.vertices(), Eigen::indexing::all)),
+                  length) {}
 
     Index leader(Index place) const { return leaders_[place]; }
     bool is_joined(Index place) const { return sizes_[leaders_[place]] > 1; }
@@ -126,7 +127,7 @@ private:
             constexpr int most_halvings = 40;
             DisjointSets sets(static_cast<Index>(open.size()));
             if (length > 0 && halvings < most_halvings) // scaled, different places may coincide
-                join_near(scaled_(open, Eigen::all), length, sets);
+                join_near(scaled_(open, Eigen::indexing::all), length, sets);
             const auto firsts = sets.firsts();
             for (std::size_t i = 0; i < open.size(); ++i) {
                 leaders_[open[i]] = open[static_cast<std::size_t>(firsts[i])];
@@ -317,7 +318,8 @@ Joined weld(Mesh mesh, std::optional<double> length) {
         std::iota(result.vertices.begin(), result.vertices.end(), 0);
         return result;
     }
-    const double used = length ? *length : weld_length(made.points(places.vertices(), Eigen::all));
+    const double used =
+        length ? *length : weld_length(made.points(places.vertices(), Eigen::indexing::all));
     const Welding welding(made, places, used);
 
     // numbers in the order of the first vertex of each class
@@ -337,7 +339,7 @@ Joined weld(Mesh mesh, std::optional<double> length) {
             result.vertices.push_back(number);
         }
     }
-    Points points = made.points(kept, Eigen::all);
+    Points points = made.points(kept, Eigen::indexing::all);
     for (Index i = 0; i < points.rows(); ++i)
         if (const Index place = places.of_vertex[kept[i]]; place >= 0 && welding.is_joined(place))
             for (Index axis = 0; axis < points.cols(); ++axis)

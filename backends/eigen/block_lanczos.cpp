@@ -133,7 +133,7 @@ void Iteration::restart(const Ritz& found) {
 }
 
 EigenPairs Iteration::pairs(const Ritz& found) const {
-    const DenseMatrix chosen = found.vectors(Eigen::all, found.converged);
+    const DenseMatrix chosen = found.vectors(Eigen::indexing::all, found.converged);
     EigenPairs result;
     result.values = found.values(found.converged) * scale_;
     result.vectors.resize(A_.size, chosen.cols());

@@ -189,7 +189,7 @@ bool CertifiedEigensolver::State::smooth() {
         return false;
     tell("refining");
     const auto fine = pairs.all(true);
-    DenseMatrix Y = pairs.vectors()(Eigen::all, pairs.all(false));
+    DenseMatrix Y = pairs.vectors()(Eigen::indexing::all, pairs.all(false));
     pairs.keep(fine);
     pairs.project_out(Y);
     DenseMatrix residuals;
@@ -206,7 +206,7 @@ void CertifiedEigensolver::State::rotate() {
     const auto rough = pairs.all(false);
     if (rough.size() < 2)
         return;
-    const DenseMatrix Y = pairs.vectors()(Eigen::all, rough);
+    const DenseMatrix Y = pairs.vectors()(Eigen::indexing::all, rough);
     const DenseMatrix gram = Y.transpose() * Y;
     const Eigen::LLT<DenseMatrix> factor(gram);
     constexpr double dependent = 1e-5;

@@ -141,7 +141,7 @@ void FoundPairs::take(const DenseMatrix& vectors, const std::vector<Enclosure>& 
 }
 
 void FoundPairs::keep(const std::vector<Index>& chosen) {
-    vectors_ = DenseMatrix(vectors_(Eigen::all, chosen));
+    vectors_ = DenseMatrix(vectors_(Eigen::indexing::all, chosen));
     for (Vector* const list : {&values_, &lone_radii_, &doubts_, &energies_, &residuals_})
         *list = Vector((*list)(chosen));
     gram_ = DenseMatrix(gram_(chosen, chosen));
@@ -217,7 +217,7 @@ void take_proved(FoundPairs& pairs, const ScaledPencil& pencil, DenseMatrix vect
     for (Index i = 0; i < vectors.cols(); ++i)
         if (vectors.col(i).norm() > 0)
             lengthy.push_back(i);
-    vectors = DenseMatrix(vectors(Eigen::all, lengthy)).colwise().normalized();
+    vectors = DenseMatrix(vectors(Eigen::indexing::all, lengthy)).colwise().normalized();
     pairs.take(vectors, pencil.enclose(vectors));
     std::vector<Index> good;
     for (Index i = 0; i < pairs.count(); ++i)

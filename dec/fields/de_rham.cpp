@@ -133,8 +133,9 @@ DenseMatrix means_over(const Pieces& complex, const Points& points, int k, const
     const auto rule = grundmann_moeller(k, quadrature_degree);
     DenseMatrix result(complex.size(k), coefficients);
     for (Index s = 0; s < complex.size(k); ++s)
-        result.row(s) = mean_of(form, rule, points(vertices(complex.simplices(k), s), Eigen::all),
-                                coefficients);
+        result.row(s) =
+            mean_of(form, rule, points(vertices(complex.simplices(k), s), Eigen::indexing::all),
+                    coefficients);
     return result;
 }
 
@@ -178,7 +179,7 @@ private:
 
     void add(Index f, int orientation) {
         const auto vertices_of_facet = vertices(pieces_.simplices(m_), f);
-        const DenseMatrix corners = points_(vertices_of_facet, Eigen::all);
+        const DenseMatrix corners = points_(vertices_of_facet, Eigen::indexing::all);
         star_.look_at(corners, orientation);
         const DenseMatrix gradients = barycentric_gradients(points_, vertices_of_facet),
                           by_corner = means(corners);
@@ -191,7 +192,7 @@ private:
                 const double sign = i % 2 == 0 ? 1 : -1;
                 result_[list[s]] +=
                     sign * std::tgamma(k_ + 1.0) * star_.volume() *
-                    star_.at(gradients(others, Eigen::all)).dot(by_corner.row(corner));
+                    star_.at(gradients(others, Eigen::indexing::all)).dot(by_corner.row(corner));
             }
     }
 

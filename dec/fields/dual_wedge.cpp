@@ -122,7 +122,7 @@ public:
                 auto others = faces_.positions()[i];
                 others.erase(others.begin() + omitted);
                 sum += (omitted % 2 == 0 ? value : -value) *
-                       product_(chart.gradients(others, Eigen::all));
+                       product_(chart.gradients(others, Eigen::indexing::all));
             }
         }
         return std::tgamma(p + 1.0) / (complex_.dimension() + 1) * sum;
@@ -160,7 +160,7 @@ Vector product_of_stars(const Geometry& geometry, const Cochain& a, const Cochai
             const DenseMatrix origin = chart.corners.row(corners[0]);
             corners.erase(corners.begin());
             const DenseMatrix edges =
-                chart.corners(corners, Eigen::all) - origin.replicate(corners.size(), 1);
+                chart.corners(corners, Eigen::indexing::all) - origin.replicate(corners.size(), 1);
             const double size = std::tgamma(m + 1.0) * volumes[s];
             values[s] += parts(t, static_cast<Eigen::Index>(i)) * orientation(complex, m, s) *
                          covector.dot(edges_of(edges)) / size;

@@ -328,7 +328,8 @@ Mesh streamlines(const Discretization& mesh, const DenseMatrix& vectors,
     if (mesh.box()) {
         const int n = mesh.dimension();
         check_as_many("vectors of cells", vectors.rows(), mesh.complex().size(n));
-        return streamlines(placed(mesh), vectors(cells_of_places(mesh, n), Eigen::all), options);
+        return streamlines(placed(mesh), vectors(cells_of_places(mesh, n), Eigen::indexing::all),
+                           options);
     }
     options.spacing /= mesh.unit();
     Mesh lines = Tracer(mesh, vectors, options).lines();

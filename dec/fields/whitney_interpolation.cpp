@@ -77,7 +77,8 @@ private:
             auto others = positions;
             others.erase(others.begin() + p);
             const double sign = p % 2 == 0 ? 1 : -1;
-            sum += sign * barycentric[positions[p]] * product_(gradients(others, Eigen::all));
+            sum += sign * barycentric[positions[p]] *
+                   product_(gradients(others, Eigen::indexing::all));
         }
         return sum;
     }

@@ -56,7 +56,7 @@ private:
             if (const Index center = center_of_[cell]; center >= 0) {
                 const auto corners = merging_.vertices(n_, cell);
                 cell_of_center_.push_back(cell);
-                points_.row(center) = points(corners, Eigen::all).colwise().mean();
+                points_.row(center) = points(corners, Eigen::indexing::all).colwise().mean();
             }
     }
 
@@ -137,8 +137,9 @@ private:
                 continue;
             double least = std::numeric_limits<double>::infinity(), most = -least;
             for (Row t(diamonds_[n_], cell); t; ++t) {
-                const auto corners = points_(
-                    vertices(pieces_->simplices(n_), static_cast<Index>(t.col())), Eigen::all);
+                const auto corners =
+                    points_(vertices(pieces_->simplices(n_), static_cast<Index>(t.col())),
+                            Eigen::indexing::all);
                 const DenseMatrix edges = corners.bottomRows(n_).rowwise() - corners.row(0);
                 const double signed_volume = t.value() *
                                              pieces_->orientation(static_cast<Index>(t.col())) *

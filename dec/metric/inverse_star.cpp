@@ -33,7 +33,7 @@ void InverseStar::look_at(const DenseMatrix& corners, int orientation) {
             transpositions += axes[i] - i;
         const double sign = transpositions % 2 == 0 ? side : -side;
         wedge_.row(static_cast<Index>(I)) =
-            sign * tangents_(frame_(Eigen::all, axes).transpose()).transpose();
+            sign * tangents_(frame_(Eigen::indexing::all, axes).transpose()).transpose();
     }
 }
 

@@ -48,7 +48,7 @@ Vector inverse_star_means(const Pieces& complex, const Points& points, const Sim
     SimplexFaces faces(complex, n, n - j);
     Vector sums = Vector::Zero(complex.size(n - j)), volumes = sums;
     for (Index t = 0; t < complex.size(n); ++t) {
-        star.look_at(points(vertices(corners, t), Eigen::all), complex.orientation(t));
+        star.look_at(points(vertices(corners, t), Eigen::indexing::all), complex.orientation(t));
         const DenseMatrix rows = star.over_faces();
         const auto& list = faces.of(t);
         for (Index i = 0; i < rows.rows(); ++i) {

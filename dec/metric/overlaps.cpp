@@ -152,7 +152,7 @@ Overlaps find_overlaps(const Pieces& complex, const Points& all) {
     const auto axes = varying_coordinates(all);
     if (static_cast<int>(axes.size()) != complex.dimension())
         return {};
-    const Points points = all(Eigen::all, axes);
+    const Points points = all(Eigen::indexing::all, axes);
     Overlaps result;
     result.folded = find_folded(complex, signs_of_all(complex, points));
     result.wound = find_wound(complex, points, result.folded);

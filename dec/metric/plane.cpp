@@ -14,7 +14,7 @@ Points plane_points(const Points& points, int n) {
         if ((points.col(c).array() != points(0, c)).any())
             axes.push_back(c);
     if (static_cast<int>(axes.size()) == n)
-        return points(Eigen::all, axes);
+        return points(Eigen::indexing::all, axes);
 
     // in directions to the point farthest from the current plane
     const double rounding =

@@ -58,7 +58,7 @@ private:
             const auto p = place - faces_[a].begin();
             others.erase(others.begin() + p);
             values.row(static_cast<Index>(a)) =
-                (p % 2 == 0 ? 1 : -1) * wedge_(gradients(others, Eigen::all)).transpose();
+                (p % 2 == 0 ? 1 : -1) * wedge_(gradients(others, Eigen::indexing::all)).transpose();
         }
         return values;
     }

@@ -42,7 +42,7 @@ void shared_square() {
     for (polydec::Index e = 0; e < cubes.input().size(1); ++e) {
         const auto carrier = cubes.merging().carriers(1)[e];
         const auto ends = cubes.input().simplices(1).row(e);
-        const polydec::Points places = cubes.points()({ends[0], ends[1]}, Eigen::all);
+        const polydec::Points places = cubes.points()({ends[0], ends[1]}, Eigen::indexing::all);
         if (carrier.dimension == 2 && (places.col(0).array() == 1).all())
             std::cout << "the diagonal " << ends << " has a dual of area "
                       << std::abs(cubes.input_geometry().volumes().dual(1)[e])

@@ -271,7 +271,7 @@ public:
     /// Values and depth of the polygons, whose cells are known.
     void finish(SolidFaces& faces) const {
         faces.closed = true;
-        faces.depth_sites = centers_(faces.cells, Eigen::all);
+        faces.depth_sites = centers_(faces.cells, Eigen::indexing::all);
         for (Index& cell : faces.cells)
             cell = numbers_[cell];
         if (values_.size() > 0)

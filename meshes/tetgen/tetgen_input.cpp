@@ -215,7 +215,7 @@ TetgenInput tetgen_input(const Mesh& surface, const Points& holes) {
                                        input.vertices.size()));
     }
     check_distinct(surface.points, input.vertices);
-    input.points = surface.points(input.vertices, Eigen::all);
+    input.points = surface.points(input.vertices, Eigen::indexing::all);
     input.holes = holes;
     input.given = surface.simplices;
     scale(input);

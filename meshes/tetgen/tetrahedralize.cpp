@@ -85,7 +85,7 @@ Mesh tetrahedralize(const Mesh& surface, const MesherOptions& options, const Poi
 
     Mesh mesh;
     mesh.points = output.points.unaryExpr([&](double x) { return std::ldexp(x, input.exponent); });
-    mesh.points.topRows(input.points.rows()) = surface.points(input.vertices, Eigen::all);
+    mesh.points.topRows(input.points.rows()) = surface.points(input.vertices, Eigen::indexing::all);
     mesh.simplices = std::move(output.tetrahedra);
     if (const auto isolated = surface.points.rows() - input.points.rows(); isolated > 0) {
         mesh.warnings.push_back(fmt::format("left out {} {} without a triangle", isolated,

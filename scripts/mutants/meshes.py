@@ -5,7 +5,7 @@ MUTANTS = {
     "input_cells_cut_off": ("meshes/mesh.cpp", "return {at_rows(cells.of_simplices, rows), cells.count};",
                             "return {{cells.of_simplices.begin(), cells.of_simplices.begin() + std::ssize(rows)}, cells.count};",
                             "InputCells.are_known_when_others_are_left_out"),
-    "welded_by_equality": ("meshes/weld.cpp", "join_near(scaled_(open, Eigen::all), length, sets);", ";",
+    "welded_by_equality": ("meshes/weld.cpp", "join_near(scaled_(open, Eigen::indexing::all), length, sets);", ";",
                            "Weld.joins_what_is_jittered_by_less_than_the_length"),
     "polygons_in_any_unit": ("meshes/polygon_splitter.cpp", "    if (largest > 0)\n", "    if (false)\n"),
     "walls_forgotten": ("meshes/point_tree.cpp", "place - cell <= margin || place - cell >= 1 - margin", "false",

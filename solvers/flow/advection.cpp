@@ -74,7 +74,8 @@ public:
                     continue;
                 others.erase(others.begin() + p);
                 const double sign = p % 2 == 0 ? 1 : -1;
-                forms.col(static_cast<Index>(f)) += sign * product_(gradients(others, Eigen::all));
+                forms.col(static_cast<Index>(f)) +=
+                    sign * product_(gradients(others, Eigen::indexing::all));
             }
         return std::tgamma(n_ - 1.0) / n_ * forms;
     }

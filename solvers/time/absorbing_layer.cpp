@@ -27,10 +27,11 @@ struct LayerCells {
 
 LayerCells cells_of(const Discretization& mesh, const std::vector<Index>& kept, int k) {
     constexpr double rounding = 1e-9;
-    LayerCells result{cell_centers(mesh, k)(kept, Eigen::all) / mesh.unit(), {}};
+    LayerCells result{cell_centers(mesh, k)(kept, Eigen::indexing::all) / mesh.unit(), {}};
     result.axes.reserve(kept.size());
     for (const Index cell : kept) {
-        const Points corners = mesh.measured_points()(mesh.merging().vertices(k, cell), Eigen::all);
+        const Points corners =
+            mesh.measured_points()(mesh.merging().vertices(k, cell), Eigen::indexing::all);
         const Eigen::RowVectorXd extent =
             corners.colwise().maxCoeff() - corners.colwise().minCoeff();
         Axes axes = 0;

@@ -36,7 +36,7 @@ TEST_P(Orders, of_cells_do_not_matter) {
     std::vector<Index> order(mesh().simplices.rows());
     std::iota(order.begin(), order.end(), 0);
     std::shuffle(order.begin(), order.end(), random);
-    const Simplices mixed = mesh().simplices(order, Eigen::all);
+    const Simplices mixed = mesh().simplices(order, Eigen::indexing::all);
     EXPECT_TRUE(same(SimplicialComplex(mesh().simplices), SimplicialComplex(mixed)));
 }
 

@@ -31,7 +31,7 @@ Mesh with_facet_tags(Mesh mesh, Index tags, unsigned share) {
     for (Index f = 0; f < facets.rows(); ++f)
         if (random() % share == 0)
             chosen.push_back(f);
-    mesh.facet_tags.simplices = facets(chosen, Eigen::all).rowwise().reverse();
+    mesh.facet_tags.simplices = facets(chosen, Eigen::indexing::all).rowwise().reverse();
     for (Index& vertex : mesh.facet_tags.simplices.reshaped())
         vertex = complex.vertex_number(vertex);
     for (std::size_t i = 0; i < chosen.size(); ++i)

@@ -157,7 +157,7 @@ double constant_error_of_least_norm(const Merged& mesh) {
             known[s] = 0;
         }
     const DenseMatrix d(derivative(mesh.K(), 2));
-    const DenseMatrix D = d(Eigen::all, inside);
+    const DenseMatrix D = d(Eigen::indexing::all, inside);
     const Vector x = least_squares(D, -d * known).shortest;
     return relative_difference(x, Vector(w(inside)));
 }

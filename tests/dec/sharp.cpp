@@ -65,7 +65,7 @@ DenseMatrix mean_over_cells(const Discretization& mesh, const DenseMatrix& rows)
 bool is_unbent(const Discretization& mesh, Index cell) {
     const int n = mesh.dimension();
     const auto corners = mesh.merging().vertices(n, cell);
-    DenseMatrix edges = mesh.points()(corners, Eigen::all);
+    DenseMatrix edges = mesh.points()(corners, Eigen::indexing::all);
     edges.rowwise() -= edges.row(0).eval();
     Eigen::ColPivHouseholderQR<DenseMatrix> factors(edges);
     factors.setThreshold(1e-9);

@@ -111,7 +111,7 @@ TEST(BrokenTwin, cells_that_share_no_facet_with_an_own_one_are_missed) {
         if (here(t))
             kept.push_back(t);
     Stars fewer = stars;
-    fewer.cells = stars.cells(kept, Eigen::all);
+    fewer.cells = stars.cells(kept, Eigen::indexing::all);
     fewer.file_places.clear();
     for (const auto t : kept)
         fewer.file_places.push_back(stars.file_places[t]);

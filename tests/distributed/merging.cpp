@@ -219,7 +219,7 @@ Mesh with_holes(Mesh mesh, unsigned seed) {
     for (Index t = 0; t < mesh.simplices.rows(); ++t)
         if (t == 0 || random() % 4 != 0)
             kept.push_back(t);
-    mesh.simplices = Simplices(mesh.simplices(kept, Eigen::all));
+    mesh.simplices = Simplices(mesh.simplices(kept, Eigen::indexing::all));
     return mesh;
 }
 

@@ -16,6 +16,8 @@ import types
 import unittest
 from pathlib import Path
 
+import sources
+
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM, VERSION, BUILD, *CONFIGURE = sys.argv[1:]
 RECIPE = ROOT / "packaging/conda-forge/recipe.yaml"
@@ -123,6 +125,13 @@ class OneVersion(unittest.TestCase):
         self.assertEqual(json.loads((PORT / "vcpkg.json").read_text())["version"], VERSION)
         self.assertEqual(found(r'^    version\("([^"]*)"', SPACK), VERSION)
         self.assertEqual(found(r"\Apolydec \(([^-)]*)", ROOT / "debian/changelog"), VERSION)
+
+
+class Sources(unittest.TestCase):
+    def test_they_use_no_name_that_eigen_3_and_5_do_not_share(self):
+        for path in filter(sources.is_cpp, sources.files(ROOT)):
+            with self.subTest(path):
+                self.assertNotRegex(sources.text(ROOT, path), r"\bEigen::(all|last|lastp1|lastN)\b")
 
 
 class Recipes(unittest.TestCase):

@@ -99,7 +99,7 @@ TEST(GluedPictures, number_cells_as_operators_do) {
     for (Index i = 0; i < sets.mesh.simplices.rows(); ++i) {
         // between the corners of the simplex that it is said to lie in
         const Index owner = sets.owners[static_cast<std::size_t>(i)];
-        const Points own = points(corners.row(owner), Eigen::all);
+        const Points own = points(corners.row(owner), Eigen::indexing::all);
         for (const Index v : sets.mesh.simplices.row(i)) {
             const auto place = sets.mesh.points.row(v);
             EXPECT_TRUE((place.array() <= own.colwise().maxCoeff().array() + 1e-12).all());

@@ -38,7 +38,7 @@ Mesh exploded(const Mesh& mesh) {
 
 /// Corners of the cells by place.
 Points corners(const Mesh& mesh) {
-    return mesh.points(mesh.simplices.reshaped<Eigen::RowMajor>(), Eigen::all);
+    return mesh.points(mesh.simplices.reshaped<Eigen::RowMajor>(), Eigen::indexing::all);
 }
 
 double edge_length(const Mesh& mesh, Index cell, Index i, Index j) {

@@ -45,7 +45,7 @@ protected:
             if (keeps_(all.values, i))
                 kept.push_back(i);
         const Vector values = all.values(kept);
-        const DenseMatrix vectors = all.vectors(Eigen::all, kept);
+        const DenseMatrix vectors = all.vectors(Eigen::indexing::all, kept);
         return {values, vectors, static_cast<Index>(kept.size()), all.operations};
     }
 

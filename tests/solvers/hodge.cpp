@@ -326,7 +326,7 @@ TEST(HodgeBroken, without_one_cell_of_the_minor_the_exact_part_is_not_all) {
     const auto& m = merged("torus8x6");
     auto columns = regular_minor(m.P(), 0).columns;
     columns.pop_back();
-    const DenseMatrix D = DenseMatrix(derivative(m.P(), 0))(Eigen::all, columns);
+    const DenseMatrix D = DenseMatrix(derivative(m.P(), 0))(Eigen::indexing::all, columns);
     const Vector w = derivative(m.P(), 0) * random_vector(m.P().size(0), 5);
     const Vector mass = star(m.volumes, 1).diagonal();
     const DenseMatrix A = D.transpose() * mass.asDiagonal() * D;
