@@ -14,7 +14,7 @@ std::vector<std::string> folder_names(const std::filesystem::path& folder, std::
         void operator()(DIR* list) const { ::closedir(list); }
     };
     std::vector<std::string> names;
-    const std::unique_ptr<DIR, Close> list(::opendir(folder.c_str()));
+    const std::unique_ptr<DIR, Close> list(::opendir(folder.string().c_str()));
     errno = list ? 0 : errno;
     while (const dirent* const entry = list ? ::readdir(list.get()) : nullptr) {
         std::string name = entry->d_name;

@@ -7,7 +7,12 @@
 namespace polydec {
 
 /// Signals that request a program's end, and end it by default.
-inline constexpr int ending_signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
+inline constexpr int ending_signals[] = {SIGINT, SIGTERM,
+#ifdef SIGHUP // Windows has the two above alone
+                                         SIGHUP, SIGQUIT, SIGXCPU,
+                                         SIGXFSZ
+#endif
+};
 
 /// A file, folder or process group that must not outlast the program unless it is finished. It is
 /// recorded where a signal handler can read it. The destructor removes a file or folder; it only
