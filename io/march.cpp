@@ -19,15 +19,19 @@ struct Stopped {};
 
 Frames::Frames(Run& run, std::vector<double> times, MarchOptions options)
     : run_(run), times_(std::move(times)), options_(std::move(options)) {
-    if (options_.checkpoint.empty())
-        return;
+    if (!options_.checkpoint.empty())
+        go_on();
+    options_.progress = announcing(run_, times_, options_.announce, options_.progress);
+}
+
+void Frames::go_on() {
     const auto problem = run_.fingerprint();
     if (!problem)
         throw InvalidInput("a checkpoint cannot compare the functions of this run: give the run a "
                            "label that names the functions and their parameters");
     problem_ = problem->value();
     if (options_.resume && std::filesystem::exists(options_.checkpoint))
-        go_on();
+        resume();
 }
 
 /// Behind the state of a run are two numbers of the march: 1 if an event has ended it, and the last
@@ -41,7 +45,7 @@ void Frames::keep() {
     is_new_ = false;
 }
 
-void Frames::go_on() {
+void Frames::resume() {
     Checkpoint last = read_checkpoint(options_.checkpoint, problem_);
     const auto refuse = [&](const char* why) {
         throw InvalidInput(

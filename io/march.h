@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 namespace polydec {
@@ -18,6 +19,8 @@ struct MarchOptions {
     bool resume = true;                        ///< resumes from the checkpoint, if there is one
     std::function<void(const Run&)> show = {}; ///< called at each time, and at an event
     TimeListener progress = {};
+    /// Called once in a long march, with a sentence about its steps and duration; see announcing.
+    std::function<void(std::string_view)> announce = {};
     std::function<bool()> stop = {}; ///< called after each progress report; true: ends the march
 };
 
@@ -41,6 +44,7 @@ public:
 
 private:
     void go_on();
+    void resume();
     void keep();
     void between(double time);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/builtin_engines.h"
 #include "backends/integrators/additive_table.h"
+#include "backends/integrators/equal_steps.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -53,7 +54,6 @@ private:
     bool is_fixed() const { return options().fixed_step > 0; }
     void learn_first_rates();
     double first_step(double span);
-    void plan(double until);
     Trial take(double step, double end);
     bool take_stage(Eigen::Index i, double step, double end);
     bool solve_stage(double time, double gamma, const Vector& known, Vector& state);
@@ -106,8 +106,11 @@ Arrival RungeKutta::march(double until) {
     end_ = until;
     double before = has_events() ? event(time(), state()) : 0;
     for (Index steps = 0; steps < options().most_steps;) {
-        if (left_ == 0)
-            plan(until);
+        if (left_ == 0) {
+            const auto [step, count] = equal_steps(time(), until, wanted_);
+            step_ = step;
+            left_ = count;
+        }
         const double end = left_ == 1 ? until : time() + step_;
         if (end <= time())
             fail("steps have become too short to change the time: the solution may end here, or a "
@@ -160,19 +163,6 @@ double RungeKutta::first_step(double span) {
     const double step = is_told ? 0.01 * now / speed : 1e-3 * span;
     const double largest = options().largest_step > 0 ? options().largest_step : span;
     return std::min({step, span, largest});
-}
-
-// Equal steps of what is wanted at most; just that, where it fits but for the rounding of times.
-void RungeKutta::plan(double until) {
-    const double rest = until - time(), nearest = std::round(rest / wanted_);
-    const double blur = 8 * rounding * std::max(std::abs(time()), std::abs(until));
-    if (nearest >= 1 && std::abs(nearest * wanted_ - rest) <= blur) {
-        step_ = wanted_;
-        left_ = nearest;
-    } else {
-        left_ = std::max(1.0, std::ceil(rest / wanted_));
-        step_ = rest / left_;
-    }
 }
 
 RungeKutta::Trial RungeKutta::take(double step, double end) {

@@ -53,6 +53,15 @@ void Flow::step(std::vector<Vector>& state) const {
     state[0] = is_midpoint ? midpoint(state[0]) : imex(state[0]);
 }
 
+StepPlan Flow::limit() const {
+    const double time = equations_.exchange_time(flux());
+    return {.limit = std::isfinite(time)
+                         ? fmt::format("the flow, which exchanges the contents of a cell in {:.3g}",
+                                       time)
+                         : "the wanted accuracy",
+            .advice = "FlowSteps::time_step changes that"};
+}
+
 std::vector<Cochain> Flow::forms() const {
     return {{Side::primal, equations_.mesh().dimension() - 1, flux()}};
 }

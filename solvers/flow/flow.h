@@ -39,6 +39,7 @@ public:
 private:
     /// Throws SolverFailure if the midpoint iteration fails: steps must be shorter.
     void step(std::vector<Vector>& state) const override;
+    StepPlan limit() const override;
     Vector midpoint(const Vector& w) const;
     Vector imex(const Vector& w) const;
 

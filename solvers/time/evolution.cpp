@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/time/evolution.h"
 
+#include "backends/integrators/equal_steps.h"
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "meshes/unit_of_length.h"
@@ -258,6 +259,21 @@ void Evolution::begin(double time, const Vector& values, const Vector& memory) {
 Arrival Evolution::march(double until, const TimeListener& progress) {
     equation_->progress = progress;
     return integrator_->advance(until / equation_->unit);
+}
+
+StepPlan Evolution::plan(const std::vector<double>& times) const {
+    const double step = equation_->options.steps.fixed_step;
+    if (step == 0)
+        return {.limit = "the error allowed in a step",
+                .advice = "IntegratorOptions::relative_tolerance changes that"};
+    double count = 0, now = time();
+    for (const double next : times)
+        if (next > now) {
+            count += equal_steps(now, next, step).count;
+            now = next;
+        }
+    return {static_cast<std::int64_t>(std::min(count, 1e15)), step, "the wanted accuracy",
+            "IntegratorOptions::fixed_step changes that"};
 }
 
 double Evolution::time() const {

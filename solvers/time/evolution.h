@@ -61,6 +61,7 @@ public:
 
     /// Reports progress at each evaluation on the way. Throws like Integrator::advance.
     Arrival march(double until, const TimeListener& progress = {}) override;
+    StepPlan plan(const std::vector<double>& times) const override;
     std::vector<Vector> state() const override;
     void resume(double time, const std::vector<Vector>& state) override;
     bool resumes_anywhere() const override;

@@ -10,6 +10,12 @@
 
 namespace polydec {
 
+namespace {
+
+constexpr double most = 1e15; // steps
+
+} // namespace
+
 FixedSteps::FixedSteps(double time_step, std::vector<Vector> state)
     : time_step_(time_step), state_(std::move(state)) {
     if (!(time_step > 0) || !std::isfinite(time_step))
@@ -32,14 +38,22 @@ void FixedSteps::advance(std::int64_t steps, const TimeListener& progress) {
 }
 
 Arrival FixedSteps::march(double until, const TimeListener& progress) {
-    constexpr double most = 1e15;
     const double last = std::round(until / time_step_);
-    if (!(last >= static_cast<double>(steps_) && last <= most))
+    if (!(until >= 0 && last >= static_cast<double>(steps_) && last <= most))
         throw InvalidInput(fmt::format(
             "the run cannot march to time {:.6g}: expected at least {:.6g}, the current time",
             until, time()));
     advance(static_cast<std::int64_t>(last) - steps_, progress);
     return Arrival::at_time;
+}
+
+StepPlan FixedSteps::plan(const std::vector<double>& times) const {
+    StepPlan result = limit();
+    const double last = times.empty() ? 0 : std::round(times.back() / time_step_);
+    result.count = static_cast<std::int64_t>(
+        std::min(std::max(0.0, last - static_cast<double>(steps_)), most));
+    result.length = time_step_;
+    return result;
 }
 
 void FixedSteps::resume(double time, const std::vector<Vector>& state) {

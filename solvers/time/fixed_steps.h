@@ -15,6 +15,7 @@ public:
     void advance(std::int64_t steps = 1, const TimeListener& progress = {});
 
     Arrival march(double until, const TimeListener& progress = {}) final;
+    StepPlan plan(const std::vector<double>& times) const final;
     std::vector<Vector> state() const final { return state_; }
     void resume(double time, const std::vector<Vector>& state) final;
     bool resumes_anywhere() const final { return true; }
@@ -25,6 +26,9 @@ protected:
 
     /// Advances a state at time() by one step. If it throws, the state is unchanged.
     virtual void step(std::vector<Vector>& state) const = 0;
+
+    /// The limit and the advice of the plan.
+    virtual StepPlan limit() const = 0;
 
     const std::vector<Vector>& now() const { return state_; }
 

@@ -5,8 +5,11 @@
 #include "dec/fingerprint.h"
 #include "dec/forms/cochain.h"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace polydec {
@@ -14,6 +17,14 @@ namespace polydec {
 /// Called with the time that a run has reached. An exception from it ends a march after the last
 /// completed step.
 using TimeListener = std::function<void(double time)>;
+
+/// The steps of a march.
+struct StepPlan {
+    std::optional<std::int64_t> count = {}; ///< none: the steps are adaptive
+    double length = 0;                      ///< the longest one, unless they are adaptive
+    std::string limit = {};                 ///< what limits their length
+    std::string advice = {};                ///< names the option that changes it
+};
 
 /// A computation in time that can be interrupted, saved and resumed: an evolution, waves, a flow.
 class Run {
@@ -26,9 +37,12 @@ public:
     virtual std::vector<Cochain> forms() const = 0;
     Cochain form(std::size_t number) const { return forms().at(number); }
 
-    /// Marches to this time, or to the first event. Throws InvalidInput for a time in the past;
-    /// SolverFailure, naming the time, if values are not finite.
+    /// Marches to this time, or to the first event. Throws InvalidInput for a time in the past or
+    /// before the start; SolverFailure, naming the time, if values are not finite.
     virtual Arrival march(double until, const TimeListener& progress = {}) = 0;
+
+    /// The steps that marches from now to these ascending times will take, if no event ends them.
+    virtual StepPlan plan(const std::vector<double>& times) const = 0;
 
     /// Everything that changes, except the time. A resumed run continues with the same steps, and
     /// bit for bit if its integrator can. Throws InvalidInput for a state of another run.
@@ -44,5 +58,12 @@ public:
     /// cannot be compared.
     virtual std::optional<Fingerprint> fingerprint() const = 0;
 };
+
+/// A listener for marches of this run from now to these ascending times. It measures the first
+/// steps; if more than ten seconds are left, it calls `announce` once, with a sentence about the
+/// whole march: number and length of steps, what limits them, the estimated time, the memory that
+/// the program has taken, and the option that changes the steps. Every call also calls `progress`.
+TimeListener announcing(const Run& run, const std::vector<double>& times,
+                        std::function<void(std::string_view)> announce, TimeListener progress = {});
 
 } // namespace polydec

@@ -56,9 +56,16 @@ void check_wave_stars(const FormSpace& space) {
                            stars[on.B].place(negative));
 }
 
+/// A limit of stable steps, in the unit of the mesh, and the cell with most of the fastest
+/// oscillation.
+struct Stability {
+    double limit = std::numeric_limits<double>::infinity();
+    std::string where = {};
+};
+
 /// Both sides use primal forms: star_k d star_(k-1)^-1 d^T has the eigenvalues of the reversed
 /// product, except for zeros.
-double longest_step(const FormSpace& space) {
+Stability stability(const FormSpace& space) {
     const int k = degrees(space).low();
     space.refuse_robin("a wave");
     check_wave_stars(space);
@@ -66,7 +73,7 @@ double longest_step(const FormSpace& space) {
     const CellComplex& complex = inside.complex();
     const Operator d = Operator::derivative(complex, k);
     if (complex.incidences(k).size() == 0)
-        return std::numeric_limits<double>::infinity();
+        return {};
     // in the scale of unit mass: R^-T d^T star_(k+1) d R^-1, star_k = R^T R
     const auto mass = make_mass(weights(inside.stars()[k]));
     const Operator stiffness = d.transposed() * Operator::star(inside.stars()[k + 1]) * d;
@@ -78,12 +85,15 @@ double longest_step(const FormSpace& space) {
     if (largest.converged < 1)
         throw SolverFailure("the largest frequency of the waves could not be found: the "
                             "eigensolver did not converge");
-    return 2 / std::sqrt(largest.values[0]);
+    const HodgeStar star = inside.stars()[k];
+    const Vector u = mass->unroot(Vector(largest.vectors.col(0)));
+    Index cell = 0;
+    u.cwiseProduct(star * u).maxCoeff(&cell); // of the energy
+    return {2 / std::sqrt(largest.values[0]), fmt::format("{}-cell {}", k, star.numbers({cell}))};
 }
 
 /// Both in the unit of the mesh; messages use the input's. Any step is stable without oscillations.
-double chosen_step(const FormSpace& space, double time_step, double unit) {
-    const double limit = longest_step(space);
+double chosen_step(double limit, double time_step, double unit) {
     if (time_step == 0)
         return std::isfinite(limit) ? part_of_stable_step * limit : 1;
     if (!(time_step > 0 && time_step < limit))
@@ -125,7 +135,7 @@ Vector sum(const Vector& a, const Vector& b) {
 } // namespace
 
 double stable_step(const FormSpace& space) {
-    return space.cells().unit() * longest_step(space);
+    return space.cells().unit() * stability(space).limit;
 }
 
 /// Leapfrog steps, in the unit of the mesh except for E and B of a state.
@@ -157,6 +167,7 @@ struct Waves::Scheme {
     FormSpace space;
     Degrees on;
     int energy_power; ///< of length
+    Stability stable;
     double unit, time_step;
     Operator d, inverse_mass;
     Field E, B;
@@ -168,8 +179,9 @@ Waves::Scheme::Scheme(const FormSpace& on_space, const WaveOptions& options)
       on(degrees(space)),
       energy_power((space.side() == Side::primal ? 1 : -1) *
                    (space.cells().dimension() - 2 * on.E)),
+      stable(stability(space)),
       unit(space.cells().unit()),
-      time_step(chosen_step(space, options.time_step / unit, unit)),
+      time_step(chosen_step(stable.limit, options.time_step / unit, unit)),
       d(derivative(space)),
       inverse_mass(space.side() == Side::primal ? Operator::inverse_star(star(on.E))
                                                 : Operator::star(star(on.E))),
@@ -290,6 +302,16 @@ Waves::Waves(std::shared_ptr<const Scheme> scheme, const Vector& start, const Wa
 
 void Waves::step(std::vector<Vector>& state) const {
     scheme_->step(state, options_, time());
+}
+
+StepPlan Waves::limit() const {
+    const auto& [limit, where] = scheme_->stable;
+    if (where.empty())
+        return {.limit = "nothing", .advice = "WaveOptions::time_step changes that"};
+    return {
+        .limit = fmt::format("stability (below {:.3g}, set near {})", scheme_->unit * limit, where),
+        .advice = "WaveOptions::time_step shortens steps; larger cells there, or merging them by "
+                  "a larger DiscretizeOptions::tolerance, allow longer ones"};
 }
 
 std::vector<Cochain> Waves::forms() const {

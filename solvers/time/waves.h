@@ -67,6 +67,7 @@ private:
     struct Scheme;
     Waves(std::shared_ptr<const Scheme> scheme, const Vector& start, const WaveOptions& options);
     void step(std::vector<Vector>& state) const override;
+    StepPlan limit() const override;
 
     std::shared_ptr<const Scheme> scheme_;
     WaveOptions options_;

@@ -12,9 +12,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <thread>
 
 namespace polydec::test::in_march {
 
@@ -28,6 +30,7 @@ struct Problem {
     std::string label = "as written here";
     BoundaryCondition condition = BoundaryCondition::natural;
     StarKind star = StarKind::circumcentric;
+    double fixed_step = 0; ///< of the evolution
 
     Discretization mesh() const {
         const auto empty = discretize(kuhn(2, 4), {.star = star});
@@ -63,6 +66,13 @@ Made waves(const Problem& problem) {
                     .label = problem.label});
 }
 
+Made maxwell(const Problem& problem) {
+    const auto box = discretize(kuhn(3, 2));
+    return std::make_unique<Waves>(FormSpace(box, Side::primal, 1),
+                                   Vector::LinSpaced(box.complex().size(1), 0, 1),
+                                   WaveOptions{.time_step = problem.step});
+}
+
 Made flow(const Problem& problem) {
     const auto mesh = problem.mesh();
     const bool sticks = problem.condition == BoundaryCondition::essential;
@@ -81,7 +91,7 @@ Made evolution(const Problem& problem) {
         [](double t, const std::vector<Cochain>& now) {
             return std::vector{Vector(std::cos(9 * t) * now[0].values)};
         },
-        EvolutionOptions{.steps = {.first_step = problem.step},
+        EvolutionOptions{.steps = {.first_step = problem.step, .fixed_step = problem.fixed_step},
                          .event =
                              [=](double, const std::vector<Cochain>& now) {
                                  return now[0].values.maxCoeff() - problem.until_value;
@@ -233,6 +243,60 @@ TEST(March, refuses_files_of_others) {
                      {"InvalidInput", "state", "another"}));
     march(*run, times, {.checkpoint = folder.path("a"), .resume = false});
     EXPECT_THROW(run->march(0.1), InvalidInput);
+}
+
+// Evolutions divide the way to each time into equal steps; all others have one step for all times.
+TEST(March, takes_as_many_steps_as_it_plans) {
+    for (const auto make : {heat, waves, maxwell, flow, evolution}) {
+        const auto run = make({.step = 0.03, .fixed_step = 0.03});
+        const auto* evolving = dynamic_cast<const Evolution*>(run.get());
+        const StepPlan plan = run->plan(times);
+        std::int64_t taken = 0;
+        march(*run, {0, 0.1}, {.progress = [&](double) { ++taken; }});
+        const auto rest = run->plan(times).count;
+        EXPECT_EQ(*rest + (evolving ? evolving->report().steps : taken), plan.count);
+        march(*run, {0.2, 0.4, 0.5}, {.progress = [&](double) { ++taken; }});
+        EXPECT_EQ(evolving ? evolving->report().steps : taken, plan.count);
+        EXPECT_EQ(plan.count, evolving ? 4 + 4 + 7 + 4 : 17);
+        EXPECT_EQ(plan.length, 0.03);
+        EXPECT_EQ(run->plan(times).count, 0);
+    }
+    EXPECT_EQ(evolution({})->plan(times).count, std::nullopt);
+}
+
+TEST(March, does_not_go_back_before_the_start) {
+    for (const auto make : {heat, waves, maxwell, flow, evolution})
+        for (const double until : {-1e-9, -1e-3, -1.0, -1e99, std::nan("")}) {
+            const auto run = make({});
+            EXPECT_TRUE(says(error_of([&] { run->march(until); }), {"InvalidInput", "time"}));
+            EXPECT_TRUE(says(error_of([&] { march(*run, {until}); }), {"InvalidInput", "time"}));
+            EXPECT_EQ(run->time(), 0);
+        }
+}
+
+TEST(March, announces_itself_once_if_it_is_long) {
+    const auto run = waves({});
+    std::vector<std::string> said;
+    const auto hear = [&](std::string_view text) { said.emplace_back(text); };
+    const auto brief = announcing(*run, {4}, hear), endless = announcing(*run, {1e5}, hear);
+    for (const double time : {1, 2, 3}) {
+        brief(time);
+        endless(time);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    }
+    ASSERT_EQ(said.size(), 1);
+    EXPECT_TRUE(says(said[0], {"5,000,000 steps of 0.02", "limited by stability", "0-cell", "about",
+                               "h", "of memory", "WaveOptions::time_step"}));
+}
+
+// An end of the one short edge.
+TEST(March, names_the_cell_that_limits_its_steps) {
+    Mesh line = kuhn(1, 10);
+    line.points(4, 0) = line.points(5, 0) - 0.01;
+    const auto mesh = discretize(line);
+    const Waves run(FormSpace(mesh, Side::primal, 0), Vector::Zero(11));
+    const std::string limit = run.plan({1}).limit;
+    EXPECT_TRUE(says(limit, {"stability", "0-cell 4"}) || says(limit, {"stability", "0-cell 5"}));
 }
 
 } // namespace polydec::test::in_march

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tools/mpi/shared_log.h"
 
+#include "system/peak_memory.h"
+
 #include <algorithm>
 #include <ctime>
-#include <sys/resource.h>
 
 namespace polydec::tools {
-
-std::int64_t peak_memory() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    constexpr std::int64_t kilo = 1024;
-    return kilo * usage.ru_maxrss;
-}
 
 SharedLog::Counters SharedLog::counters() const {
     return {static_cast<double>(std::clock()) / CLOCKS_PER_SEC, ranks_.bytes_sent()};

@@ -14,9 +14,6 @@ struct StageEffort {
     std::int64_t peak_memory = 0; ///< bytes, at the end of the stage
 };
 
-/// The peak memory of this process so far; bytes.
-std::int64_t peak_memory();
-
 /// A log that also records this rank's effort per stage.
 class SharedLog : public Log {
 public:
