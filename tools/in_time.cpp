@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "examples/paper/console.h"
 #include "io/march.h"
 #include "io/pages/series.h"
 #include "io/source_file.h"
@@ -118,6 +119,12 @@ Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,
                    {.checkpoint = arguments.checkpoint,
                     .resume = arguments.resume,
                     .progress = [&](double time) { (*remaining)(time); },
+                    .announce =
+                        [&](std::string_view sentence) {
+                            Progress(); // erases its line
+                            console::tell(fmt::format("polydec: {}: {}\n", march.what,
+                                                      told(std::string(sentence))));
+                        },
                     .stop = [&] { return signals && signals->asked(); }});
     const double begin = run.time();
     remaining.emplace(march.what, begin, arguments.until);

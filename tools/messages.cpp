@@ -31,6 +31,11 @@ constexpr std::array wordings{
     Wording{"peeled(mesh)", "--peel"},
     Wording{"weld(mesh)", "--weld"},
     Wording{"join_hanging(mesh)", "--join-hanging"},
+    Wording{"DiscretizeOptions::tolerance", "--tolerance"},
+    Wording{"IntegratorOptions::relative_tolerance", "--tolerance-in-time"},
+    Wording{"IntegratorOptions::fixed_step", "--time-step"},
+    Wording{"WaveOptions::time_step", "--time-step"},
+    Wording{"FlowSteps::time_step", "--time-step"},
     Wording{"set_memory_limit", "--max-memory"},
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-
 #include "python/bindings/convert.h"
 
 namespace polydec::python {

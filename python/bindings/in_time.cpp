@@ -120,17 +120,23 @@ void add_runs(py::module_& module) {
     });
     py::class_<AnyRun>(module, "Run")
         .def("march",
-             [](AnyRun& self, double until) {
-                 return self.use([&](auto& run) { return run->march(until, let_ctrl_c_end); }) ==
-                        Arrival::at_event;
+             [](AnyRun& self, double until, const py::object& progress) {
+                 return self.use([&, tell = listener(progress)](auto& run) {
+                     return run->march(until, announcing(*run, {until}, tell, let_ctrl_c_end));
+                 }) == Arrival::at_event;
              })
         .def(
             "frames",
-            [](AnyRun& self, const std::vector<double>& times, const std::string& checkpoint) {
-                return self.use([&](auto& run) {
-                    return std::unique_ptr<GivenFrames>(new GivenFrames{
-                        self,
-                        {*run, times, {.checkpoint = checkpoint, .progress = let_ctrl_c_end}}});
+            [](AnyRun& self, const std::vector<double>& times, const std::string& checkpoint,
+               const py::object& progress) {
+                return self.use([&, tell = listener(progress)](auto& run) {
+                    return std::unique_ptr<GivenFrames>(
+                        new GivenFrames{self,
+                                        {*run,
+                                         times,
+                                         {.checkpoint = checkpoint,
+                                          .progress = let_ctrl_c_end,
+                                          .announce = tell}}});
                 });
             },
             py::keep_alive<0, 1>())

@@ -23,6 +23,10 @@ _WORDING = {
     "peeled(mesh)": "polydec.meshes.peeled(mesh)",
     "weld(mesh)": "polydec.meshes.weld(mesh)",
     "join_hanging(mesh)": "polydec.meshes.join_hanging(mesh)",
+    "DiscretizeOptions::": "",
+    "IntegratorOptions::": "",
+    "WaveOptions::": "",
+    "FlowSteps::": "",
     "set_memory_limit": "polydec.set_memory_limit",
 }
 

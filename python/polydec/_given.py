@@ -49,7 +49,7 @@ def as_mesh(given: MeshLike) -> Mesh | LengthMesh:
     if hasattr(given, "points") and hasattr(given, "cells"):
         return _of_meshio(given)
     kind = f"an array of shape {given.shape}" if isinstance(given, np.ndarray) else \
-        f"something of the type {type(given).__name__}"
+        f"an object of type {type(given).__name__}"
     raise InvalidInput(f"{kind} is given for a mesh: expected a Mesh, the path of a file, a pair "
                        "(points, simplices), or a meshio.Mesh")
 

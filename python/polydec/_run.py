@@ -10,6 +10,8 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, floats
 from ._cells import Cells
+from ._complex import Progress
+from ._errors import told
 from ._vertices import form_at_vertices
 
 
@@ -40,16 +42,25 @@ class Run:
         return tuple(form_at_vertices(self._complex, values, side, degree)
                      for values, (side, degree) in zip(forms, self._kinds))
 
-    def march(self, until: float) -> bool:
+    def march(self, until: float, *, progress: Progress | None = None) -> bool:
         """Marches to this time, or to the first event. Returns whether an event stopped it.
 
         Waves and flows take equal steps, and stop after the step that ends nearest to `until`.
-        Ctrl-C stops a march after its last good step.
+        Ctrl-C stops a march after its last good step. A march of more than ten seconds calls
+        `progress` once, after its first steps, with a sentence (str): number and length of steps,
+        what limits them, estimated time, memory, and the argument that changes the steps. Pass
+        `print` to see it.
+
+        Raises
+        ------
+        InvalidInput
+            For a time in the past or before the start.
         """
-        return self._run.march(until)
+        return self._run.march(until, _in_words_of_python(progress))
 
     def frames(self, times: npt.ArrayLike, *,
-               checkpoint: str | os.PathLike[str] | None = None) -> Iterator[tuple[Any, ...]]:
+               checkpoint: str | os.PathLike[str] | None = None,
+               progress: Progress | None = None) -> Iterator[tuple[Any, ...]]:
         """Marches to each of these ascending times, and yields the time and the forms there. An
         event, if there is one, gives the last frame.
 
@@ -61,6 +72,8 @@ class Run:
             minute. If the file exists, the run resumes from it and yields only later times. It must
             come from a run with the same cells, stars, conditions, start, coefficients, steps and
             `label`, and with the same leading times.
+        progress : callable, optional
+            As for `march`, for all times together.
 
         Raises
         ------
@@ -78,7 +91,8 @@ class Run:
         0.5 0.6065
         1.0 0.3679
         """
-        frames = self._run.frames(floats(times, "times").tolist(), os.fspath(checkpoint or ""))
+        frames = self._run.frames(floats(times, "times").tolist(), os.fspath(checkpoint or ""),
+                                  _in_words_of_python(progress))
         while frames.next():
             yield (self.time, *self.forms)
 
@@ -89,3 +103,7 @@ class Run:
     def resume(self, time: float, state: Sequence[Floats]) -> None:
         """Resumes from a result of `state` at this time, with the same steps."""
         self._run.resume(time, [floats(values, "values of a state") for values in state])
+
+
+def _in_words_of_python(progress: Progress | None) -> Progress | None:
+    return None if progress is None else lambda text: progress(told(text))

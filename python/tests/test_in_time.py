@@ -291,6 +291,33 @@ def test_absorbing_layers():
         polydec.Waves(inside, np.zeros(inside.size(0)), layer=2.0)
 
 
+@pytest.mark.parametrize("until", [-1e-9, -1.0, float("nan")])
+def test_no_march_goes_back_before_the_start(square, until):
+    flow = polydec.IncompressibleFlow(square)
+    for run in (polydec.Evolution(square, np.ones(square.size(0)), diffusion=1.0),
+                polydec.Waves(square, np.ones(square.size(0))),
+                polydec.Flow(flow, np.zeros(square.size(1)), 0.1)):
+        with pytest.raises(polydec.InvalidInput, match="time"):
+            run.march(until)
+        with pytest.raises(polydec.InvalidInput, match="time"):
+            next(run.frames([until]))
+        assert run.time == 0
+
+
+def test_a_long_march_says_what_it_will_do(square):
+    waves = polydec.Waves(square, np.ones(square.size(0)))
+
+    def hear(text):
+        raise KeyError(text)
+
+    for march in (lambda until: waves.march(until, progress=hear),
+                  lambda until: list(waves.frames([until], progress=hear))):
+        with pytest.raises(KeyError, match=r"[\d,]{12,} steps of .*; about .* time_step shortens") as said:
+            march(1e9 * waves.time_step)
+        assert "::" not in str(said.value)
+    waves.march(waves.time + 1, progress=hear)
+
+
 def test_series(sphere, tmp_path):
     with polydec.Series(tmp_path / "film.pvd", sphere) as film:
         for t in (0.0, 1.0):

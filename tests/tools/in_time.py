@@ -279,8 +279,26 @@ class InTime(TestCase):
         self.fail_with(2, *heat, "--checkpoint", "a.txt")
         self.fail_with(2, *heat[:-1], 1e12, "--time-step", 1e-3)
         for wrong in (0, -1, "nan"):
-            self.fail_with(1, *heat[:-1], wrong)
+            for line in (heat[:-1], ("wave", *heat[1:2], "--initial", "z", "--until"),
+                         ("maxwell", *heat[1:2], "--until"), ("flow", *heat[1:2], "--until")):
+                self.assertIn("--until", self.fail_with(1, *line, wrong))
         self.fail_with(1, *heat, "--resume")
+
+    def test_a_long_run_says_in_a_file_too_what_it_will_do(self):
+        sphere = self.make("icosphere", "--frequency", 20)
+        begin, end = "polydec: {}: ", "; about [0-9,]+ (min|h|days|years){}, .*B of memory; {} .*"
+        for name, more, steps, pace, option in (
+                ("wave", ("--initial", "z"), "[0-9,]+ steps of .*stability", "", "--time-step"),
+                ("heat", ("--side", "primal", "--initial", "z", "--source", "sin(1e5*t)*z"),
+                 "adaptive steps, limited by the error", " at the pace so far",
+                 "--tolerance-in-time")):
+            with open(self.path("said.txt"), "w", encoding="ascii") as said, \
+                    self.start(name, sphere, *more, "--until", 1e5, stderr=said) as run:
+                command.wait_until(lambda: "\n" in self.read("said.txt"), "a sentence of a run")
+                self.assertIsNone(run.poll())
+            self.assertRegex(self.read("said.txt"), "^" + begin.format(name) + steps + ".*" +
+                             end.format(pace, option) + "\n$")
+            self.assertEqual(self.succeed(name, sphere, *more, "--until", 1e-3).err, "")
 
     def contents(self, name):
         """A list, its files, and nothing else that was finished."""
