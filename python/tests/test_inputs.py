@@ -181,7 +181,7 @@ def test_values_at_vertices_inside_and_conditions_that_match_nothing():
                 lambda: polydec.poisson(square, 1.0, essential=inner),
                 lambda: polydec.spectrum(square, essential=lambda p: p[:, 0] > 2),
                 lambda: polydec.heat(square, x, 0.1, essential=facets)):
-        with pytest.raises(polydec.InvalidInput, match=said("essential", "none", "32 facets")):
+        with pytest.raises(polydec.InvalidInput, match=said("essential", "none", "32 boundary facets")):
             ask()
     with pytest.raises(polydec.InvalidInput, match=said("fixed")):
         polydec.poisson(square, 1.0, essential=[3, 4])

@@ -209,7 +209,7 @@ TEST_P(IntegratorContract, what_makes_no_sense_is_refused) {
     const auto short_rate =
         begun({.rate = [](double, const Vector&) { return Vector{{1}}; }}, swung(0));
     EXPECT_TRUE(says(message_of<InvalidInput>([&] { short_rate->advance(1); }),
-                     {GetParam(), "rate", "1", "state", "2"}));
+                     {GetParam(), "rate", "1", "2", "state"}));
 }
 
 TEST_P(IntegratorContract, tells_of_the_time_and_ends_where_that_throws) {

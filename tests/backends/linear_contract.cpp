@@ -256,7 +256,7 @@ TEST_P(LinearContract, nan_and_infinity_are_refused_by_name) {
 TEST_P(LinearContract, solving_needs_a_factorization_and_the_right_size) {
     const auto solver = make();
     EXPECT_TRUE(says(message_of<InvalidInput>([&] { solver->solve(Vector::Ones(3)); }),
-                     {GetParam(), "solve", "factorize"}));
+                     {GetParam(), "factorize", "solve"}));
     solver->factorize(grid_laplacian(3), positive());
     const auto message = message_of<InvalidInput>([&] { solver->solve(Vector::Ones(3)); });
     EXPECT_TRUE(says(message, {"right-hand side", "3 rows", "9 x 9"}));

@@ -54,7 +54,7 @@ TEST(Vector, takes_no_matrix_of_other_than_one_column) {
                 if (columns == 1)
                     EXPECT_EQ(refusal(way), "accepted");
                 else
-                    EXPECT_TRUE(says(refusal(way), {message(rows, columns), "vector"}));
+                    EXPECT_TRUE(says(refusal(way), {"vector", message(rows, columns)}));
         }
 }
 

@@ -50,7 +50,7 @@ TEST(CellVolumesErrors, name_the_degrees_that_there_are) {
     const CellVolumes volumes(three_degrees(4), three_degrees(4));
     EXPECT_EQ(volumes.dimension(), 2);
     for (const int k : {-1, 3}) {
-        const Words expected{std::to_string(k) + "-cells", "degrees 0", "2"};
+        const Words expected{std::to_string(k) + "-cells", "degree", "0", "2"};
         EXPECT_TRUE(says(refusal([&] { volumes.primal(k); }), expected));
         EXPECT_TRUE(says(refusal([&] { volumes.dual(k); }), expected));
         EXPECT_TRUE(says(refusal([&] { volumes.terms(k); }), expected));

@@ -157,7 +157,8 @@ TEST(FacetTags, what_no_cell_has_is_left_out_with_a_warning) {
     mesh.facet_tags = {Simplices{{1, 3}, {0, 1}, {2, 2}}, {7, 8, 9}};
     const auto result = discretize(mesh);
     EXPECT_EQ(result.facet_tags(), (std::vector<Index>{8, 0, 0, 0}));
-    EXPECT_TRUE(each_says(result.warnings(), {{"2 facets", "groups", "(1 3)", "(2 2)"}}));
+    EXPECT_TRUE(
+        each_says(result.warnings(), {{"2 facets", "group", "without a cell", "(1 3)", "(2 2)"}}));
 }
 
 TEST(FacetTags, of_several_groups_of_a_facet_all_count) {
@@ -183,7 +184,7 @@ TEST(FacetTags, of_several_groups_of_a_facet_all_count) {
     EXPECT_TRUE(says(refusal([&] {
                          essential_on(result, {"lid", "5"});
                      }),
-                     {"group 5", "wall", "none", "4 facets"}));
+                     {"group 5", "wall", "none", "4 boundary facets"}));
     mesh.facet_tags = {};
     EXPECT_TRUE(
         says(refusal([&] { facets_in(discretize(mesh), {"4"}); }), {"no facet", "group 4"}));
@@ -199,7 +200,7 @@ TEST(FacetTags, of_cells_that_tidying_leaves_out_go_with_them) {
     mesh.facet_tags = {Simplices{{0, 4}, {0, 1}}, {7, 8}};
     const auto result = discretize(mesh);
     EXPECT_EQ(result.facet_tags(), (std::vector<Index>{8, 0, 0, 0}));
-    EXPECT_TRUE(says(result.warnings().back(), {"1 facet", "groups", "(0 4)"}));
+    EXPECT_TRUE(says(result.warnings().back(), {"1 facet", "group", "without a cell", "(0 4)"}));
 }
 
 TEST(FacetTags, pieces_of_different_groups_have_none_together) {

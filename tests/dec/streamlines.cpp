@@ -191,9 +191,9 @@ TEST(Streamlines, RefuseWhatTheyCannotFollow) {
     EXPECT_TRUE(says(refusal([&] { streamlines(mesh, wind.topRows(2)); }),
                      {"2 vectors", "2 coordinates", "6 2-cells"}));
     EXPECT_TRUE(says(refusal([&] { streamlines(mesh, wind, {.spacing = -1}); }),
-                     {"lines", "-1", "200 spacings"}));
+                     {"streamlines", "-1", "200 spacings"}));
     EXPECT_TRUE(says(refusal([&] { streamlines(mesh, wind, {.longest = 1}); }),
-                     {"lines", "2 to 1 spacings"}));
+                     {"streamlines", "2 to 1 spacings"}));
     wind(4, 1) = NAN;
     EXPECT_TRUE(says(refusal([&] { streamlines(mesh, wind); }), {"vector", "2-cell 4", "finite"}));
 }

@@ -49,7 +49,7 @@ const std::vector<Sample> samples{
      {"InvalidInput", "hand_nan.off:5", "vertex 2", "coordinate", "NaN"}},
     {"hand_negative_counts.off",
      "OFF\n-4 -2 0\n",
-     {"InvalidInput", "hand_negative_counts.off:2", "-4 vertices", "negative"}},
+     {"InvalidInput", "hand_negative_counts.off:2", "-4 vertices", "at least 0"}},
     {"hand_negative_index.off",
      "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 2 -1\n",
      {"InvalidInput", "hand_negative_index.off:8", "vertex", "-1", "range", "0", "3"}},
@@ -185,9 +185,9 @@ TEST(RealFiles, AreMissedWhereThereAreOthers) {
 TEST(ReadMesh, RefusesUnknownExtensions) {
     const std::string known = ".off .obj .ply .stl .nsc .mesh .msh .node .ele .vtk .vtu .pdm";
     EXPECT_TRUE(says(error_of([] { read_mesh("folder/a.xyz"); }),
-                     {"InvalidInput", "folder/a.xyz:", "extension", ".xyz", known}));
+                     {"InvalidInput", "folder/a.xyz:", "'.xyz'", "extension", known}));
     EXPECT_TRUE(
-        says(error_of([] { read_mesh("a"); }), {"InvalidInput", "a:", "extension", "''", known}));
+        says(error_of([] { read_mesh("a"); }), {"InvalidInput", "a:", "''", "extension", known}));
 }
 
 TEST(ReadMesh, SaysWhyAFileCannotBeRead) {

@@ -102,7 +102,7 @@ TEST(LengthFile, IsNoMeshWithPoints) {
     EXPECT_TRUE(says(error_of([] { read_lengths("a.nsc"); }),
                      {"InvalidInput", "a.nsc: ", "lengths", ".nsl"}));
     EXPECT_TRUE(says(error_of([] { check_drawable(2, 0); }),
-                     {"InvalidInput", "lengths", "points", "drawing"}));
+                     {"InvalidInput", "lengths", "drawing", "points"}));
 }
 
 TEST(LengthFile, IsWrittenOfWhatCanBeReadAlone) {

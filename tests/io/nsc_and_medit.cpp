@@ -134,7 +134,7 @@ TEST(Medit, RefusesWhatDoesNotFit) {
                      {"InvalidInput", "a.mesh:12", "vertex", "0", "range", "1", "5"}));
     EXPECT_TRUE(
         says(reading_error("a.mesh", medit + "Triangles\n1\n1 2 3 0\nTriangles\n1\n1 2 3 0\n"),
-             {"InvalidInput", "a.mesh:13", "Triangles", "second"}));
+             {"InvalidInput", "a.mesh:13", "Triangles", "twice"}));
     EXPECT_TRUE(says(reading_error("a.mesh", "Dimension 4\nVertices\n1\n0 0 0 0 0\n"),
                      {"InvalidInput", "a.mesh:1", "Dimension 4", "2", "3"}));
     EXPECT_TRUE(says(reading_error("a.mesh", "Dimension 3\n"),

@@ -220,7 +220,8 @@ TEST(WriteMesh, RefusesWhatTheFormatCannotHold) {
                      {"InvalidInput", "a.off", "4-simplices", "R^4", ".nsc"}));
     EXPECT_TRUE(says(writing_error("a.mesh", mesh),
                      {"InvalidInput", "a.mesh", "MEDIT", "4-simplices", "R^4", ".nsc"}));
-    EXPECT_TRUE(says(writing_error("a.vtk", mesh), {"InvalidInput", "a.vtk", "extension", ".vtk"}));
+    EXPECT_TRUE(
+        says(writing_error("a.vtk", mesh), {"InvalidInput", "a.vtk", "'.vtk'", "extension"}));
     mesh.simplices(0, 3) = 5;
     EXPECT_TRUE(says(writing_error("a.nsc", mesh),
                      {"InvalidInput", "a.nsc", "cell 0", "vertex 5", "0", "4"}));
@@ -244,7 +245,7 @@ TEST(WriteMesh, RefusesCoordinatesBeyondTheFloatsOfStl) {
 TEST(WriteMesh, RefusesPolygonsThatDoNotFit) {
     auto mesh = pentagon_and_square();
     EXPECT_TRUE(says(error_of([&mesh] { write_mesh("a.stl", mesh); }),
-                     {"InvalidInput", "a.stl", "extension", ".stl", "polygons"}));
+                     {"InvalidInput", "a.stl", "'.stl'", "extension", "polygons"}));
     mesh.corners[0] = -1;
     EXPECT_TRUE(says(error_of([&mesh] { write_mesh("a.off", mesh); }),
                      {"InvalidInput", "face 0", "vertex -1", "0", "6"}));

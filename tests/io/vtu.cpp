@@ -197,7 +197,8 @@ TEST(Vtu, RefusesArraysThatDoNotFit) {
     EXPECT_TRUE(says(vtu_error(grid), {"InvalidInput", "a.vtu", "name ''", "points", "empty"}));
     grid.point_data[0] = {"u", std::vector<double>(8), 1};
     grid.point_data.push_back(grid.point_data[0]);
-    EXPECT_TRUE(says(vtu_error(grid), {"InvalidInput", "a.vtu", "name 'u'", "points", "twice"}));
+    EXPECT_TRUE(
+        says(vtu_error(grid), {"InvalidInput", "a.vtu", "name 'u'", "points", "not unique"}));
 }
 
 TEST(Vtu, RefusesCellsThatDoNotFit) {

@@ -114,7 +114,8 @@ TEST(VtuNumbers, ThatFloatsCannotHoldAreRefused) {
 TEST(VtuNumbers, OfTheWholeAreFiniteAndHaveNames) {
     auto grid = two_triangles();
     grid.field_data.push_back(grid.field_data[0]);
-    EXPECT_TRUE(says(float_error(grid), {"InvalidInput", "a.vtu", "name 'eigenvalues'", "twice"}));
+    EXPECT_TRUE(
+        says(float_error(grid), {"InvalidInput", "a.vtu", "name 'eigenvalues'", "not unique"}));
     grid.field_data[1] = {"times", std::vector<double>{0, std::nan("")}};
     EXPECT_TRUE(
         says(float_error(grid), {"InvalidInput", "a.vtu", "array", "times", "NaN", "entry 1"}));

@@ -149,9 +149,9 @@ TEST_F(TetgenTest, output_that_is_none_is_refused) {
     EXPECT_TRUE(says(wrote("2000000000 3 0 0", ""),
                      {"tetgen", "mesh.1.node", "2000000000 rows", "17 bytes"}));
     EXPECT_TRUE(says(wrote("1 3 2147483647 1 0 0 0 0", ""),
-                     {"tetgen", "mesh.1.node", "2147483647 numbers", "row"}));
+                     {"tetgen", "mesh.1.node", "2147483647 more numbers", "row"}));
     EXPECT_TRUE(says(wrote(tetrahedron, "1 4 -1 0 0 1 2 3"),
-                     {"tetgen", "mesh.1.ele", "-1 numbers", "row"}));
+                     {"tetgen", "mesh.1.ele", "-1 more numbers", "row"}));
     EXPECT_TRUE(
         says(wrote("1 3 0 0 0 nan 0 0", ""), {"tetgen", "mesh.1.node", "point 0", "finite"}));
     EXPECT_TRUE(says(wrote(tetrahedron, "1 4 0 0 0 1 2 4"),

@@ -91,7 +91,7 @@ TEST_F(TetgenTest, facets_must_be_triangles_with_area) {
 }
 
 TEST_F(TetgenTest, options_must_make_sense) {
-    EXPECT_TRUE(says(refusal_of(cube(), {.quality = 0.5}), {"mesher", "circumradius", "0.5"}));
+    EXPECT_TRUE(says(refusal_of(cube(), {.quality = 0.5}), {"mesher", "0.5", "circumradius"}));
     EXPECT_TRUE(says(refusal_of(cube(), {.largest_volume = -1.0}), {"mesher", "volume", "-1"}));
     EXPECT_TRUE(says(refusal_of(cube(), {.seconds = 0.0}), {"mesher", "0 seconds"}));
 }

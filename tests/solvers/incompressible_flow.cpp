@@ -211,7 +211,7 @@ TEST(FlowErrors, name_what_is_wrong) {
     EXPECT_TRUE(says(refused({.boundary_flux = flux}), {"boundary", "-0.5"}));
     const IncompressibleFlow flow(mesh);
     const Vector w = some_flow(flow, 1);
-    EXPECT_TRUE(says(refusal([&] { Flow(flow, w, {.time_step = 0}); }), {"time step of 0"}));
+    EXPECT_TRUE(says(refusal([&] { Flow(flow, w, {.time_step = 0}); }), {"time step is 0"}));
     EXPECT_TRUE(says(refusal([&] { Flow(flow, Vector(3), {.time_step = 1}); }), {"3 fluxes"}));
     Flow rash(flow, w, {.time_step = 50 * flow.exchange_time(w)});
     EXPECT_THROW(rash.advance(), SolverFailure);

@@ -107,7 +107,7 @@ TEST(KeptSpectra, are_right_whatever_they_are_begun_with) {
     }
     options.start = DenseMatrix::Zero(3, 2);
     EXPECT_TRUE(
-        says(refusal([&] { spectrum(space, options); }), {"2 vectors", "3 numbers", "362"}));
+        says(refusal([&] { spectrum(space, options); }), {"2 start vectors", "3 numbers", "362"}));
 }
 
 } // namespace

@@ -226,7 +226,7 @@ TEST(StokesErrors, name_what_does_not_fit) {
     EXPECT_TRUE(says(refusal([&] {
                          solver.solve({Side::primal, 0, Vector::Zero(9)});
                      }),
-                     {"primal 0-form", "force", "primal 1-form"}));
+                     {"force", "primal 0-form", "primal 1-form"}));
     EXPECT_TRUE(says(refusal([&] { solver.solve(still, {.through = Vector::Ones(2)}); }),
                      {"2 fluxes", "facets", "12"}));
     EXPECT_TRUE(says(refusal([&] { StokesSolver(mesh, {.viscosity = 0}); }), {"viscosity is 0"}));

@@ -297,7 +297,7 @@ TEST(WaveErrors, name_losses_layers_and_sides) {
         says(made({.loss = Vector::Constant(25, -1)}, mesh), {"loss", "value 0", "E", "-1"}));
     EXPECT_NE(made({.loss = Vector::Ones(3)}, mesh).find("losses of E"), std::string::npos);
     EXPECT_TRUE(
-        says(made({.layer = AbsorbingLayer{mesh, 2}}, mesh), {"layer", "width 2", "0", "1"}));
+        says(made({.layer = AbsorbingLayer{mesh, 2}}, mesh), {"width", "layer", "2", "0", "1"}));
     EXPECT_TRUE(
         says(made({.layer = AbsorbingLayer{.mesh = mesh, .width = 0.2, .reflection = 2}}, mesh),
              {"layer", "reflection 2", "power 3"}));

@@ -222,7 +222,7 @@ TEST(WaveErrors, name_what_is_wrong) {
         });
     };
     EXPECT_TRUE(says(refused(2, 0.1), {"waves", "2-forms", "dimension 2", "0", "1"}));
-    EXPECT_TRUE(says(refused(0, 1), {"time step of 1"}));
+    EXPECT_TRUE(says(refused(0, 1), {"time step is 1"}));
     const auto refused_heat = [&](double step) {
         const Cochain form{Side::dual, 0, Vector::Zero(mesh.complex().size(2))};
         return refusal([&] {

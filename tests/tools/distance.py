@@ -172,7 +172,7 @@ class Distance(TestCase):
                         "--from-where", "81 vertices")
         self.assertSays(self.fail_with(2, "distance", grid, "--from-on", "wall"), "group", "wall")
         self.assertSays(self.fail_with(2, "distance", golden("uv8.off"), "--from", "boundary"),
-                        "boundary", "none")
+                        "no boundary", "vertices")
 
     def test_says_what_it_cannot_do(self):
         for path, vertex, words in (

@@ -47,7 +47,8 @@ class Flow(TestCase):
         self.assertAlmostEqual(channel["energy"], 0.5, delta=1e-9)
         self.assertIn("12 open", channel["conditions"])
         self.assertSays(self.fail_with(2, "flow", square, "--boundary-velocity", "x; 0; 0",
-                                       "--until", 1), f"{square}: ", "boundary", "out", "in")
+                                       "--until", 1),
+                        f"{square}: ", "net outflow", "boundary", "expected 0", "open facet")
 
     def test_velocities_make_flows_in_solids_and_with_harmonic_parts(self):
         cube = golden("kuhn3.nsc")

@@ -122,7 +122,7 @@ class Lengths(TestCase):
                                 ("drawing", (*poisson, 0, "-o", "u.vtu")),
                                 ("drawing", (*spectrum, "-o", "u.vtu")),
                                 ("drawing", ("merge", self.torus, "-o", "u.off"))):
-            self.assertSays(self.refuse(*arguments), "lengths", "no points", what)
+            self.assertSays(self.refuse(*arguments), "lengths", what, "needs points")
         self.assertEqual(os.listdir(self.folder), ["torus.nsl"])
 
     def test_lengths_that_no_triangle_has_are_refused(self):

@@ -219,7 +219,7 @@ class Folders(TestCase):
 
     def test_the_folder_that_one_is_in_stays(self):
         self.assertSays(self.fail_with(2, "operators", golden("grid4.nsc"), "--out", "."), "write",
-                        " .: ", "folder", "in")
+                        " .: ", "current folder")
 
     def test_a_link_to_a_folder_stays_a_link(self):
         os.mkdir(self.path("real"))
@@ -244,7 +244,7 @@ class Folders(TestCase):
         self.write("file", "")
         for name, arguments in (("operators", (golden("grid4.nsc"),)), ("reproduce", ("fig6",))):
             for out in ("file", "file/a/b"):
-                self.assertSays(self.fail_with(4, name, *arguments, "--out", out), "make",
+                self.assertSays(self.fail_with(4, name, *arguments, "--out", out), "create",
                                 f"folder {out}: ", f"file {os.path.realpath(self.path('file'))}")
 
     def test_the_folder_around_one_that_is_replaced_must_be_writable(self):

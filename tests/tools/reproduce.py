@@ -81,7 +81,7 @@ class Reproduce(TestCase):
         outcome = command.run("reproduce", "fig2", "--out", "file", folder=self.folder)
         self.assertEqual(outcome.code, 4)
         self.assertTrue(outcome.err.startswith("polydec: "), outcome.err)
-        self.assertSays(outcome.err, "make", "folder file: ")
+        self.assertSays(outcome.err, "create", "folder file: ")
 
 
 if __name__ == "__main__":
