@@ -240,7 +240,9 @@ public:
                 values.size(), n_cells));
         numbers_ = cells_of_places(given, 3);
         centroids_ = cell_centroids(mesh, 3);
+        // cells on one sphere share a center; their centroids tell which is nearer
         centers_ = cell_centers(mesh, 3);
+        centers_ += 1e-6 * (centroids_ - centers_);
         for (Index cell = 0; cell < mesh.complex().size(3); ++cell)
             if (keep(centroids_.row(cell).transpose()))
                 cells_.push_back(cell);

@@ -5,9 +5,10 @@
 #include "complex/corners.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/glued_box.h"
+#include "dec/input_vertices.h"
 #include "dec/metric/rounding.h"
 #include "io/pictures/draw_cells.h"
-#include "io/pictures/structure_style.h"
+#include "io/pictures/structure_drawing.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -25,88 +26,24 @@ namespace polydec {
 
 namespace {
 
-constexpr const char* cell_color = "#E4E9EF";
 constexpr double legible = 9; // least size of numbers, pixels
 
-/// Points of an arc of an ellipse with these half axes, angles in parts of pi.
-template <class See>
-std::vector<SvgPoint> arc(const Eigen::Vector3d& center, const Eigen::Vector3d& u,
-                          const Eigen::Vector3d& w, double begin, double end, int parts, See seen) {
-    std::vector<SvgPoint> points;
-    for (int i = 0; i <= parts; ++i) {
-        const double angle = (begin + (end - begin) * i / parts) * std::numbers::pi;
-        points.push_back(seen(center + std::cos(angle) * u + std::sin(angle) * w));
-    }
-    return points;
-}
-
-/// What a cell has over its own ground, in the order in which it is painted.
-struct Strokes {
-    std::vector<SvgShape> lines, marks;
-};
-
-class StructureDrawing {
-public:
-    StructureDrawing(const Discretization& mesh, const StructureOptions& options);
-
-    SvgDrawing draw();
-
-private:
-    using Point = Eigen::Vector3d;
-
-    Point at(const Points& rows, Index row) const {
-        Point result = Point::Zero();
-        result.head(rows.cols()) = rows.row(row);
-        return result;
-    }
-    SvgPoint seen(const Point& point) const { return seen_at(view_, point); }
-    std::pair<Index, Index> ends(Index edge) const;
-    double middling_edge() const;
-    void find_extent();
-    void choose_text_size();
-    bool is_closed() const;
-    bool is_negative(Index edge) const;
-    std::vector<std::vector<Index>> layers() const;
-
-    SvgShape ground(Index cell) const;
-    Strokes strokes(Index cell);
-    void add_removed(Index cell, Strokes& strokes) const;
-    void add_duals(Index cell, Strokes& strokes) const;
-    void add_circle(Index cell, Strokes& strokes) const;
-    void add_orientations(Index cell, Strokes& strokes) const;
-    void add_numbers(Index cell, Strokes& strokes);
-    void add_number(const Point& place, Index number, const char* color, Strokes& strokes) const;
-    Point middle(Index cell) const;
-    void add_words();
-
-    const Discretization& mesh_;
-    const Points& points_; // of its vertices, in its unit
-    const StructureOptions& options_;
-    SolidView view_;
-    bool is_plane_;
-    Points centers_, edge_centers_;
-    std::vector<std::vector<Index>> corners_, removed_; ///< of each cell; edges of the pieces
-    std::array<std::vector<Index>, 3> numbers_;         ///< of the cells, in the mesh that is given
-    std::array<std::vector<bool>, 2> is_numbered_;      ///< vertices, edges
-    SvgPoint low_, high_;
-    double text_size_ = 12, pixel_ = 1; ///< pixels; world units a pixel
-    SvgDrawing drawing_;
-};
+} // namespace
 
 StructureDrawing::StructureDrawing(const Discretization& given, const StructureOptions& options)
     : mesh_(placed(given)),
+      n_(mesh_.dimension()),
       points_(mesh_.measured_points()),
       options_(options),
       view_(options.view),
-      is_plane_(points_.cols() == 2 ||
-                (points_.cols() == 3 && points_.col(2).maxCoeff() == points_.col(2).minCoeff())),
-      removed_(mesh_.dimension() == 2 ? static_cast<std::size_t>(mesh_.complex().size(2)) : 0) {
+      is_plane_(points_.cols() < 3 ||
+                (points_.cols() == 3 && points_.col(2).maxCoeff() == points_.col(2).minCoeff())) {
     const Discretization& mesh = mesh_;
-    if (mesh.dimension() != 2 || points_.cols() < 2 || points_.cols() > 3)
+    if (n_ > 2 || points_.cols() < n_ || points_.cols() > 3)
         throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates: a drawing of the "
-                                       "structure shows polygons in the plane or in space; a page "
-                                       "shows solids",
-                                       mesh.dimension(), points_.cols()));
+                                       "structure shows edges or polygons in at most three "
+                                       "coordinates; a page shows solids",
+                                       n_, points_.cols()));
     if (!mesh.passage().is_identity())
         throw InvalidInput(
             "flipped edges are not straight lines: draw the mesh without flips, or as a page");
@@ -114,16 +51,37 @@ StructureDrawing::StructureDrawing(const Discretization& given, const StructureO
         view_.eye = Point(0, 0, 1);
         view_.up = Point(0, 1, 0);
     }
-    for (int k = 0; k <= 2; ++k)
+    options_.duals = options.duals || options.dual_orientations || options.centroids;
+    for (int k = 0; k <= n_; ++k) {
         numbers_[k] = cells_of_places(given, k);
-    centers_ = cell_centers(mesh, 2) / mesh.unit();
-    edge_centers_ = cell_centers(mesh, 1) / mesh.unit();
-    for (Index cell = 0; cell < mesh.complex().size(2); ++cell)
-        corners_.push_back(corners(mesh.merging(), cell));
-    const auto& carriers = mesh.merging().carriers(1);
-    for (Index edge = 0; edge < std::ssize(carriers); ++edge)
-        if (carriers[edge].dimension == 2)
-            removed_[carriers[edge].cell].push_back(edge);
+        centers_[k] =
+            (options.centroids ? cell_centroids(mesh, k) : cell_centers(mesh, k)) / mesh.unit();
+    }
+    corners_.resize(static_cast<std::size_t>(mesh.complex().size(n_)));
+    removed_.resize(corners_.size());
+    ends_in_cell_.resize(static_cast<std::size_t>(mesh.complex().size(n_ - 1)));
+    for (Index cell = 0; cell < std::ssize(corners_); ++cell) {
+        const auto [a, b] = n_ == 1 ? ends(cell) : std::pair<Index, Index>();
+        corners_[cell] = n_ == 1 ? std::vector{a, b} : corners(mesh.merging(), cell);
+        for (const auto& [facet, sign] : mesh.complex().incidences(n_ - 1)[cell])
+            ends_in_cell_[facet] = ends_in_cell_[facet] || is_end_of_dual(sign);
+    }
+    const auto& carriers = mesh.merging().carriers(n_ - 1);
+    for (Index facet = 0; facet < std::ssize(carriers); ++facet)
+        if (carriers[facet].dimension == n_)
+            removed_[carriers[facet].cell].push_back(facet);
+    fill_dual(given);
+}
+
+/// The rings of the dual cell; those of each place of a vertex on a seam.
+void StructureDrawing::fill_dual(const Discretization& given) {
+    if (!options_.cell)
+        return;
+    const Index vertex = cells_of_vertices(given, "the dual cell of", {*options_.cell}).front();
+    for (Index v = 0; v < std::ssize(numbers_[0]); ++v)
+        if (numbers_[0][v] == vertex)
+            for (auto& ring : dual_rings(mesh_, v))
+                rings_.push_back(std::move(ring));
 }
 
 std::pair<Index, Index> StructureDrawing::ends(Index edge) const {
@@ -157,19 +115,24 @@ void StructureDrawing::find_extent() {
     };
     for (Index v = 0; v < mesh_.complex().size(0); ++v)
         add(at(points_, v), 0);
-    for (Index cell = 0; cell < mesh_.complex().size(2); ++cell) {
-        const Point center = at(centers_, cell);
+    for (Index cell = 0; cell < mesh_.complex().size(n_); ++cell) {
+        const Point center = at(centers_[n_], cell);
         if (options_.circumcircles)
             add(center, (at(points_, corners_[cell].front()) - center).norm());
         else if (options_.duals)
             add(center, 0);
     }
+    for (const auto& ring : rings_)
+        for (const auto& [degree, cell] : ring)
+            add(at(centers_[degree], cell), 0);
 }
 
 /// Numbers are as large as the edges between them allow.
-void StructureDrawing::choose_text_size() {
-    const double across = std::max(high_[0] - low_[0], (high_[1] - low_[1]) / 2);
-    pixel_ = across / (drawing_.width - 2 * drawing_.margin);
+void StructureDrawing::choose_text_size(std::size_t rows_of_words) {
+    const double inside = drawing_.width - 2 * drawing_.margin;
+    const double legend = rows_of_words == 0 ? 0 : height_of_lines(rows_of_words);
+    pixel_ = std::max((high_[0] - low_[0]) / inside,
+                      (high_[1] - low_[1]) / std::max(inside, 2 * inside - legend));
     const double fitting = middling_edge() / pixel_ / 5;
     text_size_ = std::clamp(fitting, legible, 15.0);
     if (options_.numbers && fitting < legible)
@@ -186,7 +149,7 @@ bool StructureDrawing::is_closed() const {
         return false;
     std::vector<int> sides(static_cast<std::size_t>(mesh_.complex().size(1)), 0);
     double volume = 0;
-    for (Index cell = 0; cell < mesh_.complex().size(2); ++cell) {
+    for (Index cell = 0; cell < mesh_.complex().size(n_); ++cell) {
         for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell])
             ++sides[edge];
         const auto& ring = corners_[cell];
@@ -198,16 +161,21 @@ bool StructureDrawing::is_closed() const {
 }
 
 /// Whether its dual has a length below zero that is no error of rounding.
-bool StructureDrawing::is_negative(Index edge) const {
-    const double length = mesh_.volumes().dual(1)[edge];
-    return length < 0 && !is_zero(length, mesh_.volumes().terms(1)[edge]);
+bool StructureDrawing::is_negative(Index facet) const {
+    const double length = mesh_.volumes().dual(n_ - 1)[facet];
+    return !options_.centroids && length < 0 &&
+           !is_zero(length, mesh_.volumes().terms(n_ - 1)[facet]);
+}
+
+bool StructureDrawing::is_end_of_dual(int sign) const {
+    return n_ % 2 == 0 ? sign > 0 : sign < 0;
 }
 
 /// Cells that do not hide each other, from far to near.
 std::vector<std::vector<Index>> StructureDrawing::layers() const {
     std::vector<Index> all(corners_.size());
     std::iota(all.begin(), all.end(), 0);
-    if (is_plane_)
+    if (is_plane_ || n_ == 1)
         return {all};
     SolidFaces faces{.polygons = polygon_mesh(mesh_.merging(), points_)};
     faces.closed = is_closed();
@@ -217,145 +185,61 @@ std::vector<std::vector<Index>> StructureDrawing::layers() const {
     return result;
 }
 
-/// The mean of the corners, inside where cells are convex.
-StructureDrawing::Point StructureDrawing::middle(Index cell) const {
-    Point sum = Point::Zero();
-    for (const Index v : corners_[cell])
-        sum += at(points_, v);
-    return sum / static_cast<double>(corners_[cell].size());
-}
-
-SvgShape StructureDrawing::ground(Index cell) const {
-    SvgPolygon polygon{{}, edge_style()};
-    polygon.style.fill = cell_color;
-    for (const Index v : corners_[cell])
-        polygon.points.push_back(seen(at(points_, v)));
-    return polygon;
-}
-
-void StructureDrawing::add_removed(Index cell, Strokes& strokes) const {
-    const auto& ends_of_pieces = mesh_.pieces().simplices(1);
-    for (const Index edge : removed_[cell])
-        strokes.lines.emplace_back(SvgPolyline{{seen(at(points_, ends_of_pieces(edge, 0))),
-                                                seen(at(points_, ends_of_pieces(edge, 1)))},
-                                               removed_style()});
-}
-
-/// The part of each dual edge that belongs to the cell.
-void StructureDrawing::add_duals(Index cell, Strokes& strokes) const {
-    const SvgPoint center = seen(at(centers_, cell));
-    for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell])
-        strokes.lines.emplace_back(
-            SvgPolyline{{center, seen(at(edge_centers_, edge))},
-                        is_negative(edge) ? negative_style() : dual_style()});
-    strokes.marks.emplace_back(SvgDot{center, 3, {.stroke = "none", .fill = dual_style().stroke}});
-}
-
-/// An ellipse where the cell is seen askew.
-void StructureDrawing::add_circle(Index cell, Strokes& strokes) const {
-    const SvgStyle style = circle_style();
-    const Point center = at(centers_, cell);
-    const Point out = at(points_, corners_[cell].front()) - center;
-    strokes.marks.emplace_back(SvgDot{seen(center), 2.5, {.stroke = "none", .fill = style.stroke}});
-    if (is_plane_) {
-        strokes.marks.emplace_back(SvgCircle{seen(center), out.norm(), style});
-        return;
-    }
-    // another direction of the plane, from the corner that is farthest from the first one's line
-    Point other = Point::Zero();
-    for (const Index v : corners_[cell]) {
-        const Point arm = at(points_, v) - center;
-        const Point across = arm - arm.dot(out) / out.squaredNorm() * out;
-        other = across.norm() > other.norm() ? across : other;
-    }
-    other *= out.norm() / other.norm();
-    const auto see = [this](const Point& point) { return seen(point); };
-    strokes.marks.emplace_back(SvgPolyline{arc(center, out, other, 0, 2, 72, see), style});
-}
-
-/// A head on each edge, and three quarters of a circle around the cell as its boundary runs.
-void StructureDrawing::add_orientations(Index cell, Strokes& strokes) const {
-    for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell]) {
-        const auto [a, b] = ends(edge);
-        const Point from = at(points_, a), along = at(points_, b) - from;
-        strokes.marks.emplace_back(
-            SvgArrow{seen(from + 0.66 * along), seen(from + 0.78 * along), edge_style()});
-    }
-    const Point center = middle(cell), first = at(points_, corners_[cell][0]) - center;
-    const Point second = at(points_, corners_[cell][1]) - center;
-    double room = std::numeric_limits<double>::infinity();
-    for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell])
-        room = std::min(room, (at(edge_centers_, edge) - center).norm());
-    const Point u = first.normalized();
-    const Point w = (second - second.dot(u) * u).normalized();
-    const double radius = 0.45 * room;
-    const auto turn = arc(center, radius * u, radius * w, 0.25, 1.75, 27,
-                          [this](const Point& point) { return seen(point); });
-    strokes.marks.emplace_back(SvgPolyline{{turn.begin(), turn.end() - 2}, turn_style()});
-    strokes.marks.emplace_back(SvgArrow{turn[turn.size() - 4], turn.back(), turn_style()});
-}
-
-void StructureDrawing::add_number(const Point& place, Index number, const char* color,
-                                  Strokes& strokes) const {
-    auto [x, y] = seen(place);
-    strokes.marks.emplace_back(
-        SvgDot{{x, y}, 0.62 * text_size_, {.stroke = "none", .fill = "#ffffff", .opacity = 0.85}});
-    y -= 0.35 * text_size_ * pixel_;
-    strokes.marks.emplace_back(
-        SvgText{{x, y}, std::to_string(number), text_size_, SvgAnchor::middle, color});
-}
-
-void StructureDrawing::add_numbers(Index cell, Strokes& strokes) {
-    const auto add_once = [&](int k, Index number, const Point& place, const char* color) {
-        if (numbers_[k][number] < 0 || (is_plane_ && is_numbered_[k][number]))
-            return;
-        is_numbered_[k][number] = true;
-        add_number(place, numbers_[k][number], color, strokes);
-    };
-    for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell]) {
-        const auto [a, b] = ends(edge);
-        add_once(1, edge, 0.5 * (at(points_, a) + at(points_, b)), number_color);
-    }
-    for (const Index v : corners_[cell])
-        add_once(0, v, at(points_, v), edge_color);
-    add_number(middle(cell), numbers_[2][cell], turn_color, strokes);
-}
-
-Strokes StructureDrawing::strokes(Index cell) {
-    Strokes result;
-    add_removed(cell, result);
-    if (options_.duals)
-        add_duals(cell, result);
-    if (options_.circumcircles)
-        add_circle(cell, result);
-    if (options_.orientations)
-        add_orientations(cell, result);
-    if (options_.numbers)
-        add_numbers(cell, result);
-    return result;
+/// The nearest layer with cells around the vertex whose dual is filled; -1 if there is none.
+std::ptrdiff_t
+StructureDrawing::layer_to_fill(const std::vector<std::vector<Index>>& layers) const {
+    std::vector<std::ptrdiff_t> of_cell(corners_.size(), -1);
+    for (std::ptrdiff_t i = 0; i < std::ssize(layers); ++i)
+        for (const Index cell : layers[i])
+            of_cell[cell] = i;
+    std::ptrdiff_t nearest = -1;
+    for (const auto& ring : rings_)
+        for (const auto& [degree, cell] : ring) {
+            if (degree != n_)
+                continue;
+            if (of_cell[cell] < 0)
+                throw InvalidInput(fmt::format("the dual cell of vertex {} is turned away in part: "
+                                               "look from another side",
+                                               *options_.cell));
+            nearest = std::max(nearest, of_cell[cell]);
+        }
+    return nearest;
 }
 
 /// What the kinds of lines and numbers are.
-void StructureDrawing::add_words() {
-    std::vector<LineInWords> rows{{edge_style(), "edges of the cells"}};
+std::vector<LineInWords> StructureDrawing::words() const {
+    std::vector<LineInWords> rows;
+    if (n_ == 1)
+        rows.push_back({chain_style(), "edges, dots: vertices"});
+    else
+        rows.push_back({edge_style(), "edges of the cells"});
     if (std::any_of(removed_.begin(), removed_.end(),
                     [](const auto& edges) { return !edges.empty(); }))
         rows.push_back({removed_style(), "edges merged away: their duals have no length"});
     if (options_.duals)
-        rows.push_back({dual_style(), "dual edges, dots: centers of cells"});
+        rows.push_back({dual_style(), options_.centroids ? "dual edges, dots: centroids of cells"
+                                                         : "dual edges, dots: centers of cells"});
     bool any_negative = false;
-    for (Index edge = 0; edge < mesh_.complex().size(1); ++edge)
-        any_negative = any_negative || is_negative(edge);
+    for (Index facet = 0; facet < mesh_.complex().size(n_ - 1); ++facet)
+        any_negative = any_negative || is_negative(facet);
     if (options_.duals && any_negative)
         rows.push_back({negative_style(), "dual edges of negative length"});
+    if (options_.dual_orientations)
+        rows.push_back({{.stroke = "none"}, "heads on dual edges: their orientations"});
+    if (options_.cell)
+        rows.push_back({n_ == 1 ? band_style() : fill_style(),
+                        fmt::format("dual cell of vertex {}", *options_.cell)});
     if (options_.circumcircles)
         rows.push_back({circle_style(), "circumcircles of the cells"});
     if (options_.orientations)
-        rows.push_back({turn_style(), "orientations: heads on edges, arcs in cells"});
+        rows.push_back({n_ == 1 ? SvgStyle{.stroke = "none"} : turn_style(),
+                        n_ == 1 ? "heads on edges: their orientations"
+                                : "orientations: heads on edges, arcs in cells"});
     if (options_.numbers)
-        rows.push_back(
-            {{.stroke = "none"}, "numbers of vertices (black), edges (orange), cells (purple)"});
-    tell_lines(drawing_, rows, low_, pixel_);
+        rows.push_back({{.stroke = "none"},
+                        n_ == 1 ? "numbers of vertices (black), edges (orange)"
+                                : "numbers of vertices (black), edges (orange), cells (purple)"});
+    return rows;
 }
 
 SvgDrawing StructureDrawing::draw() {
@@ -363,26 +247,31 @@ SvgDrawing StructureDrawing::draw() {
     drawing_.width = view_.width;
     drawing_.margin = 24;
     find_extent();
-    choose_text_size();
-    for (int k = 0; k < 2; ++k)
-        is_numbered_[k].resize(static_cast<std::size_t>(mesh_.complex().size(k)));
-    for (const auto& layer : layers()) {
+    const auto rows = options_.words ? words() : std::vector<LineInWords>();
+    choose_text_size(rows.size());
+    const auto order = layers();
+    const std::ptrdiff_t filled_layer = layer_to_fill(order);
+    for (std::ptrdiff_t i = 0; i < std::ssize(order); ++i) {
         std::vector<Strokes> all;
-        for (const Index cell : layer) {
-            drawing_.shapes.push_back(ground(cell));
+        std::vector<SvgShape> grounds, fill = i == filled_layer ? filled() : grounds;
+        for (const Index cell : order[i]) {
+            grounds.push_back(ground(cell));
             all.push_back(strokes(cell));
         }
+        if (n_ == 1)
+            std::swap(grounds, fill);
+        append(grounds);
+        append(fill);
         for (const auto part : {&Strokes::lines, &Strokes::marks})
             for (auto& own : all)
-                std::move((own.*part).begin(), (own.*part).end(),
-                          std::back_inserter(drawing_.shapes));
+                append(own.*part);
     }
+    if (options_.numbers)
+        add_numbers(order);
     if (options_.words)
-        add_words();
+        tell_lines(drawing_, rows, low_, pixel_);
     return std::move(drawing_);
 }
-
-} // namespace
 
 SvgDrawing draw_structure(const Discretization& mesh, const StructureOptions& options) {
     return StructureDrawing(mesh, options).draw();

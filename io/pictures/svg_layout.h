@@ -50,4 +50,18 @@ SvgSlopeTriangle place_triangle(const std::vector<SvgPoint>& line, double width,
 std::optional<SvgBox> free_corner(double width, double height, const SvgObstacles& obstacles,
                                   const SvgBox& frame);
 
+/// The center of a box of this size that meets no obstacle: the first free one of the wishes, or
+/// else the first free place on growing circles around the first wish.
+SvgPoint free_center(const std::vector<SvgPoint>& wishes, double width, double height,
+                     const SvgObstacles& obstacles);
+
+/// Whether a polygon has a point in its inside.
+bool covers(const std::vector<SvgPoint>& polygon, SvgPoint point);
+
+/// The box of this size around a point.
+inline SvgBox box_around(SvgPoint center, double width, double height) {
+    return {center[0] - width / 2, center[1] - height / 2, center[0] + width / 2,
+            center[1] + height / 2};
+}
+
 } // namespace polydec
