@@ -3,7 +3,9 @@
 // Fig. 2: pairs of triangles, by position of their circumcenters. The dual edge crosses the common
 // edge or lies on one side of it; it is positive, negative or zero.
 #include "examples/paper/pictures.h"
+#include "examples/paper/problems.h"
 #include "examples/paper/reproductions.h"
+#include "io/pictures/structure_style.h"
 
 #include <fmt/format.h>
 
@@ -103,6 +105,15 @@ Report fig2(const Request&) {
              zero ? 0 : star(mesh.input_geometry().volumes(), 1).diagonal()[common_edge],
              mesh.complex().size(2) == 1 ? "yes" : "no"});
     }
+    tell_lines(drawing,
+               {{{.stroke = black, .fill = face_color, .width = 1.6}, "triangles"},
+                {{.stroke = positive_color, .width = 3}, "dual edge of positive length"},
+                {{.stroke = negative_color, .width = 3}, "dual edge of negative length"},
+                {{.width = 1.6, .dashes = {6, 4}},
+                 "common edge that is merged away; its dual edge "
+                 "is black, of length 0"},
+                {{.stroke = gray, .width = 0.8, .dashes = {2, 3}}, "circumcircles"}},
+               {-1.3, -6.2}, 11 / 688.0);
     return {
         .name = "fig2",
         .title = "Kinds of pairs of triangles (Fig. 2)",

@@ -5,6 +5,7 @@
 #include "examples/paper/pictures.h"
 #include "examples/paper/problems.h"
 #include "examples/paper/reproductions.h"
+#include "io/pictures/structure_style.h"
 
 namespace polydec::paper {
 
@@ -79,6 +80,12 @@ Report fig6(const Request&) {
         drawing.shapes.push_back(SvgText{{shift[0] + 0.5, shift[1] - 0.1}, family.name, 17});
         table.rows.push_back(row_of(family.name, mesh));
     }
+    tell_lines(drawing,
+               {{{.stroke = black, .width = 1.1}, "edges of the cells"},
+                {{.stroke = gray, .width = 0.9, .dashes = {4, 3}}, "edges merged away"},
+                {{.stroke = positive_color, .width = 1.3}, "dual edges, dots: circumcenters"},
+                {{.stroke = negative_color, .width = 1.3}, "dual edges of negative length"}},
+               {0, -below - 0.15}, (1 + apart) / 868);
     return {.name = "fig6",
             .title = "Meshes of the Poisson problem (Fig. 6)",
             .tables = {std::move(table)},

@@ -15,7 +15,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <set>
 #include <sstream>
+#include <variant>
 
 namespace polydec::paper::in_report {
 namespace {
@@ -213,6 +215,27 @@ TEST(Figure2, shows_each_kind_of_pair_with_the_sign_of_its_dual_edge) {
         EXPECT_EQ((dual > 0) - (dual < 0), expected[i].second);
         EXPECT_NEAR(star, dual / 2, 1e-14) << "an edge of length 2";
         EXPECT_EQ(std::get<std::string>(rows[i][5]), dual == 0 ? "yes" : "no");
+    }
+}
+
+TEST(Figures, have_legends_for_all_colors) {
+    for (const auto& figure : {fig2({}), fig6({})}) {
+        std::set<std::string> colors, explained{"none", "#000000", "#ffffff"};
+        const auto& shapes = figure.drawings.at(0).drawing.shapes;
+        for (std::size_t i = 0; i < shapes.size(); ++i)
+            std::visit(
+                [&](const auto& shape) {
+                    if constexpr (requires { shape.style; }) {
+                        const auto* words =
+                            i + 1 < shapes.size() ? std::get_if<SvgText>(&shapes[i + 1]) : nullptr;
+                        const bool is_sample = words && words->anchor == SvgAnchor::start;
+                        for (const auto& color : {shape.style.stroke, shape.style.fill})
+                            (is_sample ? explained : colors).insert(color);
+                    }
+                },
+                shapes[i]);
+        EXPECT_TRUE(std::includes(explained.begin(), explained.end(), colors.begin(), colors.end()))
+            << figure.name;
     }
 }
 
