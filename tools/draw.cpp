@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/printable.h"
-#include "io/pictures/draw_structure.h"
-#include "system/atomic_file.h"
+#include "io/pictures/draw_lesson.h"
+#include "io/pictures/write_drawing.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/messages.h"
@@ -13,7 +13,7 @@ namespace {
 
 struct DrawArguments {
     MeshArguments mesh;
-    StructureOptions shown;
+    LessonOptions shown;
     std::vector<double> eye;
     std::filesystem::path out;
 };
@@ -38,23 +38,22 @@ void run_draw(DrawArguments arguments) {
     Log log;
     if (arguments.out.empty())
         arguments.out = arguments.mesh.mesh.stem().string() + ".svg";
-    check_output_file(arguments.out, {".svg"}, mesh_files(arguments.mesh.mesh));
+    check_output_file(arguments.out, {".svg", ".png", ".pdf"}, mesh_files(arguments.mesh.mesh));
+    check_drawing_file(arguments.out);
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.eye.empty())
-        arguments.shown.view.eye = Eigen::Map<const Vector>(arguments.eye.data(), 3);
+        arguments.shown.structure.view.eye = Eigen::Map<const Vector>(arguments.eye.data(), 3);
     const SvgDrawing drawing =
-        computed_on(arguments.mesh.mesh, [&] { return draw_structure(mesh, arguments.shown); });
+        computed_on(arguments.mesh.mesh, [&] { return draw_lesson(mesh, arguments.shown); });
     log.timing.begin("write");
-    AtomicFile file(arguments.out);
-    file.write(to_svg(drawing));
-    file.commit();
+    write_drawing(arguments.out, drawing);
 
     Drawn answer;
     answer.out = arguments.out.string();
     answer.shapes = drawing.shapes.size();
     answer.vertices = mesh.complex().size(0);
     answer.edges = mesh.complex().size(1);
-    answer.cells = mesh.complex().size(2);
+    answer.cells = mesh.complex().size(mesh.dimension());
     tell(answer, log, arguments.mesh.tell);
 }
 
@@ -63,8 +62,21 @@ void run_draw(DrawArguments arguments) {
 void add_draw(CLI::App& app) {
     const auto [command, arguments] = add_command<DrawArguments>(
         app, "draw", "draws cells, duals and numbers of a small mesh, for teaching", run_draw);
-    auto& shown = arguments->shown;
+    LessonOptions& lesson = arguments->shown;
+    StructureOptions& shown = lesson.structure;
     command->add_flag("--duals", shown.duals, "draw the dual mesh");
+    command->add_flag("--dual-orientations", shown.dual_orientations,
+                      "draw the dual mesh with orientations of dual edges");
+    command->add_flag("--both-duals", lesson.both_duals,
+                      "draw the circumcentric and the barycentric dual side by side");
+    command->add_option("--cell", shown.cell, "V\tfill the dual cell of vertex V");
+    command->add_option("--matrix", lesson.matrix,
+                        "K\tboundary matrix of the K-cells beside the drawing");
+    command
+        ->add_option("--explode", lesson.explode,
+                     "F\tmove the cells of a solid apart, by F times their distance from the "
+                     "middle")
+        ->check(check_not_negative);
     command->add_flag("--numbers", shown.numbers,
                       "number vertices, edges and cells like the matrices of `operators`");
     command->add_flag("--orientations", shown.orientations, "draw orientations of edges and cells");
@@ -77,13 +89,15 @@ void add_draw(CLI::App& app) {
         ->expected(3);
     add_mesh_arguments(*command, arguments->mesh);
     command->add_option("-o,--out", arguments->out,
-                        "FILE\tthe drawing, .svg (default: the mesh's name with .svg, in the "
-                        "current folder)");
+                        "FILE\tthe drawing, .svg, or .png or .pdf by rsvg-convert or cairosvg "
+                        "(default: the mesh's name with .svg, in the current folder)");
     command->footer("Shows merged cells and the edges that merging removed; --no-merge shows the "
-                    "triangles. For "
-                    "surfaces in the plane and in space; use `view` for solids.\n\nExamples:\n"
+                    "triangles. Solids show their cells and numbers; `view` shows more.\n\n"
+                    "Examples:\n"
                     "  polydec draw square.off --duals --circumcircles\n"
                     "  polydec draw square.off --no-merge --numbers --orientations -o square.svg\n"
+                    "  polydec draw square.off --cell 4 --dual-orientations --matrix 1\n"
+                    "  polydec draw cube.mesh --no-merge --explode 0.5 --numbers -o cube.pdf\n"
                     "  polydec draw goldberg.off --duals --eye 1 -2 0.5 --title Hexagons");
 }
 

@@ -97,14 +97,26 @@ SvgDrawing chain() {
     return row_of({sum, rim}, "numbers of vertices (black), edges (orange) and cells (purple)");
 }
 
-/// The dual cell of a vertex, and dual edges of either sign.
-SvgDrawing dual_cell() {
-    Corners fan{{0.03, -0.02}};
+/// Six triangles around vertex 0.
+polydec::Mesh fan() {
+    Corners corners{{0.03, -0.02}};
     for (const auto& [radius, degrees] : std::vector<std::array<double, 2>>{
              {1, 10}, {0.95, 75}, {1.1, 130}, {0.9, 190}, {1.05, 250}, {0.95, 310}})
-        fan.push_back(on_circle(radius, degrees));
-    const auto around =
-        mesh_of(fan, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 1}});
+        corners.push_back(on_circle(radius, degrees));
+    return mesh_of(corners, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 1}});
+}
+
+/// A dual cell, the orientations of dual edges, and the boundary matrix of the edges.
+SvgDrawing lesson() {
+    polydec::LessonOptions options{.matrix = 1};
+    options.structure = {
+        .dual_orientations = true, .cell = 0, .numbers = true, .orientations = true};
+    options.structure.view.width = 480;
+    return polydec::draw_lesson(polydec::discretize(fan()), options);
+}
+
+/// The dual cell of a vertex, and dual edges of either sign.
+SvgDrawing dual_cell() {
     SvgDrawing acute = panel(mesh_of({{0, 0}, {1.75, 0}, {1, 1.15}}, {{0, 1, 2}}), "h(s,t) > 0",
                              250, {.duals = true});
     SvgDrawing obtuse = panel(mesh_of({{0, 0}, {1.75, 0}, {0.85, 0.5}}, {{0, 1, 2}}), "h(s,t) < 0",
@@ -113,7 +125,7 @@ SvgDrawing dual_cell() {
                                              label(1.02, 0.82, "t")});
     obtuse.shapes.insert(obtuse.shapes.end(),
                          {label(0.95, -0.55, "c(t)"), label(1.4, 0.04, "s"), label(0.8, 0.3, "t")});
-    return row_of({panel(around, "the dual cell of a vertex", 330, {.duals = true}), acute, obtuse},
+    return row_of({panel(fan(), "the dual cell of a vertex", 330, {.duals = true}), acute, obtuse},
                   "blue: dual edges between circumcenters; red: of negative length");
 }
 
@@ -189,7 +201,8 @@ int main(int, char** arguments) {
                                                          {"dual_cell", dual_cell()},
                                                          {"pair_kinds", pair_kinds()},
                                                          {"merged_polygons", merged_polygons()},
-                                                         {"boundary_duals", boundary_duals()}}) {
+                                                         {"boundary_duals", boundary_duals()},
+                                                         {"lesson", lesson()}}) {
         std::ofstream(folder / (name + ".svg")) << polydec::to_svg(drawing);
         std::cout << name << '\n';
     }
