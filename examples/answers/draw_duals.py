@@ -2,5 +2,5 @@
 import polydec
 
 hexagons = polydec.discretize(polydec.meshes.hexagons(3))
-polydec.view(hexagons, title="Hexagons and their duals").save("hexagons.html")
+polydec.draw(hexagons, duals=True, numbers=True, orientations=True).save("hexagons.svg")
 print("cells:", hexagons.size(2))

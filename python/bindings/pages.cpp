@@ -2,6 +2,8 @@
 #include "io/pages/draw_page.h"
 #include "io/pages/series.h"
 #include "io/pictures/draw_cells.h"
+#include "io/pictures/draw_lesson.h"
+#include "io/pictures/write_drawing.h"
 #include "python/bindings/convert.h"
 
 namespace polydec::python {
@@ -75,6 +77,25 @@ std::string page_of_modes(const Discretization& mesh, const std::string& side, i
     return text_of(draw_page(mesh, found, title), mesh, facts);
 }
 
+/// The text of a drawing for lessons.
+std::string drawing(const Discretization& mesh, bool duals, bool dual_orientations, bool both_duals,
+                    std::optional<Index> cell, std::optional<int> matrix, double explode,
+                    bool numbers, bool orientations, bool circumcircles, const std::string& title,
+                    double width, const std::vector<double>& eye) {
+    LessonOptions options{.both_duals = both_duals, .matrix = matrix, .explode = explode};
+    options.structure = {.duals = duals,
+                         .dual_orientations = dual_orientations,
+                         .cell = cell,
+                         .numbers = numbers,
+                         .orientations = orientations,
+                         .circumcircles = circumcircles};
+    SolidView& view = options.structure.view;
+    view.eye = Eigen::Map<const Vector>(eye.data(), static_cast<Eigen::Index>(eye.size()));
+    view.title = title;
+    view.width = width;
+    return unlocked([&] { return to_svg(draw_lesson(mesh, options)); });
+}
+
 void add_series(py::module_& module) {
     py::class_<Series>(module, "Series")
         .def(py::init([](const std::string& path, const Discretization& mesh,
@@ -94,6 +115,10 @@ void add_pages(py::module_& module) {
     module.def("write_vtu", &write_picture);
     module.def("page", &page);
     module.def("page_of_modes", &page_of_modes);
+    module.def("draw", &drawing);
+    module.def("write_drawing", [](const std::string& path, const std::string& svg) {
+        unlocked([&] { write_drawing(path, svg); });
+    });
     add_series(module);
 }
 

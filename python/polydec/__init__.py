@@ -29,6 +29,7 @@ from ._evolution import Evolution, heat
 from ._fields import (LieDerivative, boundary_de_rham, de_rham, flat, flux_form, flux_sharp, gradient, inflow, interior_product,
                       lie_derivative, primal_dual_wedge, sharp_pd, sharp_pp, wedge,
                       whitney_at_centroids, whitney_form)
+from ._draw import Drawing, draw
 from ._flow import (Flow, FluxTransport, IncompressibleFlow, ShallowWater, flow_of_velocity,
                     flow_of_vorticity, flux_through_boundary)
 from ._given import as_mesh, split_polygons
@@ -50,7 +51,7 @@ from ._waves import AbsorbingLayer, Waves, stable_step, wave
 __all__ = [
     "__version__", "meshes", "AbsorbingLayer", "Backend", "BackendUnavailable", "CellList",
     "Cells", "Certificate", "Cochain", "Complex", "CountBelow",
-    "CurlCurlSolution", "Eigenpairs", "Error", "Evolution",
+    "CurlCurlSolution", "Drawing", "Eigenpairs", "Error", "Evolution",
     "Flow", "FluxTransport", "FormSpace", "GeodesicDistance",
     "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
     "IoError", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page",
@@ -58,7 +59,7 @@ __all__ = [
     "PoissonSolver", "PolydecWarning", "Polygons", "Run", "Series", "ShallowWater",
     "ShapeSpectrum", "ShortestPath", "SurfacePaths",
     "Solution", "SolverFailure", "Spectrum", "StokesFlow", "StokesSolver", "Waves", "as_mesh",
-    "backends", "boundary_de_rham", "count_below", "de_rham", "discretize", "flat",
+    "backends", "boundary_de_rham", "count_below", "de_rham", "discretize", "draw", "flat",
     "flow_of_velocity", "flow_of_vorticity", "flux_form", "flux_sharp", "flux_through_boundary",
     "geodesic_distance", "glue", "goal_interval", "gradient", "harmonic_forms", "heat", "hodge_decomposition",
     "inflow", "interior_product", "lie_derivative", "load_engine", "outward_flow",

@@ -52,6 +52,25 @@ def test_meshes_of_every_dimension(tmp_path):
         polydec.view(polydec.meshes.kuhn([1, 1, 1, 1]))
 
 
+def test_drawings(tmp_path, monkeypatch):
+    grid = polydec.discretize(polydec.meshes.grid(2, 2))
+    drawing = polydec.draw(grid, duals=True, cell=np.int64(4), matrix=1, numbers=True)
+    assert "dual cell of vertex 4" in drawing.svg and "boundary of the edges" in drawing.svg
+    assert drawing.svg == drawing._repr_svg_()
+    both = polydec.draw(grid, both_duals=True, title="A & B").svg
+    assert "A &amp; B: barycentric dual" in both
+    drawing.save(tmp_path / "grid.svg")
+    assert (tmp_path / "grid.svg").read_text() == drawing.svg
+    cube = polydec.discretize(polydec.meshes.kuhn([1, 1, 1]), merge=False)
+    assert polydec.draw(cube, explode=0.5).svg != polydec.draw(cube).svg
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(polydec.BackendUnavailable, match=said("librsvg2-bin")):
+        drawing.save(tmp_path / "grid.png")
+    for wrong in (dict(cell=99), dict(cell=-1), dict(explode=1), dict(matrix=3), dict(eye=[1, 2])):
+        with pytest.raises(polydec.InvalidInput):
+            polydec.draw(grid if "eye" not in wrong else polydec.meshes.goldberg(2), **wrong)
+
+
 def test_a_spectrum_with_its_proof(sphere):
     modes = polydec.spectrum(sphere, count=4)
     text = polydec.view(sphere, modes).html
