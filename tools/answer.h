@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -35,6 +36,7 @@ private:
 struct Log {
     Timing timing = {};
     std::vector<std::string> warnings = {};
+    std::filesystem::path mesh = {}; ///< the mesh file, once it is read
 
     /// Writes "polydec: warning: ..." to stderr, and records it.
     void warn(const std::string& text);

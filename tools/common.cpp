@@ -220,6 +220,7 @@ Discretization load(const MeshArguments& arguments, Log& log) {
     });
     log.timing.end();
     log.warn(result.warnings());
+    log.mesh = arguments.mesh;
     return result;
 }
 

@@ -116,6 +116,7 @@ CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
                      "FILE\tmesh file: .off .obj .ply .stl .mesh .nsc .pdm, or an .html page")
         ->required();
     add_common_options(*command, *options);
+    add_page_options(*command);
     command->callback([out, options, make = std::move(make)] {
         check_output_file(*out, {".off", ".obj", ".ply", ".stl", ".mesh", ".nsc", ".pdm", ".html"},
                           {});

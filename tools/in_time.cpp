@@ -10,6 +10,7 @@
 #include "tools/common.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
+#include "tools/picture.h"
 #include "tools/stop_signals.h"
 
 #include <fmt/format.h>
@@ -76,6 +77,7 @@ void add_time(CLI::App& command, TimeArguments& arguments, const std::string& ow
         .add_flag("--resume", arguments.resume,
                   "resume from the checkpoint if it exists; all other options must be the same")
         ->needs(checkpoint);
+    add_page_options(command);
 }
 
 void check_time(const TimeArguments& arguments, Paths inputs) {

@@ -229,6 +229,7 @@ void add_info(CLI::App& app) {
     add_mesh_arguments(*command, arguments->mesh, StarKind::circumcentric);
     command->add_option("-o,--out", arguments->out,
                         "FILE\twrite an .html page that shows the mesh too");
+    add_page_options(*command);
     command->footer("Examples:\n  polydec info fandisk.off\n  polydec info bunny.ply --delaunay\n"
                     "  polydec info hand.mesh --star automatic");
 }

@@ -91,6 +91,7 @@ void add_merge(CLI::App& app) {
                      "FILE\tmerged cells: .off .obj .ply (surfaces), .vtu or .html")
         ->required();
     add_float32(*command, arguments->picture);
+    add_page_options(*command);
     command->footer("With --delaunay, edges of polygons cross the input's triangles: the "
                     "output has the triangles they cut.\n\nExamples:\n  polydec merge "
                     "fandisk.off -o fandisk-polygons.obj\n"

@@ -7,6 +7,7 @@
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_levels.h"
 #include "io/source_file.h"
+#include "tools/options.h"
 #include "tools/outputs.h"
 
 #include <fmt/format.h>
@@ -22,6 +23,12 @@ namespace {
 std::string& kept_command() {
     static std::string text;
     return text;
+}
+
+/// The options of add_page_options.
+PageText& kept_options() {
+    static PageText options;
+    return options;
 }
 
 /// As a shell would take it for one word.
@@ -65,6 +72,19 @@ const std::string& command_text() {
     return kept_command();
 }
 
+void add_page_options(CLI::App& command) {
+    command
+        .add_option_function<std::string>(
+            "--up",
+            [](const std::string& axis) {
+                kept_options().up = static_cast<int>(axis.front() - 'x');
+            },
+            "AXIS\tx, y or z: points up in a page (default: y for .obj .ply .off, else z)")
+        ->check(one_of({"x", "y", "z"}));
+    command.add_option("--length-unit", kept_options().length_unit,
+                       "NAME\tunit of length of the mesh, for the scale bar of a page: mm");
+}
+
 bool is_page(const std::filesystem::path& out) {
     return lower_extension(out) == ".html";
 }
@@ -73,6 +93,7 @@ void add_picture(CLI::App& command, PictureArguments& picture, const std::string
     command.add_option("-o,--out", picture.out,
                        fmt::format("FILE\twrite {} to this .vtu or .html file", what));
     add_float32(command, picture);
+    add_page_options(command);
 }
 
 void add_float32(CLI::App& command, PictureArguments& picture) {
@@ -110,6 +131,9 @@ void check_picture(const PictureArguments& picture, const std::filesystem::path&
 
 PageText in_page(PageText text, const Log& log) {
     text.command = command_text();
+    text.file = log.mesh;
+    text.up = kept_options().up;
+    text.length_unit = kept_options().length_unit;
     append(text.warnings, log.warnings);
     return text;
 }

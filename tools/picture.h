@@ -41,6 +41,9 @@ void check_picture(const PictureArguments& picture, const std::filesystem::path&
 void set_command_text(int argc, const char* const* argv);
 const std::string& command_text();
 
+/// Adds --up and --length-unit, for commands that write a page; in_page applies them.
+void add_page_options(CLI::App& command);
+
 /// Whether a path has the extension of a page.
 bool is_page(const std::filesystem::path& out);
 
@@ -51,7 +54,7 @@ void write_picture(const PictureArguments& to, const Discretization& mesh,
                    const std::vector<NamedForm>& forms, PageText text,
                    std::vector<VtuArray> numbers, const Log& log, const Mesh& lines = {});
 
-/// The text with the log's warnings and the command line.
+/// The text with the log's mesh file and warnings, the command line, and the page options.
 PageText in_page(PageText text, const Log& log);
 
 /// Writes a page, with the log's warnings and the command line.

@@ -118,6 +118,7 @@ void add_view(CLI::App& app) {
         "-o,--out", arguments->out,
         "FILE\tthe page, .html (default: the mesh's name with .html, in the current "
         "folder)");
+    add_page_options(*command);
     command->footer(
         "The page is one file that every browser opens, without a network. MESH may also "
         "be a .vtu file, or a .pvd file that lists .vtu files with times: the page shows "

@@ -57,6 +57,11 @@ Mesh read_mesh(const std::filesystem::path& path) {
     return parse_mesh(read_source_file(path));
 }
 
+int up_axis(const std::filesystem::path& path) {
+    const auto extension = lower_extension(path);
+    return extension == ".obj" || extension == ".ply" || extension == ".off" ? 1 : 2;
+}
+
 Mesh parse_mesh(const SourceFile& file) {
     const auto& format = format_of(file.name);
     try {

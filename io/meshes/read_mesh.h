@@ -28,4 +28,8 @@ namespace polydec {
 /// another format the message names that format.
 Mesh read_mesh(const std::filesystem::path& path);
 
+/// The axis, 0 to 2, that points up in files with this extension, by the convention of most
+/// programs that write them: y for .obj, .ply and .off, z for all others and without extension.
+int up_axis(const std::filesystem::path& path);
+
 } // namespace polydec

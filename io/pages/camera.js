@@ -2,8 +2,19 @@
 // From where the mesh is seen, without perspective: turned, moved and scaled.
 
 class Camera {
-    constructor(isFlat) {
+    constructor(isFlat, up, eyes) {
         this.isFlat = isFlat;
+        this.up = up;
+        this.eyes = eyes; // directions to the eye, where x, y or z is up
+        this.reset();
+    }
+
+    /** With another axis upwards, or flat or not. */
+    stand(isFlat, up) {
+        if (this.isFlat === isFlat && this.up === up)
+            return;
+        this.isFlat = isFlat;
+        this.up = up;
         this.reset();
     }
 
@@ -16,10 +27,10 @@ class Camera {
         this.axes = this.isFlat ? [[1, 0, 0], [0, 1, 0], [0, 0, 1]] : this.above();
     }
 
-    /** The directions to the right, up and to the eye (1, -2, 1.2), as in the still picture. */
+    /** The directions to the right, up and to the eye, as in the still picture. */
     above() {
-        const eye = normalized([1, -2, 1.2]);
-        const right = normalized(cross([0, 0, 1], eye));
+        const upward = [0, 1, 2].map(i => i === this.up ? 1 : 0);
+        const eye = normalized(this.eyes[this.up]), right = normalized(cross(upward, eye));
         return [right, cross(eye, right), eye];
     }
 

@@ -2,6 +2,7 @@
 // The form beside the picture, the table, and the keyboard.
 
 const element = id => document.getElementById(id);
+const mostWithEdges = 2000; // cells: edges of more would hide what is shown
 
 class Controls {
     constructor(viewer) {
@@ -12,18 +13,27 @@ class Controls {
             ...fields.map((field, i) => [String(i), `${field.name} (${field.place})`])]);
         element("field").value = String(header.shown);
         element("removed").checked = header.shown < 0; // they would drown a field
+        const isStrength = fields[header.shown]?.strength !== undefined; // lines run along it
+        element("edges").checked = header.cells <= mostWithEdges && !isStrength;
+        element("up").value = String(header.up);
+        if (isStrength && scene.isSolid) // seen inside
+            [element("axis").value, element("cut").value] = [String(header.up === 1 ? 2 : 4), "50"];
         this.hideWhatIsNotThere(scene, header, fields);
         element("step").max = header.steps.length - 1;
+        element("field").addEventListener("input", () => this.forgetRange());
         element("controls").addEventListener("input", () => this.changed());
         element("controls").addEventListener("submit", event => event.preventDefault());
         element("play").addEventListener("click", () => this.play());
         this.namePlay();
         element("theme").addEventListener("click", () => this.turnTheme());
+        element("save").addEventListener("click", () => {
+            save(viewer.picture(), `${document.title.replace(/[^\p{L}\p{N}.-]+/gu, "-")}.png`);
+        });
         document.addEventListener("keydown", event => this.key(event));
         element("canvas").addEventListener("keydown", event => this.canvasKey(event));
         matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => viewer.changed());
         this.prepareTable();
-        for (const id of ["controls", "theme"])
+        for (const id of ["controls", "theme", "save"])
             element(id).hidden = false;
     }
 
@@ -45,19 +55,26 @@ class Controls {
         hide("map", fields.length > 0);
         hide("step", header.steps.length > 1);
         hide("speed", header.steps.length > 1 && !this.calm.matches);
+        hide("from", fields.length > 0);
+        hide("log", fields.some(field => [field, field.strength].some(each => each?.low >= 0 && each.high > 0)));
+        hide("values", fields.some(field => field.strength));
+        hide("height", scene.isFlat && !scene.isCurve && fields.some(
+            field => field.place === "vertex" && field.components === 1));
+        hide("up", !scene.isFlat);
+        hide("marks", !scene.isCurve && fields.length > 0);
         hide("removed", [...kinds].some(bits => [0, 2, 4].some(s => (bits >> s & 3) === 2)));
         hide("edges", !scene.isCurve);
         hide("dual", scene.arrays.dual_lines !== undefined);
         hide("levels", !scene.isCurve && fields.some(field => field.place === "vertex"));
         if (scene.hasPaths) {
-            element("flow").checked = true;
             const [, , line, words] = element("flow").closest("label").childNodes;
             line.className = "line dual";
             words.textContent = " paths ";
         }
         hide("arrows", header.arrows.some(each => !each.lines_alone) || fields.some(field => field.components > 1));
-        hide("flow", header.arrows.some((_, i) => scene.arrays[`flow${i}`] !== undefined));
-        hide("shade", !scene.isFlat && !scene.isCurve);
+        const hasFlow = header.arrows.some((_, i) => scene.arrays[`flow${i}`] !== undefined);
+        element("flow").checked = hasFlow;
+        hide("flow", hasFlow);
         element("cutting").hidden = !scene.isSolid;
     }
 
@@ -81,7 +98,13 @@ class Controls {
         }
     }
 
+    /** What was chosen for one field says nothing of another. */
+    forgetRange() {
+        element("from").value = element("to").value = "";
+    }
+
     choose(field) {
+        this.forgetRange();
         element("field").value = field;
         this.changed();
     }
@@ -93,7 +116,9 @@ class Controls {
             field: Number(element("field").value), map: element("map").value,
             step: Number(element("step").value), lines: is("edges"), removed_lines: is("removed"),
             dual: is("dual"), levels: is("levels"), arrows: is("arrows"), flow: is("flow"),
-            light: is("shade"), axis: Number(element("axis").value),
+            own_values: is("values"), height: is("height"), marks: is("marks"), log: is("log"),
+            from: parseFloat(element("from").value), to: parseFloat(element("to").value),
+            up: Number(element("up").value), light: is("shade"), axis: Number(element("axis").value),
             cut: Number(element("cut").value) / 100,
         };
     }
@@ -103,6 +128,8 @@ class Controls {
         for (const row of document.querySelectorAll("tr[data-field]"))
             row.setAttribute("aria-selected", String(Number(row.dataset.field) === field));
         element("time").textContent = this.viewer.scene.header.steps[step] ?? "";
+        element("shade").closest("label").hidden = this.viewer.scene.isCurve ||
+            this.viewer.scene.isFlat && !element("height").checked;
         element("cut-at").textContent = `${element("cut").value} %`;
         this.viewer.changed();
     }
@@ -110,6 +137,8 @@ class Controls {
     next(id, by) {
         const select = element(id);
         select.selectedIndex = (select.selectedIndex + by + select.options.length) % select.options.length;
+        if (id === "field")
+            this.forgetRange();
         this.changed();
     }
 
@@ -156,7 +185,7 @@ class Controls {
             return;
         // lists, buttons and switches have a use for some keys themselves
         const {tagName, type} = event.target;
-        if (tagName === "SELECT" || event.key === " " && (tagName === "BUTTON" || type === "checkbox"))
+        if (tagName === "SELECT" || type === "number" || event.key === " " && (tagName === "BUTTON" || type === "checkbox"))
             return;
         const key = event.key === " " ? "p" : event.key.toLowerCase();
         const control = document.querySelector(`[data-key="${CSS.escape(key)}"]`);

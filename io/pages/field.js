@@ -20,33 +20,53 @@ function lengths(numbers, components) {
     return result;
 }
 
-/** The fields of a page, each with its values at every step and their range over all. */
+/** Values at every step, their range over all, and the colors that the library chose for it. */
+function withValues(field, names, header, arrays) {
+    const entries = names.map(name => header.arrays[name]);
+    const rows = names.map(name => arrays[name]);
+    const values = rows.map(numbers => lengths(numbers, field.components));
+    let low = Infinity, high = -Infinity, least = Infinity;
+    for (const list of values)
+        for (const value of list) {
+            low = Math.min(low, value);
+            high = Math.max(high, value);
+            if (value > 0)
+                least = Math.min(least, value);
+        }
+    const off = Math.max(...entries.map(entry => entry.kind === "rounded" ? entry.step / 2 : 0));
+    return {...field, rows, values, low, high, least, off};
+}
+
+/** The fields of a page; those with a vector in each cell also have its length as a field. */
 function fieldsOf(header, arrays) {
-    return header.fields.map((field, i) => {
-        const names = header.steps.length ? header.steps.map((_, s) => `f${i}.${s}`) : [`f${i}`];
-        const entries = names.map(name => header.arrays[name]);
-        const rows = names.map(name => arrays[name]);
-        const values = rows.map(numbers => lengths(numbers, field.components));
-        let low = Infinity, high = -Infinity;
-        for (const list of values)
-            for (const value of list) {
-                low = Math.min(low, value);
-                high = Math.max(high, value);
-            }
-        const off = Math.max(...entries.map(entry => entry.kind === "rounded" ? entry.step / 2 : 0));
-        return {...field, rows, values, low, high, off};
+    const named = name => header.steps.length ? header.steps.map((_, s) => `${name}.${s}`) : [name];
+    return header.fields.map((about, i) => {
+        const given = {...about, unit: about.unit.replace("length", header.unit || "length")};
+        const field = withValues(given, named(`f${i}`), header, arrays);
+        const at = header.arrows.findIndex(each => each.field === field.name);
+        const names = named(`sizes${at}`);
+        if (arrays[names[0]])
+            field.strength = {...withValues({...field, scale: header.arrows[at].scale, place: "cell",
+                components: 1}, names, header, arrays), title: `|${field.name}|`};
+        return field;
     });
 }
 
-/** The map that is meant, and the values at its ends. */
-function scaleOf(field, choice, maps) {
-    const largest = Math.max(Math.abs(field.low), Math.abs(field.high));
-    const isConstant = field.high - field.low <= 1e-6 * largest;
-    const bothSigns = field.low < 0 && field.high > 0;
-    const name = choice !== "auto" ? choice : bothSigns && !isConstant ? "diverging" : "sequential";
+/** The map that is meant, and the values at its ends, of which the user may choose one or both. */
+function scaleOf(field, {map, from, to, log}, maps) {
+    const name = map === "auto" ? field.scale.map : map, isDiverging = name === "diverging";
     const colors = name === "gray" ? ["#f2f2f2", "#1c1c1c"] : maps[name];
-    const ends = name === "diverging" ? [-largest, largest] : [field.low, field.high];
-    return {name, colors: spread(colors.map(colorOf)), ends, isConstant};
+    const largest = Math.max(Math.abs(field.low), Math.abs(field.high));
+    let ends = isDiverging ? [-largest, largest] : [field.low, field.high];
+    const isLog = log && field.low >= 0 && field.high > 0;
+    if (isLog)
+        ends[0] = Math.max(field.least, 1e-6 * field.high);
+    const asked = [Number.isFinite(from) ? from : ends[0], Number.isFinite(to) ? to : ends[1]];
+    if (asked[0] < asked[1] && (!isLog || asked[0] > 0))
+        ends = asked;
+    if (isDiverging) // white stays 0
+        ends = [-1, 1].map(sign => sign * Math.max(...ends.map(Math.abs)));
+    return {name, colors: spread(colors.map(colorOf)), ends, isLog, isConstant: field.scale.constant};
 }
 
 function colorOf(text) {
@@ -54,6 +74,17 @@ function colorOf(text) {
 }
 
 const mapSize = 31;
+
+/** Where a value lies between the ends, from 0 to 1. */
+function partOf(value, {ends, isLog}) {
+    const [x, a, b] = [value, ...ends].map(y => isLog ? Math.log(Math.max(y, 1e-300)) : y);
+    return b > a ? Math.min(1, Math.max(0, (x - a) / (b - a))) : 0.5;
+}
+
+/** And back. */
+function valueAt(part, {ends: [a, b], isLog}) {
+    return isLog ? Math.exp((1 - part) * Math.log(a) + part * Math.log(b)) : (1 - part) * a + part * b;
+}
 
 /** The same colors at as many places as the shaders ask for. */
 function spread(colors) {

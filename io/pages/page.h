@@ -20,13 +20,18 @@ struct PageTable {
     std::string below = {};               ///< a note on all rows, e.g. a certificate
 };
 
-/// The text beside a picture. It is shown literally; markup has no effect.
+/// The text beside a picture, and its conventions. Text is shown literally; markup has no effect.
 struct PageText {
     std::string title = {};
     std::string command = {};            ///< the command that made the page
     std::vector<std::string> facts = {}; ///< paragraphs
     std::vector<std::string> warnings = {};
     PageTable table = {};
+    /// The mesh file, if known: the convention of its format determines the upward axis (see
+    /// up_axis).
+    std::filesystem::path file = {};
+    std::optional<int> up = {};   ///< another axis, 0 to 2, to point up
+    std::string length_unit = {}; ///< name of the unit of length, such as mm; empty: unknown
 };
 
 /// Vectors at points, shown together with an array of the grid, e.g. the vectors of a 1-form.

@@ -4,16 +4,21 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/glued_box.h"
+#include "io/meshes/read_mesh.h"
 #include "io/pages/page_data.h"
 #include "io/pages/page_faces.h"
 #include "io/pages/page_text.h"
 #include "io/pages/still_picture.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_solid.h"
+#include "io/pictures/upright_view.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace polydec {
 
@@ -38,13 +43,36 @@ DenseMatrix rows_of(const VtuArray& array) {
         array.values);
 }
 
-/// Whether the numbers, of vectors their lengths, differ by more than rounding.
-bool varies(const VtuArray& array) {
+/// Smallest and largest number, of vectors by their lengths.
+std::array<double, 2> range_of(const VtuArray& array) {
     const DenseMatrix rows = rows_of(array);
     if (rows.rows() == 0)
-        return false;
+        return {0, 0};
     const Vector numbers = rows.cols() == 1 ? Vector(rows) : Vector(rows.rowwise().stableNorm());
-    return numbers.maxCoeff() - numbers.minCoeff() > 1e-6 * numbers.cwiseAbs().maxCoeff();
+    return {numbers.minCoeff(), numbers.maxCoeff()};
+}
+
+bool varies(const VtuArray& array) {
+    const auto [low, high] = range_of(array);
+    return !color_range(low, high).is_constant;
+}
+
+/// The unit in a description, "in units of length^2"; or empty.
+std::string unit_in(const std::string& about) {
+    constexpr std::string_view mark = "in units of ";
+    const auto at = about.find(mark);
+    if (at == std::string::npos)
+        return "";
+    const auto begin = at + mark.size();
+    return about.substr(begin, about.find_first_of(" ,;", begin) - begin);
+}
+
+/// The rule of color_range, in JSON.
+std::string color_scale(const std::array<double, 2>& ends) {
+    const ColorRange range = color_range(ends[0], ends[1]);
+    return fmt::format("{{\"map\":\"{}\",\"constant\":{}}}",
+                       range.map == ColorMap::diverging ? "diverging" : "sequential",
+                       range.is_constant);
 }
 
 /// Makes the header, part after part.
@@ -75,15 +103,18 @@ public:
         add_dual();
         PageHeader header;
         header.json = fmt::format(
-            "{{\"dimension\":{},\"flat\":{},\"cells\":{},\"points\":{},\"origin\":{},\"maps\":{},"
+            "{{\"dimension\":{},\"flat\":{},\"up\":{},\"eyes\":{},\"unit\":{},\"cells\":{},"
+            "\"points\":{},\"origin\":{},\"maps\":{},"
             "\"fields\":{},\"shown\":{},\"steps\":{},\"arrows\":{},\"arrays\":{}}}",
-            faces_.dimension, is_flat(), cells().types.size(), page_.grid.points.rows(),
+            faces_.dimension, is_flat(), up(), eyes(), json_text(page_.text.length_unit),
+            cells().types.size(), page_.grid.points.rows(),
             json_array({json_number(origin_[0]), json_number(origin_[1]), json_number(origin_[2])}),
             maps(), json_array(fields_), shown_, steps(), json_array(arrows_), data_.directory());
         header.data = data_.text();
-        header.still = still_picture(cells(), faces_, own_ ? nullptr : first_);
-        if (first_ != nullptr && !own_ && faces_.dimension > 1)
-            header.caption = fmt::format("Colors: {}. ", first_->name);
+        const VtuArray* still = strength_ ? &*strength_ : own_ ? nullptr : first_;
+        header.still = still_picture(cells(), faces_, still, up());
+        if (still != nullptr && faces_.dimension > 1)
+            header.caption = fmt::format("Colors: {}. ", still->name);
         header.notes = std::move(notes_);
         return header;
     }
@@ -103,6 +134,22 @@ private:
                     return &array;
             }
         return asked;
+    }
+
+    int up() const {
+        const int axis = page_.text.up.value_or(up_axis(page_.text.file));
+        upright_view(axis); // throws for other axes
+        return axis;
+    }
+
+    /// For each axis upwards, the direction to the eye.
+    static std::string eyes() {
+        std::vector<std::string> all;
+        for (const int axis : {0, 1, 2}) {
+            const Vector eye = upright_view(axis).eye;
+            all.push_back(fmt::format("[{},{},{}]", eye[0], eye[1], eye[2]));
+        }
+        return json_array(all);
     }
 
     static std::string maps() {
@@ -183,9 +230,17 @@ private:
             if (&array == first_)
                 shown_ = static_cast<int>(fields_.size());
             const auto field = fields_.size();
-            fields_.push_back(fmt::format(
-                "{{\"name\":{},\"about\":{},\"place\":\"{}\",\"components\":{}}}",
-                json_text(array.name), json_text(array.about), place, array.components));
+            auto range = range_of(array);
+            for (const auto& step : page_.steps)
+                if (i < (step.*of_step).size()) {
+                    const auto [low, high] = range_of((step.*of_step)[i]);
+                    range = {std::min(range[0], low), std::max(range[1], high)};
+                }
+            fields_.push_back(fmt::format("{{\"name\":{},\"about\":{},\"unit\":{},\"place\":\"{}\","
+                                          "\"components\":{},\"scale\":{}}}",
+                                          json_text(array.name), json_text(array.about),
+                                          json_text(unit_in(array.about)), place, array.components,
+                                          color_scale(range)));
             if (page_.steps.empty())
                 add_values(fmt::format("f{}", field), array);
             for (std::size_t s = 0; s < page_.steps.size(); ++s) {
@@ -222,6 +277,7 @@ private:
                 throw InvalidInput(fmt::format(
                     "{} vectors are given for {} sites of the arrows `{}`: expected equal numbers",
                     arrows.vectors.rows(), arrows.sites.rows(), arrows.field));
+            const std::string scale = add_sizes(arrows);
             const Index rows = static_cast<Index>(arrows.sites.rows());
             const Index stride = 1 + (rows - 1) / most_arrows;
             Points sites((rows + stride - 1) / stride, arrows.sites.cols());
@@ -233,12 +289,26 @@ private:
             const auto i = arrows_.size();
             data_.add_floats(fmt::format("sites{}", i), centered(sites));
             data_.add_floats(fmt::format("vectors{}", i), vectors);
-            arrows_.push_back(fmt::format("{{\"field\":{},\"stride\":{}{}}}",
-                                          json_text(arrows.field), stride,
+            arrows_.push_back(fmt::format("{{\"field\":{},\"stride\":{}{}{}}}",
+                                          json_text(arrows.field), stride, scale,
                                           rows == 0 ? ",\"lines_alone\":true" : ""));
             if (arrows.lines.simplices.rows() > 0)
                 add_lines(fmt::format("flow{}", i), arrows.lines);
         }
+    }
+
+    /// Where each cell has a vector, its length as a value of the cell; returns its colors.
+    std::string add_sizes(const PageArrows& arrows) {
+        if (place_ == "vertex" || place_ == "cell" || arrows.vectors.rows() == 0 ||
+            arrows.vectors.rows() != std::ssize(cells().types))
+            return "";
+        VtuArray sizes =
+            vtu_array(fmt::format("|{}|", arrows.field), arrows.vectors.rowwise().stableNorm());
+        add_values(fmt::format("sizes{}", arrows_.size()), sizes);
+        const auto scale = fmt::format(",\"scale\":{}", color_scale(range_of(sizes)));
+        if (first_ != nullptr && first_->name == arrows.field)
+            strength_ = std::move(sizes);
+        return scale;
     }
 
     void add_lines(const std::string& name, const Mesh& lines) {
@@ -282,7 +352,8 @@ private:
     std::optional<VtuGrid> own_; ///< top cells, if the grid has others
     const VtuArray* first_ = nullptr;
     PageFaces faces_;
-    std::string place_; ///< where values of cells of the grid are
+    std::optional<VtuArray> strength_; ///< lengths of the vectors of the array shown first
+    std::string place_;                ///< where values of cells of the grid are
     std::array<double, 3> origin_{};
     PageData data_;
     std::vector<std::string> fields_, arrows_, notes_;

@@ -69,7 +69,7 @@ class Renderer {
     restoreFaces() {
         const {gl} = this, {arrays, size} = this.scene;
         this.programs.faces = this.program(faceVertices, faceColors);
-        this.keep("points", "float4", this.scene.points.length / 3, v => [...this.scene.point(v), 0]);
+        this.keepPoints();
         this.keep("triangles", "whole4", size, t => [...this.scene.corners(t), arrays.sides[t]]);
         this.keep("owners", "whole4", size, t => {
             const [first, second] = this.scene.owners(t);
@@ -80,6 +80,10 @@ class Renderer {
         this.keepTexels("values", new Float32Array(1), "float1");
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
         this.cut = null;
+    }
+
+    keepPoints() {
+        this.keep("points", "float4", this.scene.points.length / 3, v => [...this.scene.point(v), 0]);
     }
 
     /** Keeps the triangles that a cut leaves to be seen: of a solid there are far fewer than all. */
@@ -183,6 +187,7 @@ class Renderer {
         this.hasArrows = arrows !== null;
         if (arrows)
             this.keepTexels("arrows", arrows);
+        this.canvas.dataset.arrows = arrows ? arrows.length / 8 : 0;
         const flow = this.scene.flowLines(field);
         this.hasFlow = flow !== null;
         if (flow)
@@ -215,6 +220,13 @@ class Renderer {
         return performance.now() - begin;
     }
 
+    /** Of a scale, as the shaders need it. */
+    range(scale) {
+        const ends = scale ? scale.ends.map(x => x / this.unit) : [0, 0];
+        return scale?.isLog ? {range: ends.map(Math.log), logarithmic: true}
+            : {range: ends, logarithmic: false};
+    }
+
     drawAll(camera, look) {
         const {gl, canvas} = this;
         gl.viewport(0, 0, canvas.width, canvas.height);
@@ -224,7 +236,7 @@ class Renderer {
         const all = {
             ...this.view(camera, canvas.width, canvas.height, look), ids: false,
             map: look.scale ? look.scale.colors : new Array(mapSize).fill([0, 0, 0]),
-            range: look.scale ? look.scale.ends.map(x => x / this.unit) : [0, 0],
+            ...this.range(look.scale),
         };
         if (!this.scene.isCurve)
             this.drawFaces(all, look);
@@ -242,9 +254,16 @@ class Renderer {
         if (look.flow && this.hasFlow)
             lines("flow", {owned: false, width: flow.width, nearer: 0.003, valued: false,
                 ink: look[flow.ink]});
-        if (look.arrows && this.hasArrows) {
-            this.use("arrows", {...all, ends: "arrows", width: 1.5, nearer: 0.004, scale: 1,
-                ink: look.arrow_color});
+        if (look.arrows && this.hasArrows)
+            this.drawArrows(all, look);
+    }
+
+    /** In a solid, arrows of the cells that are seen stand before them. Light edges set arrows off. */
+    drawArrows(all, look) {
+        const {gl, scene} = this, nearer = scene.isSolid ? 0.4 * scene.arrowLength : 0.004;
+        for (const [edge, ink] of [[1.2, "arrow_edge"], [0, "arrow_color"]]) {
+            this.use("arrows", {...all, ends: "arrows", width: 1.5, edge, nearer: nearer + (edge ? 0 : 0.001),
+                scale: 1, ink: look[ink]});
             gl.drawArrays(gl.TRIANGLES, 0, 4.5 * this.textures.arrows.count);
         }
     }
@@ -266,7 +285,7 @@ class Renderer {
         gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
         gl.enable(gl.DEPTH_TEST);
         this.drawFaces({...this.view(camera, width, height, look), ids: true,
-            map: new Array(mapSize).fill([0, 0, 0]), range: [0, 0]}, look);
+            map: new Array(mapSize).fill([0, 0, 0]), ...this.range(null)}, look);
         const bytes = new Uint8Array(4);
         gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The mesh as it is drawn: around the origin, of radius 1.
 
+const highest = 0.5; // of heights over a plane, by the radius
+
 class Scene {
     constructor(header, arrays) {
         this.header = header;
@@ -24,9 +26,19 @@ class Scene {
         return Float64Array.from(numbers, x => x / this.extent / this.radius);
     }
 
+    /** Gives a plane mesh heights, of each point the value there by the largest one; or none. */
+    lift(values, largest) {
+        if (this.lifted === values)
+            return false;
+        this.lifted = values;
+        for (let v = 0; v < this.points.length / 3; ++v)
+            this.points[3 * v + 2] = values ? highest * values[v] / (largest || 1) : 0;
+        return true;
+    }
+
     /** And back: coordinates of the file. */
     original(p) {
-        return p.map((x, i) => this.header.origin[i] + x * this.extent * this.radius);
+        return (this.isFlat ? [p[0], p[1], 0] : p).map((x, i) => this.header.origin[i] + x * this.extent * this.radius);
     }
 
     farthest(points) {
@@ -143,29 +155,58 @@ class Scene {
             ...this.point(lines[2 * i + end]), value(lines[2 * i + end], i)]));
     }
 
-    /** Arrows of a field, or none: of its own vectors, or of those that come with it. */
+    /** Arrows of a field, or none: heads on its lines, or else by vectors that come with it, or its
+     * own. */
     arrowLines(field, step) {
         if (!field)
             return null;
-        const given = this.givenArrows(field);
+        const given = this.givenArrows(field), lines = this.arrays[`flow${given}`];
+        if (lines && !this.header.arrows[given].lines_alone)
+            return this.arrowTexels(headsOn(this.places(this.arrays[`flow${given}_points`]), lines));
         if (given >= 0)
-            return this.arrowTexels(this.places(this.arrays[`sites${given}`]),
-                this.arrays[`vectors${given}`], 1);
+            return this.spreadArrows(this.places(this.arrays[`sites${given}`]),
+                this.arrays[`vectors${given}`], `given${given}`);
         if (field.components < 3)
             return null;
-        const sites = field.place === "vertex" ? this.points : this.centers;
-        const count = sites.length / 3;
-        return this.arrowTexels(sites, field.rows[step], Math.ceil(count / 4000));
+        return this.spreadArrows(field.place === "vertex" ? this.points : this.centers,
+            field.rows[step], field.place);
     }
 
-    /** As long as the places are apart, the longest one. */
-    arrowTexels(sites, vectors, stride) {
-        const count = Math.ceil(sites.length / 3 / stride);
+    /** The places of one kind are chosen once. */
+    spreadArrows(sites, vectors, kind) {
+        this.spots ??= {};
+        const spots = this.spots[kind] ??= arrowSpots(this, sites);
+        this.arrowLength = spots.length;
         let most = 0;
         for (let i = 0; i < vectors.length; i += 3)
             most = Math.max(most, Math.hypot(vectors[i], vectors[i + 1], vectors[i + 2]));
-        const length = 2.4 / Math.sqrt(this.isSolid ? count ** (2 / 3) : count) / (most || 1);
-        return this.lineTexels(count, i => [0, 1].map(end => [0, 1, 2].map(c =>
-            end ? vectors[3 * stride * i + c] * length : sites[3 * stride * i + c]).concat(0)));
+        return this.arrowTexels(arrowsAt(spots, vectors, most));
+    }
+
+    arrowTexels(arrows) {
+        return this.lineTexels(arrows.length, i => arrows[i].map(p => [...p, 0]));
+    }
+
+    /** What arrows must not cross: the sides of triangles on the boundary, of solids the triangles. */
+    walls() {
+        const {corners} = this.arrays, walls = [];
+        if (this.isCurve)
+            return walls;
+        if (this.isSolid) {
+            for (let t = 0; t < this.size; ++t)
+                if (this.owners(t)[1] < 0)
+                    walls.push([...this.corners(t)].map(v => this.point(v)));
+            return walls;
+        }
+        const count = this.points.length / 3, sides = new Float64Array(corners.length);
+        for (let i = 0; i < corners.length; ++i) {
+            const a = corners[i], b = corners[i % 3 < 2 ? i + 1 : i - 2];
+            sides[i] = Math.min(a, b) * count + Math.max(a, b);
+        }
+        sides.sort();
+        for (let i = 0; i < sides.length; ++i)
+            if (sides[i] !== sides[i - 1] && sides[i] !== sides[i + 1])
+                walls.push([Math.floor(sides[i] / count), sides[i] % count].map(v => this.point(v)));
+        return walls;
     }
 }

@@ -18,10 +18,14 @@ vec4 seen(vec3 p, float nearer) {
 
 const coloring = `
 uniform vec3 map[${mapSize}];
-uniform vec2 range; // values at the ends of the map
+uniform vec2 range; // values at the ends of the map, or their logarithms
+uniform bool logarithmic;
+float part_of(float value) { // of the map; beyond its ends, too
+    float x = logarithmic ? log(max(value, 1e-37)) : value;
+    return range.y > range.x ? (x - range.x) / (range.y - range.x) : 0.5;
+}
 vec3 color_of(float value) {
-    float t = range.y > range.x ? clamp((value - range.x) / (range.y - range.x), 0.0, 1.0) : 0.5;
-    float x = t * ${(mapSize - 1).toFixed(1)};
+    float x = clamp(part_of(value), 0.0, 1.0) * ${(mapSize - 1).toFixed(1)};
     int i = min(int(x), ${mapSize - 2});
     return mix(map[i], map[i + 1], x - float(i));
 }
@@ -99,7 +103,7 @@ void main() {
     vec3 slope = sqrt(dFdx(corner) * dFdx(corner) + dFdy(corner) * dFdy(corner));
     vec3 heights = 1.0 / max(slope, 1e-6); // of the triangle, pixels
     float room = smoothstep(2.0, 7.0, min(heights.x, min(heights.y, heights.z)) / pixel);
-    float x = (value - range.x) / max(range.y - range.x, 1e-30) * 16.0;
+    float x = 16.0 * part_of(value);
     float steep = fwidth(x);
     if (levels && place == 1 && steep > 1e-5)
         c = mix(c, level_color, 0.75 * band(abs(fract(x - 0.5) - 0.5) / steep, 0.6 * pixel) *
@@ -155,7 +159,7 @@ void main() { color = vec4(valued ? color_of(value) : ink, 1.0); }`;
 const arrowVertices = `${common}
 uniform sampler2D ends;
 uniform vec2 half_size;
-uniform float width, nearer, scale;
+uniform float width, nearer, scale, edge; // pixels around the arrow
 void main() {
     int arrow = gl_VertexID / 9, corner = gl_VertexID % 9;
     vec3 from = texelFetch(ends, at(2 * arrow), 0).xyz;
@@ -164,12 +168,15 @@ void main() {
     vec2 ray = (b.xy - a.xy) * half_size;
     float size = length(ray);
     vec2 forth = size > 0.0 ? ray / size : vec2(0.0), across = vec2(-forth.y, forth.x);
-    float head = min(0.5 * size, 4.5 * width * pixel), half_width = 0.5 * width * pixel;
+    float head = min(0.5 * size, 4.5 * width * pixel), half_width = (0.5 * width + edge) * pixel;
     vec2 q[9] = vec2[9](vec2(0, -1), vec2(1, -1), vec2(1, 1), vec2(0, -1), vec2(1, 1), vec2(0, 1),
         vec2(1, -3), vec2(2, 0), vec2(1, 3));
     float reach = q[corner].x == 0.0 ? 0.0 : q[corner].x == 1.0 ? size - head : size;
     vec2 place = reach * forth + min(q[corner].y * half_width, 0.6 * head) * across;
-    if (corner >= 6) place = reach * forth + sign(q[corner].y) * 0.45 * head * across;
+    float around = edge * pixel;
+    if (corner >= 6)
+        place = (reach + (q[corner].x == 2.0 ? 1.6 : -1.0) * around) * forth +
+            sign(q[corner].y) * (0.45 * head + 1.6 * around) * across;
     gl_Position = mix(a, b, size > 0.0 ? reach / size : 0.0);
     gl_Position.xy = a.xy + place / half_size;
     if (dot(cut.xyz, from) > cut.w || size == 0.0)

@@ -10,7 +10,7 @@ class Viewer {
         this.scene = scene;
         this.fields = fields;
         this.picked = null;
-        this.camera = new Camera(scene.isFlat);
+        this.camera = new Camera(scene.isFlat, scene.header.up, scene.header.eyes);
         this.renderer = new Renderer(canvas, scene);
         canvas.addEventListener("webglcontextlost", event => {
             event.preventDefault();
@@ -45,13 +45,15 @@ class Viewer {
         });
     }
 
+    /** What is shown: of a field with a vector in each cell its length, unless its values are. */
     get field() {
-        return this.fields[this.controls.state().field] ?? null;
+        const {field, own_values: isOwn} = this.controls.state(), given = this.fields[field] ?? null;
+        return given?.strength && !isOwn ? given.strength : given;
     }
 
-    /** The plane of the cut: all is kept at the end of the slider. */
-    plane({axis, cut}) {
-        const plane = [0, 0, 0, 2];
+    /** The plane of the cut, from the side that stays: all is kept at the end of the slider. */
+    plane({axis: side, cut}) {
+        const plane = [0, 0, 0, 2], axis = side % 3, sign = side < 3 ? 1 : -1;
         if (cut >= 1 || !this.scene.isSolid)
             return plane;
         let low = Infinity, high = -Infinity;
@@ -59,7 +61,8 @@ class Viewer {
             low = Math.min(low, this.scene.centers[i]);
             high = Math.max(high, this.scene.centers[i]);
         }
-        plane[axis] = 1;
+        [low, high] = sign > 0 ? [low, high] : [-high, -low];
+        plane[axis] = sign;
         plane[3] = Math.fround(low + cut * (high - low) + 1e-6);
         return plane;
     }
@@ -72,9 +75,9 @@ class Viewer {
         return {
             ...state, cut: this.plane(state), pixel: this.pixel, ground: color("ground"),
             plain: color("plain"), edge_color: color("edge"), removed_color: color("removed"),
-            dual_color: color("dual"), level_color: color("level"), arrow_color: color("arrow"),
+            dual_color: color("dual"), level_color: color("level"), arrow_color: color("arrow"), arrow_edge: color("arrow-edge"),
             picked_color: color("removed"), picked: this.picked ? this.picked.cell + 1 : -1,
-            scale: field ? scaleOf(field, state.map, this.scene.header.maps) : null,
+            scale: field ? scaleOf(field, state, this.scene.header.maps) : null,
         };
     }
 
@@ -82,8 +85,18 @@ class Viewer {
     draw() {
         clearTimeout(this.finer);
         this.drawAs(this.isSlow);
+        this.finer = setTimeout(() => this.isLost ? null : this.settle(), rest);
+    }
+
+    /** At rest: a fine picture, and which extreme values are behind the mesh. */
+    settle() {
         if (this.isSlow)
-            this.finer = setTimeout(() => this.isLost ? null : this.drawAs(false), rest);
+            this.drawAs(false);
+        const look = this.look();
+        for (const extreme of this.extremes)
+            extreme.isHidden = this.isHidden(extreme.place, look);
+        this.write(look);
+        element("overlay").dataset.settled = "";
     }
 
     /** Pixels of a fine picture by those of the page. */
@@ -104,18 +117,33 @@ class Viewer {
             this.canvas.width = width;
             this.canvas.height = height;
         }
-        this.camera.fill(this.scene.points, width / height);
-        const look = this.look(), seen = `${look.field} ${look.step}`;
+        const look = this.look(), seen = `${look.field} ${look.step} ${look.own_values} ${look.height}`;
         if (seen !== this.seen) {
             this.seen = seen;
+            this.raise(look);
             this.renderer.show(this.field, look.step);
+            this.extremes = this.field ? extremesOf(this.scene, this.field, look.step) : [];
             this.pickedText();
         }
+        this.camera.stand(this.scene.isFlat && !look.height, look.height ? 2 : look.up);
+        this.camera.fill(this.scene.points, width / height);
         const time = this.renderer.draw(this.camera, look, isCoarse);
         if (!isCoarse)
             this.isSlow = time > slowDrawing;
         this.canvas.dataset.drawing = isCoarse ? "coarse" : "fine";
         this.legend(look);
+        this.write(look);
+        delete element("overlay").dataset.settled;
+    }
+
+    /** Values at the vertices of a plane mesh as heights. */
+    raise({height, step}) {
+        const {field, scene} = this;
+        const values = height && field.place === "vertex" ? field.values[step] : null;
+        if (scene.isFlat && scene.lift(values, Math.max(...[field?.low, field?.high].map(Math.abs)))) {
+            this.camera.aspect = 0; // fill anew
+            this.renderer.keepPoints();
+        }
     }
 
     legend(look) {
@@ -123,19 +151,58 @@ class Viewer {
         this.canvas.setAttribute("aria-label", this.label);
         if (!look.scale)
             return;
-        const {ends, isConstant} = look.scale, {name, about, place, components} = this.field;
-        element("legend-name").textContent = name;
-        const isSigned = place === "edge" || place === "face";
-        element("legend-about").textContent = [about,
-            isSigned ? `one value for each ${place}, whose sign goes with its orientation` : "", components > 1 ? "colors show the length" : "",
-            isConstant ? "the same everywhere, but for rounding" : ""].filter(Boolean).join("; ");
+        const {title, about, numbers} = legendOf(this.field, look.scale);
+        element("legend-name").textContent = title;
+        element("legend-about").textContent = about;
         element("legend-bar").style.background = gradient(look.scale);
-        const numbers = [ends[0], ends[0] / 2 + ends[1] / 2, ends[1]];
-        [...element("legend-numbers").children].forEach((span, i) => {
-            span.textContent = numberText(numbers[i], 4);
+        element("legend-numbers").replaceChildren(...numbers.map(text => {
+            const span = document.createElement("span");
+            span.textContent = text;
+            return span;
+        }));
+        [["from", numbers[0]], ["to", numbers.at(-1)]].forEach(([id, text]) => {
+            element(id).placeholder = text;
         });
-        this.canvas.setAttribute("aria-label", `Colors of ${name}, from ${numberText(ends[0], 4)} to ` +
-            `${numberText(ends[1], 4)}. ${this.label}`);
+        this.canvas.setAttribute("aria-label", `Colors of ${title}, from ${numbers[0]} to ` +
+            `${numbers.at(-1)}. ${this.label}`);
+    }
+
+    /** Whether something is nearer to the eye than a place, by more than a little. */
+    isHidden(place, look) {
+        const {camera, canvas: {width, height}} = this, [x, y] = camera.seen(place);
+        const at = this.renderer.triangleAt(Math.floor((width + x * height) / 2),
+            Math.floor((1 + y) * height / 2), width, height, camera, look);
+        if (at < 0)
+            return false;
+        const corners = [...this.scene.corners(at)].map(v => this.scene.point(v));
+        const weights = coordinatesIn([x, y], corners.map(p => camera.seen(p)));
+        const depth = corners.reduce((sum, p, i) => sum + weights[i] * dot(camera.axes[2], p), 0);
+        return depth > dot(camera.axes[2], place) + (this.scene.isSolid ? 0.1 : 0.03);
+    }
+
+    get inks() {
+        const styles = getComputedStyle(document.documentElement);
+        const ink = name => styles.getPropertyValue(`--${name}`).trim();
+        return {ground: ink("ground"), text: ink("text"), axes: ["x", "y", "z"].map(ink)};
+    }
+
+    /** What stands over the picture. */
+    write(look) {
+        const {width, height} = this.canvas, {camera, scene} = this, canvas = element("overlay");
+        const overlay = new Overlay(canvas, width, height, this.pixel, this.inks);
+        overlay.cross(camera, ["x", "y", "z"]);
+        Object.assign(canvas.dataset, overlay.bar(scene, camera, scene.header.unit));
+        if (!look.marks)
+            return;
+        canvas.dataset.marks = JSON.stringify(this.extremes.map(
+            extreme => ({...extreme, at: overlay.mark(extreme, camera)})));
+    }
+
+    /** The picture as it is seen, with its legend, as a PNG file. */
+    picture() {
+        const look = this.look();
+        return pictureOf(this.canvas, element("overlay"),
+            look.scale ? legendOf(this.field, look.scale) : null, this.inks, this.pixel);
     }
 
     unpick() {

@@ -3,6 +3,7 @@
 
 #include "io/pictures/draw_solid.h"
 #include "io/pictures/svg_drawing.h"
+#include "io/pictures/upright_view.h"
 
 #include <algorithm>
 #include <array>
@@ -69,8 +70,8 @@ Points pictured(const Points& points) {
     return result;
 }
 
-SolidView view_of(const Points& points) {
-    SolidView view;
+SolidView view_of(const Points& points, int up) {
+    SolidView view = upright_view(up);
     const auto z = points.col(2);
     if (z.maxCoeff() == z.minCoeff()) {
         view.eye = Eigen::Vector3d::UnitZ();
@@ -165,11 +166,12 @@ std::string curve(const Points& points, const PageFaces& faces, const SolidView&
 
 } // namespace
 
-std::string still_picture(const VtuGrid& grid, const PageFaces& faces, const VtuArray* shown) {
+std::string still_picture(const VtuGrid& grid, const PageFaces& faces, const VtuArray* shown,
+                          int up) {
     const Points points = pictured(grid.points);
     if (faces.size() == 0 || points.maxCoeff() == points.minCoeff())
         return "";
-    SolidView view = view_of(points);
+    SolidView view = view_of(points, up);
     if (faces.dimension < 2)
         return curve(points, faces, view);
     const PolygonValues values(grid, shown);

@@ -162,7 +162,7 @@ struct ColorScale {
 
     ColorScale(const Vector& values, const SolidView& view) {
         const double low = values.minCoeff(), high = values.maxCoeff();
-        map = view.map.value_or(low < 0 && high > 0 ? ColorMap::diverging : ColorMap::sequential);
+        map = view.map.value_or(color_range(low, high).map);
         const double most = std::max(-low, high);
         range = view.range.value_or(map == ColorMap::diverging ? SvgPoint{-most, most}
                                                                : SvgPoint{low, high});
@@ -337,6 +337,15 @@ SolidFaces kept_cells(const Discretization& given,
         faces.polygons.points.row(static_cast<Eigen::Index>(i)) = points[i];
     kept.finish(faces);
     return faces;
+}
+
+ColorRange color_range(double low, double high) {
+    constexpr double rounding = 1e-6;
+    const double most = std::max(std::abs(low), std::abs(high));
+    const bool is_constant = high - low <= rounding * most;
+    if (!is_constant && low < -rounding * most && high > rounding * most)
+        return {ColorMap::diverging, -most, most, false};
+    return {ColorMap::sequential, low, high, is_constant};
 }
 
 std::string color_at(ColorMap map, double t) {

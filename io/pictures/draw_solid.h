@@ -49,6 +49,18 @@ enum class ColorMap {
     diverging,  ///< blue below the middle, light in the middle, orange above
 };
 
+/// The colors of values in pictures and pages.
+struct ColorRange {
+    ColorMap map;
+    double low, high; ///< values at the ends of the map
+    bool is_constant; ///< the values are equal, up to rounding
+};
+
+/// The default colors of values from `low` to `high`: diverging, from minus to plus the largest
+/// absolute value, if both signs occur beyond rounding; else sequential, from low to high.
+/// Rounding is 1e-6 of the largest absolute value.
+ColorRange color_range(double low, double high);
+
 /// The color "#rrggbb" of a number from 0 to 1; other numbers are clamped. Throws InvalidInput for
 /// NaN.
 std::string color_at(ColorMap map, double t);
@@ -57,7 +69,7 @@ std::string color_at(ColorMap map, double t);
 struct SolidView {
     Vector eye = Eigen::Vector3d(1.0, -2.0, 1.2); ///< direction from the solid to the eye
     Vector up = Eigen::Vector3d(0.0, 0.0, 1.0);   ///< upward direction in the picture
-    std::optional<ColorMap> map = {}; ///< by default diverging if values have both signs
+    std::optional<ColorMap> map = {};             ///< by default from color_range
     /// The values at the ends of the color map; by default their extremes, for a diverging map plus
     /// and minus the largest absolute value.
     std::optional<SvgPoint> range = {};

@@ -29,7 +29,7 @@ struct VtuArray {
     std::string name;
     std::variant<std::vector<double>, std::vector<Index>> values;
     int components = 1;     ///< 1, or 3 for vectors
-    std::string about = {}; ///< description in words with units, for readers of a page
+    std::string about = {}; ///< description for readers of a page, with "in units of .." if known
 
     /// Total count over all components.
     std::size_t size() const {

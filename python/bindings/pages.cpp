@@ -37,7 +37,12 @@ void write_picture(const std::string& path, const Discretization& mesh, int k, c
     unlocked([&] { write_vtu(path, grid, options); });
 }
 
-std::string text_of(Page page, const Discretization& mesh, const std::vector<std::string>& facts) {
+/// Mesh file, upward axis and unit of length; or empty.
+using Conventions = std::tuple<std::string, std::optional<int>, std::string>;
+
+std::string text_of(Page page, const Discretization& mesh, const std::vector<std::string>& facts,
+                    const Conventions& conventions) {
+    std::tie(page.text.file, page.text.up, page.text.length_unit) = conventions;
     page.text.facts.insert(page.text.facts.begin(), facts.begin(), facts.end());
     page.text.warnings = mesh.warnings();
     return unlocked([&] { return to_html(page); });
@@ -46,7 +51,7 @@ std::string text_of(Page page, const Discretization& mesh, const std::vector<std
 /// The page of these forms on k-cells, or of cells alone; of several times those of each step.
 std::string page(const Discretization& mesh, int k, const Given& forms,
                  const std::vector<std::pair<std::string, Given>>& steps, const std::string& title,
-                 const std::vector<std::string>& facts) {
+                 const std::vector<std::string>& facts, const Conventions& conventions) {
     Page drawn = forms.empty() ? draw_page(mesh, title) : draw_page(mesh, forms_of(forms), title);
     if (!steps.empty())
         drawn.arrows.clear(); // they would stand still
@@ -55,7 +60,7 @@ std::string page(const Discretization& mesh, int k, const Given& forms,
         add_forms(grid, mesh, at_time);
         drawn.steps.push_back({time, std::move(grid.point_data), std::move(grid.cell_data)});
     }
-    return text_of(std::move(drawn), mesh, facts);
+    return text_of(std::move(drawn), mesh, facts, conventions);
 }
 
 /// The page of modes, as the dict of their parts that spectrum() gave.
@@ -63,7 +68,8 @@ std::string page_of_modes(const Discretization& mesh, const std::string& side, i
                           const Numbers& eigenvalues, const Numbers& modes, const Numbers& radii,
                           const Numbers& residuals,
                           const std::tuple<double, Index, Index, bool>& certificate,
-                          const std::string& title, const std::vector<std::string>& facts) {
+                          const std::string& title, const std::vector<std::string>& facts,
+                          const Conventions& conventions) {
     Spectrum found;
     found.side = side_of(side);
     found.degree = degree;
@@ -74,7 +80,7 @@ std::string page_of_modes(const Discretization& mesh, const std::string& side, i
     auto& proof = found.certificate;
     std::tie(proof.shift, proof.below_shift, proof.returned_below_shift, proof.complete) =
         certificate;
-    return text_of(draw_page(mesh, found, title), mesh, facts);
+    return text_of(draw_page(mesh, found, title), mesh, facts, conventions);
 }
 
 /// The text of a drawing for lessons.

@@ -52,12 +52,13 @@ class Mesh:
     (dtype('float64'), False)
     """
 
-    __slots__ = ("_mesh", "__weakref__")
+    __slots__ = ("_mesh", "_file", "__weakref__")
 
     def __init__(self, points: npt.ArrayLike, simplices: npt.ArrayLike,
                  tags: npt.ArrayLike | None = None, *, facets: npt.ArrayLike | None = None,
                  facet_tags: npt.ArrayLike | None = None) -> None:
         none = np.zeros(0, dtype=np.int32)
+        self._file = "" # that it was read from
         self._mesh = _core.Mesh(
             floats(points, "points", 2), integers(simplices, "simplices", 2),
             none if tags is None else integers(tags, "tags"),
@@ -67,6 +68,7 @@ class Mesh:
     @classmethod
     def _of(cls, mesh: _core.Mesh) -> Mesh:
         result = cls.__new__(cls)
+        result._file = ""
         result._mesh = mesh
         return result
 
@@ -233,7 +235,9 @@ def read_mesh(path: Path) -> Mesh:
     ...     polydec.read_mesh(folder + "/sphere.off")
     Mesh(42 points in R^3, 80 simplices of dimension 2)
     """
-    return Mesh._of(_core.read_mesh(os.fspath(path)))
+    mesh = Mesh._of(_core.read_mesh(os.fspath(path)))
+    mesh._file = os.fspath(path)
+    return mesh
 
 
 def write_mesh(path: Path, mesh: Mesh) -> None:

@@ -62,7 +62,7 @@ class Page:
 
 def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None = None,
          side: str = "primal", times: Sequence[float] | None = None, title: str = "polydec",
-         facts: Sequence[str] = ()) -> Page:
+         facts: Sequence[str] = (), up: str | None = None, length_unit: str = "") -> Page:
     """An interactive page of the merged cells with forms: to rotate, cut and click.
 
     Parameters
@@ -79,6 +79,10 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
     title : str
     facts : sequence of str
         Paragraphs beside the picture.
+    up : {None, "x", "y", "z"}
+        The axis that points up; by default y for meshes from .obj, .ply and .off files, else z.
+    length_unit : str
+        Name of the unit of length, such as "mm", for the scale bar and the legend.
 
     Returns
     -------
@@ -98,13 +102,17 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
     True
     """
     complex = as_complex(complex)
+    if up not in (None, "x", "y", "z"):
+        raise InvalidInput(f"up is {up!r}: expected None, 'x', 'y' or 'z'")
+    conventions = (getattr(complex._given, "_file", ""),
+                   None if up is None else "xyz".index(up), length_unit)
     if isinstance(fields, Spectrum):
         proof = fields.certificate
         return Page(_core.page_of_modes(
             complex._mesh, fields.side, fields.degree, fields.eigenvalues,
             np.ascontiguousarray(fields.modes), fields.radii, fields.residuals,
             (proof.shift, proof.below_shift, proof.returned_below_shift, proof.complete), title,
-            [*facts]))
+            [*facts], conventions))
     columns = _by_name(fields)
     steps = []
     if times is not None:
@@ -112,7 +120,8 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
                  for i, time in enumerate(times)]
         columns = _at(columns, 0, len(times))
     forms = _forms(complex, columns, degree, side)
-    return Page(_core.page(complex._mesh, _cells_of(complex, forms), forms, steps, title, [*facts]))
+    return Page(_core.page(complex._mesh, _cells_of(complex, forms), forms, steps, title, [*facts],
+                           conventions))
 
 
 def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | None = None, *,

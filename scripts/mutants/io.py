@@ -2,6 +2,10 @@
 """Flaws of io/; see mutate.py."""
 
 MUTANTS = {
+    "rounding_has_a_sign": ("io/pictures/draw_solid.cpp", "low < -rounding * most &&", "low < 0 &&",
+                            "ColorMaps.AreDivergingForBothSignsBeyondRoundingAndHaveZeroInTheMiddle"),
+    "off_lies_on_its_back": ("io/meshes/read_mesh.cpp", '".ply" || extension == ".off"', '".ply"',
+                             "Pages.HaveTheAxisUpwardsOfTheirFileUnlessToldOtherwise"),
     "ply_header_ends_with_lf": ("io/meshes/ply_header.cpp", "!breaks_lines_with_cr() &&", "false &&",
                                 "OddFiles.TheLastLineOfAHeaderOfPlyMayEndInAnotherWay"),
     "gmsh_4_0_numbers_first": ("io/meshes/read_gmsh.cpp", "numbers_first = !format_.is_4_0()", "numbers_first = true",

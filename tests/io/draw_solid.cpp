@@ -2,6 +2,7 @@
 #include "io/pictures/draw_solid.h"
 
 #include "dec/fields/cell_centers.h"
+#include "io/pictures/upright_view.h"
 #include "meshes/generate.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -231,6 +232,38 @@ TEST(SeenAt, maps_lengths_across_the_view_to_themselves) {
 double lightness(const std::string& color) {
     const auto part = [&](int i) { return std::stoi(color.substr(1 + 2 * i, 2), nullptr, 16); };
     return 0.299 * part(0) + 0.587 * part(1) + 0.114 * part(2);
+}
+
+TEST(ColorMaps, AreDivergingForBothSignsBeyondRoundingAndHaveZeroInTheMiddle) {
+    for (const double scale : {1e-300, 1.0, 1e300}) {
+        const auto signed_range = color_range(-2 * scale, scale);
+        EXPECT_EQ(signed_range.map, ColorMap::diverging);
+        EXPECT_EQ(signed_range.low, -2 * scale);
+        EXPECT_EQ(signed_range.high, 2 * scale);
+        for (const double other : {0.0, 0.5, -1e-9}) {
+            const auto range = color_range(other * scale, scale);
+            EXPECT_EQ(range.map, ColorMap::sequential) << other;
+            EXPECT_EQ(range.low, other * scale);
+            EXPECT_EQ(range.high, scale);
+            EXPECT_FALSE(range.is_constant);
+            EXPECT_EQ(color_range(-scale, -other * scale).map, ColorMap::sequential) << other;
+        }
+        EXPECT_EQ(color_range(-1e-3 * scale, scale).map, ColorMap::diverging);
+        EXPECT_TRUE(color_range(scale, scale * (1 + 1e-9)).is_constant);
+    }
+    EXPECT_TRUE(color_range(0, 0).is_constant);
+}
+
+TEST(SolidViews, HaveTheirAxisUpwardsInThePicture) {
+    for (const int up : {0, 1, 2}) {
+        const auto view = upright_view(up);
+        const auto at = seen_at(view, Eigen::Vector3d::Unit(up));
+        EXPECT_NEAR(at[0], 0, 1e-15) << up;
+        EXPECT_GT(at[1], 0.5) << up;
+        EXPECT_GT(view.eye[up], 0) << up;
+    }
+    EXPECT_EQ(upright_view(2).eye, SolidView().eye);
+    EXPECT_TRUE(says(refusal([] { upright_view(3); }), {"axis 3", "expected"}));
 }
 
 TEST(ColorMaps, get_darker_all_the_way_to_their_dark_ends) {

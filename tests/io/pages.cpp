@@ -166,6 +166,31 @@ TEST(Pages, KeepHostileWordsAsText) {
     EXPECT_EQ(json_text("</a>\"\\\n\x01"), "\"\\u003c/a\\u003e\\u0022\\u005c\\u000a\\u005cx01\"");
 }
 
+TEST(Pages, HaveTheAxisUpwardsOfTheirFileUnlessToldOtherwise) {
+    const auto up_of = [](const PageText& text) {
+        auto page = simple_page();
+        page.text = text;
+        const auto html = to_html(page);
+        return html.substr(html.find("\"up\":"), 6);
+    };
+    for (const char* name : {"a.obj", "A.OBJ", "a.ply", "a.off"})
+        EXPECT_EQ(up_of({.file = name}), "\"up\":1") << name;
+    for (const char* name : {"a.stl", "a.msh", "a.vtk", "a.nsc", ""})
+        EXPECT_EQ(up_of({.file = name}), "\"up\":2") << name;
+    EXPECT_EQ(up_of({.file = "a.obj", .up = 0}), "\"up\":0");
+    auto page = simple_page();
+    page.text.up = 3;
+    EXPECT_TRUE(says(page_error(page), {"InvalidInput", "axis 3", "expected"}));
+}
+
+TEST(Pages, NameTheUnitsOfTheirFields) {
+    auto page = simple_page();
+    page.grid.point_data[0].about = "areas, in units of length^2, of cells";
+    EXPECT_EQ(count_of(to_html(page), "\"unit\":\"length^2\""), 1U);
+    page.grid.point_data[0].about = "areas";
+    EXPECT_EQ(count_of(to_html(page), "\"unit\":\"length^2\""), 0U);
+}
+
 TEST(Pages, AreBoundIntoAnAlbum) {
     auto second = simple_page();
     second.text.title = "b <&\"";

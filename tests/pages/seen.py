@@ -100,7 +100,7 @@ class Seen(TestCase):
                          "--count", 2)
         tab, values = self.browser, page.values("mode_1")
         tab.plain()
-        tab.set(field=1, map="diverging")
+        tab.set(field=1, map="diverging", values=True)
         largest, colors = max(map(abs, values)), page.header["maps"]["diverging"]
         wanted = {tuple(map(round, map_color(colors, (v / largest + 1) / 2))) for v in values}
         width, height = tab.size()

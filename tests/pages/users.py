@@ -78,7 +78,7 @@ class Users(TestCase):
     def test_everything_is_reached_by_tab(self):
         self.shared.open(self.modes("kuhn3.nsc"))
         wanted = set(self.shared.run("""
-            return [...document.querySelectorAll("button, select, input, canvas, tr[data-field]")]
+            return [...document.querySelectorAll("button, select, input, #canvas, tr[data-field]")]
                 .filter(e => e.offsetHeight).map(e => e.id || e.dataset.field)"""))
         self.assertLessEqual({"theme", "canvas", "field", "map", "edges", "axis", "cut", "0", "2"},
                              wanted)
@@ -146,7 +146,7 @@ class Users(TestCase):
         tab = self.shared
         tab.open(self.modes())
         self.assertEqual(tab.run("""
-            return [...document.querySelectorAll("canvas, select, input, button, tr[data-field]")]
+            return [...document.querySelectorAll("#canvas, select, input, button, tr[data-field]")]
                 .filter(e => e.offsetHeight && !(e.getAttribute("aria-label") || e.labels?.length ||
                     e.textContent.trim())).map(e => e.id)"""), [])
         self.assertIn("mode_1", tab.run(

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// What is written over the picture: directions, a length, the places of extreme values; and the
+// picture as a file.
+
+/** The largest of 1, 2 and 5 times a power of ten that is not above a length. */
+function roundLength(most) {
+    const power = 10 ** Math.floor(Math.log10(most));
+    return [5, 2, 1].find(n => n * power <= most * (1 + 1e-9)) * power;
+}
+
+/** Where values of a step are extreme: the largest, and of signed ones the smallest; with the place
+ * of the vertex, or the middle of the cell. */
+function extremesOf(scene, field, step) {
+    const values = field.values[step], found = [];
+    if (field.scale.constant || scene.isCurve || !["vertex", "cell"].includes(field.place))
+        return found;
+    const mark = (name, better) => {
+        let best = 0;
+        for (let i = 1; i < values.length; ++i)
+            if (better(values[i], values[best]))
+                best = i;
+        found.push({name, value: values[best],
+            place: field.place === "vertex" ? scene.point(best) : scene.center(best)});
+    };
+    mark("max", (a, b) => a > b);
+    if (field.low < 0)
+        mark("min", (a, b) => a < b);
+    return found;
+}
+
+class Overlay {
+    /** On a 2D canvas of as many of its pixels as the picture, each of this part of the page's. */
+    constructor(canvas, width, height, pixel, colors) {
+        this.width = width / pixel;
+        this.height = height / pixel;
+        this.colors = colors;
+        if (canvas.width !== width || canvas.height !== height) {
+            canvas.width = width;
+            canvas.height = height;
+        }
+        const draw = this.draw = canvas.getContext("2d");
+        draw.setTransform(pixel, 0, 0, pixel, 0, 0);
+        draw.clearRect(0, 0, this.width, this.height);
+        draw.font = "13px system-ui, 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif";
+        draw.textBaseline = "middle";
+        draw.lineJoin = draw.lineCap = "round";
+    }
+
+    text(words, x, y, align) {
+        const {draw} = this;
+        draw.textAlign = align;
+        draw.lineWidth = 4;
+        draw.strokeStyle = this.colors.ground;
+        draw.strokeText(words, x, y);
+        draw.fillStyle = this.colors.text;
+        draw.fillText(words, x, y);
+    }
+
+    /** A line, light around so that it is seen on everything. */
+    line(points, color, width) {
+        const {draw} = this;
+        draw.beginPath();
+        for (const [x, y] of points)
+            draw.lineTo(x, y);
+        for (const [style, wide] of [[this.colors.ground, width + 2], [color, width]]) {
+            draw.strokeStyle = style;
+            draw.lineWidth = wide;
+            draw.stroke();
+        }
+    }
+
+    /** The directions of the coordinates, those towards the eye last. */
+    cross(camera, names) {
+        const size = 30, x = 46, y = this.height - 46;
+        const order = names.map((_, i) => i).sort((i, j) => camera.axes[2][i] - camera.axes[2][j]);
+        for (const i of order) {
+            const across = camera.axes[0][i], up = camera.axes[1][i];
+            if (Math.hypot(across, up) < 0.1)
+                continue; // it is a point
+            this.line([[x, y], [x + size * across, y - size * up]], this.colors.axes[i], 2.5);
+            this.text(names[i], x + (size + 11) * across, y - (size + 11) * up, "center");
+        }
+    }
+
+    /** A bar whose length is a round number, in the unit of the file. Returns how long it is. */
+    bar(scene, camera, unit) {
+        const perPixel = 2 * scene.extent * scene.radius / (camera.zoom * this.height);
+        const length = roundLength(Math.min(150, 0.3 * this.width) * perPixel);
+        const right = this.width - 16, left = right - length / perPixel, y = this.height - 16;
+        this.line([[left, y - 5], [left, y], [right, y], [right, y - 5]], this.colors.text, 2);
+        this.text(`${numberText(length, 3)} ${unit || "(unit of the file)"}`, right, y - 13, "right");
+        return {length, pixels: right - left};
+    }
+
+    /** A ring and words at an extreme value; thin behind the mesh. Returns where it is. */
+    mark({name, value, place, isHidden}, camera) {
+        const {draw} = this, [x, y] = camera.seen(place);
+        const at = [this.width / 2 + x * this.height / 2, this.height / 2 * (1 - y)];
+        draw.beginPath();
+        draw.arc(...at, 6, 0, 7);
+        draw.setLineDash(isHidden ? [2, 4] : []);
+        for (const [style, wide] of [[this.colors.ground, isHidden ? 0 : 5], [this.colors.text, 2]]) {
+            draw.strokeStyle = style;
+            draw.lineWidth = wide;
+            if (wide)
+                draw.stroke();
+        }
+        draw.setLineDash([]);
+        const isLeft = at[0] > 0.7 * this.width;
+        this.text(`${name} ${numberText(value, 4)}${isHidden ? " (behind)" : ""}`,
+            at[0] + (isLeft ? -12 : 12), at[1], isLeft ? "right" : "left");
+        return at;
+    }
+}
+
+/** The picture with what is written over it, and its legend below, as a canvas of its own. */
+function pictureOf(canvas, overlay, legend, colors, pixel) {
+    const below = legend ? 64 * pixel : 0, all = document.createElement("canvas");
+    const paper = new Overlay(all, canvas.width, canvas.height + below, pixel, colors), {draw} = paper;
+    draw.setTransform(1, 0, 0, 1, 0, 0);
+    draw.fillStyle = colors.ground;
+    draw.fillRect(0, 0, all.width, all.height);
+    draw.drawImage(canvas, 0, 0);
+    draw.drawImage(overlay, 0, 0);
+    if (!legend)
+        return all;
+    draw.setTransform(pixel, 0, 0, pixel, 0, 0);
+    const top = canvas.height / pixel, left = 16, wide = paper.width - 32;
+    paper.text(legend.title, left, top + 12, "left");
+    const bar = draw.createLinearGradient(left, 0, left + wide, 0);
+    legend.colors.forEach((color, i) => bar.addColorStop(i / (legend.colors.length - 1), cssColor(color)));
+    draw.fillStyle = bar;
+    draw.fillRect(left, top + 24, wide, 14);
+    legend.numbers.forEach((text, i) => paper.text(text, left + wide * i / (legend.numbers.length - 1),
+        top + 50, i === 0 ? "left" : i === legend.numbers.length - 1 ? "right" : "center"));
+    return all;
+}
+
+/** Offers a canvas as a file. */
+function save(canvas, name) {
+    canvas.toBlob(blob => {
+        const link = document.createElement("a");
+        link.href = URL.createObjectURL(blob);
+        link.download = name;
+        link.click();
+        setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    });
+}
