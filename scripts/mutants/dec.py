@@ -181,4 +181,8 @@ MUTANTS = {
                                      "DualProblemRefuses.what_has_not_two_sides"),
     "fingerprint_without_stars": ("dec/fingerprint.cpp", ".add(stars[k]);", ".add(k);",
                                   "Fingerprint.KnowsEveryStarOfAMesh"),
+    "dual_vectors_as_primal": ("dec/fields/proxy_vectors.cpp",
+                               "is_along(form, proxy) == (form.side == Side::primal)",
+                               "is_along(form, proxy)",
+                               "ProxyVectors.OfConstantFieldsAreThatFieldForFormsOfAllKinds"),
 }

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/proxy_vectors.h"
+
+#include "base/checks.h"
+#include "dec/fields/sharp.h"
+#include "dec/stars/star.h"
+#include "meshes/unit_of_length.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+/// Whether the field is along the cells of the form's side, rather than through them.
+bool is_along(const Cochain& form, Proxy proxy) {
+    return form.degree == 1 && proxy != Proxy::flux;
+}
+
+/// The primal form whose star a dual form is, in the units of the input.
+Cochain primal_of(const Discretization& mesh, const Cochain& form) {
+    if (form.side == Side::primal)
+        return form;
+    const int n = mesh.dimension(), k = n - form.degree;
+    return {
+        Side::primal, k,
+        form_in_input_units(star(mesh, k).solve(form.values), mesh.unit(), 2 * k - n, "vectors")};
+}
+
+/// Each vertex with each n-cell around it.
+std::vector<std::pair<Index, Index>> corners_of_cells(const Discretization& mesh) {
+    const int n = mesh.dimension();
+    const auto &points = mesh.merging().carriers(0), &cells = mesh.merging().carriers(n);
+    std::vector<std::pair<Index, Index>> pairs;
+    for (Index t = 0; t < mesh.pieces().size(n); ++t)
+        for (const Index corner : mesh.pieces().simplices(n).row(t))
+            if (const auto [degree, vertex] = points[corner]; degree == 0)
+                pairs.emplace_back(vertex, cells[t].cell);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+} // namespace
+
+bool has_proxy(const Discretization& mesh, const Cochain& form) {
+    const int n = mesh.dimension();
+    return n > 1 && (form.degree == 1 || form.degree == n - 1);
+}
+
+DenseMatrix vectors_at_cells(const Discretization& mesh, const Cochain& form, Proxy proxy) {
+    if (!has_proxy(mesh, form))
+        return {};
+    check(mesh.complex(), form);
+    const Cochain primal = primal_of(mesh, form);
+    // the dual cells that a field runs along are those that cross facets
+    return is_along(form, proxy) == (form.side == Side::primal) ? sharp_pd(mesh, primal)
+                                                                : flux_sharp(mesh, primal);
+}
+
+DenseMatrix vectors_at_vertices(const Discretization& mesh, const Cochain& form, Proxy proxy) {
+    if (!has_proxy(mesh, form))
+        return {};
+    if (form.side == Side::primal && is_along(form, proxy) &&
+        star(mesh.input_geometry().volumes(), 0).zeros().empty())
+        return sharp_pp(mesh, form);
+    return means_at_vertices(mesh, vectors_at_cells(mesh, form, proxy));
+}
+
+DenseMatrix means_at_vertices(const Discretization& mesh, const DenseMatrix& at_cells) {
+    const int n = mesh.dimension();
+    check_as_many("rows", at_cells.rows(), mesh.complex().size(n));
+    DenseMatrix sums = DenseMatrix::Zero(mesh.complex().size(0), at_cells.cols());
+    Vector weights = Vector::Zero(sums.rows());
+    for (const auto& [v, cell] : corners_of_cells(mesh)) {
+        const double volume = mesh.volumes().primal(n)[cell];
+        sums.row(v) += volume * at_cells.row(cell);
+        weights[v] += volume;
+    }
+    for (Index v = 0; v < weights.size(); ++v)
+        if (weights[v] > 0)
+            sums.row(v) /= weights[v];
+    return sums;
+}
+
+} // namespace polydec

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/proxy_vectors.h"
+
+#include "dec/fields/de_rham.h"
+#include "dec/stars/star.h"
+#include "meshes/generate.h"
+#include "tests/support/matrices.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec::test::in_proxy_vectors {
+
+namespace {
+
+Discretization scaled(Mesh mesh, double scale) {
+    mesh.points *= scale;
+    return discretize(std::move(mesh));
+}
+
+std::vector<Discretization> flat_meshes(double scale) {
+    return {scaled(grid(3, 2), scale), scaled(well_centered(3), scale),
+            scaled(kuhn({2, 2, 1}), scale)};
+}
+
+} // namespace
+
+TEST(ProxyVectors, OfConstantFieldsAreThatFieldForFormsOfAllKinds) {
+    for (const double scale : {1.0, std::ldexp(1.0, -30)})
+        for (const Discretization& mesh : flat_meshes(scale)) {
+            const int n = mesh.dimension();
+            const Vector X = random_vector(n, 3);
+            const auto constant = [&](const Vector&) { return X; };
+            const Cochain along = de_rham(mesh, 1, circulation_form(constant));
+            const Cochain flux = de_rham(mesh, n - 1, flux_form(constant));
+            const auto starred = [&](const Cochain& form) {
+                const Vector dual = star(mesh, form.degree) * form.values;
+                return Cochain{Side::dual, n - form.degree,
+                               std::pow(mesh.unit(), n - 2 * form.degree) * dual};
+            };
+            const auto expect = [&](const Cochain& form, Proxy proxy, const char* what) {
+                for (const DenseMatrix& rows : {vectors_at_cells(mesh, form, proxy),
+                                                vectors_at_vertices(mesh, form, proxy)}) {
+                    ASSERT_GT(rows.rows(), 0) << what;
+                    EXPECT_LE((rows.rowwise() - X.transpose()).cwiseAbs().maxCoeff(), 1e-12)
+                        << what << n;
+                }
+            };
+            expect(along, Proxy::automatic, "circulations");
+            expect(flux, n == 2 ? Proxy::flux : Proxy::automatic, "fluxes");
+            expect(starred(flux), Proxy::automatic, "dual circulations");
+            expect(starred(along), n == 2 ? Proxy::flux : Proxy::automatic, "dual fluxes");
+            EXPECT_EQ(vectors_at_cells(mesh, {Side::primal, 0, X}).size(), 0);
+        }
+}
+
+TEST(ProxyVectors, AtVerticesAreMeansByVolume) {
+    const Mesh mesh = grid(2, 1, 3.0, 1.0);
+    const Discretization two = discretize(mesh);
+    ASSERT_EQ(two.complex().size(2), 2);
+    const DenseMatrix means = means_at_vertices(two, Vector{{1.0, 4.0}});
+    std::vector<double> sorted(means.data(), means.data() + means.size());
+    std::sort(sorted.begin(), sorted.end());
+    EXPECT_EQ(sorted, (std::vector<double>{1, 1, 2.5, 2.5, 4, 4}));
+}
+
+} // namespace polydec::test::in_proxy_vectors
