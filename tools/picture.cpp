@@ -4,7 +4,7 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "io/meshes/write_mesh.h"
-#include "io/pictures/draw_cells.h"
+#include "io/pictures/draw_fields.h"
 #include "io/pictures/draw_levels.h"
 #include "io/source_file.h"
 #include "tools/options.h"
@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -157,11 +159,8 @@ void write_picture(const PictureArguments& to, const Discretization& mesh,
             page.arrows.push_back({forms.front().name, none, none, lines});
         return write_page(to.out, std::move(page), log);
     }
-    const auto& first = forms.front().form;
-    VtuGrid grid = draw_cells(mesh, cell_degree(mesh.complex(), first.side, first.degree));
-    for (const auto& [name, form, about] : forms)
-        add_form(grid, mesh, name, form);
-    grid.field_data = std::move(numbers);
+    VtuGrid grid = draw_fields(mesh, forms);
+    std::move(numbers.begin(), numbers.end(), std::back_inserter(grid.field_data));
     write_vtu(to.out, grid, to.vtu);
 }
 

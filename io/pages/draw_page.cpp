@@ -2,6 +2,7 @@
 #include "io/pages/draw_page.h"
 
 #include "base/errors.h"
+#include "dec/fields/proxy_vectors.h"
 #include "dec/glued_box.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_modes.h"
@@ -99,21 +100,42 @@ Page draw_page(const Discretization& mesh, std::string title) {
     return page;
 }
 
-Page draw_page(const Discretization& mesh, const std::vector<NamedForm>& forms, std::string title) {
-    if (forms.empty())
-        throw InvalidInput("a page needs forms: name one, or draw only the cells");
-    const auto& first = forms.front().form;
+Page draw_page(const Discretization& mesh, const std::vector<NamedForm>& fields,
+               std::string title) {
+    if (fields.empty())
+        throw InvalidInput("a page needs fields: name one, or draw only the cells");
+    const int k = drawn_degree(mesh, fields);
     Page page;
     page.text.title = std::move(title);
     page.text.facts = facts_of(mesh);
-    page.grid = draw_cells(mesh, cell_degree(mesh.complex(), first.side, first.degree));
-    for (const auto& [name, form, about] : forms) {
-        add_form(page.grid, mesh, name, form, about);
-        add_arrows(page, name, mesh, form);
+    page.grid = draw_cells(mesh, k);
+    for (const NamedForm& field : fields) {
+        add_field(page.grid, mesh, k, field);
+        if (field.vectors.size() == 0)
+            add_arrows(page, field.name, mesh, field.form);
     }
-    page.shown = forms.front().name;
+    page.shown = fields.front().name;
     page.mesh = mesh;
     return page;
+}
+
+PageStep draw_step(const Page& page, std::string time, const std::vector<NamedForm>& fields) {
+    const Discretization& mesh = page.mesh.value();
+    const int k = drawn_degree(mesh, fields);
+    VtuGrid arrays;
+    PageStep step{std::move(time)};
+    for (const NamedForm& field : fields)
+        add_field(arrays, mesh, k, field);
+    for (const PageArrows& arrows : page.arrows) {
+        step.vectors.push_back(arrows.vectors);
+        for (const NamedForm& field : fields)
+            if (field.name == arrows.field && has_proxy(mesh, field.form))
+                step.vectors.back() = vectors_at_cells(mesh, field.form);
+    }
+    step.point_data = std::move(arrays.point_data);
+    step.cell_data = std::move(arrays.cell_data);
+    step.field_data = std::move(arrays.field_data);
+    return step;
 }
 
 Page draw_page(const Discretization& mesh, const Spectrum& spectrum, std::string title) {

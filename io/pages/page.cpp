@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/fields/sharp.h"
+#include "dec/fields/proxy_vectors.h"
 #include "dec/fields/streamlines.h"
 #include "io/pages/page_header.h"
 #include "io/pages/page_template.h"
@@ -74,16 +74,11 @@ void add_flow(Page& page, PageArrows& arrows, const Discretization& mesh) {
 
 void add_arrows(Page& page, const std::string& field, const Discretization& mesh,
                 const Cochain& form) {
-    const int n = mesh.dimension();
-    if (form.degree != 1 || n < 2)
-        return;
     try {
-        PageArrows arrows{field, cell_centroids(mesh, n), {}};
-        if (form.side == Side::primal)
-            arrows.vectors = sharp_pd(mesh, form);
-        else
-            arrows.vectors =
-                flux_sharp(mesh, {Side::primal, n - 1, star(mesh, n - 1).solve(form.values)});
+        PageArrows arrows{field, {}, vectors_at_cells(mesh, form)};
+        if (arrows.vectors.rows() == 0)
+            return;
+        arrows.sites = cell_centroids(mesh, mesh.dimension());
         add_flow(page, arrows, mesh);
         page.arrows.push_back(std::move(arrows));
     } catch (const InvalidInput& error) {

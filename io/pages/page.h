@@ -44,29 +44,33 @@ struct PageArrows {
     Mesh lines = {};
 };
 
-/// Arrays at another time, with the names and sizes of the grid's.
+/// Arrays at another time, with the names and sizes of the grid's, and the vectors of the page's
+/// arrows, in their order.
 struct PageStep {
     std::string time;
     std::vector<VtuArray> point_data = {};
     std::vector<VtuArray> cell_data = {};
+    std::vector<VtuArray> field_data = {}; ///< with a degree
+    std::vector<Points> vectors = {};
 };
 
 /// The contents of a page: a grid as for write_vtu, and more.
 struct Page {
     PageText text = {};
-    VtuGrid grid = {};      ///< cells, and fields on them or on their corners
+    VtuGrid grid = {};      ///< cells, and fields on them, on their corners, edges or faces
     std::string shown = {}; ///< name of the array shown first; empty: cells without values
     /// The mesh whose cells, of any degree, the grid shows, as made by draw_cells. It adds merged
     /// edges and the dual mesh. Without it, the grid alone is shown.
     std::optional<Discretization> mesh = {};
     std::vector<Index> groups = {}; ///< without mesh: for each polygon, the cell that contains it
     std::vector<PageArrows> arrows = {};
-    std::vector<PageStep> steps = {}; ///< replace the grid's arrays, one after the other
+    /// Replace the grid's arrays, one after the other. The page opens at the step with the largest
+    /// range of values.
+    std::vector<PageStep> steps = {};
 };
 
-/// Adds the proxy vectors of a primal or dual 1-form, by sharp_pd and flux_sharp, for the array of
-/// this name; on surfaces also lines along them. Does nothing for other forms, and where no sharp
-/// exists.
+/// Adds the vectors_at_cells of a form, for the array of this name; on surfaces also lines along
+/// them. Does nothing for forms without such vectors, and where no sharp exists.
 void add_arrows(Page& page, const std::string& field, const Discretization& mesh,
                 const Cochain& form);
 

@@ -7,6 +7,7 @@
 #include "io/meshes/read_mesh.h"
 #include "io/pages/page_data.h"
 #include "io/pages/page_faces.h"
+#include "io/pages/page_fields.h"
 #include "io/pages/page_text.h"
 #include "io/pages/still_picture.h"
 #include "io/pictures/draw_cells.h"
@@ -19,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 namespace polydec {
 
@@ -30,41 +32,17 @@ constexpr Index most_triangles = 8000000; ///< what textures hold everywhere
 constexpr std::size_t most_exact_values = 600000;
 constexpr Eigen::Index most_exact_points = 100000;
 
-DenseMatrix rows_of(const VtuArray& array) {
-    return std::visit(
-        [&](const auto& values) {
-            const auto width = array.components;
-            DenseMatrix rows(static_cast<Eigen::Index>(values.size()) / width, width);
-            for (Eigen::Index i = 0; i < rows.size(); ++i)
-                rows(i / width, i % width) =
-                    static_cast<double>(values[static_cast<std::size_t>(i)]);
-            return rows;
-        },
-        array.values);
-}
-
-/// Smallest and largest number, of vectors by their lengths.
-std::array<double, 2> range_of(const VtuArray& array) {
-    const DenseMatrix rows = rows_of(array);
-    if (rows.rows() == 0)
-        return {0, 0};
-    const Vector numbers = rows.cols() == 1 ? Vector(rows) : Vector(rows.rowwise().stableNorm());
-    return {numbers.minCoeff(), numbers.maxCoeff()};
-}
-
-bool varies(const VtuArray& array) {
-    const auto [low, high] = range_of(array);
-    return !color_range(low, high).is_constant;
-}
-
-/// The unit in a description, "in units of length^2"; or empty.
-std::string unit_in(const std::string& about) {
-    constexpr std::string_view mark = "in units of ";
-    const auto at = about.find(mark);
-    if (at == std::string::npos)
-        return "";
-    const auto begin = at + mark.size();
-    return about.substr(begin, about.find_first_of(" ,;", begin) - begin);
+/// Rows of three numbers, as many as sites; every stride-th one.
+DenseMatrix some_vectors(const PageArrows& arrows, const Points& vectors, Index stride) {
+    if (arrows.sites.rows() != vectors.rows())
+        throw InvalidInput(fmt::format(
+            "{} vectors are given for {} sites of the arrows `{}`: expected equal numbers",
+            vectors.rows(), arrows.sites.rows(), arrows.field));
+    const auto rows = static_cast<Index>(vectors.rows());
+    DenseMatrix some = DenseMatrix::Zero((rows + stride - 1) / stride, 3);
+    for (Index i = 0; i < rows; i += stride)
+        some.row(i / stride).head(vectors.cols()) = vectors.row(i);
+    return some;
 }
 
 /// The rule of color_range, in JSON.
@@ -80,14 +58,18 @@ class Maker {
 public:
     explicit Maker(const Page& page) : page_(page) {
         check_grid("a page", page.grid);
-        const int degree = grid_dimension(page.grid);
-        if (page.mesh && degree < page.mesh->dimension())
+        if (page.mesh && grid_dimension(page.grid) < page.mesh->dimension())
             own_ = draw_cells(*page.mesh, 0);
-        faces_ =
-            page.mesh ? page_faces(drawn_cells(*page.mesh)) : page_faces(page.grid, page.groups);
-        const char* const places[] = {"vertex", "edge", "face", "cell"};
-        place_ = degree == faces_.dimension ? "cell" : places[degree];
-        first_ = first();
+        if (page.mesh) {
+            const Merging cells = drawn_cells(*page.mesh);
+            faces_ = page_faces(cells);
+            all_ = page_fields(page, faces_.dimension, &cells.merged());
+        } else {
+            faces_ = page_faces(page.grid, page.groups);
+            all_ = page_fields(page, faces_.dimension, nullptr);
+        }
+        first_ = first_field(page, all_);
+        step_ = opening_step(page, first_);
     }
 
     PageHeader make() {
@@ -104,17 +86,18 @@ public:
         PageHeader header;
         header.json = fmt::format(
             "{{\"dimension\":{},\"flat\":{},\"up\":{},\"eyes\":{},\"unit\":{},\"cells\":{},"
-            "\"points\":{},\"origin\":{},\"maps\":{},"
-            "\"fields\":{},\"shown\":{},\"steps\":{},\"arrows\":{},\"arrays\":{}}}",
+            "\"points\":{},\"origin\":{},\"maps\":{},\"fields\":{},\"shown\":{},\"steps\":{},"
+            "\"step\":{},\"arrows\":{},\"arrays\":{}}}",
             faces_.dimension, is_flat(), up(), eyes(), json_text(page_.text.length_unit),
             cells().types.size(), page_.grid.points.rows(),
             json_array({json_number(origin_[0]), json_number(origin_[1]), json_number(origin_[2])}),
-            maps(), json_array(fields_), shown_, steps(), json_array(arrows_), data_.directory());
+            maps(), json_array(fields_), shown_, steps(), step_, json_array(arrows_),
+            data_.directory());
         header.data = data_.text();
-        const VtuArray* still = strength_ ? &*strength_ : own_ ? nullptr : first_;
-        header.still = still_picture(cells(), faces_, still, up());
-        if (still != nullptr && faces_.dimension > 1)
-            header.caption = fmt::format("Colors: {}. ", still->name);
+        header.still = still();
+        if (is_still_colored() && faces_.dimension > 1)
+            header.caption =
+                fmt::format("Colors: {}. ", strength_ ? strength_->name : first_->array->name);
         header.notes = std::move(notes_);
         return header;
     }
@@ -122,18 +105,27 @@ public:
 private:
     const VtuGrid& cells() const { return own_ ? *own_ : page_.grid; }
 
-    /// The array that is seen first: the one asked for; of a constant one and its likes the first
-    /// that is not.
-    const VtuArray* first() const {
-        const VtuArray* asked = nullptr;
-        for (const auto* list : {&page_.grid.point_data, &page_.grid.cell_data})
-            for (const auto& array : *list) {
-                if (asked == nullptr && array.name == page_.shown)
-                    asked = &array;
-                if (asked != nullptr && (!page_.steps.empty() || varies(array)))
-                    return &array;
-            }
-        return asked;
+    bool has_place(std::string_view place) const {
+        return std::any_of(all_.begin(), all_.end(),
+                           [&](const PageField& field) { return field.place == place; });
+    }
+
+    bool is_still_colored() const {
+        return strength_ ||
+               (!own_ && first_ != nullptr && first_->list != &PageStep::field_data);
+    }
+
+    std::string still() const {
+        if (strength_ || !is_still_colored())
+            return still_picture(cells(), faces_, strength_ ? &*strength_ : nullptr, up());
+        if (page_.steps.empty())
+            return still_picture(page_.grid, faces_, first_->array, up());
+        VtuGrid grid = page_.grid;
+        grid.point_data = page_.steps[step_].point_data;
+        grid.cell_data = page_.steps[step_].cell_data;
+        const bool at_points = first_->list == &PageStep::point_data;
+        return still_picture(grid, faces_,
+                             &(at_points ? grid.point_data : grid.cell_data)[first_->number], up());
     }
 
     int up() const {
@@ -205,54 +197,33 @@ private:
         data_.add("corners", faces_.corners, 3);
         data_.add("owners", owners, faces_.dimension > 2 ? 2 : 1);
         data_.add("sides", faces_.sides, 1);
-        if (place_ == "edge")
+        if (has_place("edge"))
             data_.add("edges", faces_.edges, 3);
-        if (place_ == "face")
+        if (has_place("face"))
             data_.add("faces", faces_.faces, 1);
     }
 
     void add_fields() {
         std::size_t values = 0;
-        for (const auto* list : {&page_.grid.point_data, &page_.grid.cell_data})
-            for (const auto& array : *list)
-                values += array.size();
+        for (const PageField& field : all_)
+            values += field.array->size();
         is_rounded_ = values * std::max<std::size_t>(1, page_.steps.size()) > most_exact_values;
-        add_list(page_.grid.point_data, "vertex", &PageStep::point_data);
-        add_list(page_.grid.cell_data, place_.c_str(), &PageStep::cell_data);
-        if (is_rounded_ && !fields_.empty())
-            notes_.push_back("values are rounded to 1/65535 of their range, since there are many");
-    }
-
-    void add_list(const std::vector<VtuArray>& list, const char* place,
-                  std::vector<VtuArray> PageStep::*of_step) {
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            const auto& array = list[i];
-            if (&array == first_)
-                shown_ = static_cast<int>(fields_.size());
-            const auto field = fields_.size();
-            auto range = range_of(array);
-            for (const auto& step : page_.steps)
-                if (i < (step.*of_step).size()) {
-                    const auto [low, high] = range_of((step.*of_step)[i]);
-                    range = {std::min(range[0], low), std::max(range[1], high)};
-                }
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            const VtuArray& array = *all_[i].array;
+            if (&all_[i] == first_)
+                shown_ = static_cast<int>(i);
             fields_.push_back(fmt::format("{{\"name\":{},\"about\":{},\"unit\":{},\"place\":\"{}\","
                                           "\"components\":{},\"scale\":{}}}",
                                           json_text(array.name), json_text(array.about),
-                                          json_text(unit_in(array.about)), place, array.components,
-                                          color_scale(range)));
+                                          json_text(unit_in(array.about)), all_[i].place,
+                                          array.components, color_scale(range_of(page_, all_[i]))));
             if (page_.steps.empty())
-                add_values(fmt::format("f{}", field), array);
-            for (std::size_t s = 0; s < page_.steps.size(); ++s) {
-                const auto& later = page_.steps[s].*of_step;
-                if (later.size() != list.size() || later[i].name != array.name ||
-                    later[i].components != array.components || later[i].size() != array.size())
-                    throw InvalidInput(fmt::format("step {} of a page has other arrays than the "
-                                                   "first step: expected the same names and sizes",
-                                                   s));
-                add_values(fmt::format("f{}.{}", field, s), later[i]);
-            }
+                add_values(fmt::format("f{}", i), array);
+            for (std::size_t s = 0; s < page_.steps.size(); ++s)
+                add_values(fmt::format("f{}.{}", i, s), all_[i].at(page_.steps[s]));
         }
+        if (is_rounded_ && !fields_.empty())
+            notes_.push_back("values are rounded to 1/65535 of their range, since there are many");
     }
 
     void add_values(const std::string& name, const VtuArray& array) {
@@ -272,43 +243,41 @@ private:
     }
 
     void add_arrows_of_fields() {
-        for (const auto& arrows : page_.arrows) {
-            if (arrows.sites.rows() != arrows.vectors.rows())
-                throw InvalidInput(fmt::format(
-                    "{} vectors are given for {} sites of the arrows `{}`: expected equal numbers",
-                    arrows.vectors.rows(), arrows.sites.rows(), arrows.field));
-            const std::string scale = add_sizes(arrows);
+        for (std::size_t i = 0; i < page_.arrows.size(); ++i) {
+            const auto& arrows = page_.arrows[i];
             const Index rows = static_cast<Index>(arrows.sites.rows());
             const Index stride = 1 + (rows - 1) / most_arrows;
-            Points sites((rows + stride - 1) / stride, arrows.sites.cols());
-            Points vectors = Points::Zero(sites.rows(), 3);
-            for (Index i = 0; i < rows; i += stride) {
-                sites.row(i / stride) = arrows.sites.row(i);
-                vectors.row(i / stride).head(arrows.vectors.cols()) = arrows.vectors.row(i);
-            }
-            const auto i = arrows_.size();
-            data_.add_floats(fmt::format("sites{}", i), centered(sites));
-            data_.add_floats(fmt::format("vectors{}", i), vectors);
+            data_.add_floats(fmt::format("sites{}", i),
+                             centered(some_vectors(arrows, arrows.sites, stride)));
+            const bool moves = has_moving_arrows(page_);
+            if (!moves)
+                data_.add_floats(fmt::format("vectors{}", i),
+                                 some_vectors(arrows, arrows.vectors, stride));
+            for (std::size_t s = 0; s < page_.steps.size() && moves; ++s)
+                data_.add_floats(fmt::format("vectors{}.{}", i, s),
+                                 some_vectors(arrows, page_.steps[s].vectors[i], stride));
             arrows_.push_back(fmt::format("{{\"field\":{},\"stride\":{}{}{}}}",
-                                          json_text(arrows.field), stride, scale,
+                                          json_text(arrows.field), stride, add_sizes(i),
                                           rows == 0 ? ",\"lines_alone\":true" : ""));
             if (arrows.lines.simplices.rows() > 0)
                 add_lines(fmt::format("flow{}", i), arrows.lines);
         }
     }
 
-    /// Where each cell has a vector, its length as a value of the cell; returns its colors.
-    std::string add_sizes(const PageArrows& arrows) {
-        if (place_ == "vertex" || place_ == "cell" || arrows.vectors.rows() == 0 ||
-            arrows.vectors.rows() != std::ssize(cells().types))
+    /// Where each cell has a vector of a form on edges or faces, its length as a value of the cell,
+    /// at every step; returns its colors.
+    std::string add_sizes(std::size_t i) {
+        const auto& arrows = page_.arrows[i];
+        const auto lengths = strengths(page_, all_, arrows, std::ssize(cells().types));
+        if (lengths.empty())
             return "";
-        VtuArray sizes =
-            vtu_array(fmt::format("|{}|", arrows.field), arrows.vectors.rowwise().stableNorm());
-        add_values(fmt::format("sizes{}", arrows_.size()), sizes);
-        const auto scale = fmt::format(",\"scale\":{}", color_scale(range_of(sizes)));
-        if (first_ != nullptr && first_->name == arrows.field)
-            strength_ = std::move(sizes);
-        return scale;
+        for (std::size_t s = 0; s < lengths.size(); ++s)
+            add_values(page_.steps.empty() ? fmt::format("sizes{}", i)
+                                           : fmt::format("sizes{}.{}", i, s),
+                       lengths[s]);
+        if (first_ != nullptr && first_->array->name == arrows.field)
+            strength_ = lengths[step_];
+        return fmt::format(",\"scale\":{}", color_scale(range_of(lengths)));
     }
 
     void add_lines(const std::string& name, const Mesh& lines) {
@@ -350,10 +319,11 @@ private:
 
     const Page& page_;
     std::optional<VtuGrid> own_; ///< top cells, if the grid has others
-    const VtuArray* first_ = nullptr;
+    std::vector<PageField> all_;
+    const PageField* first_ = nullptr;
+    std::size_t step_ = 0; ///< the one that is seen first
     PageFaces faces_;
-    std::optional<VtuArray> strength_; ///< lengths of the vectors of the array shown first
-    std::string place_;                ///< where values of cells of the grid are
+    std::optional<VtuArray> strength_; ///< lengths of the vectors of the field shown first
     std::array<double, 3> origin_{};
     PageData data_;
     std::vector<std::string> fields_, arrows_, notes_;

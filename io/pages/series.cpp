@@ -15,9 +15,9 @@
 #include <charconv>
 #include <cmath>
 #include <exception>
-#include <iterator>
 #include <optional>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 namespace polydec {
@@ -174,64 +174,94 @@ void Series::check_arrays(const std::vector<VtuArray>& arrays,
                                        steps_.size()));
 }
 
-void Series::add(double time, const std::vector<NamedForm>& forms) {
+/// The page before its first step.
+Page Series::begun(const std::vector<NamedForm>& fields) const {
+    Page page;
+    page.mesh = mesh_;
+    if (is_page_) {
+        page = draw_page(*mesh_, fields);
+        for (PageArrows& arrows : page.arrows)
+            arrows.lines = {}; // they would stand still
+    } else {
+        page.grid = draw_cells(*mesh_, drawn_degree(*mesh_, fields));
+    }
+    page.grid.point_data.clear();
+    page.grid.cell_data.clear();
+    page.grid.field_data.clear();
+    const PageText own = std::exchange(page.text, page_.text);
+    page.text.facts.insert(page.text.facts.end(), own.facts.begin(), own.facts.end());
+    page.text.warnings.insert(page.text.warnings.end(), own.warnings.begin(), own.warnings.end());
+    return page;
+}
+
+PageStep Series::drawn(const Page& page, const std::vector<NamedForm>& fields) const {
+    if (is_page_)
+        return draw_step(page, {}, fields);
+    VtuGrid arrays;
+    add_fields(arrays, *page.mesh, fields);
+    return {{},
+            std::move(arrays.point_data),
+            std::move(arrays.cell_data),
+            std::move(arrays.field_data)};
+}
+
+void Series::add(double time, const std::vector<NamedForm>& fields) {
     check_time(time);
     if (!page_.mesh && !mesh_)
-        throw InvalidInput("a series without a mesh cannot store forms: add arrays");
-    if (mesh_) {
-        Page page = draw_page(*mesh_, forms);
-        page.arrows.clear();
-        auto facts = std::exchange(page.text, page_.text).facts;
-        std::move(facts.begin(), facts.end(), std::back_inserter(page.text.facts));
-        auto points = std::exchange(page.grid.point_data, {});
-        auto cells = std::exchange(page.grid.cell_data, {});
+        throw InvalidInput("a series without a mesh cannot store fields: add arrays");
+    if (fields.empty())
+        throw InvalidInput(
+            fmt::format("step {} of a series has no fields: expected at least one", steps_.size()));
+    if (!mesh_)
+        return add_step(time, drawn(page_, fields));
+    Page page = begun(fields);
+    PageStep step = drawn(page, fields);
+    std::swap(page_, page);
+    try {
+        add_step(time, std::move(step));
+    } catch (...) {
         std::swap(page_, page);
-        try {
-            add(time, std::move(points), std::move(cells));
-        } catch (...) {
-            std::swap(page_, page);
-            throw;
-        }
-        mesh_.reset();
-        return;
+        throw;
     }
-    VtuGrid arrays;
-    for (const auto& [name, form, about] : forms)
-        add_form(arrays, *page_.mesh, name, form, about);
-    add(time, std::move(arrays.point_data), std::move(arrays.cell_data));
+    mesh_.reset();
 }
 
 void Series::add(double time, std::vector<VtuArray> point_data, std::vector<VtuArray> cell_data) {
+    add_step(time, {{}, std::move(point_data), std::move(cell_data)});
+}
+
+void Series::add_step(double time, PageStep step) {
     check_time(time);
+    VtuGrid& grid = page_.grid;
     if (steps_.size() > begun_) {
-        check_arrays(point_data, page_.grid.point_data);
-        check_arrays(cell_data, page_.grid.cell_data);
+        check_arrays(step.point_data, grid.point_data);
+        check_arrays(step.cell_data, grid.cell_data);
+        check_arrays(step.field_data, grid.field_data);
     }
-    auto points_before = std::exchange(page_.grid.point_data, std::move(point_data));
-    auto cells_before = std::exchange(page_.grid.cell_data, std::move(cell_data));
-    std::string text;
-    append_number(text, time);
+    auto before = std::tuple(std::exchange(grid.point_data, step.point_data),
+                             std::exchange(grid.cell_data, step.cell_data),
+                             std::exchange(grid.field_data, step.field_data));
+    append_number(step.time, time);
     try {
-        write_step(text);
+        write_step(std::move(step));
     } catch (...) {
-        page_.grid.point_data = std::move(points_before);
-        page_.grid.cell_data = std::move(cells_before);
+        std::tie(grid.point_data, grid.cell_data, grid.field_data) = std::move(before);
         throw;
     }
     last_ = time;
     write_due(false);
 }
 
-void Series::write_step(const std::string& time) {
-    std::string file;
+void Series::write_step(PageStep step) {
+    Step written{step.time, {}};
     if (is_page_) {
         check_grid("a page", page_.grid);
-        page_.steps.push_back({time, page_.grid.point_data, page_.grid.cell_data});
+        page_.steps.push_back(std::move(step));
     } else {
-        file = file_of_step(steps_.size());
-        write_vtu(path_.parent_path() / file, page_.grid);
+        written.file = file_of_step(steps_.size());
+        write_vtu(path_.parent_path() / written.file, page_.grid);
     }
-    steps_.push_back({time, std::move(file)});
+    steps_.push_back(std::move(written));
 }
 
 void Series::write_list() {

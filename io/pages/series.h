@@ -13,10 +13,11 @@
 namespace polydec {
 
 /// Pictures of one mesh at ascending times, in the format of the extension. .pvd lists .vtu files
-/// in a folder of the same name beside it, for ParaView; .html is a page with a time slider and
-/// playback. Every file appears whole or not at all. A .pvd series is written as steps are added.
-/// After a crash it is readable; its list lacks at most the last 1/32 of the steps, whose files
-/// exist. A page is written at the end, and replaces an old one.
+/// in a folder of the same name beside it, for ParaView, as from draw_fields; .html is a page with
+/// a time slider and playback, as from draw_page, with arrows at every time. Every file appears
+/// whole or not at all. A .pvd series is written as steps are added. After a crash it is readable;
+/// its list lacks at most the last 1/32 of the steps, whose files exist. A page is written at the
+/// end, and replaces an old one.
 class Series {
 public:
     /// Removes an earlier series of this name: the list, then its steps. Throws InvalidInput for
@@ -33,7 +34,7 @@ public:
            const std::vector<double>& times = {}, std::uint64_t run = 0);
 
     /// The same for cells as written by write_vtu, from the grid of this page. Added arrays and
-    /// steps replace its own; arrows are omitted.
+    /// steps replace its own; its arrows are omitted.
     Series(std::filesystem::path path, Page page);
 
     /// Closes the series, ignoring errors; does not write a page during stack unwinding.
@@ -41,10 +42,11 @@ public:
     Series(const Series&) = delete;
     Series& operator=(const Series&) = delete;
 
-    /// Adds forms as for draw_page, with the same names, sides and degrees at every time. Throws
-    /// InvalidInput, naming the step, if a form differs from those before or a time is not above
-    /// the last one, and like draw_page; IoError if writing fails. A failed step is not added.
-    void add(double time, const std::vector<NamedForm>& forms);
+    /// Adds fields as for draw_fields, with the same names and of the same kinds at every time.
+    /// Throws InvalidInput, naming the step, if a field differs from those before or a time is not
+    /// above the last one, and like draw_fields; IoError if writing fails. A failed step is not
+    /// added.
+    void add(double time, const std::vector<NamedForm>& fields);
 
     /// The same for arrays of points and of cells.
     void add(double time, std::vector<VtuArray> point_data, std::vector<VtuArray> cell_data);
@@ -67,7 +69,10 @@ private:
     void check_time(double time) const;
     void check_arrays(const std::vector<VtuArray>& arrays,
                       const std::vector<VtuArray>& first) const;
-    void write_step(const std::string& time);
+    Page begun(const std::vector<NamedForm>& fields) const;
+    PageStep drawn(const Page& page, const std::vector<NamedForm>& fields) const;
+    void add_step(double time, PageStep step);
+    void write_step(PageStep step);
     void write_list();
     void write_due(bool at_end);
 

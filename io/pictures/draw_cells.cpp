@@ -4,7 +4,7 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "complex/corners.h"
-#include "dec/fields/sharp.h"
+#include "dec/fields/proxy_vectors.h"
 #include "dec/fields/transfer.h"
 #include "dec/glued_box.h"
 #include "dec/metric/simplex_metric.h"
@@ -184,8 +184,9 @@ VtuGrid draw_cells(const Discretization& given, int k) {
     return grid;
 }
 
-void add_form(VtuGrid& grid, const Discretization& given, std::string name, const Cochain& form,
-              std::string about) {
+namespace {
+
+Vector drawn_values(const Discretization& given, const Cochain& form) {
     const int k = cell_degree(given.complex(), form.side, form.degree);
     check(given.complex(), form);
     Cochain shown = form_at_places(given, form);
@@ -198,8 +199,27 @@ void add_form(VtuGrid& grid, const Discretization& given, std::string name, cons
     }
     if (k == 0)
         shown.values = by_number(mesh, shown.values, Vector::Zero(mesh.isolated().rows()));
-    auto& list = k > 0 ? grid.cell_data : grid.point_data;
-    list.push_back(vtu_array(std::move(name), shown.values));
+    return shown.values;
+}
+
+} // namespace
+
+DenseMatrix drawn_values(const Discretization& given, Side side, int degree,
+                         const Eigen::Ref<const DenseMatrix>& columns) {
+    DenseMatrix result;
+    for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+        const Vector column = drawn_values(given, {side, degree, columns.col(i)});
+        result.conservativeResize(column.size(), columns.cols());
+        result.col(i) = column;
+    }
+    return result;
+}
+
+void add_form(VtuGrid& grid, const Discretization& mesh, std::string name, const Cochain& form,
+              std::string about) {
+    auto& list =
+        cell_degree(mesh.complex(), form.side, form.degree) > 0 ? grid.cell_data : grid.point_data;
+    list.push_back(vtu_array(std::move(name), drawn_values(mesh, form)));
     list.back().about = about.empty()
                             ? fmt::format("a {} {}-form", polydec::name(form.side), form.degree)
                             : std::move(about);
@@ -207,18 +227,15 @@ void add_form(VtuGrid& grid, const Discretization& given, std::string name, cons
 
 bool add_vectors(VtuGrid& grid, const Discretization& mesh, const std::string& name,
                  const Cochain& form) {
-    if (form.side != Side::primal || form.degree != 1)
-        return false;
     try {
-        const DenseMatrix vectors = sharp_pp(mesh, form);
-        const Discretization& at = placed(mesh);
-        const Points others = Points::Zero(at.isolated().rows(), vectors.cols());
-        grid.point_data.push_back(
-            vtu_array(name + "_vector", by_number(at, to_places(mesh, 0, vectors), others)));
+        const DenseMatrix vectors = vectors_at_vertices(mesh, form);
+        if (vectors.rows() > 0)
+            grid.point_data.push_back(
+                vtu_array(name + "_vector", drawn_values(mesh, Side::primal, 0, vectors)));
+        return vectors.rows() > 0;
     } catch (const InvalidInput&) {
         return false;
     }
-    return true;
 }
 
 PolygonMesh polygon_mesh(const Merging& merging, const Points& points) {

@@ -38,9 +38,13 @@ VtuGrid draw_cells(const Discretization& discretization, int k);
 void add_form(VtuGrid& grid, const Discretization& discretization, std::string name,
               const Cochain& form, std::string about = {});
 
-/// Adds the proxy vectors of a primal 1-form at the points, by sharp_pp, to the picture from
-/// add_form, as the array NAME_vector: in units of the values over length, 0 at points of no cell.
-/// Returns false, and adds nothing, for other forms and if the mesh has no sharp.
+/// The values of forms of one kind (columns) on the cells that the picture shows, in their order.
+DenseMatrix drawn_values(const Discretization& discretization, Side side, int degree,
+                         const Eigen::Ref<const DenseMatrix>& columns);
+
+/// Adds the proxy vectors of a form at the points, by vectors_at_vertices, to the picture from
+/// add_form, as the array NAME_vector: 0 at points of no cell. Returns false, and adds nothing, for
+/// forms without such vectors and if the mesh has no sharp.
 bool add_vectors(VtuGrid& grid, const Discretization& discretization, const std::string& name,
                  const Cochain& form);
 

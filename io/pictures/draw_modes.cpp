@@ -2,6 +2,7 @@
 #include "io/pictures/draw_modes.h"
 
 #include "io/pictures/draw_cells.h"
+#include "io/pictures/draw_fields.h"
 #include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>
@@ -52,14 +53,12 @@ void add_spectrum(VtuGrid& grid, const Spectrum& spectrum) {
 }
 
 VtuGrid draw_modes(const Discretization& discretization, const Spectrum& spectrum) {
-    auto grid = draw_cells(discretization,
-                           cell_degree(discretization.complex(), spectrum.side, spectrum.degree));
-    for (Index i = 0; i < spectrum.modes.cols(); ++i) {
-        const auto name = fmt::format("mode_{}", i);
-        const Cochain mode = shown_mode(discretization, spectrum, i);
-        add_form(grid, discretization, name, mode);
-        add_vectors(grid, discretization, name, mode);
-    }
+    std::vector<NamedForm> modes;
+    for (Index i = 0; i < spectrum.modes.cols(); ++i)
+        modes.emplace_back(fmt::format("mode_{}", i), shown_mode(discretization, spectrum, i));
+    VtuGrid grid = draw_cells(
+        discretization, cell_degree(discretization.complex(), spectrum.side, spectrum.degree));
+    add_fields(grid, discretization, modes);
     add_spectrum(grid, spectrum);
     return grid;
 }

@@ -263,11 +263,12 @@ public:
 
     void data(const char* tag, const std::vector<VtuArray>& arrays) {
         file_.write(fmt::format("<{}>\n", tag));
-        for (const auto& [name, values, components, about] : arrays)
-            if (const auto* numbers = std::get_if<std::vector<double>>(&values))
-                reals(name, columns(components), *numbers);
+        for (const auto& each : arrays)
+            if (const auto* numbers = std::get_if<std::vector<double>>(&each.values))
+                reals(each.name, columns(each.components), *numbers);
             else
-                array(name, columns(components), std::get<std::vector<Index>>(values));
+                array(each.name, columns(each.components),
+                      std::get<std::vector<Index>>(each.values));
         file_.write(fmt::format("</{}>\n", tag));
     }
 
@@ -276,14 +277,15 @@ public:
         if (arrays.empty())
             return;
         file_.write("<FieldData>\n");
-        for (const auto& [name, all, components, about] : arrays)
+        for (const auto& each : arrays)
             std::visit(
-                [&, title = std::string_view(name), width = components](const auto& values) {
-                    const auto count = values.size() / static_cast<std::size_t>(width);
-                    array(title, columns(width) + fmt::format(" NumberOfTuples=\"{}\"", count),
+                [&](const auto& values) {
+                    const auto count = values.size() / static_cast<std::size_t>(each.components);
+                    array(each.name,
+                          columns(each.components) + fmt::format(" NumberOfTuples=\"{}\"", count),
                           values);
                 },
-                all);
+                each.values);
         file_.write("</FieldData>\n");
     }
 

@@ -30,6 +30,8 @@ struct VtuArray {
     std::variant<std::vector<double>, std::vector<Index>> values;
     int components = 1;     ///< 1, or 3 for vectors
     std::string about = {}; ///< description for readers of a page, with "in units of .." if known
+    /// In field data: one entry for each cell of this degree, of the mesh that is shown.
+    int degree = -1;
 
     /// Total count over all components.
     std::size_t size() const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/draw_page.h"
 #include "io/pages/series.h"
-#include "io/pictures/draw_cells.h"
+#include "io/pictures/draw_fields.h"
 #include "io/pictures/draw_lesson.h"
 #include "io/pictures/write_drawing.h"
 #include "python/bindings/convert.h"
@@ -10,29 +10,23 @@ namespace polydec::python {
 
 namespace {
 
-/// Forms as Python names them: name, side, degree, values, and what they are in words.
+/// Fields as Python names them: name, side, degree, values, and what they are in words. Values with
+/// a row for each vertex or n-cell are vectors.
 using Given = std::vector<std::tuple<std::string, std::string, int, Numbers, std::string>>;
 
-std::vector<NamedForm> forms_of(const Given& given) {
-    std::vector<NamedForm> forms;
+std::vector<NamedForm> fields_of(const Given& given) {
+    std::vector<NamedForm> fields;
     for (const auto& [name, side, degree, values, about] : given)
-        forms.emplace_back(name, form(side, degree, values), about);
-    return forms;
+        if (values.ndim() == 2)
+            fields.emplace_back(name, side_of(side), rows(values), about);
+        else
+            fields.emplace_back(name, form(side, degree, values), about);
+    return fields;
 }
 
-void add_forms(VtuGrid& grid, const Discretization& mesh, const Given& given) {
-    for (const auto& [name, values, about] : forms_of(given))
-        add_form(grid, mesh, name, values, about);
-}
-
-/// Writes the k-cells with the forms that they carry.
-void write_picture(const std::string& path, const Discretization& mesh, int k, const Given& forms,
+void write_picture(const std::string& path, const Discretization& mesh, const Given& given,
                    bool float32) {
-    VtuGrid grid = draw_cells(mesh, k);
-    for (const auto& [name, values, about] : forms_of(forms)) {
-        add_form(grid, mesh, name, values, about);
-        add_vectors(grid, mesh, name, values);
-    }
+    const VtuGrid grid = draw_fields(mesh, fields_of(given));
     const VtuOptions options{float32 ? VtuNumbers::float32 : VtuNumbers::float64};
     unlocked([&] { write_vtu(path, grid, options); });
 }
@@ -48,18 +42,16 @@ std::string text_of(Page page, const Discretization& mesh, const std::vector<std
     return unlocked([&] { return to_html(page); });
 }
 
-/// The page of these forms on k-cells, or of cells alone; of several times those of each step.
-std::string page(const Discretization& mesh, int k, const Given& forms,
+/// The page of these fields, or of cells alone; of several times those of each step.
+std::string page(const Discretization& mesh, const Given& given,
                  const std::vector<std::pair<std::string, Given>>& steps, const std::string& title,
                  const std::vector<std::string>& facts, const Conventions& conventions) {
-    Page drawn = forms.empty() ? draw_page(mesh, title) : draw_page(mesh, forms_of(forms), title);
+    Page drawn = given.empty() ? draw_page(mesh, title) : draw_page(mesh, fields_of(given), title);
+    for (const auto& [time, at_time] : steps)
+        drawn.steps.push_back(draw_step(drawn, time, fields_of(at_time)));
     if (!steps.empty())
-        drawn.arrows.clear(); // they would stand still
-    for (const auto& [time, at_time] : steps) {
-        VtuGrid grid = draw_cells(mesh, k);
-        add_forms(grid, mesh, at_time);
-        drawn.steps.push_back({time, std::move(grid.point_data), std::move(grid.cell_data)});
-    }
+        for (PageArrows& arrows : drawn.arrows)
+            arrows.lines = {}; // they would stand still
     return text_of(std::move(drawn), mesh, facts, conventions);
 }
 
@@ -110,7 +102,7 @@ void add_series(py::module_& module) {
         }))
         .def("add",
              [](Series& self, double time, const Given& given) {
-                 unlocked([&, forms = forms_of(given)] { self.add(time, forms); });
+                 unlocked([&, fields = fields_of(given)] { self.add(time, fields); });
              })
         .def("close", [](Series& self) { unlocked([&] { self.close(); }); });
 }

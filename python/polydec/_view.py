@@ -19,7 +19,7 @@ from ._errors import InvalidInput, IoError
 from ._spectra import Spectrum
 from ._vertices import at_cells
 
-#: One form, several named forms, or the modes of a spectrum.
+#: One form or array of vectors, several with names, or the modes of a spectrum.
 Fields = Union[Form, Mapping[str, Form], Spectrum]
 _Named = tuple[str, str, int, Floats, str]
 
@@ -63,19 +63,21 @@ class Page:
 def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None = None,
          side: str = "primal", times: Sequence[float] | None = None, title: str = "polydec",
          facts: Sequence[str] = (), up: str | None = None, length_unit: str = "") -> Page:
-    """An interactive page of the merged cells with forms: to rotate, cut and click.
+    """An interactive page of the merged cells with fields: to rotate, cut and click.
 
     Parameters
     ----------
     complex : Complex, or a mesh as `discretize` takes it
         Dimension 1 to 3, with at most 3 coordinates.
     fields : Cochain, array_like, mapping of str to these, or Spectrum, optional
-        Forms on cells of one degree; readers of the page choose among them. 1-forms also get
-        arrows. A `Spectrum` shows all modes, the table of eigenvalues and the certificate.
+        Forms of any degrees and sides, and vectors: arrays with a row of 2 or 3 numbers for each
+        vertex or n-cell. The page opens with the first one; its readers choose among them. Vectors,
+        1-forms and (n-1)-forms have arrows. A `Spectrum` shows all modes, the table of eigenvalues
+        and the certificate.
     degree, side
         Degree and side of arrays; by default the length of an array gives the degree, 0 or n.
     times : sequence of float, optional
-        Times of the columns of arrays; the page plays them.
+        Times of the columns of arrays, along the last axis; the page plays them.
     title : str
     facts : sequence of str
         Paragraphs beside the picture.
@@ -91,15 +93,18 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
     Raises
     ------
     InvalidInput
-        For forms on cells of several degrees or of wrong sizes, and for cells that cannot be drawn.
+        For arrays of wrong sizes, and for cells that cannot be drawn.
 
     Examples
     --------
-    >>> import polydec
+    >>> import numpy as np, polydec
     >>> sphere = polydec.discretize(polydec.meshes.goldberg(2))
     >>> page = polydec.view(sphere, sphere.volumes(2), degree=2, title="Areas")
     >>> "Areas" in page.html and "https://" not in page.html
     True
+    >>> x, y, z = sphere.points.T
+    >>> wind = np.stack([-y, x, 0 * z], axis=1)
+    >>> page = polydec.view(sphere, {"wind": wind, "height": z, "area": sphere.volumes(2)})
     """
     complex = as_complex(complex)
     if up not in (None, "x", "y", "z"):
@@ -120,14 +125,14 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
                  for i, time in enumerate(times)]
         columns = _at(columns, 0, len(times))
     forms = _forms(complex, columns, degree, side)
-    return Page(_core.page(complex._mesh, _cells_of(complex, forms), forms, steps, title, [*facts],
-                           conventions))
+    return Page(_core.page(complex._mesh, forms, steps, title, [*facts], conventions))
 
 
 def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | None = None, *,
               degree: int | None = None, side: str = "primal", float32: bool = False) -> None:
-    """Writes the cells with their forms for ParaView. Each primal 1-form also gives its vectors at
-    vertices (`sharp_pp`), as NAME_vector, if the mesh has a sharp.
+    """Writes the cells with their fields for ParaView. Fields on vertices become point data, fields
+    on n-cells cell data. Forms on edges or faces are cell data if all fields are on these, else
+    field data; 1-forms and (n-1)-forms also give vectors at vertices, as NAME_vector.
 
     Parameters
     ----------
@@ -156,7 +161,7 @@ def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | 
     """
     complex = as_complex(complex)
     given = _forms(complex, _by_name(forms), degree, side)
-    _core.write_vtu(os.fspath(path), complex._mesh, _cells_of(complex, given), given, float32)
+    _core.write_vtu(os.fspath(path), complex._mesh, given, float32)
 
 
 class Series:
@@ -222,14 +227,15 @@ def _by_name(fields: Fields | None) -> dict[str, Form]:
 
 
 def _at(fields: Mapping[str, Form], i: int, times: int) -> dict[str, Form]:
-    """Column i of each field."""
+    """Column i of each field; of vectors entry i of the last axis."""
     result: dict[str, Form] = {}
     for name, values in fields.items():
-        table = floats(np.asarray(values), name, 2)
-        if table.shape[1] != times:
-            raise InvalidInput(f"{name} has {table.shape[1]} columns: expected one for each of "
+        array = np.asarray(values)
+        table = floats(array, name, 3 if array.ndim == 3 else 2)
+        if table.shape[-1] != times:
+            raise InvalidInput(f"{name} has {table.shape[-1]} columns: expected one for each of "
                                f"{times} times")
-        result[name] = table[:, i]
+        result[name] = table[..., i]
     return result
 
 
@@ -239,22 +245,28 @@ def _forms(complex: Complex, fields: Mapping[str, Form], degree: int | None,
     for name, values in fields.items():
         if not isinstance(values, Cochain):
             values = at_cells(complex, np.asarray(values))
-            values = Cochain(values, _degree(complex, values, degree, side), side)
+            k = _degree(complex, values, degree, side)
+            if values.ndim == 2:
+                forms.append((name, *_place(complex, name, k, side), floats(values, name, 2),
+                              "vectors"))
+                continue
+            values = Cochain(values, k, side)
         forms.append((name, values.side, values.degree, values.values,
                       f"{values.side} {values.degree}-form"))
     return forms
+
+
+def _place(complex: Complex, name: str, k: int, side: str) -> tuple[str, int]:
+    """Of vectors: vertices or n-cells, as the side and degree of forms with values there."""
+    cells = k if side == "primal" else complex.dim - k
+    if cells not in (0, complex.dim):
+        raise InvalidInput(f"{name} has vectors on cells of degree {cells}: expected a row for "
+                           f"each of {complex.size(0)} vertices or {complex.size(complex.dim)} "
+                           f"{complex.dim}-cells")
+    return ("primal" if cells == 0 else "dual"), 0
 
 
 def _degree(complex: Complex, values: npt.ArrayLike, degree: int | None, side: str) -> int:
     if degree is not None:
         return degree
     return 0 if len(np.asarray(values)) == complex.size(0, side) else complex.dim
-
-
-def _cells_of(complex: Complex, forms: Sequence[_Named]) -> int:
-    """The degree of the cells that carry the forms."""
-    kinds = {k if side == "primal" else complex.dim - k for _, side, k, _, _ in forms}
-    if len(kinds) > 1:
-        raise InvalidInput("forms on cells of several degrees are given: expected forms on cells "
-                           "of one degree, the cells of the picture")
-    return kinds.pop() if kinds else complex.dim

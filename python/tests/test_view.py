@@ -88,6 +88,62 @@ def test_times(square):
         polydec.view(square, u, times=[0, 0.1])
 
 
+def fields_of(c, factor=1.0):
+    """Forms of all degrees and sides, and vectors at vertices and at cells."""
+    def numbers(*shape):
+        return factor * np.random.default_rng(4).random(shape)
+
+    fields = {f"{side}{k}": polydec.Cochain(numbers(c.size(k, side)), k, side)
+              for side in ("primal", "dual") for k in range(c.dim + 1)}
+    width = c.points.shape[1]
+    return {"wind": numbers(c.size(0), width), "flow": numbers(c.size(c.dim), width), **fields,
+            "height": numbers(c.size(0)), "pressure": numbers(c.size(c.dim))}
+
+
+def read_by_vtk(path):
+    """The arrays at points, at cells and of the whole, by VTK's own library, which ParaView uses."""
+    vtk = pytest.importorskip("vtk")
+    from vtk.util.numpy_support import vtk_to_numpy
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    return [{data.GetArrayName(i): vtk_to_numpy(data.GetArray(i))
+             for i in range(data.GetNumberOfArrays())}
+            for data in (grid.GetPointData(), grid.GetCellData(), grid.GetFieldData())]
+
+
+def check_by_vtk(path, c, fields):
+    parts = read_by_vtk(path)
+    for name, given in fields.items():
+        values = getattr(given, "values", given)
+        k = {c.size(j): j for j in range(c.dim + 1)}[len(values)]
+        found = parts[0 if k == 0 else 1 if k == c.dim else 2][name]
+        assert np.array_equal(found[:, :values.shape[1]] if values.ndim == 2 else found, values)
+    assert {"primal1_vector", "dual1_vector"} <= parts[0].keys()
+
+
+def test_many_fields_together(sphere, tmp_path):
+    for c in (sphere, polydec.discretize(polydec.meshes.kuhn([3, 2, 1]))):
+        fields = fields_of(c)
+        page = polydec.view(c, fields)
+        assert all(f'"name":"{name}"' in page.html for name in fields)
+        polydec.write_vtu(tmp_path / "all.vtu", c, fields)
+        check_by_vtk(tmp_path / "all.vtu", c, fields)
+        with polydec.Series(tmp_path / "all.pvd", c) as film:
+            for time in (1.0, 2.0):
+                film.add(time, fields_of(c, time))
+        check_by_vtk(tmp_path / "all" / "all_0001.vtu", c, fields_of(c, 2.0))
+
+
+def test_vectors_in_time(square):
+    wind = np.stack([square.points, 3 * square.points, 2 * square.points], axis=2)
+    moving = polydec.view(square, {"wind": wind, "u": wind[:, 0]}, times=[0, 0.1, 0.2]).html
+    assert '"step":1,' in moving and '"steps":["0","0.1","0.2"]' in moving
+    with pytest.raises(polydec.InvalidInput, match=said("wind", "2 columns", "expected", 3)):
+        polydec.view(square, {"wind": wind[..., :2]}, times=[0, 0.1, 0.2])
+
+
 def test_notebooks_show_the_page_in_a_frame(sphere):
     page = polydec.view(sphere)
     assert Frames(page._repr_html_()).shown == [page.html]
@@ -108,10 +164,11 @@ def test_files(sphere, tmp_path):
 
 def test_what_cannot_be_drawn(sphere):
     for draw in (polydec.view, lambda c, forms: polydec.write_vtu("none.vtu", c, forms)):
-        with pytest.raises(polydec.InvalidInput, match=said("forms", "degrees")):
-            draw(sphere, {"a": sphere.cochain(sphere.volumes(1), 1),
-                          "b": sphere.cochain(sphere.volumes(2), 2)})
         with pytest.raises(polydec.InvalidInput):
             draw(sphere, np.ones(7))
+        with pytest.raises(polydec.InvalidInput, match=said(7, "rows", "a", sphere.size(2))):
+            draw(sphere, {"a": np.ones((7, 3))})
+        with pytest.raises(polydec.InvalidInput, match=said("a", "degree 1", "vertices")):
+            polydec.view(sphere, {"a": np.ones((sphere.size(1), 3))}, degree=1)
     with pytest.raises(polydec.InvalidInput):
         polydec.view(polydec.meshes.length_mesh(polydec.meshes.goldberg(2)))

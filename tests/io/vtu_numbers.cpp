@@ -135,7 +135,8 @@ TEST(VtuVectors, OfADifferentialAreTheGradient) {
         const Cochain dx{Side::primal, 1,
                          derivative(mesh.complex(), 0) * x.head(mesh.complex().size(0))};
         auto picture = draw_cells(mesh, 1);
-        EXPECT_FALSE(add_vectors(picture, mesh, "f", {Side::dual, 1, dx.values}));
+        EXPECT_FALSE(
+            add_vectors(picture, mesh, "f", {Side::primal, 0, x.head(mesh.complex().size(0))}));
         EXPECT_TRUE(add_vectors(picture, mesh, "f", dx));
         ASSERT_EQ(picture.point_data.size(), 1U);
         EXPECT_EQ(picture.point_data[0].name, "f_vector");

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "io/pages/page_fields.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+#include "io/pages/page_faces.h"
+#include "io/pictures/draw_solid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace polydec {
+
+namespace {
+
+std::array<double, 2> range_of(const VtuArray& array) {
+    const DenseMatrix rows = rows_of(array);
+    if (rows.rows() == 0)
+        return {0, 0};
+    const Vector numbers = rows.cols() == 1 ? Vector(rows) : Vector(rows.rowwise().stableNorm());
+    return {numbers.minCoeff(), numbers.maxCoeff()};
+}
+
+std::array<double, 2> both(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+    return {std::min(a[0], b[0]), std::max(a[1], b[1])};
+}
+
+bool varies(const VtuArray& array) {
+    const auto [low, high] = range_of(array);
+    return !color_range(low, high).is_constant;
+}
+
+bool is_in(const PageStep& step, const PageField& field) {
+    if (field.number >= (step.*field.list).size())
+        return false;
+    const VtuArray &first = *field.array, &later = field.at(step);
+    return later.name == first.name && later.components == first.components &&
+           later.size() == first.size();
+}
+
+void check_steps(const Page& page, const std::vector<PageField>& fields) {
+    for (std::size_t s = 0; s < page.steps.size(); ++s) {
+        const PageStep& step = page.steps[s];
+        const std::size_t arrays =
+            step.point_data.size() + step.cell_data.size() + step.field_data.size();
+        if (arrays != fields.size() ||
+            !std::all_of(fields.begin(), fields.end(),
+                         [&](const PageField& field) { return is_in(step, field); }))
+            throw InvalidInput(fmt::format("step {} of a page has other arrays than the first "
+                                           "step: expected the same names and sizes",
+                                           s));
+        if (step.vectors.size() != page.steps[0].vectors.size() ||
+            (!step.vectors.empty() && step.vectors.size() != page.arrows.size()))
+            throw InvalidInput(fmt::format("step {} of a page has vectors for {} of its {} arrows: "
+                                           "expected vectors for each",
+                                           s, step.vectors.size(), page.arrows.size()));
+    }
+}
+
+} // namespace
+
+DenseMatrix rows_of(const VtuArray& array) {
+    return std::visit(
+        [&](const auto& values) {
+            const auto width = array.components;
+            DenseMatrix rows(static_cast<Eigen::Index>(values.size()) / width, width);
+            for (Eigen::Index i = 0; i < rows.size(); ++i)
+                rows(i / width, i % width) =
+                    static_cast<double>(values[static_cast<std::size_t>(i)]);
+            return rows;
+        },
+        array.values);
+}
+
+std::array<double, 2> range_of(const std::vector<VtuArray>& arrays) {
+    if (arrays.empty())
+        return {0, 0};
+    auto range = range_of(arrays.front());
+    for (const VtuArray& array : arrays)
+        range = both(range, range_of(array));
+    return range;
+}
+
+std::array<double, 2> range_of(const Page& page, const PageField& field) {
+    auto range = range_of(*field.array);
+    for (const PageStep& step : page.steps)
+        range = both(range, range_of(field.at(step)));
+    return range;
+}
+
+std::string unit_in(const std::string& about) {
+    constexpr std::string_view mark = "in units of ";
+    const auto at = about.find(mark);
+    if (at == std::string::npos)
+        return "";
+    const auto begin = at + mark.size();
+    return about.substr(begin, about.find_first_of(" ,;", begin) - begin);
+}
+
+std::vector<PageField> page_fields(const Page& page, int dimension, const CellComplex* complex) {
+    const std::array<std::string, 4> places{"vertex", "edge", "face", "cell"};
+    const int degree = grid_dimension(page.grid);
+    const std::string& of_cells = degree == dimension ? places.back() : places[degree];
+    std::vector<PageField> fields;
+    for (const VtuArray& array : page.grid.point_data)
+        fields.push_back({&array, places[0], &PageStep::point_data, fields.size()});
+    std::size_t number = 0;
+    for (const VtuArray& array : page.grid.cell_data)
+        fields.push_back({&array, of_cells, &PageStep::cell_data, number++});
+    number = 0;
+    for (const VtuArray& array : page.grid.field_data) {
+        if (array.degree < 0)
+            continue;
+        if (complex == nullptr || array.degree < 1 || array.degree >= complex->dimension())
+            throw InvalidInput(fmt::format("the array `{}` of a page is of cells of degree {}: "
+                                           "expected edges or faces of its mesh",
+                                           array.name, array.degree));
+        check_as_many(fmt::format("entries of `{}`", array.name),
+                      static_cast<std::int64_t>(array.size()) / array.components,
+                      complex->size(array.degree));
+        fields.push_back({&array, places[array.degree], &PageStep::field_data, number++});
+    }
+    check_steps(page, fields);
+    return fields;
+}
+
+const PageField* first_field(const Page& page, const std::vector<PageField>& fields) {
+    const PageField* asked = nullptr;
+    for (const PageField& field : fields) {
+        if (asked == nullptr && field.array->name == page.shown)
+            asked = &field;
+        if (asked != nullptr && (!page.steps.empty() || varies(*field.array)))
+            return &field;
+    }
+    return asked;
+}
+
+bool has_moving_arrows(const Page& page) {
+    return !page.steps.empty() && !page.steps.front().vectors.empty();
+}
+
+std::vector<VtuArray> strengths(const Page& page, const std::vector<PageField>& fields,
+                                const PageArrows& arrows, std::ptrdiff_t cells) {
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [&](const PageField& field) {
+            return field.array->name == arrows.field;
+        });
+    if (found == fields.end() || found->place == "vertex" || found->place == "cell" ||
+        arrows.vectors.rows() == 0 || arrows.vectors.rows() != cells ||
+        (!page.steps.empty() && !has_moving_arrows(page)))
+        return {};
+    const auto name = fmt::format("|{}|", arrows.field);
+    std::vector<VtuArray> lengths;
+    if (page.steps.empty())
+        lengths.push_back(vtu_array(name, arrows.vectors.rowwise().stableNorm()));
+    const auto number = static_cast<std::size_t>(&arrows - page.arrows.data());
+    for (const PageStep& step : page.steps)
+        lengths.push_back(vtu_array(name, step.vectors[number].rowwise().stableNorm()));
+    return lengths;
+}
+
+std::size_t opening_step(const Page& page, const PageField* field) {
+    std::size_t best = 0;
+    double most = 0;
+    for (std::size_t s = 0; s < page.steps.size() && field != nullptr; ++s) {
+        const auto [low, high] = range_of(field->at(page.steps[s]));
+        const double range = high - low;
+        if (range > (1 + 1e-9) * most) {
+            best = s;
+            most = range;
+        }
+    }
+    return best;
+}
+
+} // namespace polydec

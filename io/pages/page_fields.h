@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/cell_complex.h"
+#include "io/pages/page.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace polydec {
+
+/// A field of a page, with the place of its values, and of its array in a step.
+struct PageField {
+    const VtuArray* array;
+    std::string place; ///< vertex, edge, face or cell
+    std::vector<VtuArray> PageStep::*list;
+    std::size_t number;
+
+    const VtuArray& at(const PageStep& step) const { return (step.*list)[number]; }
+};
+
+/// One row for each entry of an array.
+DenseMatrix rows_of(const VtuArray& array);
+
+/// The smallest and largest value that colors show, of vectors by their lengths: in all arrays, or of
+/// a field at all steps. Zeros without values.
+std::array<double, 2> range_of(const std::vector<VtuArray>& arrays);
+std::array<double, 2> range_of(const Page& page, const PageField& field);
+
+/// The unit in a description, "in units of length^2"; or empty.
+std::string unit_in(const std::string& about);
+
+/// All fields of a page that shows cells of a dimension: those with values at vertices first, those
+/// on edges and faces of its cell complex last. Throws InvalidInput, naming the field, for values
+/// on edges or faces without a complex or of a wrong number; and, naming the step, if steps have
+/// other fields or vectors.
+std::vector<PageField> page_fields(const Page& page, int dimension, const CellComplex* complex);
+
+/// The field that is seen first: the one that the page names; if it and some that follow are
+/// constant, the first one that is not. Null if the page shows no field.
+const PageField* first_field(const Page& page, const std::vector<PageField>& fields);
+
+/// Whether the arrows of a page have other vectors at each step.
+bool has_moving_arrows(const Page& page);
+
+/// The lengths of the vectors of arrows, named |field|, at every step: one for each of so many cells.
+/// Empty unless the field has values on edges or faces, and each cell has a vector.
+std::vector<VtuArray> strengths(const Page& page, const std::vector<PageField>& fields,
+                                const PageArrows& arrows, std::ptrdiff_t cells);
+
+/// The first step where this field has its largest range, but for rounding; 0 without steps.
+std::size_t opening_step(const Page& page, const PageField* field);
+
+} // namespace polydec

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "dec/forms/cochain.h"
+#include "io/pictures/vtu.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+/// A field in a picture, with its name there, and a description in words, with units: a form, or
+/// vectors. Vectors are rows, of N numbers or of three, one for each value of a primal 0-form
+/// (vertices) or of a dual 0-form (n-cells).
+struct NamedForm {
+    std::string name;
+    Cochain form; ///< for vectors: side and degree 0 alone
+    std::string about = {};
+    DenseMatrix vectors = {};
+
+    NamedForm(std::string title, Cochain values, std::string words = {})
+        : name(std::move(title)), form(std::move(values)), about(std::move(words)) {}
+    NamedForm(std::string title, Side side, DenseMatrix rows, std::string words = {})
+        : name(std::move(title)),
+          form{side, 0, {}},
+          about(std::move(words)),
+          vectors(std::move(rows)) {}
+};
+
+/// The degree of the cells in a picture of these fields: their common one, or, if they have
+/// several, the dimension n.
+int drawn_degree(const Discretization& mesh, const std::vector<NamedForm>& fields);
+
+/// Adds a field to a picture with cells of degree k: values at vertices as point data, values on
+/// k-cells as cell data, and values on other cells as field data, with their degree. Throws
+/// InvalidInput, naming the field, for a wrong number of rows, and like add_form.
+void add_field(VtuGrid& grid, const Discretization& mesh, int k, const NamedForm& field);
+
+/// Adds all fields, of their drawn_degree, each form followed by its add_vectors. The grid may have
+/// no cells.
+void add_fields(VtuGrid& grid, const Discretization& mesh, const std::vector<NamedForm>& fields);
+
+/// The picture of any number of fields together: forms of all degrees on both sides, and vectors.
+/// Throws like draw_cells and add_field.
+VtuGrid draw_fields(const Discretization& mesh, const std::vector<NamedForm>& fields);
+
+} // namespace polydec
