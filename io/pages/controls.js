@@ -16,10 +16,12 @@ class Controls {
         const isStrength = fields[header.shown]?.strength !== undefined; // lines run along it
         element("edges").checked = header.cells <= mostWithEdges && !isStrength;
         element("up").value = String(header.up);
-        if (isStrength && scene.isSolid) // seen inside
+        if (scene.isSolid && (isStrength || fields[header.shown]?.components > 1)) // arrows are inside
             [element("axis").value, element("cut").value] = [String(header.up === 1 ? 2 : 4), "50"];
         this.hideWhatIsNotThere(scene, header, fields);
+        this.times = timeTexts(header.steps);
         element("step").max = header.steps.length - 1;
+        element("step").value = header.step;
         element("field").addEventListener("input", () => this.forgetRange());
         element("controls").addEventListener("input", () => this.changed());
         element("controls").addEventListener("submit", event => event.preventDefault());
@@ -127,7 +129,7 @@ class Controls {
         const {step, field} = this.state();
         for (const row of document.querySelectorAll("tr[data-field]"))
             row.setAttribute("aria-selected", String(Number(row.dataset.field) === field));
-        element("time").textContent = this.viewer.scene.header.steps[step] ?? "";
+        element("time").textContent = this.times.length ? `t = ${this.times[step]}` : "";
         element("shade").closest("label").hidden = this.viewer.scene.isCurve ||
             this.viewer.scene.isFlat && !element("height").checked;
         element("cut-at").textContent = `${element("cut").value} %`;

@@ -10,6 +10,29 @@ function numberText(value, digits = 7) {
         : text.includes(".") ? text.replace(/\.?0+$/, "") : text;
 }
 
+/** Times with so few digits that each is off by at most a twentieth of the shortest step. */
+function timeTexts(texts) {
+    const times = texts.map(Number), largest = Math.max(...times.map(Math.abs));
+    if (!Number.isFinite(largest) || largest === 0)
+        return texts;
+    const steps = times.slice(1).map((time, i) => Math.abs(time - times[i])).filter(step => step > 0);
+    const most = Math.min(largest, ...steps) / 20;
+    let power = Math.floor(Math.log10(largest));
+    const rounded = time => Math.round(time / 10 ** power) * 10 ** power;
+    while (10 ** power > 1e-12 * largest && times.some(time => Math.abs(time - rounded(time)) > most))
+        --power;
+    return times.map(time => numberText(rounded(time), 12));
+}
+
+/** The longest of vectors in several lists. */
+function longest(lists) {
+    let most = 0;
+    for (const numbers of lists)
+        for (let i = 0; i < numbers.length; i += 3)
+            most = Math.max(most, Math.hypot(numbers[i], numbers[i + 1], numbers[i + 2]));
+    return most;
+}
+
 /** Of each vector its length. */
 function lengths(numbers, components) {
     if (components === 1)

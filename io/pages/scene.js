@@ -163,23 +163,34 @@ class Scene {
         const given = this.givenArrows(field), lines = this.arrays[`flow${given}`];
         if (lines && !this.header.arrows[given].lines_alone)
             return this.arrowTexels(headsOn(this.places(this.arrays[`flow${given}_points`]), lines));
-        if (given >= 0)
+        if (given >= 0) {
+            const {all, most} = this.givenVectors(given);
             return this.spreadArrows(this.places(this.arrays[`sites${given}`]),
-                this.arrays[`vectors${given}`], `given${given}`);
+                all[Math.min(step, all.length - 1)], most, `given${given}`);
+        }
         if (field.components < 3)
             return null;
         return this.spreadArrows(field.place === "vertex" ? this.points : this.centers,
-            field.rows[step], field.place);
+            field.rows[step], field.high, field.place);
     }
 
-    /** The places of one kind are chosen once. */
-    spreadArrows(sites, vectors, kind) {
+    /** The vectors that come with a field, at every step or once for all, and the longest one. */
+    givenVectors(given) {
+        this.vectors ??= [];
+        if (!this.vectors[given]) {
+            const once = this.arrays[`vectors${given}`];
+            const all = once ? [once]
+                : this.header.steps.map((_, s) => this.arrays[`vectors${given}.${s}`]);
+            this.vectors[given] = {all, most: longest(all)};
+        }
+        return this.vectors[given];
+    }
+
+    /** The places of one kind are chosen once. The longest vector of all steps is known. */
+    spreadArrows(sites, vectors, most, kind) {
         this.spots ??= {};
         const spots = this.spots[kind] ??= arrowSpots(this, sites);
         this.arrowLength = spots.length;
-        let most = 0;
-        for (let i = 0; i < vectors.length; i += 3)
-            most = Math.max(most, Math.hypot(vectors[i], vectors[i + 1], vectors[i + 2]));
         return this.arrowTexels(arrowsAt(spots, vectors, most));
     }
 

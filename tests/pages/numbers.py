@@ -98,12 +98,12 @@ class Numbers(TestCase):
         self.assertSays(self.fail_with(2, "view", "a.html", "a.html"), "pages", "name", "-o")
         self.assertEqual(self.ask("view", "a.html", "a.html", "-o", "c.html")["pages"], 2)
 
-    def test_a_million_triangles_with_three_fields_take_less_than_12_mb(self):
+    def test_a_million_triangles_with_three_fields_and_arrows_take_less_than_12_mb(self):
         self.succeed("generate", "uv-sphere", "--meridians", 1000, "--bands", 501, "-o", "a.off")
         fields = "".join(
-            f'<DataArray type="Float64" Name="{name}" format="ascii">'
-            + " ".join(f"{(i * step) % 10007}" for i in range(500002)) + "</DataArray>"
-            for name, step in (("u", 7), ("v", 131), ("w", 4099)))
+            f'<DataArray type="Float64" Name="{name}" NumberOfComponents="{width}" format="ascii">'
+            + " ".join(f"{(i * step) % 10007}" for i in range(500002 * width)) + "</DataArray>"
+            for name, step, width in (("u", 7, 1), ("v", 131, 1), ("wind", 4099, 3)))
         self.succeed("merge", "a.off", "-o", "a.vtu")
         text = self.read("a.vtu")
         begin = text.find("<CellData")
