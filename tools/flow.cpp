@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/fields/proxy_vectors.h"
 #include "io/diagnosis_json.h"
 #include "solvers/flow/flow_data.h"
 #include "tools/commands.h"
@@ -161,11 +162,13 @@ double own_step(const IncompressibleFlow& flow, const Vector& w, const FlowArgum
 }
 
 std::vector<NamedForm> shown(const IncompressibleFlow& flow, const Vector& w) {
-    const int n = flow.mesh().dimension();
-    if (n == 2)
-        return {NamedForm("vorticity", {Side::primal, 0, flow.vorticity(w)}, "the vorticity")};
-    return {NamedForm("energy", {Side::dual, 0, flow.advection().kinetic_energy(w)},
-                      "half of the squared velocity")};
+    const Discretization& mesh = flow.mesh();
+    const int n = mesh.dimension();
+    return {NamedForm("velocity", Side::primal,
+                      vectors_at_vertices(mesh, {Side::primal, n - 1, w}, Proxy::flux),
+                      "the velocity"),
+            NamedForm("vorticity", {Side::primal, n - 2, flow.vorticity(w)}, "the vorticity"),
+            NamedForm("pressure", flow.pressure(w), "the pressure over the density")};
 }
 
 void run_flow(const FlowArguments& arguments) {

@@ -111,7 +111,12 @@ WaveWords words_of(const MaxwellArguments& arguments) {
         equation += fmt::format(", J = ({}) times {}", arguments.current, arguments.pulse);
     return {"maxwell",
             fmt::format("{}: Maxwell's equations", arguments.mesh.mesh.filename().string()),
-            equation, "E", "the electric field"};
+            equation,
+            "E",
+            "the electric field",
+            "B",
+            "the magnetic field, half a step earlier",
+            true};
 }
 
 void run_maxwell(const MaxwellArguments& arguments) {

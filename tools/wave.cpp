@@ -32,10 +32,14 @@ void run_wave(const WaveArguments& arguments) {
     if (!arguments.time.out.empty())
         check_drawable(mesh);
     const WaveWords words{
-        "wave", fmt::format("{}: waves", arguments.mesh.mesh.filename().string()),
+        "wave",
+        fmt::format("{}: waves", arguments.mesh.mesh.filename().string()),
         fmt::format("d2u/dt2 = -delta d u of a {} {}-form, u = {} at rest at the time 0",
                     name(arguments.side), arguments.degree, arguments.initial),
-        "u", "the wave"};
+        "u",
+        "the wave",
+        "v",
+        "minus the integral of du over the time, half a step earlier"};
     const auto space = computed_on(
         arguments.mesh.mesh, [&] { return asked.space(mesh, arguments.side, arguments.degree); });
     answer_waves(words, mesh, space, initial.on(mesh, arguments.side, arguments.degree).values, {},

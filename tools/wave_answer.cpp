@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/wave_answer.h"
 
+#include "dec/fields/proxy_vectors.h"
 #include "io/diagnosis_json.h"
 #include "tools/messages.h"
 #include "tools/picture.h"
@@ -56,6 +57,16 @@ struct Swung : Answer {
     }
 };
 
+/// E and B. Of a magnetic field in the plane, which is a flux through edges, the vectors.
+std::vector<NamedForm> shown(const WaveWords& words, const Discretization& mesh,
+                             std::vector<Cochain> forms) {
+    NamedForm upper(words.upper, std::move(forms[1]), words.upper_words);
+    if (words.upper_is_flux && upper.form.degree == 1 && has_proxy(mesh, upper.form))
+        upper = NamedForm(words.upper, Side::primal,
+                          vectors_at_vertices(mesh, upper.form, Proxy::flux), words.upper_words);
+    return {NamedForm(words.form, std::move(forms[0]), words.form_words), std::move(upper)};
+}
+
 } // namespace
 
 void answer_waves(const WaveWords& words, const Discretization& mesh, const FormSpace& space,
@@ -75,9 +86,8 @@ void answer_waves(const WaveWords& words, const Discretization& mesh, const Form
     PageText text;
     text.title = words.title;
     text.facts = {words.equation, conditions, in_words(answer.stars)};
-    const March march{words.what, in_page(std::move(text), log), steps, [&](const Run& now) {
-                          return std::vector{NamedForm(words.form, now.form(0), words.form_words)};
-                      }};
+    const March march{words.what, in_page(std::move(text), log), steps,
+                      [&](const Run& now) { return shown(words, mesh, now.forms()); }};
     const Ran ran = march_to_end(run, march, time, arguments.mesh, mesh);
     answer.side = space.side();
     answer.degree = space.degree();

@@ -14,7 +14,9 @@ namespace polydec::tools {
 struct WaveWords {
     std::string what; ///< wave or maxwell
     std::string title, equation;
-    std::string form, form_words; ///< of the form
+    std::string form, form_words;   ///< of the form E
+    std::string upper, upper_words; ///< of the form B, half a step earlier
+    bool upper_is_flux = false;     ///< whether a 1-form B holds fluxes
 };
 
 /// Marches a wave of a space on a mesh, and answers. Sets only the step of the options.

@@ -45,7 +45,8 @@ class Seen(TestCase):
         tab, field = self.browser, page.fields[name]
         values = page.values(name)
         tab.plain()
-        tab.set(field=list(page.fields).index(name), map=choice)
+        tab.set(field=list(page.fields).index(name), map=choice,
+                values=field["place"] in ("edge", "face"))
         hits = 0
         seen = {place: tab.pixel(*place) for place in spots(tab.size())} # before one is marked
         for (x, y), color in seen.items():
@@ -200,10 +201,97 @@ class Seen(TestCase):
         tab.set(field=list(page.fields).index("u"))
         for step, time in ((1, "0.75"), (0, "0.5")):
             tab.set(step=step)
-            self.assertEqual(tab.text("time"), time)
+            self.assertEqual(tab.text("time"), f"t = {time}")
             found = tab.click(*(n // 2 for n in tab.size()))
             self.assertAlmostEqual(found["value"], page.values("u", step)[int(found["number"])],
                                    delta=1e-6)
+
+    def extent_of_arrows(self):
+        """Width and height of what the switch of arrows changes."""
+        read = """
+            const canvas = document.getElementById("canvas"), gl = canvas.getContext("webgl2");
+            const {width, height} = canvas, bytes = new Uint8Array(4 * width * height);
+            gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+        """
+        self.browser.set(arrows=False)
+        self.browser.run(read + "window.bare = bytes;")
+        self.browser.set(arrows=True)
+        return self.browser.run(read + """
+            const columns = new Set(), rows = new Set();
+            for (let i = 0; i < width * height; ++i)
+                if (Math.abs(bytes[4 * i] - window.bare[4 * i]) > 30) {
+                    columns.add(i % width);
+                    rows.add(Math.floor(i / width));
+                }
+            return [columns.size, rows.size];""")
+
+    def vector_series(self, vectors, times):
+        """A square of two triangles with one vector at every step."""
+        data = ('<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="4" '
+                'NumberOfCells="2"><Points><DataArray type="Float64" NumberOfComponents="3" '
+                'format="ascii">0 0 0 1 0 0 1 1 0 0 1 0</DataArray></Points><Cells>'
+                '<DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 0 2 3</DataArray>'
+                '<DataArray type="Int64" Name="offsets" format="ascii">3 6</DataArray>'
+                '<DataArray type="UInt8" Name="types" format="ascii">5 5</DataArray></Cells>'
+                '<CellData><DataArray type="Float64" Name="wind" NumberOfComponents="3" '
+                'format="ascii">{} 0 0 0</DataArray></CellData></Piece></UnstructuredGrid></VTKFile>')
+        for step, vector in enumerate(vectors):
+            self.write(f"s{step}.vtu", data.format(vector))
+        self.write("s.pvd", '<VTKFile type="Collection"><Collection>' + "".join(
+            f'<DataSet timestep="{time}" file="s{step}.vtu"/>' for step, time in enumerate(times))
+            + "</Collection></VTKFile>")
+
+    def test_arrows_turn_with_the_steps(self):
+        self.vector_series(("1 0 0", "0 3 0", "2 0 0"), ("0", "0.1162790697674", "0.2325581395"))
+        self.page("view", "s.pvd")
+        tab = self.browser
+        self.assertEqual((tab.run("return document.getElementById('step').value"), tab.text("time")),
+                         ("1", "t = 0.12"), "opens where the range is largest, in few digits")
+        tab.plain()
+        for step, along in ((0, 0), (1, 1), (2, 0), (1, 1)):
+            tab.set(step=step)
+            extent = self.extent_of_arrows()
+            self.assertGreater(extent[along], 2 * extent[1 - along], (step, extent))
+
+    def test_arrows_of_forms_are_there_at_every_step(self):
+        page = self.page("wave", golden("torus8x6.off"), "--degree", 1, "--initial", "-y; x; z*z",
+                         "--until", 1, "--frames", 4)
+        self.assertEqual([each["field"] for each in page.header["arrows"]], ["u"])
+        vectors = [page.arrays[f"vectors0.{step}"] for step in range(5)]
+        lengths = {len(numbers) for numbers in vectors}
+        self.assertEqual(lengths, {len(page.arrays["sites0"])})
+        self.assertEqual(len({tuple(numbers) for numbers in vectors}), 5)
+        for step in range(5):
+            sizes = page.arrays[f"sizes0.{step}"]
+            lengths = [math.hypot(*vectors[step][i:i + 3]) for i in range(0, len(vectors[step]), 3)]
+            self.assertLess(max(abs(a - b) for a, b in zip(sizes, lengths, strict=True)), 1e-6)
+        tab, seen = self.browser, []
+        tab.plain()
+        tab.set(field=-1, arrows=True)
+        nothing = tab.picture()
+        tab.set(field=list(page.fields).index("u"))
+        self.assertEqual(tab.text("legend-name"), "|u|")
+        for step in (0, 2, 4, 2):
+            tab.set(step=step)
+            seen.append(tab.picture())
+        self.assertEqual(len({nothing, *seen}), 4)
+        self.assertEqual(seen[1], seen[3])
+
+    def test_pages_of_a_flow_begin_with_its_velocity(self):
+        line = ("flow", golden("uv8.off"), "--vorticity", "z", "--until", 0.5, "--frames", 2)
+        self.succeed(*line, "-o", "f.pvd")
+        page = self.page(*line)
+        self.assertEqual(self.browser.text("legend-name"), "velocity")
+        self.assertEqual(set(page.fields), {"velocity", "vorticity", "pressure"})
+        self.browser.plain()
+        self.assertGreater(max(self.extent_of_arrows()), 100)
+        self.succeed("view", "f.pvd", "-o", "g.html")
+        again = PageFile(self.path("g.html"))
+        for name in page.fields:
+            for step in range(3):
+                first, second = page.values(name, step), again.values(name, step)
+                self.assertLess(max(abs(a - b) for a, b in zip(first, second, strict=True)),
+                                1e-6 * max(map(abs, second)))
 
     def test_no_request_leaves_the_page_and_nobody_complains(self):
         self.browser.requests()

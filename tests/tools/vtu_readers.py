@@ -2,6 +2,7 @@
 """The numbers in .vtu files as others read them: a small reader of our own, and meshio and VTK where
 this Python or Debian's has them. All read the same, and it is what the command says."""
 import json
+import math
 import os
 import struct
 import xml.etree.ElementTree
@@ -121,8 +122,7 @@ class Numbers(TestCase):
                     self.assertEqual(field[key], [value])
                 self.assertEqual((field["degree"], field["is_dual"]), ([degree], [side == "dual"]))
                 names = ["mode_0", "mode_1", "mode_2"]
-                vectors = ([name + "_vector" for name in names]
-                           if (side, degree) == ("primal", 1) else [])
+                vectors = [name + "_vector" for name in names] if degree == 1 else []
                 on_points = (side, degree) == ("primal", 0)
                 self.assertEqual(list(found["PointData"]), names if on_points else vectors)
                 self.assertEqual(list(found["CellData"]), [] if on_points else names)
@@ -152,6 +152,38 @@ class Numbers(TestCase):
             if "vtk" in READERS:
                 self.assertAlmostEqual(sum(self.sizes[k]), self.ask("info", golden(mesh))["volume"],
                                        delta=1e-12)
+
+    def test_series_hold_velocity_and_pressure_and_electric_and_magnetic_fields(self):
+        """Several degrees in one file, with vectors at vertices."""
+        self.succeed("generate", "kuhn", "--dimension", 3, "--cells", 3, "-o", "box.nsc")
+        for mesh, flow in ((golden("uv8.off"), ("--vorticity", "z")),
+                           ("box.nsc", ("--velocity", "sin(pi*x)*cos(pi*y); -cos(pi*x)*sin(pi*y); 0"))):
+            answer = self.ask("flow", mesh, *flow, "--until", 0.1, "--frames", 2, "-o", "f.pvd")
+            info = self.ask("info", mesh)
+            for found in self.numbers(*(f"f/f_{step:04}.vtu" for step in range(3))):
+                points, cells, whole = (found[f"{part}Data"] for part in ("Point", "Cell", "Field"))
+                self.assertEqual(next(iter(points)), "velocity")
+                self.assertEqual(len(points["velocity"]), len(found["Points"]["Points"]))
+                self.assertGreater(max(map(math.hypot, *zip(*points["velocity"]))), 0.1)
+                self.assertEqual(len(cells["pressure"]), info["cells"]["merged"][-1])
+            if "vtk" in READERS and mesh == "box.nsc": # whose cells are cubes
+                mean = sum(p * size for p, size in zip(cells["pressure"], self.sizes[2]))
+                self.assertAlmostEqual(mean, 0, delta=1e-12)
+                self.assertGreater(max(cells["pressure"]), 1e-3)
+            vorticity = points["vorticity"] if "vorticity" in points else whole["vorticity"]
+            self.assertEqual(len(vorticity), info["cells"]["merged"][info["dimension"] - 2])
+            self.assertEqual((min(vorticity), max(vorticity)),
+                             (answer["min_vorticity"], answer["max_vorticity"]))
+        for side, degrees in (("primal", ("E", "B")), ("dual", ("B", "E"))):
+            answer = self.ask("maxwell", "box.nsc", "--side", side, "--initial", "0; 0; x*(1-x)",
+                              "--until", 1, "--frames", 2, "-o", "m.pvd")
+            *_, last = self.numbers(*(f"m/m_{step:04}.vtu" for step in range(3)))
+            whole, merged = last["FieldData"], self.ask("info", "box.nsc")["cells"]["merged"]
+            self.assertEqual((min(whole["E"]), max(whole["E"])), (answer["min"], answer["max"]))
+            self.assertEqual([len(whole[name]) for name in degrees], merged[1:3])
+            for name in ("E", "B"):
+                vectors = last["PointData"][f"{name}_vector"]
+                self.assertGreater(max(map(math.hypot, *zip(*vectors))), 1e-3, name)
 
     def test_where_floats_are_not_written_they_are_not_asked_for(self):
         for out in ("a.html", "a.off"):
