@@ -143,10 +143,9 @@ bool has_moving_arrows(const Page& page) {
 
 std::vector<VtuArray> strengths(const Page& page, const std::vector<PageField>& fields,
                                 const PageArrows& arrows, std::ptrdiff_t cells) {
-    const auto found =
-        std::find_if(fields.begin(), fields.end(), [&](const PageField& field) {
-            return field.array->name == arrows.field;
-        });
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const PageField& field) {
+        return field.array->name == arrows.field;
+    });
     if (found == fields.end() || found->place == "vertex" || found->place == "cell" ||
         arrows.vectors.rows() == 0 || arrows.vectors.rows() != cells ||
         (!page.steps.empty() && !has_moving_arrows(page)))

@@ -111,8 +111,7 @@ private:
     }
 
     bool is_still_colored() const {
-        return strength_ ||
-               (!own_ && first_ != nullptr && first_->list != &PageStep::field_data);
+        return strength_ || (!own_ && first_ != nullptr && first_->list != &PageStep::field_data);
     }
 
     std::string still() const {
