@@ -283,9 +283,8 @@ void add_heat(CLI::App& app) {
         ->check(check_positive);
     command->add_option(
         "--integrator", arguments->integrator,
-        "NAME\tbackward-euler (order 1, no new extremes), implicit-midpoint (order 2, "
-        "Crank-Nicolson): equal steps; runge-kutta, cvode: steps by tolerance (default: the first; "
-        "runge-kutta with tolerance, source or boundary data)");
+        "NAME\tequal steps: backward-euler (default; order 1), implicit-midpoint (order 2); by "
+        "tolerance: runge-kutta (default with --tolerance-in-time, source, boundary data), cvode");
     add_engine(*command, arguments->engine);
     command->footer("Examples:\n"
                     "  polydec heat bunny.off --initial 'x>0' --until .01 -o heat.html\n"

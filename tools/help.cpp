@@ -31,7 +31,8 @@ constexpr std::array groups{
                       "--boundary-velocity --flux --robin --fixed-where --no-slip-where "
                       "--no-slip-on --open-where --open-on --absorb --layer "},
     Group{"Time", " --until --time-step --integrator --scheme --tolerance-in-time "},
-    Group{"Output", " --out --float32 --isolines --frames --checkpoint --resume "},
+    Group{"Output",
+          " --out --up --length-unit --float32 --isolines --frames --checkpoint --resume "},
     Group{"Output", " --json --timing "}};
 
 const Group& group_of(const CLI::Option& option) {
@@ -56,8 +57,7 @@ std::vector<const CLI::App*> listed_commands(const CLI::App& app) {
 /// What values with these names are.
 constexpr std::array kinds{
     std::pair{"EXPR", "expression in x, y, z, or a file of numbers, one per vertex, facet or cell"},
-    std::pair{"FORM", "degree 0: an expression; above, coefficients at dx, dy, .. or dx dy, dx dz, "
-                      ".., as in '-y; x; 0'; or a file of numbers, one per cell"}};
+    std::pair{"FORM", "an EXPR; coefficients of dx, dy, .. or dx dy, ..: '-y; x; 0'; or a file"}};
 
 /// The text in lines, the first of which begins at a column, the others at an indentation.
 std::string wrapped(std::string_view text, std::size_t at, std::size_t indentation) {

@@ -81,10 +81,10 @@ void add_page_options(CLI::App& command) {
             [](const std::string& axis) {
                 kept_options().up = static_cast<int>(axis.front() - 'x');
             },
-            "AXIS\tx, y or z: points up in a page (default: y for .obj .ply .off, else z)")
+            "AXIS\tthe axis that points up in a page (default: y for .obj .ply .off, else z)")
         ->check(one_of({"x", "y", "z"}));
     command.add_option("--length-unit", kept_options().length_unit,
-                       "NAME\tunit of length of the mesh, for the scale bar of a page: mm");
+                       "NAME\tunit of length for the scale bar of a page, such as mm");
 }
 
 bool is_page(const std::filesystem::path& out) {

@@ -20,13 +20,6 @@ namespace polydec {
 namespace {
 
 using Place = Eigen::Vector3d;
-using Color = Eigen::Vector3d; // red, green, blue, 0 to 255
-
-// lightness falls to the dark ends all the way
-const Color sequential_colors[] = {{255, 248, 222}, {253, 218, 150}, {244, 165, 104},
-                                   {214, 107, 107}, {160, 68, 118},  {92, 44, 112}};
-const Color diverging_colors[] = {{13, 59, 112},   {49, 125, 180}, {157, 202, 225}, {246, 244, 240},
-                                  {247, 190, 121}, {217, 108, 31}, {122, 48, 6}};
 
 /// The axes of the picture: to the right, up, towards the eye.
 struct Frame {
@@ -148,11 +141,6 @@ Color color_of(const std::string& text) {
     for (int i = 0; i < 3; ++i)
         color[i] = std::stoi(text.substr(1 + 2 * i, 2), nullptr, 16);
     return color;
-}
-
-std::string text_of(const Color& color) {
-    const auto part = [&](int i) { return static_cast<int>(std::lround(color[i])); };
-    return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
 }
 
 /// Values to colors.
@@ -339,27 +327,6 @@ SolidFaces kept_cells(const Discretization& given,
     return faces;
 }
 
-ColorRange color_range(double low, double high) {
-    constexpr double rounding = 1e-6;
-    const double most = std::max(std::abs(low), std::abs(high));
-    const bool is_constant = high - low <= rounding * most;
-    if (!is_constant && low < -rounding * most && high > rounding * most)
-        return {ColorMap::diverging, -most, most, false};
-    return {ColorMap::sequential, low, high, is_constant};
-}
-
-std::string color_at(ColorMap map, double t) {
-    if (std::isnan(t))
-        throw InvalidInput("NaN has no color: correct the value");
-    const std::span<const Color> colors = map == ColorMap::sequential
-                                              ? std::span<const Color>(sequential_colors)
-                                              : std::span<const Color>(diverging_colors);
-    const double at = std::clamp(t, 0.0, 1.0) * static_cast<double>(colors.size() - 1);
-    const auto i = std::min(static_cast<std::size_t>(at), colors.size() - 2);
-    const double part = at - static_cast<double>(i);
-    return text_of((1 - part) * colors[i] + part * colors[i + 1]);
-}
-
 SvgPoint seen_at(const SolidView& view, const Vector& point) {
     if (point.size() != 3 || !point.allFinite())
         throw InvalidInput("a point to view must have three finite coordinates");
@@ -385,7 +352,7 @@ SvgDrawing draw_solid(const SolidFaces& faces, const SolidView& view) {
         std::string fill = scale ? (*scale)(faces.values[f]) : view.plain;
         if (!faces.fills.empty() && !faces.fills[f].empty())
             fill = faces.fills[f];
-        fill = text_of(brightness(normal_of(faces.polygons, f), frame) * color_of(fill));
+        fill = color_text(brightness(normal_of(faces.polygons, f), frame) * color_of(fill));
         // without lines a thin one of the same color closes the seams
         SvgPolygon polygon{{}, {.stroke = fill, .fill = fill, .width = 0.4}};
         if (view.line != "none")

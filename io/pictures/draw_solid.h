@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dec/discretization.h"
+#include "io/pictures/color_map.h"
 #include "io/pictures/svg_drawing.h"
 #include "meshes/polygons.h"
 
@@ -42,28 +43,6 @@ SolidFaces kept_faces(const Discretization& mesh,
 SolidFaces kept_cells(const Discretization& mesh,
                       const std::function<bool(const Vector& centroid)>& keep, double gap,
                       const Vector& values = {});
-
-/// Color maps that are safe for color blindness.
-enum class ColorMap {
-    sequential, ///< from light to dark
-    diverging,  ///< blue below the middle, light in the middle, orange above
-};
-
-/// The colors of values in pictures and pages.
-struct ColorRange {
-    ColorMap map;
-    double low, high; ///< values at the ends of the map
-    bool is_constant; ///< the values are equal, up to rounding
-};
-
-/// The default colors of values from `low` to `high`: diverging, from minus to plus the largest
-/// absolute value, if both signs occur beyond rounding; else sequential, from low to high.
-/// Rounding is 1e-6 of the largest absolute value.
-ColorRange color_range(double low, double high);
-
-/// The color "#rrggbb" of a number from 0 to 1; other numbers are clamped. Throws InvalidInput for
-/// NaN.
-std::string color_at(ColorMap map, double t);
 
 /// The direction of view on a solid, without perspective, and the style.
 struct SolidView {
