@@ -18,7 +18,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 COMPILERS = {"libc++": ["clang++-16", "-stdlib=libc++"], "mingw": ["x86_64-w64-mingw32-g++-posix", "-w"]}
-HEADERS = ["CLI", "fmt", "muParser*.h", "rapidjson", "Spectra", "zlib.h", "*/zconf.h"]  # of any system
+HEADERS = ["CLI", "fmt", "muParser*.h", "rapidjson", "Spectra", "zconf.h", "zlib.h"]  # of any system
 
 
 def named_files():
