@@ -284,7 +284,7 @@ void add_heat(CLI::App& app) {
     command->add_option(
         "--integrator", arguments->integrator,
         "NAME\tequal steps: backward-euler (default; order 1), implicit-midpoint (order 2); by "
-        "tolerance: runge-kutta (default with --tolerance-in-time, source, boundary data), cvode");
+        "error: runge-kutta (default with tolerance, source, boundary data), cvode");
     add_engine(*command, arguments->engine);
     command->footer("Examples:\n"
                     "  polydec heat bunny.off --initial 'x>0' --until .01 -o heat.html\n"
