@@ -106,4 +106,7 @@ class Run:
 
 
 def _in_words_of_python(progress: Progress | None) -> Progress | None:
-    return None if progress is None else lambda text: progress(told(text))
+    if progress is None:
+        return None
+    say = progress
+    return lambda text: say(told(text))
