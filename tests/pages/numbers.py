@@ -95,7 +95,7 @@ class Numbers(TestCase):
                         "b.html", "page")
         self.assertSays(self.fail_with(2, "view", "a.html", golden("uv8.off"), "-o", "c.html"),
                         "uv8.off", "pages")
-        self.assertSays(self.fail_with(2, "view", "a.html", "a.html"), "pages", "name", "-o")
+        self.assertSays(self.fail_with(2, "view", "a.html", "a.html"), "pages", "output file", "-o")
         self.assertEqual(self.ask("view", "a.html", "a.html", "-o", "c.html")["pages"], 2)
 
     def test_a_million_triangles_with_three_fields_and_arrows_take_less_than_12_mb(self):
