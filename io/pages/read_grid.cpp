@@ -184,11 +184,88 @@ std::vector<std::pair<std::string, std::string>> listed(const SourceFile& source
     return files;
 }
 
+/// The files of the pieces that a .pvtu file lists.
+std::vector<std::string> pieces_of(const SourceFile& source) {
+    XmlReader reader(source);
+    XmlTag tag;
+    std::vector<std::string> files;
+    while (reader.next(tag))
+        if (tag.opens && tag.name == "Piece")
+            files.push_back(tag.attribute("Source"));
+    if (files.empty())
+        reader.fail("the grid lists no files; expected elements Piece with a Source");
+    for (const auto& file : files)
+        if (lower_extension(file) != ".vtu")
+            reader.fail(fmt::format("the piece {} is no .vtu file", quote_word(file)));
+    return files;
+}
+
+void append(std::vector<VtuArray>& list, const std::vector<VtuArray>& more) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+        std::visit(
+            [&](auto& values) {
+                const auto& other = std::get<std::decay_t<decltype(values)>>(more[i].values);
+                values.insert(values.end(), other.begin(), other.end());
+            },
+            list[i].values);
+}
+
+bool has_arrays_of(const std::vector<VtuArray>& list, const std::vector<VtuArray>& other) {
+    return std::equal(list.begin(), list.end(), other.begin(), other.end(),
+                      [](const VtuArray& a, const VtuArray& b) {
+                          return a.name == b.name && a.components == b.components &&
+                                 a.values.index() == b.values.index();
+                      });
+}
+
+/// Puts the cells of another piece behind these. Points that both have stay two.
+void append(VtuGrid& grid, const VtuGrid& piece) {
+    const auto points = static_cast<Index>(grid.points.rows());
+    const auto corners = static_cast<std::int64_t>(grid.corners.size());
+    const auto faces = static_cast<std::int64_t>(grid.faces.size());
+    grid.points.conservativeResize(points + piece.points.rows(), Eigen::NoChange);
+    grid.points.bottomRows(piece.points.rows()) = piece.points;
+    grid.types.insert(grid.types.end(), piece.types.begin(), piece.types.end());
+    for (const Index corner : piece.corners)
+        grid.corners.push_back(points + corner);
+    for (const auto end : piece.offsets)
+        grid.offsets.push_back(corners + end);
+    for (const auto end : piece.face_offsets)
+        grid.face_offsets.push_back(end < 0 ? end : faces + end);
+    for (std::size_t at = 0; at < piece.faces.size();) {
+        grid.faces.push_back(piece.faces[at]);
+        for (Index face = piece.faces[at++]; face > 0; --face) {
+            const Index size = piece.faces[at];
+            grid.faces.push_back(size);
+            for (Index i = 1; i <= size; ++i)
+                grid.faces.push_back(points + piece.faces[at + static_cast<std::size_t>(i)]);
+            at += static_cast<std::size_t>(size) + 1;
+        }
+    }
+    append(grid.point_data, piece.point_data);
+    append(grid.cell_data, piece.cell_data);
+}
+
 } // namespace
 
 VtuGrid read_grid(const std::filesystem::path& path) {
     const SourceFile source = read_source_file(path);
-    return GridReader(source).read();
+    if (lower_extension(path) != ".pvtu")
+        return GridReader(source).read();
+    const auto files = pieces_of(source);
+    VtuGrid grid = read_grid(path.parent_path() / files.front());
+    for (std::size_t i = 1; i < files.size(); ++i) {
+        const VtuGrid piece = read_grid(path.parent_path() / files[i]);
+        if (!has_arrays_of(grid.point_data, piece.point_data) ||
+            !has_arrays_of(grid.cell_data, piece.cell_data) ||
+            grid.points.cols() != piece.points.cols())
+            throw InvalidInput(fmt::format("{}: the arrays of {} are not those of {}; expected the "
+                                           "same in all pieces",
+                                           path.string(), files[i], files.front()),
+                               {.path = path});
+        append(grid, piece);
+    }
+    return grid;
 }
 
 Page read_series(const std::filesystem::path& path) {
