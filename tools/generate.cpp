@@ -112,14 +112,15 @@ CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
     const auto out = std::make_shared<std::filesystem::path>();
     const auto options = std::make_shared<TellOptions>();
     command
-        ->add_option("-o,--out", *out,
-                     "FILE\tmesh file: .off .obj .ply .stl .mesh .nsc .pdm, or an .html page")
+        ->add_option(
+            "-o,--out", *out,
+            "FILE\tmesh file: .off .obj .ply .stl .mesh .nsc .pdm, or a page: .html .png .svg")
         ->required();
     add_common_options(*command, *options);
     add_page_options(*command);
     command->callback([out, options, make = std::move(make)] {
-        check_output_file(*out, {".off", ".obj", ".ply", ".stl", ".mesh", ".nsc", ".pdm", ".html"},
-                          {});
+        check_output_file(*out,
+                          and_pages({".off", ".obj", ".ply", ".stl", ".mesh", ".nsc", ".pdm"}), {});
         Log log;
         write_generated(*out, make(), log, *options);
     });

@@ -22,7 +22,7 @@ struct FillArguments {
 };
 
 void fill(const FillArguments& arguments) {
-    check_output_file(arguments.out, {".mesh", ".nsc", ".pdm", ".html"},
+    check_output_file(arguments.out, and_pages({".mesh", ".nsc", ".pdm"}),
                       mesh_files(arguments.surface));
     Points holes(static_cast<Eigen::Index>(arguments.holes.size()), 3);
     for (Eigen::Index i = 0; i < holes.rows(); ++i)
@@ -88,7 +88,7 @@ void add_fill(CLI::App& generate) {
     generate.get_option("--weld")->needs(mesher);
     generate.get_option("--join-hanging")->needs(mesher);
     generate.add_option("-o,--out", arguments->out,
-                        "FILE\ttetrahedra: .mesh .nsc .pdm, or an .html page");
+                        "FILE\ttetrahedra: .mesh .nsc .pdm, or a page: .html .png .svg");
     add_common_options(generate, arguments->tell);
     generate.get_option("--json")->needs(mesher);
     generate.callback([&generate, arguments] { fill_if_asked(generate, *arguments); });

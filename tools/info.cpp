@@ -206,7 +206,7 @@ void draw(const InfoArguments& arguments, const Discretization& mesh, const Info
 void run(const InfoArguments& arguments) {
     Log log;
     if (!arguments.out.empty())
-        check_output_file(arguments.out, {".html"}, mesh_files(arguments.mesh.mesh));
+        check_output_file(arguments.out, and_pages({}), mesh_files(arguments.mesh.mesh));
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.out.empty())
         check_drawable(mesh);
@@ -228,7 +228,7 @@ void add_info(CLI::App& app) {
         app, "info", "describes the mesh and what DEC can do on it", run);
     add_mesh_arguments(*command, arguments->mesh, StarKind::circumcentric);
     command->add_option("-o,--out", arguments->out,
-                        "FILE\twrite an .html page that shows the mesh too");
+                        "FILE\twrite an .html page, or a .png or .svg picture, of the mesh too");
     add_page_options(*command);
     command->footer("Examples:\n  polydec info fandisk.off\n  polydec info bunny.ply --delaunay\n"
                     "  polydec info hand.mesh --star automatic");

@@ -69,7 +69,7 @@ private:
 void run_merge(const MergeArguments& arguments) {
     Log log;
     const auto& out = arguments.picture.out;
-    check_output_file(out, {".off", ".obj", ".ply", ".vtu", ".html"},
+    check_output_file(out, and_pages({".off", ".obj", ".ply", ".vtu"}),
                       mesh_files(arguments.mesh.mesh));
     check_float32(arguments.picture);
     const Discretization mesh = load(arguments.mesh, log);
@@ -88,7 +88,7 @@ void add_merge(CLI::App& app) {
     add_mesh_arguments(*command, arguments->mesh);
     command
         ->add_option("-o,--out", arguments->picture.out,
-                     "FILE\tmerged cells: .off .obj .ply (surfaces), .vtu or .html")
+                     "FILE\tmerged cells: .off .obj .ply (surfaces), .vtu, .html, .png or .svg")
         ->required();
     add_float32(*command, arguments->picture);
     add_page_options(*command);

@@ -87,13 +87,20 @@ void add_page_options(CLI::App& command) {
                        "NAME\tunit of length for the scale bar of a page, such as mm");
 }
 
+std::vector<const char*> and_pages(std::vector<const char*> extensions) {
+    extensions.insert(extensions.end(), {".html", ".png", ".svg"});
+    return extensions;
+}
+
 bool is_page(const std::filesystem::path& out) {
-    return lower_extension(out) == ".html";
+    const auto pages = and_pages({});
+    return std::find(pages.begin(), pages.end(), lower_extension(out)) != pages.end();
 }
 
 void add_picture(CLI::App& command, PictureArguments& picture, const std::string& what) {
-    command.add_option("-o,--out", picture.out,
-                       fmt::format("FILE\twrite {} to this .vtu or .html file", what));
+    command.add_option(
+        "-o,--out", picture.out,
+        fmt::format("FILE\twrite {} to this .vtu file, .html page, or .png or .svg picture", what));
     add_float32(command, picture);
     add_page_options(command);
 }
@@ -127,7 +134,9 @@ void check_picture(const PictureArguments& picture, const std::filesystem::path&
         return;
     Paths inputs = mesh_files(mesh);
     inputs.insert(inputs.end(), others.begin(), others.end());
-    check_output_file(picture.out, {".vtu", picture.isolines > 0 ? ".obj" : ".html"}, inputs);
+    check_output_file(picture.out,
+                      picture.isolines > 0 ? std::vector{".vtu", ".obj"} : and_pages({".vtu"}),
+                      inputs);
     check_float32(picture);
 }
 

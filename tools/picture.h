@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// Results of a command as a file in the format of the extension: .vtu or .html.
+/// Results of a command as a file in the format of the extension: .vtu, or a page or its picture.
 namespace polydec::tools {
 
 /// The path and the number format.
@@ -44,8 +44,11 @@ const std::string& command_text();
 /// Adds --up and --length-unit, for commands that write a page; in_page applies them.
 void add_page_options(CLI::App& command);
 
-/// Whether a path has the extension of a page.
+/// Whether a path has the extension of a page or of its picture: .html, .png, .svg.
 bool is_page(const std::filesystem::path& out);
+
+/// These extensions, then those of pages.
+std::vector<const char*> and_pages(std::vector<const char*> extensions);
 
 /// Writes these forms. A page has the text, the log's warnings, the command line and segments along
 /// the surface, if given; a .vtu file has these numbers as field data. With isolines, writes the

@@ -2,6 +2,7 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "io/pages/album.h"
+#include "io/pages/film.h"
 #include "io/pages/read_grid.h"
 #include "io/source_file.h"
 #include "tools/commands.h"
@@ -39,6 +40,11 @@ struct Viewed : Answer {
     void write(Text& text) const override { text("{}\n", printable(out)); }
 };
 
+/// A page that can be one of several in a file.
+bool is_album_page(const std::filesystem::path& file) {
+    return lower_extension(file) == ".html";
+}
+
 /// What a file with results shows: the arrays that it has.
 Page page_of_results(const std::filesystem::path& file) {
     Page page;
@@ -61,7 +67,7 @@ void bind_pages(const ViewArguments& arguments) {
     Paths pages{arguments.mesh.mesh};
     pages.insert(pages.end(), arguments.more.begin(), arguments.more.end());
     for (const auto& page : pages)
-        if (!is_page(page))
+        if (!is_album_page(page))
             throw InvalidInput(fmt::format("cannot combine {} with other files: only .html pages "
                                            "can be combined; convert it with `polydec view`",
                                            printable(page.string())));
@@ -78,16 +84,18 @@ void bind_pages(const ViewArguments& arguments) {
 }
 
 void run_view(ViewArguments arguments) {
-    if (is_page(arguments.mesh.mesh) || !arguments.more.empty())
+    if (is_album_page(arguments.mesh.mesh) || !arguments.more.empty())
         return bind_pages(arguments);
     Log log;
     const auto& file = arguments.mesh.mesh;
     if (arguments.out.empty())
         arguments.out = file.stem().string() + ".html";
-    check_output_file(arguments.out, {".html"}, mesh_files(file));
+    check_output_file(arguments.out, and_pages({".mp4"}), mesh_files(file));
+    if (lower_extension(arguments.out) == ".mp4")
+        check_film(arguments.out);
     const std::string extension = lower_extension(file);
     Page page;
-    if (extension == ".vtu" || extension == ".pvd") {
+    if (extension == ".vtu" || extension == ".pvtu" || extension == ".pvd") {
         log.timing.begin("read");
         page = page_of_results(file);
     } else {
@@ -116,18 +124,21 @@ void add_view(CLI::App& app) {
                         "if MESH is an .html page: further pages to combine with it");
     command->add_option(
         "-o,--out", arguments->out,
-        "FILE\tthe page, .html (default: the mesh's name with .html, in the current "
-        "folder)");
+        "FILE\tthe page, .html, or its picture, .png or .svg, or the film of a series, .mp4 "
+        "(default: the mesh's name with .html, in the current folder)");
     add_page_options(*command);
     command->footer(
-        "The page is one file that every browser opens, without a network. MESH may also "
-        "be a .vtu file, or a .pvd file that lists .vtu files with times: the page shows "
-        "all their fields. Every command that writes -o NAME.vtu also writes such a page "
-        "as -o NAME.html.\n\nExamples:\n"
+        "The page is one file that every browser opens, without a network. A picture shows the "
+        "page as it opens, and needs no browser; a film needs the program ffmpeg. MESH may also "
+        "be a .vtu or .pvtu file, or a .pvd file that lists such files with times: the page shows "
+        "all their fields. Every command that writes -o NAME.vtu also writes such a page or "
+        "picture as -o NAME.html, .png or .svg.\n\nExamples:\n"
         "  polydec view fandisk.off\n"
         "  polydec view cubes.nsc -o cubes-page.html\n"
         "  polydec view modes.vtu\n"
+        "  polydec view modes.vtu -o modes.png\n"
         "  polydec view heat.pvd -o heat.html\n"
+        "  polydec view heat.pvd -o heat.mp4\n"
         "  polydec view sphere.html torus.html -o both.html");
 }
 

@@ -5,9 +5,12 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/proxy_vectors.h"
 #include "dec/fields/streamlines.h"
+#include "io/pages/film.h"
 #include "io/pages/page_header.h"
 #include "io/pages/page_template.h"
 #include "io/pages/page_text.h"
+#include "io/pages/still.h"
+#include "io/source_file.h"
 #include "system/atomic_file.h"
 
 #include <fmt/format.h>
@@ -109,9 +112,14 @@ std::string to_html(const Page& page) {
 }
 
 void write_page(const std::filesystem::path& path, const Page& page) {
-    const std::string html = to_html(page);
+    const std::string extension = lower_extension(path);
+    if (extension == ".mp4")
+        return write_film(path, page);
+    const std::string text = extension == ".png"   ? to_png(page)
+                             : extension == ".svg" ? to_svg(page)
+                                                   : to_html(page);
     AtomicFile file(path);
-    file.write(html);
+    file.write(text);
     file.commit();
 }
 

@@ -81,8 +81,10 @@ void add_arrows(Page& page, const std::string& field, const Discretization& mesh
 /// an invalid grid, for arrows or steps that do not fit it, and above 64 MB.
 std::string to_html(const Page& page);
 
-/// Writes the page; the file appears whole or not at all. Throws like to_html; IoError if writing
-/// fails.
+/// Writes the page; the file appears whole or not at all. By the extension it is .png or .svg, a
+/// picture of the page as it opens, made without a browser; .mp4, a film of its steps made by the
+/// program ffmpeg; else the page itself. Throws like to_html; InvalidInput for a film without steps
+/// and a picture without lines or faces; IoError if writing fails or ffmpeg is missing.
 void write_page(const std::filesystem::path& path, const Page& page);
 
 } // namespace polydec

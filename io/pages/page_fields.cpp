@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "dec/glued_box.h"
 #include "io/pages/page_faces.h"
 #include "io/pictures/draw_solid.h"
 
@@ -16,10 +17,9 @@ namespace polydec {
 namespace {
 
 std::array<double, 2> range_of(const VtuArray& array) {
-    const DenseMatrix rows = rows_of(array);
-    if (rows.rows() == 0)
+    const Vector numbers = shown_numbers(array);
+    if (numbers.size() == 0)
         return {0, 0};
-    const Vector numbers = rows.cols() == 1 ? Vector(rows) : Vector(rows.rowwise().stableNorm());
     return {numbers.minCoeff(), numbers.maxCoeff()};
 }
 
@@ -72,6 +72,11 @@ DenseMatrix rows_of(const VtuArray& array) {
             return rows;
         },
         array.values);
+}
+
+Vector shown_numbers(const VtuArray& array) {
+    const DenseMatrix rows = rows_of(array);
+    return rows.cols() == 1 ? Vector(rows) : Vector(rows.rowwise().stableNorm());
 }
 
 std::array<double, 2> range_of(const std::vector<VtuArray>& arrays) {
@@ -141,22 +146,34 @@ bool has_moving_arrows(const Page& page) {
     return !page.steps.empty() && !page.steps.front().vectors.empty();
 }
 
-std::vector<VtuArray> strengths(const Page& page, const std::vector<PageField>& fields,
-                                const PageArrows& arrows, std::ptrdiff_t cells) {
+std::vector<Points> vectors_of_cells(const Page& page, const std::vector<PageField>& fields,
+                                     const PageArrows& arrows, std::ptrdiff_t cells) {
     const auto found = std::find_if(fields.begin(), fields.end(), [&](const PageField& field) {
         return field.array->name == arrows.field;
     });
     if (found == fields.end() || found->place == "vertex" || found->place == "cell" ||
         arrows.vectors.rows() == 0 || arrows.vectors.rows() != cells ||
-        (!page.steps.empty() && !has_moving_arrows(page)))
+        (!page.steps.empty() && !has_moving_arrows(page)) ||
+        (page.mesh && !page.mesh->passage().is_identity())) // cells between flipped edges
         return {};
-    const auto name = fmt::format("|{}|", arrows.field);
-    std::vector<VtuArray> lengths;
+    std::vector<Points> vectors;
     if (page.steps.empty())
-        lengths.push_back(vtu_array(name, arrows.vectors.rowwise().stableNorm()));
+        vectors.push_back(arrows.vectors);
     const auto number = static_cast<std::size_t>(&arrows - page.arrows.data());
     for (const PageStep& step : page.steps)
-        lengths.push_back(vtu_array(name, step.vectors[number].rowwise().stableNorm()));
+        vectors.push_back(step.vectors[number]);
+    if (page.mesh)
+        for (Points& each : vectors)
+            each = Points(each(cells_of_places(*page.mesh, page.mesh->dimension()), Eigen::all));
+    return vectors;
+}
+
+std::vector<VtuArray> strengths(const Page& page, const std::vector<PageField>& fields,
+                                const PageArrows& arrows, std::ptrdiff_t cells) {
+    std::vector<VtuArray> lengths;
+    for (const Points& vectors : vectors_of_cells(page, fields, arrows, cells))
+        lengths.push_back(
+            vtu_array(fmt::format("|{}|", arrows.field), vectors.rowwise().stableNorm()));
     return lengths;
 }
 

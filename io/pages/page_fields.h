@@ -24,6 +24,9 @@ struct PageField {
 /// One row for each entry of an array.
 DenseMatrix rows_of(const VtuArray& array);
 
+/// What colors show of each entry: its number, of vectors the length.
+Vector shown_numbers(const VtuArray& array);
+
 /// The smallest and largest value that colors show, of vectors by their lengths: in all arrays, or
 /// of a field at all steps. Zeros without values.
 std::array<double, 2> range_of(const std::vector<VtuArray>& arrays);
@@ -45,8 +48,12 @@ const PageField* first_field(const Page& page, const std::vector<PageField>& fie
 /// Whether the arrows of a page have other vectors at each step.
 bool has_moving_arrows(const Page& page);
 
-/// The lengths of the vectors of arrows, named |field|, at every step: one for each of so many
-/// cells. Empty unless the field has values on edges or faces, and each cell has a vector.
+/// The vectors of arrows at every step, one row for each of so many cells that are drawn. Empty
+/// unless the field has values on edges or faces, and each cell has a vector.
+std::vector<Points> vectors_of_cells(const Page& page, const std::vector<PageField>& fields,
+                                     const PageArrows& arrows, std::ptrdiff_t cells);
+
+/// The lengths of these vectors, named |field|.
 std::vector<VtuArray> strengths(const Page& page, const std::vector<PageField>& fields,
                                 const PageArrows& arrows, std::ptrdiff_t cells);
 

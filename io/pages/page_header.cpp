@@ -4,7 +4,7 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/glued_box.h"
-#include "io/meshes/read_mesh.h"
+#include "io/pages/first_view.h"
 #include "io/pages/page_data.h"
 #include "io/pages/page_faces.h"
 #include "io/pages/page_fields.h"
@@ -56,7 +56,7 @@ std::string color_scale(const std::array<double, 2>& ends) {
 /// Makes the header, part after part.
 class Maker {
 public:
-    explicit Maker(const Page& page) : page_(page) {
+    explicit Maker(const Page& page) : page_(page), up_(upward_axis(page)) {
         check_grid("a page", page.grid);
         if (page.mesh && grid_dimension(page.grid) < page.mesh->dimension())
             own_ = draw_cells(*page.mesh, 0);
@@ -88,8 +88,8 @@ public:
             "{{\"dimension\":{},\"flat\":{},\"up\":{},\"eyes\":{},\"unit\":{},\"cells\":{},"
             "\"points\":{},\"origin\":{},\"maps\":{},\"fields\":{},\"shown\":{},\"steps\":{},"
             "\"step\":{},\"arrows\":{},\"arrays\":{}}}",
-            faces_.dimension, is_flat(), up(), eyes(), json_text(page_.text.length_unit),
-            cells().types.size(), page_.grid.points.rows(),
+            faces_.dimension, is_flat(page_.grid.points), up_, eyes(),
+            json_text(page_.text.length_unit), cells().types.size(), page_.grid.points.rows(),
             json_array({json_number(origin_[0]), json_number(origin_[1]), json_number(origin_[2])}),
             maps(), json_array(fields_), shown_, steps(), step_, json_array(arrows_),
             data_.directory());
@@ -116,21 +116,15 @@ private:
 
     std::string still() const {
         if (strength_ || !is_still_colored())
-            return still_picture(cells(), faces_, strength_ ? &*strength_ : nullptr, up());
+            return still_picture(cells(), faces_, strength_ ? &*strength_ : nullptr, up_);
         if (page_.steps.empty())
-            return still_picture(page_.grid, faces_, first_->array, up());
+            return still_picture(page_.grid, faces_, first_->array, up_);
         VtuGrid grid = page_.grid;
         grid.point_data = page_.steps[step_].point_data;
         grid.cell_data = page_.steps[step_].cell_data;
         const bool at_points = first_->list == &PageStep::point_data;
         return still_picture(grid, faces_,
-                             &(at_points ? grid.point_data : grid.cell_data)[first_->number], up());
-    }
-
-    int up() const {
-        const int axis = page_.text.up.value_or(up_axis(page_.text.file));
-        upright_view(axis); // throws for other axes
-        return axis;
+                             &(at_points ? grid.point_data : grid.cell_data)[first_->number], up_);
     }
 
     /// For each axis upwards, the direction to the eye.
@@ -153,13 +147,6 @@ private:
         }
         return fmt::format("{{\"sequential\":{},\"diverging\":{}}}", json_array(sequential),
                            json_array(diverging));
-    }
-
-    /// Whether all points lie in one plane z = constant.
-    bool is_flat() const {
-        const auto& points = page_.grid.points;
-        return points.cols() < 3 || points.rows() == 0 ||
-               points.col(2).minCoeff() == points.col(2).maxCoeff();
     }
 
     /// Rows of three coordinates around the middle of the extent.
@@ -317,6 +304,7 @@ private:
     }
 
     const Page& page_;
+    int up_;
     std::optional<VtuGrid> own_; ///< top cells, if the grid has others
     std::vector<PageField> all_;
     const PageField* first_ = nullptr;

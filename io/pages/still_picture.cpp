@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/still_picture.h"
 
+#include "io/pages/first_view.h"
+#include "io/pages/page_fields.h"
 #include "io/pictures/draw_solid.h"
 #include "io/pictures/svg_drawing.h"
-#include "io/pictures/upright_view.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace polydec {
@@ -20,40 +22,28 @@ constexpr int raster = 26; ///< places to a side for coarse pictures
 
 using Spot = std::array<int, 3>;
 
-/// The number of entry i of an array: the length of a vector.
-double value_of(const VtuArray& array, Index i) {
-    return std::visit(
-        [&](const auto& values) {
-            double squares = 0;
-            if (array.components == 1)
-                return static_cast<double>(values[i]);
-            for (int c = 0; c < array.components; ++c)
-                squares += std::pow(static_cast<double>(values[i * array.components + c]), 2);
-            return std::sqrt(squares);
-        },
-        array.values);
-}
-
 /// Values of polygons, from those of their corners or of the cells behind them.
 class PolygonValues {
 public:
-    PolygonValues(const VtuGrid& grid, const VtuArray* shown) : shown_(shown) {
+    PolygonValues(const VtuGrid& grid, const VtuArray* shown) {
+        if (shown != nullptr)
+            numbers_ = shown_numbers(*shown);
         for (const auto& array : grid.point_data)
             at_points_ = at_points_ || &array == shown;
     }
 
-    bool exist() const { return shown_ != nullptr; }
+    bool exist() const { return numbers_.has_value(); }
     double of(std::span<const Index> corners, Index cell) const {
         if (!at_points_)
-            return value_of(*shown_, cell);
+            return (*numbers_)[cell];
         double sum = 0;
         for (const Index v : corners)
-            sum += value_of(*shown_, v) / static_cast<double>(corners.size());
+            sum += (*numbers_)[v] / static_cast<double>(corners.size());
         return sum;
     }
 
 private:
-    const VtuArray* shown_;
+    std::optional<Vector> numbers_;
     bool at_points_ = false;
 };
 
@@ -68,16 +58,6 @@ Points pictured(const Points& points) {
         result.row(v).head(points.cols()) =
             points.row(v) / size - (low / size / 2 + high / size / 2);
     return result;
-}
-
-SolidView view_of(const Points& points, int up) {
-    SolidView view = upright_view(up);
-    const auto z = points.col(2);
-    if (z.maxCoeff() == z.minCoeff()) {
-        view.eye = Eigen::Vector3d::UnitZ();
-        view.up = Eigen::Vector3d::UnitY();
-    }
-    return view;
 }
 
 void add_polygon(SolidFaces& picture, std::span<const Index> corners, Index cell) {
@@ -171,7 +151,7 @@ std::string still_picture(const VtuGrid& grid, const PageFaces& faces, const Vtu
     const Points points = pictured(grid.points);
     if (faces.size() == 0 || points.maxCoeff() == points.minCoeff())
         return "";
-    SolidView view = view_of(points, up);
+    SolidView view = first_view(points, up);
     if (faces.dimension < 2)
         return curve(points, faces, view);
     const PolygonValues values(grid, shown);

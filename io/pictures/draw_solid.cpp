@@ -5,6 +5,7 @@
 #include "complex/corners.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/glued_box.h"
+#include "io/pictures/lighting.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -40,6 +41,7 @@ struct Frame {
     }
 
     SvgPoint operator()(const Place& p) const { return {right.dot(p), up.dot(p)}; }
+    Place parts(const Place& p) const { return {right.dot(p), up.dot(p), eye.dot(p)}; }
 };
 
 Index count(const SolidFaces& faces) {
@@ -165,16 +167,6 @@ struct ColorScale {
         return color_at(map, length > 0 ? (value - range[0]) / length : 0.5);
     }
 };
-
-/// Light falls from the upper left, from behind the eye; a side and its back are lit alike.
-double brightness(const Place& normal, const Frame& frame) {
-    const Place light = (-0.35 * frame.right + 0.7 * frame.up + frame.eye).normalized();
-    const double size = normal.norm();
-    if (!(size > 0))
-        return 1;
-    const double turn = normal.dot(frame.eye) < 0 ? -1 : 1;
-    return 0.74 + 0.26 * std::max(0.0, turn * normal.dot(light) / size);
-}
 
 /// A bar with the colors below what is drawn, its ends in words beside it.
 void add_legend(SvgDrawing& drawing, const ColorScale& scale) {
@@ -352,7 +344,7 @@ SvgDrawing draw_solid(const SolidFaces& faces, const SolidView& view) {
         std::string fill = scale ? (*scale)(faces.values[f]) : view.plain;
         if (!faces.fills.empty() && !faces.fills[f].empty())
             fill = faces.fills[f];
-        fill = color_text(brightness(normal_of(faces.polygons, f), frame) * color_of(fill));
+        fill = color_text(brightness(frame.parts(normal_of(faces.polygons, f))) * color_of(fill));
         // without lines a thin one of the same color closes the seams
         SvgPolygon polygon{{}, {.stroke = fill, .fill = fill, .width = 0.4}};
         if (view.line != "none")

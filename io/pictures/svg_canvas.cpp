@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/pictures/svg_canvas.h"
 
+#include "io/base64.h"
 #include "io/xml_text.h"
 
 #include <fmt/format.h>
@@ -74,6 +75,16 @@ void SvgCanvas::polygon(const std::vector<SvgPoint>& points, const SvgStyle& sty
 void SvgCanvas::circle(SvgPoint center, double radius, const SvgStyle& style) {
     text_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>\n", pixels(center[0]),
                          pixels(center[1]), pixels(radius), attributes(style));
+}
+
+void SvgCanvas::image(SvgPoint left_top, double width, double height, std::string_view png) {
+    text_ += fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
+                         "href=\"data:image/png;base64,",
+                         pixels(left_top[0]), pixels(left_top[1]), pixels(width), pixels(height));
+    Base64Writer writer([this](std::string_view text) { text_ += text; });
+    writer.write(std::span<const char>(png.data(), png.size()));
+    writer.finish();
+    text_ += "\"/>\n";
 }
 
 void SvgCanvas::text(SvgPoint at, std::string_view text, const SvgLabel& label) {

@@ -27,6 +27,7 @@ public:
     void polyline(const std::vector<SvgPoint>& points, const SvgStyle& style);
     void polygon(const std::vector<SvgPoint>& points, const SvgStyle& style);
     void circle(SvgPoint center, double radius, const SvgStyle& style);
+    void image(SvgPoint left_top, double width, double height, std::string_view png);
     void text(SvgPoint at, std::string_view text, const SvgLabel& label = {});
 
     /// Elements from here to the next open or close form a group with this name, which viewers show

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: MIT
+#include "io/pages/still.h"
+
+#include "io/pages/first_view.h"
+#include "io/pages/picture_overlay.h"
+#include "io/pages/still_scene.h"
+#include "io/pages/surface_painter.h"
+#include "io/pictures/lighting.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace polydec {
+
+namespace {
+
+constexpr int picture_width = 1280, picture_height = 800;
+constexpr std::size_t most_svg_triangles = 4000, most_cells_with_edges = 2000;
+constexpr double margin = 24;
+constexpr Rgb plain{0xe4, 0xe9, 0xef}, ink{0x22, 0x22, 0x22}, gray{0x66, 0x66, 0x66};
+constexpr Rgb edge{0x44, 0x44, 0x44};
+
+std::string number_text(double value) {
+    return fmt::format("{:.4g}", value);
+}
+
+using Place = Eigen::Vector3d;
+
+SvgPoint on_paper(const Place& p) {
+    return {p[0], p[1]};
+}
+
+/// From points to pixels to the right and down, and nearness in pixels: all fills the frame.
+class Projection {
+public:
+    Projection(const StillScenes& scenes, const SvgBox& frame)
+        : axes_(axes_of(first_view(scenes.page().grid.points, upward_axis(scenes.page())))) {
+        const auto& points = scenes.points();
+        Place low = axes_ * Place(points.row(scenes.corners().front())), high = low;
+        for (const Index v : scenes.corners()) {
+            const Place p = axes_ * Place(points.row(v));
+            low = low.cwiseMin(p);
+            high = high.cwiseMax(p);
+        }
+        const Place size = high - low;
+        const double across = frame.width() / size[0], up = frame.height() / size[1];
+        scale_ = std::min(across, up);
+        if (!std::isfinite(scale_))
+            scale_ = 1;
+        middle_ = low / 2 + high / 2;
+        center_ = {(frame.left + frame.right) / 2, (frame.top + frame.bottom) / 2, 0};
+    }
+
+    Place operator()(const Place& point) const {
+        return center_ + (scale_ * (axes_ * point - middle_)).cwiseProduct(Place(1, -1, 1));
+    }
+
+    /// A direction, in pixels.
+    Place along(const Place& vector) const {
+        return (scale_ * (axes_ * vector)).cwiseProduct(Place(1, -1, 1));
+    }
+
+private:
+    Eigen::Matrix3d axes_;
+    Place middle_, center_;
+    double scale_;
+};
+
+SvgBox frame_of(const StillScenes& scenes) {
+    const bool has_head = !scenes.page().text.title.empty() || !scenes.page().steps.empty();
+    return {margin, has_head ? 60.0 : margin, picture_width - margin,
+            picture_height - (scenes.range() ? 104.0 : margin)};
+}
+
+class StillPictures {
+public:
+    explicit StillPictures(const StillScenes& scenes)
+        : scenes_(scenes), projection_(scenes, frame_of(scenes)) {
+        if (scenes.range())
+            map_ = fine_map(scenes.range()->map);
+    }
+
+    std::string png(std::size_t step) const {
+        const StillScene scene = scenes_.at(step);
+        const SurfacePainter painter = painted(scene);
+        Raster raster = painter.picture();
+        draw(raster, lines(scene, painter));
+        draw(raster, overlay(scene, painter));
+        return raster.to_png();
+    }
+
+    std::string svg(std::size_t step) const {
+        const StillScene scene = scenes_.at(step);
+        const SurfacePainter painter = painted(scene);
+        SvgCanvas canvas(picture_width, picture_height);
+        const auto drawn = scenes_.corners().size() / (scenes_.is_curve() ? 2 : 3);
+        if (drawn > most_svg_triangles) {
+            Raster raster = painter.picture();
+            draw(raster, lines(scene, painter));
+            canvas.image({0, 0}, picture_width, picture_height, raster.to_png());
+        } else if (scenes_.is_curve()) {
+            draw(canvas, lines(scene, painter));
+        } else {
+            add_polygons(canvas, scene, painter);
+        }
+        draw(canvas, overlay(scene, painter));
+        return canvas.finish();
+    }
+
+private:
+    SeenTriangle triangle(const StillScene& scene, const SurfacePainter& painter,
+                          std::size_t t) const {
+        SeenTriangle seen;
+        for (std::size_t i = 0; i < 3; ++i)
+            seen.corners[i] =
+                projection_(scenes_.points().row(scenes_.corners()[3 * t + i]).transpose());
+        if (!scene.values.empty()) {
+            seen.parts.emplace();
+            for (std::size_t i = 0; i < 3; ++i)
+                (*seen.parts)[i] = scenes_.part(scene.values[3 * t + i]);
+        }
+        if (!is_flat(scenes_.page().grid.points))
+            seen.brightness = brightness((seen.corners[1] - seen.corners[0])
+                                             .cross(seen.corners[2] - seen.corners[0])
+                                             .cwiseProduct(Place(1, -1, 1)));
+        add_sides(seen, scene, painter, t);
+        return seen;
+    }
+
+    void add_sides(SeenTriangle& seen, const StillScene& scene, const SurfacePainter& painter,
+                   std::size_t t) const {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const bool is_edge = (scenes_.sides()[t] >> 2 * i & 3) == PageFaces::edge;
+            if (is_edge && scenes_.cells() <= most_cells_with_edges)
+                seen.sides[i] = edge;
+            if (!scene.side_values.empty() && !std::isnan(scene.side_values[3 * t + i])) {
+                seen.sides[i] = painter.color(scenes_.part(scene.side_values[3 * t + i]));
+                seen.side_width = 2;
+            }
+        }
+    }
+
+    SurfacePainter painted(const StillScene& scene) const {
+        SurfacePainter painter(picture_width, picture_height, map_, plain);
+        if (!scenes_.is_curve())
+            for (std::size_t t = 0; t < scenes_.sides().size(); ++t)
+                painter.paint(triangle(scene, painter, t));
+        return painter;
+    }
+
+    /// The lines of curves, from far to near.
+    PictureOverlay lines(const StillScene& scene, const SurfacePainter& painter) const {
+        PictureOverlay result;
+        if (!scenes_.is_curve())
+            return result;
+        std::vector<std::pair<double, PictureOverlay::Stroke>> strokes;
+        for (std::size_t i = 0; i + 1 < scenes_.corners().size(); i += 2) {
+            const auto& points = scenes_.points();
+            const Place a = projection_(points.row(scenes_.corners()[i]).transpose());
+            const Place b = projection_(points.row(scenes_.corners()[i + 1]).transpose());
+            Rgb color = ink;
+            if (!scene.values.empty())
+                color = painter.color(scenes_.part(scene.values[i] / 2 + scene.values[i + 1] / 2));
+            strokes.push_back({a[2] + b[2], {{on_paper(a), on_paper(b)}, 3, color}});
+        }
+        std::stable_sort(strokes.begin(), strokes.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (auto& [nearness, stroke] : strokes)
+            result.strokes.push_back(std::move(stroke));
+        return result;
+    }
+
+    PictureOverlay overlay(const StillScene& scene, const SurfacePainter& painter) const {
+        PictureOverlay result;
+        add_paths(result, painter);
+        add_arrows(result, scene, painter);
+        add_head(result, scene);
+        if (scenes_.range())
+            add_legend(result, painter);
+        return result;
+    }
+
+    void add_paths(PictureOverlay& result, const SurfacePainter& painter) const {
+        for (const auto& [field, sites, vectors, lines] : scenes_.page().arrows) {
+            if (sites.rows() > 0)
+                continue;
+            Points points = Points::Zero(lines.points.rows(), 3);
+            points.leftCols(lines.points.cols()) = lines.points;
+            for (Index i = 0; i < lines.simplices.rows(); ++i) {
+                const Place a = projection_(points.row(lines.simplices(i, 0)).transpose());
+                const Place b = projection_(points.row(lines.simplices(i, 1)).transpose());
+                if (painter.shows((a + b) / 2))
+                    result.strokes.push_back({{on_paper(a), on_paper(b)}, 3, ink});
+            }
+        }
+    }
+
+    /// At most one in each square of a grid, the nearest one to its middle, as far as all of it is
+    /// on the surface. Squares are as large as there is room for one of each.
+    void add_arrows(PictureOverlay& result, const StillScene& scene,
+                    const SurfacePainter& painter) const {
+        std::vector<std::pair<Place, Index>> seen;
+        Place low = Place::Constant(picture_width), high = Place::Zero();
+        for (Index i = 0; i < scene.sites.rows(); ++i) {
+            const Place at = projection_(scene.sites.row(i).transpose());
+            if (!painter.shows(at))
+                continue;
+            seen.emplace_back(at, i);
+            low = low.cwiseMin(at);
+            high = high.cwiseMax(at);
+        }
+        const double room = (high - low).head(2).prod() / static_cast<double>(seen.size());
+        const double size = std::clamp(std::sqrt(std::max(0.0, room)), 28.0, 64.0);
+        std::map<std::array<int, 2>, std::pair<double, std::size_t>> nearest;
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            const double x = seen[i].first[0] / size, y = seen[i].first[1] / size;
+            const std::array square{static_cast<int>(x), static_cast<int>(y)};
+            const std::pair found{std::hypot(x - square[0] - 0.5, y - square[1] - 0.5), i};
+            auto& known = nearest.try_emplace(square, found).first->second;
+            known = std::min(known, found);
+        }
+        for (const auto& [square, found] : nearest)
+            add_arrow_at(result, painter, seen[found.second].first,
+                         scene.vectors.row(seen[found.second].second).transpose(), size);
+    }
+
+    void add_arrow_at(PictureOverlay& result, const SurfacePainter& painter, const Place& at,
+                      const Place& vector, double size) const {
+        const Place ray = projection_.along(vector);
+        const double part = vector.norm() / scenes_.range()->high, pixels = ray.norm();
+        if (!(part > 0.02) || !(pixels > 0))
+            return;
+        const Place half = ray * (0.45 * size * std::sqrt(part) / pixels);
+        if (painter.shows(at - half) && painter.shows(at + half))
+            add_arrow(result, on_paper(at - half), on_paper(at + half), 1.4, ink);
+    }
+
+    void add_head(PictureOverlay& result, const StillScene& scene) const {
+        const std::string time = scene.time.empty() ? "" : "t = " + scene.time;
+        const double room = picture_width - 3 * margin - svg_text_width(time, 20);
+        result.labels.push_back({{margin, 38},
+                                 shortened(scenes_.page().text.title, 20, room),
+                                 20,
+                                 SvgAnchor::start,
+                                 ink});
+        result.labels.push_back({{picture_width - margin, 38}, time, 20, SvgAnchor::end, ink});
+    }
+
+    /// The bar, the name above it, and its ends and middle in numbers below.
+    void add_legend(PictureOverlay& result, const SurfacePainter& painter) const {
+        constexpr int pieces = 128;
+        constexpr double long_bar = 384, top = picture_height - 52, bottom = picture_height - 36;
+        const double left = picture_width / 2.0 - long_bar / 2;
+        for (int i = 0; i < pieces; ++i)
+            result.boxes.push_back(
+                {{left + long_bar * i / pieces, top, left + long_bar * (i + 1) / pieces, bottom},
+                 painter.color((i + 0.5) / pieces)});
+        const auto& [map, low, high, is_constant] = *scenes_.range();
+        const double numbers[] = {low, low / 2 + high / 2, high};
+        for (int i = 0; i < 3; ++i)
+            if (!is_constant || i == 1)
+                result.labels.push_back({{left + long_bar * i / 2, picture_height - 16.0},
+                                         number_text(numbers[i]),
+                                         15,
+                                         SvgAnchor::middle,
+                                         ink});
+        const auto& about = scenes_.about();
+        const std::string text = about.empty() ? scenes_.name() : scenes_.name() + ": " + about;
+        result.labels.push_back({{picture_width / 2.0, picture_height - 62.0},
+                                 shortened(text, 16, picture_width - 2 * margin),
+                                 16,
+                                 SvgAnchor::middle,
+                                 ink});
+    }
+
+    /// A part of a triangle in one color, with the lines on its sides.
+    struct Piece {
+        double nearness;
+        std::vector<SvgPoint> corners;
+        Rgb color;
+        std::vector<PictureOverlay::Stroke> lines;
+    };
+
+    /// Triangles with values at their corners are cut into `cuts` pieces along each side.
+    void add_pieces(std::vector<Piece>& pieces, const SeenTriangle& seen,
+                    const SurfacePainter& painter, int cuts) const {
+        const auto at = [&](int i, int j) -> Place {
+            return seen.corners[0] + (seen.corners[1] - seen.corners[0]) * i / cuts +
+                   (seen.corners[2] - seen.corners[0]) * j / cuts;
+        };
+        const auto add = [&](std::array<std::array<int, 2>, 3> corners) {
+            Piece piece{0, {}, {}, {}};
+            double i = 0, j = 0;
+            for (const auto& [a, b] : corners) {
+                const Place corner = at(a, b);
+                piece.corners.push_back(on_paper(corner));
+                piece.nearness += corner[2] / 3;
+                i += a / 3.0 / cuts;
+                j += b / 3.0 / cuts;
+            }
+            piece.color = painter.color(seen, {1 - i - j, i, j});
+            for (std::size_t side = 0; side < 3; ++side) {
+                const auto& [a, b] = corners[side];
+                const auto& [c, e] = corners[(side + 1) % 3];
+                const bool outer[] = {b == 0 && e == 0, a + b == cuts && c + e == cuts,
+                                      a == 0 && c == 0};
+                for (std::size_t k = 0; k < 3; ++k)
+                    if (outer[k] && seen.sides[k])
+                        piece.lines.push_back({{piece.corners[side], piece.corners[(side + 1) % 3]},
+                                               2 * seen.side_width,
+                                               *seen.sides[k]});
+            }
+            pieces.push_back(std::move(piece));
+        };
+        for (int i = 0; i < cuts; ++i)
+            for (int j = 0; i + j < cuts; ++j) {
+                add({{{i, j}, {i + 1, j}, {i, j + 1}}});
+                if (i + j + 1 < cuts)
+                    add({{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}});
+            }
+    }
+
+    void add_polygons(SvgCanvas& canvas, const StillScene& scene,
+                      const SurfacePainter& painter) const {
+        const std::size_t count = scenes_.sides().size();
+        const int cuts = scene.values.empty()
+                             ? 1
+                             : static_cast<int>(std::clamp(
+                                   std::sqrt(most_svg_triangles / double(count)), 1.0, 8.0));
+        std::vector<Piece> pieces;
+        for (std::size_t t = 0; t < count; ++t)
+            add_pieces(pieces, triangle(scene, painter, t), painter, cuts);
+        std::stable_sort(pieces.begin(), pieces.end(),
+                         [](const Piece& a, const Piece& b) { return a.nearness < b.nearness; });
+        for (const auto& piece : pieces) {
+            const std::string color = color_text(piece.color);
+            canvas.polygon(piece.corners, {.stroke = color, .fill = color, .width = 0.8});
+            draw(canvas, PictureOverlay{.strokes = piece.lines});
+        }
+    }
+
+    const StillScenes& scenes_;
+    Projection projection_;
+    std::vector<Rgb> map_;
+};
+
+} // namespace
+
+std::string to_png(const Page& page) {
+    const StillScenes scenes(page);
+    return StillPictures(scenes).png(scenes.opening());
+}
+
+std::string to_svg(const Page& page) {
+    const StillScenes scenes(page);
+    return StillPictures(scenes).svg(scenes.opening());
+}
+
+void draw_steps(const Page& page, const std::function<void(const std::string& png)>& take) {
+    const StillScenes scenes(page);
+    const StillPictures pictures(scenes);
+    for (std::size_t step = 0; step < scenes.size(); ++step)
+        take(pictures.png(step));
+}
+
+} // namespace polydec

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/pages/page_faces.h"
+#include "io/pages/page_fields.h"
+#include "io/pictures/color_map.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polydec {
+
+/// What a still picture shows of a page at one step: the triangles of the surface, or the lines of
+/// curves, with values at their corners.
+struct StillScene {
+    std::vector<double> values;      ///< for each corner; empty: no colors
+    std::vector<double> side_values; ///< for each side of the triangles, NaN: none; or empty
+    Points sites, vectors;           ///< of arrows, three coordinates each
+    std::string time;                ///< or empty
+};
+
+/// The scenes of a page, with what all its steps have in common.
+class StillScenes {
+public:
+    /// Throws InvalidInput like check_grid and page_fields, and if the page has no lines or faces.
+    /// The page must outlive this object.
+    explicit StillScenes(const Page& page);
+    StillScenes(const StillScenes&) = delete;
+    StillScenes& operator=(const StillScenes&) = delete;
+
+    std::size_t size() const { return page_.steps.empty() ? 1 : page_.steps.size(); }
+    std::size_t opening() const { return opening_step(page_, first_); }
+    StillScene at(std::size_t step) const;
+
+    const Page& page() const { return page_; }
+    const Points& points() const { return points_; }        ///< three coordinates each
+    bool is_curve() const { return corners_of_cell_ == 2; } ///< lines, not triangles
+    const std::vector<Index>& corners() const { return corners_; }
+    const std::vector<Index>& sides() const { return sides_; } ///< as in PageFaces
+    std::size_t cells() const { return cells_; }               ///< of largest dimension
+
+    /// The colors over all steps, if there are values.
+    const std::optional<ColorRange>& range() const { return range_; }
+    double part(double value) const; ///< its place on the map, 0 to 1
+    std::string name() const;
+    const std::string& about() const { return first_->array->about; }
+
+private:
+    void add_visible(const PageFaces& faces);
+    void find_strengths();
+    const VtuArray& array_at(std::size_t step) const;
+    Points vectors_at(std::size_t step) const;
+    std::vector<double> values_at(std::size_t step) const;
+    void add_arrows(StillScene& scene, std::size_t step) const;
+
+    const Page& page_;
+    Points points_;
+    int corners_of_cell_ = 3;
+    std::size_t cells_ = 0;
+    std::vector<Index> corners_, sides_;
+    std::vector<Index> owners_, faces_, edges_; ///< of each triangle or line; of each side
+    std::vector<PageField> fields_;
+    const PageField* first_ = nullptr; ///< of the fields, or null
+    std::vector<VtuArray> strengths_;  ///< of its arrows, shown instead of its values; or empty
+    std::vector<Points> vectors_;      ///< these arrows at every step
+    std::string place_;                ///< of the values that are shown, as in PageField
+    std::optional<ColorRange> range_;
+};
+
+} // namespace polydec

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/pictures/color_map.h"
+#include "io/pictures/raster.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace polydec {
+
+/// A triangle as it is seen: pixels to the right and down, and nearness to the eye in pixels.
+struct SeenTriangle {
+    std::array<Eigen::Vector3d, 3> corners;
+    std::optional<std::array<double, 3>> parts = {}; ///< of the corners on the color map
+    double brightness = 1;
+    /// Lines on the sides, from corner i to the next.
+    std::array<std::optional<Rgb>, 3> sides = {};
+    double side_width = 0.7; ///< half the width of these lines, pixels
+};
+
+/// Paints triangles in any order; at each place the nearest one is seen. Four samples to a
+/// pixel smooth the edges.
+class SurfacePainter {
+public:
+    /// Values have the colors of this map, other triangles the plain color.
+    SurfacePainter(int width, int height, std::vector<Rgb> map, Rgb plain);
+
+    void paint(const SeenTriangle& triangle);
+
+    Raster picture() const { return samples_.reduced(factor); }
+
+    /// Whether something is painted at this place, which is not nearer than the point by more than
+    /// some pixels.
+    bool shows(const Eigen::Vector3d& point) const;
+
+    /// A number from 0 to 1 as a color of the map.
+    Rgb color(double part) const;
+
+    /// Of a place in a triangle, by its barycentric coordinates, without lines.
+    Rgb color(const SeenTriangle& triangle, const Eigen::Vector3d& weights) const;
+
+private:
+    static constexpr int factor = 2;
+
+    std::vector<Rgb> map_;
+    Rgb plain_;
+    Raster samples_;
+    std::vector<float> nearness_; ///< of each sample
+};
+
+/// The colors of a map at so many places that steps between them are not seen.
+std::vector<Rgb> fine_map(ColorMap map);
+
+} // namespace polydec

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "io/pictures/raster.h"
+
+#include "io/deflate.h"
+#include "io/pictures/color_map.h"
+#include "io/pictures/stroke_font.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <zlib.h>
+
+namespace polydec {
+
+namespace {
+
+std::string big_endian(unsigned long number) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8)
+        bytes += static_cast<char>(number >> shift & 255U);
+    return bytes;
+}
+
+const Bytef* bytes_of(const std::string& text) {
+    return reinterpret_cast<const Bytef*>(text.data());
+}
+
+std::string chunk(const std::string& type, const std::string& data) {
+    const std::string text = type + data;
+    return big_endian(data.size()) + text + big_endian(crc32_z(0, bytes_of(text), text.size()));
+}
+
+double distance(double x, double y, const SvgPoint& a, const SvgPoint& b) {
+    const double dx = b[0] - a[0], dy = b[1] - a[1], squared = dx * dx + dy * dy;
+    const double t = squared > 0 ? ((x - a[0]) * dx + (y - a[1]) * dy) / squared : 0;
+    const double part = std::clamp(t, 0.0, 1.0);
+    return std::hypot(x - a[0] - part * dx, y - a[1] - part * dy);
+}
+
+/// The first of the pixels from 0 to `end` - 1 that may be touched, or the one after the last.
+int clipped(double place, int end) {
+    return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(end)));
+}
+
+} // namespace
+
+Rgb rgb_of(std::string_view text) {
+    Rgb color{};
+    for (std::size_t i = 0; i < 3; ++i)
+        std::from_chars(text.data() + 1 + 2 * i, text.data() + 3 + 2 * i, color[i], 16);
+    return color;
+}
+
+std::string color_text(Rgb color) {
+    return color_text(Color(color[0], color[1], color[2]));
+}
+
+Raster::Raster(int width, int height, Rgb ground)
+    : width_(width),
+      height_(height),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), ground) {}
+
+void Raster::stroke(SvgPoint from, SvgPoint to, double width, Rgb color) {
+    const double reach = width / 2 + 1;
+    const int left = clipped(std::min(from[0], to[0]) - reach, width_);
+    const int right = clipped(std::max(from[0], to[0]) + reach + 1, width_);
+    const int top = clipped(std::min(from[1], to[1]) - reach, height_);
+    const int bottom = clipped(std::max(from[1], to[1]) + reach + 1, height_);
+    for (int y = top; y < bottom; ++y)
+        for (int x = left; x < right; ++x) {
+            const double d = distance(x + 0.5, y + 0.5, from, to);
+            const double cover = std::clamp(width / 2 + 0.5 - d, 0.0, 1.0);
+            Rgb& pixel = pixels_[place(x, y)];
+            for (std::size_t i = 0; i < 3; ++i)
+                pixel[i] = static_cast<std::uint8_t>(
+                    std::lround(pixel[i] + cover * (color[i] - pixel[i])));
+        }
+}
+
+void Raster::fill(const SvgBox& box, Rgb color) {
+    const int right = clipped(std::ceil(box.right - 0.5), width_);
+    const int bottom = clipped(std::ceil(box.bottom - 0.5), height_);
+    for (int y = clipped(std::ceil(box.top - 0.5), height_); y < bottom; ++y)
+        for (int x = clipped(std::ceil(box.left - 0.5), width_); x < right; ++x)
+            set(x, y, color);
+}
+
+void Raster::text(SvgPoint at, std::string_view text, double size, SvgAnchor anchor, Rgb color) {
+    const double advance = svg_text_width("m", size), width = svg_text_width(text, size);
+    const double across = 0.1 * size, up = 0.12 * size, thick = 0.085 * size;
+    double x = at[0] - (anchor == SvgAnchor::end      ? width
+                        : anchor == SvgAnchor::middle ? width / 2
+                                                      : 0);
+    for (const char character : text) {
+        if ((static_cast<unsigned char>(character) & 0xC0U) == 0x80U)
+            continue; // inside a character
+        const std::string_view strokes = glyph(character);
+        const auto point = [&](std::size_t i) {
+            return SvgPoint{x + across * (strokes[i] - '0' + 0.9),
+                            at[1] - up * (strokes[i + 1] - '2')};
+        };
+        for (std::size_t i = 0; i + 3 < strokes.size(); i += 2) {
+            if (strokes[i + 2] == ' ') {
+                ++i; // now at the last digit of the stroke
+                continue;
+            }
+            stroke(point(i), point(i + 2), thick, color);
+        }
+        x += advance;
+    }
+}
+
+Raster Raster::reduced(int factor) const {
+    Raster result(width_ / factor, height_ / factor);
+    const int count = factor * factor;
+    for (int y = 0; y < result.height_; ++y)
+        for (int x = 0; x < result.width_; ++x) {
+            std::array<int, 3> sums{};
+            for (int part = 0; part < count; ++part) {
+                const Rgb color = at(factor * x + part % factor, factor * y + part / factor);
+                for (std::size_t i = 0; i < 3; ++i)
+                    sums[i] += color[i];
+            }
+            Rgb& pixel = result.pixels_[result.place(x, y)];
+            for (std::size_t i = 0; i < 3; ++i)
+                pixel[i] = static_cast<std::uint8_t>((sums[i] + count / 2) / count);
+        }
+    return result;
+}
+
+std::string Raster::to_png() const {
+    constexpr char up = 2; // each row is its difference from the row above
+    std::string rows;
+    for (int y = 0; y < height_; ++y) {
+        rows += up;
+        for (int x = 0; x < width_; ++x)
+            for (std::size_t i = 0; i < 3; ++i)
+                rows += static_cast<char>(at(x, y)[i] - (y > 0 ? at(x, y - 1)[i] : 0));
+    }
+    const std::string header = big_endian(static_cast<unsigned long>(width_)) +
+                               big_endian(static_cast<unsigned long>(height_)) +
+                               std::string("\x08\x02\x00\x00\x00", 5);
+    const std::string stream =
+        "\x78\x9c" + deflate(rows) + big_endian(adler32_z(1, bytes_of(rows), rows.size()));
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stream) + chunk("IEND", "");
+}
+
+} // namespace polydec
