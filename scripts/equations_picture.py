@@ -60,7 +60,8 @@ def main():
         axes = figure.add_subplot(1, 3, i + 1, projection=kind)
         mesh, values = made()
         bounds = {"clim": (-abs(values).max(), abs(values).max())} if colors == "RdBu" else {}
-        polydec.plot(mesh, values, degree=degree, ax=axes, cmap=colors, linewidth=0.1, **bounds)
+        polydec.plot(mesh, values, degree=degree, ax=axes, cmap=colors, linewidth=0.1, bar=None,
+                     **bounds)
         figure.text((2 * i + 1) / 6, 0.95, title, ha="center", fontsize=10)
         axes.set_axis_off()
         if kind:

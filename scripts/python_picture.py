@@ -20,9 +20,8 @@ def main():
     sphere = polydec.discretize(polydec.meshes.goldberg(8))
     modes = polydec.spectrum(sphere, count=9, side="dual")
     left = figure.add_subplot(1, 2, 1, projection="3d")
-    drawn = polydec.plot(sphere, modes.modes[:, 6], degree=0, side="dual", ax=left, cmap="RdBu",
-                         linewidth=0.3)
-    figure.colorbar(drawn, ax=left, shrink=0.6, label="eigenfunction, of norm 1")
+    polydec.plot(sphere, modes.modes[:, 6], degree=0, side="dual", ax=left, linewidth=0.3,
+                 bar="eigenfunction, of norm 1")
     left.set_title(f"On hexagons: eigenvalue {modes.eigenvalues[6]:.4f} (exact 6)", fontsize=10)
 
     square = polydec.discretize(polydec.meshes.grid(14, 14))
@@ -30,9 +29,8 @@ def main():
         [np.sin(np.pi * p[:, 1]), np.sin(2 * np.pi * p[:, 0])])), 1)
     parts = polydec.hodge_decomposition(square, form)
     right = figure.add_subplot(1, 2, 2)
-    drawn = polydec.plot(square, parts.potential.values, degree=0, ax=right, cmap="RdBu",
-                         linewidth=0.3)
-    figure.colorbar(drawn, ax=right, shrink=0.6, label="its potential, at vertices")
+    polydec.plot(square, parts.potential.values, degree=0, ax=right, linewidth=0.3,
+                 bar="its potential, at vertices")
     places, arrows = square.centers(2), polydec.sharp_pd(square, parts.exact)
     right.quiver(*places.T, *arrows.T, color="k")
     right.set_title("Exact part of a 1-form, a vector on each polygon", fontsize=10)

@@ -28,7 +28,7 @@ def main():
     mesh, flow, w = names["mesh"], names["flow"], names["w"]
     figure, axes = plt.subplots(figsize=(10, 3.2))
     polydec.plot(mesh, flow.vorticity(w), degree=0, ax=axes, cmap="RdBu", linewidth=0.1,
-                 clim=(-2, 2))
+                 bar=None, clim=(-2, 2))
     axes.add_patch(plt.Circle((0, 0), 0.5, color="0.3"))
     axes.set(xlim=(-1.5, 11), ylim=(-2, 2), aspect="equal")
     axes.set_axis_off()

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/draw_page.h"
 #include "io/pages/series.h"
+#include "io/pictures/color_map.h"
 #include "io/pictures/draw_fields.h"
 #include "io/pictures/draw_lesson.h"
+#include "io/pictures/lighting.h"
 #include "io/pictures/write_drawing.h"
 #include "python/bindings/convert.h"
 
@@ -94,6 +96,25 @@ std::string drawing(const Discretization& mesh, bool duals, bool dual_orientatio
     return unlocked([&] { return to_svg(draw_lesson(mesh, options)); });
 }
 
+/// The map of values between these, as colors at equal distances, and the values at its ends.
+std::tuple<std::vector<std::string>, double, double> colors(double low, double high) {
+    constexpr int steps = 30; // of which both maps have their corners among them
+    const ColorRange range = color_range(low, high);
+    std::vector<std::string> map;
+    for (int i = 0; i <= steps; ++i)
+        map.push_back(color_at(range.map, static_cast<double>(i) / steps));
+    return {map, range.low, range.high};
+}
+
+/// For each normal, in parts to the right, up and to the eye.
+py::array lights(const Numbers& normals) {
+    const DenseMatrix rows = columns(normals);
+    Vector result(rows.rows());
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+        result[i] = brightness(rows.row(i).transpose());
+    return array(result);
+}
+
 void add_series(py::module_& module) {
     py::class_<Series>(module, "Series")
         .def(py::init([](const std::string& path, const Discretization& mesh,
@@ -111,6 +132,9 @@ void add_series(py::module_& module) {
 
 void add_pages(py::module_& module) {
     module.def("write_vtu", &write_picture);
+    module.def("brightness", &lights);
+    module.def("colors", &colors);
+    module.def("default_eye", [] { return array(SolidView().eye); });
     module.def("page", &page);
     module.def("page_of_modes", &page_of_modes);
     module.def("draw", &drawing);

@@ -2,16 +2,19 @@
 """Pictures, and conversion to meshes of other packages."""
 from __future__ import annotations
 
+import functools
 from typing import Any, Mapping
 
 import numpy as np
 import numpy.typing as npt
 
+from . import _core
 from ._arrays import Floats, Integers, floats
 from ._cells import Form, as_form
 from ._cochain import Cochain
 from ._complex import CellsLike, Complex, as_complex
 from ._errors import InvalidInput
+from ._fields import flux_sharp, sharp_pd
 from ._lists import CellList, Polygons
 from ._vertices import at_cells, at_vertices
 
@@ -32,63 +35,233 @@ def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:
 
 
 def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None = None,
-         side: str = "primal", ax: Any = None, **style: Any) -> Any:
-    """Draws the cells with matplotlib, colored by a form on vertices or on visible cells.
+         side: str = "primal", ax: Any = None, bar: str | None = "", **style: Any) -> Any:
+    """Draws the cells with matplotlib, colored by a function, a form or vectors.
 
-    Each merged cell is one polygon. A solid shows its boundary; a glued mesh shows its box.
+    Each merged cell is one polygon. A solid shows its boundary; a glued mesh shows its box. Up to
+    4000 polygons have edges. Surfaces in space are lit; new axes look from the direction of pages.
 
     Parameters
     ----------
     values : Cochain or array_like, optional
         A primal 0-form, shown as its mean over each polygon; a form on the polygons, of primal
-        degree 2 or dual degree n - 2; or any array with one number per polygon.
+        degree 2 or dual degree n - 2; or any array with one number per polygon. A 1-form, or an
+        array with a vector per vertex or n-cell, shows the lengths of its vectors, with arrows.
     degree, side
         Degree and side of an array; by default its length gives the degree.
     ax : matplotlib axes, optional
         New axes by default; three-dimensional for points in space.
+    bar : str or None
+        Label of the color bar; None draws no bar.
     **style
-        Options of matplotlib's ``PolyCollection`` or ``Poly3DCollection``, such as ``cmap``.
+        Options of matplotlib's ``PolyCollection`` or ``Poly3DCollection``, such as ``cmap``. By
+        default the colors are those of pages: one map for values of one sign, a map symmetric
+        around 0 for values of both.
 
     Returns
     -------
-    matplotlib collection
-        Works with ``plt.colorbar``; its axes are ``.axes``.
+    matplotlib axes
+        The polygons are ``ax.collections[-1]``, which works with ``plt.colorbar``.
 
     Examples
     --------
     >>> import matplotlib, polydec
     >>> matplotlib.use("Agg")
     >>> hexagons = polydec.discretize(polydec.meshes.hexagons(4))
-    >>> drawn = polydec.plot(hexagons, hexagons.volumes(2), cmap="viridis")
-    >>> len(drawn.get_paths()) == hexagons.size(2)
+    >>> ax = polydec.plot(hexagons, hexagons.volumes(2), bar="area")
+    >>> len(ax.collections[-1].get_paths()) == hexagons.size(2)
     True
     """
     import matplotlib.pyplot as plt
-    from matplotlib.collections import PolyCollection
-    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     complex = as_complex(complex)
     points, polygons, seen = _polygons(complex.box)
+    colors, vectors = None, None
+    if values is not None:
+        colors, vectors = _shown(complex, values, degree, side, seen)
     in_plane = points.shape[1] == 2
     if ax is None:
         ax = plt.figure().add_subplot(projection=None if in_plane else "3d")
-    style = {"edgecolor": "#333333", "linewidth": 0.4, **style}
-    collection = (PolyCollection if in_plane else Poly3DCollection)(polygons, **style)
-    if values is not None:
-        collection.set_array(_colors(complex, values, degree, side, seen))
-    elif not {"facecolor", "facecolors", "color"} & style.keys():
-        collection.set_facecolor("#e4e9ef")
-    if in_plane:
-        ax.add_collection(collection)
-        ax.autoscale_view()
-        ax.set_aspect("equal")
-    else:
-        ax.add_collection3d(collection)
-        corners = np.concatenate(polygons)
-        for axis, bounds in zip("xyz", np.stack([corners.min(0), corners.max(0)], axis=1)):
-            getattr(ax, f"set_{axis}lim")(bounds)
-        ax.set_box_aspect(np.maximum(np.ptp(corners, axis=0), 1e-9))
+        if not in_plane:
+            ax.view_init(*_angles(_core.default_eye()))
+    edges = {"edgecolor": "#333333", "linewidth": 0.4}
+    if len(polygons) > _MOST_WITH_EDGES:
+        edges = {"edgecolor": "none", "linewidth": 0, "antialiased": False}
+    style = {**edges, **style}
+    if colors is not None:
+        style = {**_color_style(colors, style), **style}
+    draw = _draw_in_plane if in_plane else _draw_in_space
+    collection = draw(ax, polygons, colors, vectors, style)
+    if colors is not None and bar is not None:
+        ax.figure.colorbar(collection, ax=ax, label=bar, shrink=0.8)
+    return ax
+
+
+_MOST_WITH_EDGES = 4000
+_PLAIN, _INK = "#e4e9ef", "#222222"
+_FACE_NAMES = ("facecolor", "facecolors", "color")
+
+
+def _angles(eye: Floats) -> tuple[float, float]:
+    """Elevation and azimuth of a direction, in degrees."""
+    x, y, z = eye
+    return float(np.degrees(np.arctan2(z, np.hypot(x, y)))), float(np.degrees(np.arctan2(y, x)))
+
+
+def _color_style(colors: Floats, style: Mapping[str, Any]) -> dict[str, Any]:
+    """Map and limits of pages, unless there are others."""
+    from matplotlib.colors import LinearSegmentedColormap
+
+    if "cmap" in style:
+        return {} if "norm" in style else {"clim": (colors.min(), colors.max())}
+    names, low, high = _core.colors(colors.min(), colors.max())
+    found: dict[str, Any] = {"cmap": LinearSegmentedColormap.from_list("polydec", names, 1024)}
+    if "norm" not in style:
+        found["clim"] = (low, high)
+    return found
+
+
+def _draw_in_plane(ax: Any, polygons: list[Floats], colors: Floats | None, vectors: Floats | None,
+                   style: dict[str, Any]) -> Any:
+    from matplotlib.collections import PolyCollection
+
+    if vectors is not None:
+        places, kept, rays, _ = _arrows(polygons, vectors)
+        ax.quiver(*places[kept].T, *rays.T, color=_INK, angles="xy", scale_units="xy", scale=1,
+                  pivot="mid", width=0.0025, zorder=3)
+    collection = PolyCollection(polygons, **style)
+    if colors is not None:
+        collection.set_array(colors)
+    elif not style.keys() & set(_FACE_NAMES):
+        collection.set_facecolor(_PLAIN)
+    ax.add_collection(collection)
+    ax.autoscale_view()
+    ax.set_aspect("equal")
     return collection
+
+
+def _draw_in_space(ax: Any, polygons: list[Floats], colors: Floats | None, vectors: Floats | None,
+                   style: dict[str, Any]) -> Any:
+    from matplotlib.colors import to_rgba_array
+
+    corners = np.concatenate(polygons)
+    light = _core.brightness(_seen(_normals(polygons)))
+    darts = [] if vectors is None else _darts(polygons, vectors)
+    light = np.concatenate([light, np.ones(len(darts))])
+    if colors is None:
+        given = [style.pop(name) for name in _FACE_NAMES if name in style]
+        faces = np.broadcast_to(to_rgba_array((given or [_PLAIN])[0]), (len(light), 4)).copy()
+        faces[:, :3] *= light[:, None]
+        style["facecolor"] = faces
+    collection = _lit_collection()(polygons + darts, light, **style)
+    if colors is not None:
+        # arrows are among the polygons, so that those in front of them hide them
+        collection.set_array(np.ma.masked_invalid(
+            np.concatenate([colors, np.full(len(darts), np.nan)])))
+    ax.add_collection3d(collection)
+    for axis, bounds in zip("xyz", np.stack([corners.min(0), corners.max(0)], axis=1)):
+        getattr(ax, f"set_{axis}lim")(bounds)
+    ax.set_box_aspect(np.maximum(np.ptp(corners, axis=0), 1e-9))
+    return collection
+
+
+@functools.lru_cache(maxsize=1)
+def _lit_collection() -> Any:
+    from matplotlib.colors import to_rgba
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+    class LitCollection(Poly3DCollection):  # type: ignore[misc]
+        """Polygons whose mapped colors are darkened; masked values are ink."""
+
+        def __init__(self, polygons: list[Floats], light: Floats, **style: Any) -> None:
+            self._light = light
+            super().__init__(polygons, **style)
+
+        def to_rgba(self, x: Any, *args: Any, **options: Any) -> Any:
+            colors = np.array(super().to_rgba(x, *args, **options))
+            if colors.shape == (len(self._light), 4):
+                colors[:, :3] *= self._light[:, None]
+                colors[np.ma.getmaskarray(x)] = to_rgba(_INK)
+            return colors
+
+    return LitCollection
+
+
+def _normals(polygons: list[Floats]) -> Floats:
+    """Normals times twice the areas, by Newell."""
+    return np.array([np.cross(p[:-1] - p[0], p[1:] - p[0]).sum(axis=0) for p in polygons])
+
+
+def _seen(directions: Floats) -> Floats:
+    """Their parts to the right, up and to the eye."""
+    eye = _core.default_eye()
+    eye = eye / np.linalg.norm(eye)
+    right = np.array([-eye[1], eye[0], 0]) / np.hypot(eye[0], eye[1])
+    return directions @ np.stack([right, np.cross(eye, right), eye]).T
+
+
+def _arrows(polygons: list[Floats], vectors: Floats) -> tuple[Floats, Integers, Floats, float]:
+    """Centers of the polygons; those with an arrow, one in each cube of a grid, so that none meet;
+    their arrows, of length 1 cube at most; the size of a cube."""
+    places = np.array([p.mean(axis=0) for p in polygons])
+    low = places.min(axis=0)
+    size = float(np.linalg.norm(places.max(axis=0) - low)) / 28 or 1.0
+    cubes = (places - low) / size
+    off = np.linalg.norm(cubes - np.floor(cubes) - 0.5, axis=1)
+    order = np.lexsort((off, *np.floor(cubes).T))
+    _, first = np.unique(np.floor(cubes[order]), axis=0, return_index=True)
+    kept = order[first]
+    lengths = np.linalg.norm(vectors, axis=1)
+    kept = kept[lengths[kept] > 0.02 * lengths.max()]
+    rays = vectors[kept] / np.sqrt(lengths[kept] * lengths.max())[:, None]
+    return places, kept, 0.9 * size * rays, size
+
+
+def _darts(polygons: list[Floats], vectors: Floats) -> list[Floats]:
+    """Arrows as polygons, on both sides of the surface."""
+    places, kept, rays, size = _arrows(polygons, vectors)
+    normals = _normals([polygons[i] for i in kept])
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    shape = np.array([[-0.5, -0.05], [0.1, -0.05], [0.1, -0.2], [0.5, 0],
+                      [0.1, 0.2], [0.1, 0.05], [-0.5, 0.05]])
+    return [place + turn * 0.3 * size * normal + shape @ np.stack([ray, np.cross(normal, ray)])
+            for place, ray, normal in zip(places[kept], rays, normals) for turn in (-1, 1)]
+
+
+def _shown(complex: Complex, values: Form, degree: int | None, side: str,
+           seen: Integers) -> tuple[Floats, Floats | None]:
+    """The number of each polygon, and its vector for fields of vectors."""
+    if isinstance(values, Cochain):
+        side, degree = values.side, values.degree
+    table = np.asarray(values.values if isinstance(values, Cochain) else values)
+    if degree == 1 and complex.dim > 1 and table.ndim == 1 and not (
+            side == "dual" and complex.dim == 3):
+        vectors = _vectors_of_form(complex, values, side)
+    elif table.ndim == 2:
+        vectors = floats(table, "values", 2)
+    else:
+        return _colors(complex, values, degree, side, seen), None
+    vectors = np.stack([_at_polygons(complex, column, seen) for column in vectors.T], axis=1)
+    return np.linalg.norm(vectors, axis=1), vectors
+
+
+def _vectors_of_form(complex: Complex, values: Form, side: str) -> Floats:
+    if not isinstance(values, Cochain):
+        values = Cochain(at_cells(complex, floats(values, "values")), 1, side)
+    if side == "primal":
+        return sharp_pd(complex, values)
+    inverse = complex.inverse_star(complex.dim - 1)
+    fluxes = inverse * values.values if isinstance(inverse, np.ndarray) else inverse @ values.values
+    return flux_sharp(complex, Cochain(fluxes, complex.dim - 1, "primal"))
+
+
+def _at_polygons(complex: Complex, array: Floats, seen: Integers) -> Floats:
+    """Numbers of vertices, of polygons or, for the surface of a solid, of its cells."""
+    box = complex.box
+    if complex.dim == 3 and len(array) == complex.size(3):
+        owners = abs(box.d(2)).tocsc()[:, seen].indices
+        return np.asarray(complex._on_box(3, array)[owners])
+    return _colors(complex, array, None, "primal", seen)
 
 
 def _colors(complex: Complex, values: Form, degree: int | None, side: str,
