@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "io/meshes/read_mesh.h"
 #include "io/pages/draw_page.h"
 #include "io/pages/series.h"
 #include "io/pictures/color_map.h"
 #include "io/pictures/draw_fields.h"
 #include "io/pictures/draw_lesson.h"
 #include "io/pictures/lighting.h"
+#include "io/pictures/upright_view.h"
 #include "io/pictures/write_drawing.h"
 #include "python/bindings/convert.h"
 
@@ -115,6 +117,12 @@ py::array lights(const Numbers& normals) {
     return array(result);
 }
 
+/// The upward axis, this one or that of the mesh file, and the direction to the eye.
+std::pair<int, py::array> first_view(const std::string& file, std::optional<int> up) {
+    const int axis = up.value_or(up_axis(file));
+    return {axis, array(upright_view(axis).eye)};
+}
+
 void add_series(py::module_& module) {
     py::class_<Series>(module, "Series")
         .def(py::init([](const std::string& path, const Discretization& mesh,
@@ -134,7 +142,7 @@ void add_pages(py::module_& module) {
     module.def("write_vtu", &write_picture);
     module.def("brightness", &lights);
     module.def("colors", &colors);
-    module.def("default_eye", [] { return array(SolidView().eye); });
+    module.def("first_view", &first_view);
     module.def("page", &page);
     module.def("page_of_modes", &page_of_modes);
     module.def("draw", &drawing);

@@ -17,6 +17,7 @@ from ._errors import InvalidInput
 from ._fields import flux_sharp, sharp_pd
 from ._lists import CellList, Polygons
 from ._vertices import at_cells, at_vertices
+from ._view import file_and_up
 
 
 def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:
@@ -35,7 +36,8 @@ def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:
 
 
 def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None = None,
-         side: str = "primal", ax: Any = None, bar: str | None = "", **style: Any) -> Any:
+         side: str = "primal", ax: Any = None, bar: str | None = "",
+         up: str | None = None, **style: Any) -> Any:
     """Draws the cells with matplotlib, colored by a function, a form or vectors.
 
     Each merged cell is one polygon. A solid shows its boundary; a glued mesh shows its box. Up to
@@ -53,6 +55,8 @@ def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None =
         New axes by default; three-dimensional for points in space.
     bar : str or None
         Label of the color bar; None draws no bar.
+    up : {"x", "y", "z"}, optional
+        The axis of space that points up, as in `view`.
     **style
         Options of matplotlib's ``PolyCollection`` or ``Poly3DCollection``, such as ``cmap``. By
         default the colors are those of pages: one map for values of one sign, a map symmetric
@@ -80,18 +84,22 @@ def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None =
     if values is not None:
         colors, vectors = _shown(complex, values, degree, side, seen)
     in_plane = points.shape[1] == 2
+    axis, eye = _core.first_view(*file_and_up(complex, up))
     if ax is None:
         ax = plt.figure().add_subplot(projection=None if in_plane else "3d")
         if not in_plane:
-            ax.view_init(*_angles(_core.default_eye()))
+            ax.view_init(*_angles(eye, axis))
     edges = {"edgecolor": "#333333", "linewidth": 0.4}
     if len(polygons) > _MOST_WITH_EDGES:
         edges = {"edgecolor": "none", "linewidth": 0, "antialiased": False}
     style = {**edges, **style}
     if colors is not None:
         style = {**_color_style(colors, style), **style}
-    draw = _draw_in_plane if in_plane else _draw_in_space
-    collection = draw(ax, polygons, colors, vectors, style)
+    if in_plane:
+        collection = _draw_in_plane(ax, polygons, colors, vectors, style)
+    else:
+        light = _core.brightness(_seen(_normals(polygons), eye, axis))
+        collection = _draw_in_space(ax, polygons, light, colors, vectors, style)
     if colors is not None and bar is not None:
         ax.figure.colorbar(collection, ax=ax, label=bar, shrink=0.8)
     return ax
@@ -102,10 +110,13 @@ _PLAIN, _INK = "#e4e9ef", "#222222"
 _FACE_NAMES = ("facecolor", "facecolors", "color")
 
 
-def _angles(eye: Floats) -> tuple[float, float]:
-    """Elevation and azimuth of a direction, in degrees."""
+def _angles(eye: Floats, axis: int) -> tuple[float, float, float]:
+    """Elevation, azimuth and roll of matplotlib for a direction where this axis points up."""
     x, y, z = eye
-    return float(np.degrees(np.arctan2(z, np.hypot(x, y)))), float(np.degrees(np.arctan2(y, x)))
+    # without roll the third axis points up
+    right, up, _ = _seen(np.eye(3)[axis], eye, 2)
+    return (float(np.degrees(np.arctan2(z, np.hypot(x, y)))), float(np.degrees(np.arctan2(y, x))),
+            float(np.degrees(np.arctan2(right, up))))
 
 
 def _color_style(colors: Floats, style: Mapping[str, Any]) -> dict[str, Any]:
@@ -140,12 +151,11 @@ def _draw_in_plane(ax: Any, polygons: list[Floats], colors: Floats | None, vecto
     return collection
 
 
-def _draw_in_space(ax: Any, polygons: list[Floats], colors: Floats | None, vectors: Floats | None,
-                   style: dict[str, Any]) -> Any:
+def _draw_in_space(ax: Any, polygons: list[Floats], light: Floats, colors: Floats | None,
+                   vectors: Floats | None, style: dict[str, Any]) -> Any:
     from matplotlib.colors import to_rgba_array
 
     corners = np.concatenate(polygons)
-    light = _core.brightness(_seen(_normals(polygons)))
     darts = [] if vectors is None else _darts(polygons, vectors)
     light = np.concatenate([light, np.ones(len(darts))])
     if colors is None:
@@ -192,11 +202,11 @@ def _normals(polygons: list[Floats]) -> Floats:
     return np.array([np.cross(p[:-1] - p[0], p[1:] - p[0]).sum(axis=0) for p in polygons])
 
 
-def _seen(directions: Floats) -> Floats:
+def _seen(directions: Floats, eye: Floats, axis: int) -> Floats:
     """Their parts to the right, up and to the eye."""
-    eye = _core.default_eye()
     eye = eye / np.linalg.norm(eye)
-    right = np.array([-eye[1], eye[0], 0]) / np.hypot(eye[0], eye[1])
+    right = np.cross(np.eye(3)[axis], eye)
+    right /= np.linalg.norm(right)
     return directions @ np.stack([right, np.cross(eye, right), eye]).T
 
 

@@ -60,6 +60,13 @@ class Page:
         return f"Page({len(self.html) / 1e6:.2f} MB; save it, or show it in a notebook)"
 
 
+def file_and_up(complex: Complex, up: str | None) -> tuple[str, int | None]:
+    """The mesh file, empty if unknown, and the number of the axis that is to point up."""
+    if up not in (None, "x", "y", "z"):
+        raise InvalidInput(f"up is {up!r}: expected None, 'x', 'y' or 'z'")
+    return getattr(complex._given, "_file", ""), None if up is None else "xyz".index(up)
+
+
 def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None = None,
          side: str = "primal", times: Sequence[float] | None = None, title: str = "polydec",
          facts: Sequence[str] = (), up: str | None = None, length_unit: str = "") -> Page:
@@ -107,10 +114,7 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
     >>> page = polydec.view(sphere, {"wind": wind, "height": z, "area": sphere.volumes(2)})
     """
     complex = as_complex(complex)
-    if up not in (None, "x", "y", "z"):
-        raise InvalidInput(f"up is {up!r}: expected None, 'x', 'y' or 'z'")
-    conventions = (getattr(complex._given, "_file", ""),
-                   None if up is None else "xyz".index(up), length_unit)
+    conventions = (*file_and_up(complex, up), length_unit)
     if isinstance(fields, Spectrum):
         proof = fields.certificate
         return Page(_core.page_of_modes(

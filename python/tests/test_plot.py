@@ -8,6 +8,7 @@ import polydec
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import mpl_toolkits.mplot3d  # noqa: E402
 
 
 @pytest.fixture(autouse=True)
@@ -132,3 +133,21 @@ def test_vectors_of_the_cells_of_a_solid():
     values = polydec.plot(c, vectors).collections[-1].get_array()
     assert np.allclose(values.compressed(), 5)
     assert len(values.compressed()) == c.boundary_facets().sum()
+
+
+def test_the_axis_of_pages_points_up():
+    c = sphere()
+    for up, axis in ((None, 2), ("x", 0), ("y", 1), ("z", 2)):
+        ax = polydec.plot(c, up=up)
+        ax.figure.canvas.draw()
+        # two points above each other are one above the other in the picture
+        ends = np.stack([-np.eye(3)[axis], np.eye(3)[axis]])
+        x, y, _ = mpl_toolkits.mplot3d.proj3d.proj_transform(*ends.T, ax.get_proj())
+        assert abs(x[1] - x[0]) < 1e-9 and y[1] > y[0]
+        # and the eye is that of pages: nearer points have less depth
+        eye = polydec._core.first_view("", axis)[1]
+        _, _, depth = mpl_toolkits.mplot3d.proj3d.proj_transform(
+            *np.stack([np.zeros(3), 0.1 * eye]).T, ax.get_proj())
+        assert depth[1] < depth[0]
+    with pytest.raises(polydec.InvalidInput, match="up is 'w'"):
+        polydec.plot(c, up="w")

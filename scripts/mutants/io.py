@@ -2,7 +2,7 @@
 """Flaws of io/; see mutate.py."""
 
 MUTANTS = {
-    "rounding_has_a_sign": ("io/pictures/draw_solid.cpp", "low < -rounding * most &&", "low < 0 &&",
+    "rounding_has_a_sign": ("io/pictures/color_map.cpp", "low < -rounding * most &&", "low < 0 &&",
                             "ColorMaps.AreDivergingForBothSignsBeyondRoundingAndHaveZeroInTheMiddle"),
     "off_lies_on_its_back": ("io/meshes/read_mesh.cpp", '".ply" || extension == ".off"', '".ply"',
                              "Pages.HaveTheAxisUpwardsOfTheirFileUnlessToldOtherwise"),

@@ -153,6 +153,23 @@ class Stills(TestCase):
                             counts[name] += all(abs(a - shade * b) < 14 for a, b in zip(c, full))
             self.assertGreater(counts["near"], 1.2 * counts["far"])
 
+    def test_the_axis_of_a_page_points_up(self):
+        self.write("u.vtu", vtu([(0, 0, 0), (0, 9, 0), (-1, 0, 0.5)], [(0, 1, 2)], u=[0, 1, 2]))
+        for axis, is_tall in (("y", True), ("x", False)):
+            self.succeed("view", "u.vtu", "--up", axis, "-o", "u.png")
+            left, top, right, bottom = self.box(self.picture("u.png"))
+            self.assertEqual(bottom - top > right - left, is_tall, axis)
+
+    def test_a_series_shows_the_step_of_largest_range(self):
+        for step, height in enumerate((1, 3, 2)):
+            self.write(f"{step}.vtu", vtu(SQUARE, HALVES, u=[0, height, height, 0]))
+        steps = "".join(f'<DataSet timestep="{step}.5" file="{step}.vtu"/>' for step in range(3))
+        self.write("s.pvd", f'<VTKFile type="Collection"><Collection>{steps}</Collection></VTKFile>')
+        self.succeed("view", "s.pvd", "-o", "s.svg")
+        words = [text.text for text in
+                 xml.etree.ElementTree.fromstring(self.read("s.svg")).iter(f"{SVG}text")]
+        self.assertIn("t = 1.5", words)
+
     def test_pieces_of_many_ranks_are_one_picture(self):
         self.write("one.vtu", vtu(SQUARE, HALVES, u=[0, 1, 1, 0]))
         self.write("0.vtu", vtu([SQUARE[i] for i in HALVES[0]], [(0, 1, 2)], u=[0, 1, 1]))
@@ -193,7 +210,7 @@ class Stills(TestCase):
 
     def test_points_alone_have_no_picture(self):
         self.write("p.vtu", vtu(SQUARE, [(0,), (1,)], u=[0, 0, 0, 1]))
-        self.assertSays(self.fail_with(2, "view", "p.vtu", "-o", "p.png"), "points alone", ".vtu")
+        self.assertSays(self.fail_with(2, "view", "p.vtu", "-o", "p.png"), "only points", ".vtu")
         self.assertNotIn("p.png", os.listdir(self.folder))
 
 
@@ -205,7 +222,7 @@ class Films(TestCase):
         os.mkdir(self.path("bin"))
         self.tools = {**os.environ, "PATH": self.path("bin")}
 
-    def test_without_ffmpeg_the_remedy_is_told(self):
+    def test_without_ffmpeg_the_message_has_the_remedy(self):
         self.assertSays(self.fail_with(4, "view", "h.pvd", "-o", "h.mp4", env=self.tools), "h.mp4",
                         "ffmpeg", "apt-get install ffmpeg")
         self.assertNotIn("h.mp4", os.listdir(self.folder))
