@@ -106,6 +106,7 @@ def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None =
 
 
 _MOST_WITH_EDGES = 4000
+_masked: Any = np.ma  # which has no types
 _PLAIN, _INK = "#e4e9ef", "#222222"
 _FACE_NAMES = ("facecolor", "facecolors", "color")
 
@@ -166,8 +167,8 @@ def _draw_in_space(ax: Any, polygons: list[Floats], light: Floats, colors: Float
     collection = _lit_collection()(polygons + darts, light, **style)
     if colors is not None:
         # arrows are among the polygons, so that those in front of them hide them
-        collection.set_array(np.ma.masked_invalid(
-            np.concatenate([colors, np.full(len(darts), np.nan)])))
+        values = np.concatenate([colors, np.full(len(darts), np.nan)])
+        collection.set_array(_masked.masked_invalid(values))
     ax.add_collection3d(collection)
     for axis, bounds in zip("xyz", np.stack([corners.min(0), corners.max(0)], axis=1)):
         getattr(ax, f"set_{axis}lim")(bounds)
@@ -191,7 +192,7 @@ def _lit_collection() -> Any:
             colors = np.array(super().to_rgba(x, *args, **options))
             if colors.shape == (len(self._light), 4):
                 colors[:, :3] *= self._light[:, None]
-                colors[np.ma.getmaskarray(x)] = to_rgba(_INK)
+                colors[_masked.getmaskarray(x)] = to_rgba(_INK)
             return colors
 
     return LitCollection
@@ -207,7 +208,8 @@ def _seen(directions: Floats, eye: Floats, axis: int) -> Floats:
     eye = eye / np.linalg.norm(eye)
     right = np.cross(np.eye(3)[axis], eye)
     right /= np.linalg.norm(right)
-    return directions @ np.stack([right, np.cross(eye, right), eye]).T
+    axes: Floats = np.stack([right, np.cross(eye, right), eye])
+    return np.asarray(directions @ axes.T)
 
 
 def _arrows(polygons: list[Floats], vectors: Floats) -> tuple[Floats, Integers, Floats, float]:
