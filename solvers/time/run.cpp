@@ -21,7 +21,7 @@ std::string with_commas(std::int64_t count) {
                         : fmt::format("{},{:03}", with_commas(count / 1000), count % 1000);
 }
 
-/// In the largest unit of which there are two.
+/// In the largest unit that fits at least twice: 90 min, but 2 h.
 std::string duration_in_words(double seconds) {
     struct Unit {
         double seconds;
