@@ -164,7 +164,8 @@ std::vector<Points> vectors_of_cells(const Page& page, const std::vector<PageFie
         vectors.push_back(step.vectors[number]);
     if (page.mesh)
         for (Points& each : vectors)
-            each = Points(each(cells_of_places(*page.mesh, page.mesh->dimension()), Eigen::all));
+            each = Points(
+                each(cells_of_places(*page.mesh, page.mesh->dimension()), Eigen::indexing::all));
     return vectors;
 }
 
