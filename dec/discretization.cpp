@@ -305,14 +305,14 @@ Discretization Discretization::with_star(int k, const SparseMatrix& star) const 
 
 Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Progress& stage) {
     begin(stage, "complex");
+    if (options.refine)
+        mesh = refined(tidy(std::move(mesh)), *options.refine);
     FlatCellsKept flat;
-    mesh = options.refine ? refined(tidy(std::move(mesh)), *options.refine)
-                          : tidy(std::move(mesh), flat);
+    const SimplicialComplex complex = tidied_complex(mesh, flat);
     const double unit = unit_of_length(mesh);
     warn_of_unit(unit, mesh.warnings);
     if (unit != 1)
         mesh = in_units(std::move(mesh), unit);
-    const SimplicialComplex complex(mesh.simplices);
     Points isolated = unit * isolated_points(complex, mesh.points);
     const auto points = std::make_shared<const Points>(vertex_points(complex, mesh.points));
     mesh.points = {};

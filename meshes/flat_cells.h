@@ -13,9 +13,12 @@ struct FlatCells {
     std::vector<Index> stuck;     ///< ascending; two or more facets belong to other cells
 };
 
-/// Finds the cells without volume: n! times the volume is at most 1e-12 times the longest edge to
-/// the n. A cell is removable if at most one facet belongs to another cell, counting only cells
-/// that stay. Cells are valid and have no repeated corners.
+/// The cells without volume, ascending: n! times the volume is at most 1e-12 times the longest edge
+/// to the n. Vertex numbers are valid.
+std::vector<Index> flat_cells(const Mesh& mesh);
+
+/// Sorts them. A cell is removable if at most one facet belongs to another cell, counting only
+/// cells that stay. Cells are valid and have no repeated corners.
 FlatCells find_flat_cells(const Mesh& mesh);
 
 } // namespace polydec

@@ -3,13 +3,14 @@
 
 #include "base/errors.h"
 #include "base/listed.h"
-#include "complex/vertex_blocks.h"
+#include "complex/faces.h"
 #include "meshes/flat_cells.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <string>
@@ -58,14 +59,16 @@ void check_mesh(const Mesh& mesh) {
                         mesh.tags.size(), cells));
     check_facet_tags(mesh);
     for (Index v = 0; v < mesh.points.rows(); ++v)
-        if (!mesh.points.row(v).allFinite())
+        if (const double* const point = mesh.points.data() + Eigen::Index{v} * N;
+            !std::all_of(point, point + N, [](double x) { return std::isfinite(x); }))
             throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite: {}\n"
                                            "Give it finite coordinates.",
                                            v, place(mesh, v)),
                                {.vertices = {v}});
+    const auto is_valid = [&](Index v) { return v >= 0 && v < mesh.points.rows(); };
     for (Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
         const auto vertices = mesh.simplices.row(cell);
-        if (vertices.minCoeff() < 0 || vertices.maxCoeff() >= mesh.points.rows())
+        if (!std::all_of(vertices.begin(), vertices.end(), is_valid))
             throw InvalidInput(
                 fmt::format("cell {} (vertices {}) has a vertex that is not among the {} vertices "
                             "of the mesh\n"
@@ -98,54 +101,28 @@ void leave_out(Sieve& sieve, const std::vector<Index>& cells, std::string_view f
     sieve.numbers.resize(rows.size());
 }
 
-/// The cells' vertices in ascending order.
-Simplices ascending_rows(const Simplices& cells) {
-    Simplices result = cells;
-    for (Index cell = 0; cell < result.rows(); ++cell) {
-        Index* const begin = result.data() + cell * result.cols();
-        std::sort(begin, begin + result.cols());
-    }
-    return result;
-}
-
 std::vector<Index> with_repeated_corner(const Simplices& cells) {
-    const Simplices sorted = ascending_rows(cells);
-    std::vector<Index> result;
-    for (Index cell = 0; cell < sorted.rows(); ++cell) {
-        const Index* const begin = sorted.data() + cell * sorted.cols();
-        const Index* const end = begin + sorted.cols();
-        if (std::adjacent_find(begin, end) != end)
+    std::vector<Index> result, corners;
+    for (Index cell = 0; cell < cells.rows(); ++cell) {
+        corners.assign(cells.row(cell).begin(), cells.row(cell).end());
+        std::sort(corners.begin(), corners.end());
+        if (std::adjacent_find(corners.begin(), corners.end()) != corners.end())
             result.push_back(cell);
     }
     return result;
 }
 
-/// All but the first of the cells on the same vertices. They are compared by blocks of their least
-/// vertices.
+/// All but the first of the cells on the same vertices.
 std::vector<Index> duplicates(const Simplices& cells, Index vertices) {
-    const Simplices sorted = ascending_rows(cells);
-    const auto compare = [&sorted](Index a, Index b) {
-        const Index* const row_a = sorted.data() + a * sorted.cols();
-        const Index* const row_b = sorted.data() + b * sorted.cols();
-        for (Index i = 0; i < sorted.cols(); ++i)
-            if (row_a[i] != row_b[i])
-                return row_a[i] < row_b[i] ? -1 : 1;
-        return 0;
-    };
-    std::vector<Index> order, result;
-    const auto cells_of = by_block<Index>(
-        static_cast<Index>(sorted.rows()), vertices, [&](Index cell) { return sorted(cell, 0); },
-        [](Index cell) { return cell; });
-    for (Index block = 0; block < count_blocks(vertices); ++block) {
-        const auto own = cells_of.of(block);
-        order.assign(own.begin(), own.end());
-        std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-            const int comparison = compare(a, b);
-            return comparison < 0 || (comparison == 0 && a < b);
-        });
-        for (std::size_t i = 1; i < order.size(); ++i)
-            if (compare(order[i - 1], order[i]) == 0)
-                result.push_back(order[i]);
+    const SortedRows sorted = sorted_rows(cells, vertices);
+    const Simplices& rows = *sorted.simplices.rows;
+    std::vector<Index> result, same;
+    for (Index begin = 0, end = 0; begin < rows.rows(); begin = end) {
+        while (end < rows.rows() && rows.row(end) == rows.row(begin))
+            ++end;
+        same.assign(sorted.order.begin() + begin, sorted.order.begin() + end);
+        std::sort(same.begin(), same.end());
+        result.insert(result.end(), same.begin() + 1, same.end());
     }
     std::sort(result.begin(), result.end());
     return result;
@@ -208,9 +185,12 @@ FlatCellsKept sift(Sieve& sieve) {
     check_mesh(sieve.mesh);
     sieve.numbers.resize(static_cast<std::size_t>(sieve.mesh.simplices.rows()));
     std::iota(sieve.numbers.begin(), sieve.numbers.end(), 0);
-    leave_out(sieve, with_repeated_corner(sieve.mesh.simplices), "with a repeated corner");
-    leave_out(sieve, duplicates(sieve.mesh.simplices, static_cast<Index>(sieve.mesh.points.rows())),
-              "with the same vertices as an earlier cell");
+    const auto vertices = static_cast<Index>(sieve.mesh.points.rows());
+    if (const Simplices& cells = sieve.mesh.simplices;
+        !sorted_rows(cells, vertices).are_simplices) {
+        leave_out(sieve, with_repeated_corner(cells), "with a repeated corner");
+        leave_out(sieve, duplicates(cells, vertices), "with the same vertices as an earlier cell");
+    }
     return leave_out_flat_cells(sieve);
 }
 
@@ -299,6 +279,21 @@ Mesh tidy(Mesh mesh, FlatCellsKept& kept) {
     }
     warn_of_isolated_vertices(sieve.mesh);
     return std::move(sieve.mesh);
+}
+
+SimplicialComplex tidied_complex(Mesh& mesh, FlatCellsKept& kept) {
+    if (mesh.simplices.size() > 0)
+        check_mesh(mesh);
+    if (flat_cells(mesh).empty())
+        try {
+            const SimplicialComplex complex(mesh.simplices);
+            if (complex.size(0) < mesh.points.rows())
+                warn_of_isolated_vertices(mesh);
+            return complex;
+        } catch (const InvalidInput&) { // for cells that tidy leaves out, or refuses with advice
+        }
+    mesh = tidy(std::move(mesh), kept);
+    return SimplicialComplex(mesh.simplices);
 }
 
 } // namespace polydec

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "complex/simplicial_complex.h"
 #include "meshes/mesh.h"
 
 #include <string>
@@ -35,6 +36,11 @@ struct FlatCellsKept {
 
 /// The same, keeping cells without volume and listing them in `kept`.
 Mesh tidy(Mesh mesh, FlatCellsKept& kept);
+
+/// Tidies the mesh likewise and returns its complex. Most meshes need no tidying, which takes
+/// longer than the complex: only those that the complex refuses, and those with cells without
+/// volume.
+SimplicialComplex tidied_complex(Mesh& mesh, FlatCellsKept& kept);
 
 /// Throws the InvalidInput of tidy for these kept cells of the tidied mesh.
 [[noreturn]] void refuse(const Mesh& mesh, const FlatCellsKept& cells);

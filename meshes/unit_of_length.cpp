@@ -35,14 +35,18 @@ double unit_for(double half_of_longest, int dimension, int least) {
 
 double half_of_longest_edge(const Points& points, const Simplices& simplices) {
     double longest = 0; // halves, which cannot overflow
-    for (Index cell = 0; cell < simplices.rows(); ++cell)
-        for (Index i = 0; i < simplices.cols(); ++i)
-            for (Index j = 0; j < i; ++j) {
-                const auto a = points.row(simplices(cell, i));
-                const auto b = points.row(simplices(cell, j));
-                for (Eigen::Index c = 0; c < points.cols(); ++c)
-                    longest = std::max(longest, std::abs(0.5 * a[c] - 0.5 * b[c]));
+    const Eigen::Index N = points.cols(), width = simplices.cols();
+    for (Eigen::Index cell = 0; cell < simplices.rows(); ++cell)
+        for (Eigen::Index c = 0; c < N; ++c) {
+            const Index* const corners = simplices.data() + cell * width;
+            double least = 0.5 * points.data()[corners[0] * N + c], most = least;
+            for (Eigen::Index i = 1; i < width; ++i) {
+                const double half = 0.5 * points.data()[corners[i] * N + c];
+                least = std::min(least, half);
+                most = std::max(most, half);
             }
+            longest = std::max(longest, most - least);
+        }
     return longest;
 }
 

@@ -24,9 +24,12 @@ OpenFacets open_facets(const SimplicialComplex& complex) {
     const int n = complex.dimension();
     const auto& counts = complex.coface_counts(n - 1);
     OpenFacets result{Simplices(std::count(counts.begin(), counts.end(), 1), n)};
+    if (result.corners.rows() == 0)
+        return result;
+    const FaceTable faces = complex.faces(n);
     for (Index t = 0; t < complex.size(n); ++t)
         for (int omitted = 0; omitted <= n; ++omitted) {
-            const Index f = complex.face(n, t, omitted);
+            const Index f = faces(t, omitted);
             if (counts[f] != 1)
                 continue;
             result.corners.row(std::ssize(result.opposite)) = complex.simplices(n - 1).row(f);
@@ -94,9 +97,11 @@ OpenFacets single(const OpenFacets& facets, const std::vector<Index>& first) {
 BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Points& points,
                                    double length) {
     check_as_many("points", points.rows(), complex.size(0));
+    const OpenFacets all = open_facets(complex);
+    if (all.cells.empty())
+        return {};
     const OwnUnits own(points);
     const double scaled = own.scaled(length);
-    const OpenFacets all = open_facets(complex);
     const auto first = first_at_place(all.corners, own.points, scaled);
 
     BoundaryContacts result;
@@ -149,8 +154,9 @@ UnjoinedBoundary unjoined_boundary(const SimplicialComplex& complex, const Point
 }
 
 UnjoinedBoundary unjoined_boundary(const Mesh& mesh) {
-    const Mesh tidied = tidy(mesh, CellsWithoutVolume::keep);
-    const SimplicialComplex complex(tidied.simplices);
+    Mesh tidied = mesh;
+    FlatCellsKept flat;
+    const SimplicialComplex complex = tidied_complex(tidied, flat);
     Points points(complex.size(0), tidied.points.cols());
     for (Index v = 0; v < complex.size(0); ++v)
         points.row(v) = tidied.points.row(complex.vertex_number(v));

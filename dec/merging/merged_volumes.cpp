@@ -6,32 +6,58 @@
 
 namespace polydec {
 
-CellVolumes volumes_of(const std::vector<std::vector<PieceSum>>& sums) {
+namespace {
+
+/// The volumes of cells, degree by degree.
+struct Lists {
     std::vector<Vector> primal, dual, terms, rounding;
-    for (const auto& cells : sums) {
-        const auto size = static_cast<Eigen::Index>(cells.size());
+
+    /// sum_of(cell): of its pieces.
+    template <class SumOf>
+    void add_degree(Index cells, SumOf sum_of) {
         for (auto* values : {&primal, &dual, &terms, &rounding})
-            values->emplace_back(size);
-        for (Eigen::Index cell = 0; cell < size; ++cell) {
-            const PieceSum& sum = cells[static_cast<std::size_t>(cell)];
+            values->emplace_back(cells);
+        for (Index cell = 0; cell < cells; ++cell) {
+            const PieceSum sum = sum_of(cell);
             primal.back()[cell] = sum.primal;
             dual.back()[cell] = sum.dual / sum.primal;
             terms.back()[cell] = sum.terms / sum.primal;
             rounding.back()[cell] = sum.rounding / sum.primal;
         }
     }
-    return {std::move(primal), std::move(dual), std::move(terms), std::move(rounding)};
+
+    CellVolumes volumes() && {
+        return {std::move(primal), std::move(dual), std::move(terms), std::move(rounding)};
+    }
+};
+
+} // namespace
+
+CellVolumes volumes_of(const std::vector<std::vector<PieceSum>>& sums) {
+    Lists lists;
+    for (const auto& cells : sums)
+        lists.add_degree(static_cast<Index>(cells.size()), [&](Index cell) { return cells[cell]; });
+    return std::move(lists).volumes();
 }
 
 CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const CellVolumes& input) {
-    std::vector<std::vector<PieceSum>> sums;
-    for (std::size_t k = 0; k < diamonds.size(); ++k) {
-        auto& cells = sums.emplace_back(static_cast<std::size_t>(diamonds[k].rows()));
-        for (Index cell = 0; cell < diamonds[k].rows(); ++cell)
-            for (IncidenceMatrix::InnerIterator piece(diamonds[k], cell); piece; ++piece)
-                cells[cell].add(input, static_cast<int>(k), static_cast<Index>(piece.col()));
+    Lists lists;
+    for (int k = 0; k < std::ssize(diamonds); ++k) {
+        const Index *const begins = diamonds[k].outerIndexPtr(), *const pieces =
+                                                                     diamonds[k].innerIndexPtr();
+        const Vector &primal = input.primal(k), &dual = input.dual(k);
+        const Bounds &terms = input.terms(k), &rounding = input.rounding(k);
+        lists.add_degree(static_cast<Index>(diamonds[k].rows()), [&](Index cell) {
+            PieceSum sum;
+            for (Index i = begins[cell]; i < begins[cell + 1]; ++i) {
+                const Index s = pieces[i];
+                const double volume = primal[s];
+                sum.add({volume, volume * dual[s], volume * terms[s], volume * rounding[s]});
+            }
+            return sum;
+        });
     }
-    return volumes_of(sums);
+    return std::move(lists).volumes();
 }
 
 CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input) {

@@ -4,6 +4,7 @@
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"
 #include "meshes/rearrange.h"
+#include "meshes/tidy.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -101,6 +102,28 @@ TEST(Discretize, tidies_first) {
     EXPECT_EQ(result.input().size(2), 2);
     EXPECT_EQ(result.complex().size(2), 1);
     EXPECT_EQ(result.warnings().size(), 2U);
+}
+
+TEST(Discretize, is_the_same_for_a_mesh_with_flaws_as_for_the_tidied_one) {
+    const Mesh clean = grid(3, 1);
+    const Simplices corner{{0, 1, 1}}, twin = clean.simplices.row(0).reverse(), flat{{0, 8, 1}};
+    using Flaws = std::vector<Simplices>;
+    for (const Flaws& flaws :
+         {Flaws{corner}, Flaws{twin}, Flaws{flat}, Flaws{corner, twin, flat}, Flaws{}}) {
+        Mesh mesh = clean;
+        mesh.points.conservativeResize(10, Eigen::NoChange);
+        mesh.points.row(8) << 0, 0.5; // between 0 and 1
+        mesh.points.row(9) << 7, 7;
+        for (const Simplices& flaw : flaws) {
+            mesh.simplices.conservativeResize(mesh.simplices.rows() + 1, Eigen::NoChange);
+            mesh.simplices.bottomRows(1) = flaw;
+        }
+        const auto given = discretize(mesh), tidied = discretize(tidy(mesh));
+        EXPECT_EQ(given.warnings(), tidied.warnings());
+        EXPECT_EQ(given.warnings().size(), flaws.size() + 1);
+        EXPECT_EQ(given.input().simplices(2), tidied.input().simplices(2));
+        EXPECT_EQ(given.volumes().dual(1), tidied.volumes().dual(1));
+    }
 }
 
 TEST(Discretize, refuses_what_has_no_place) {
