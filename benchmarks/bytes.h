@@ -4,6 +4,7 @@
 #include "complex/simplicial_complex.h"
 #include "dec/discretization.h"
 #include "dec/forms/cochain.h"
+#include "dec/merging/merge.h"
 #include "meshes/mesh.h"
 
 #include <vector>

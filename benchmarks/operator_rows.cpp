@@ -2,6 +2,7 @@
 #include "benchmarks/chain.h"
 #include "benchmarks/rows.h"
 #include "complex/homology.h"
+#include "dec/discretization.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/laplacian.h"
 #include "dec/merging/merge.h"
@@ -88,6 +89,12 @@ void merging_row(benchmark::State& state, const LazyMesh& mesh) {
         });
 }
 
+/// As users call it, from points and simplices: also checks, warnings and the choice of stars.
+void discretize_row(benchmark::State& state, const LazyMesh& mesh) {
+    const Mesh& input = mesh.get();
+    measure(state, mesh.amount(), [&] { return discretize(input); });
+}
+
 /// Intrinsic flips, volumes and merging, on top of complex and lengths, which are there.
 void flips_row(benchmark::State& state, const LazyMesh& mesh) {
     const Mesh& input = mesh.get();
@@ -122,6 +129,7 @@ void add_stages(const std::string& name, const SharedMesh& mesh, const Settings&
     add(name + "/stars", mesh, settings, stars_row);
     add(name + "/laplacian", mesh, settings, laplacian_row);
     add(name + "/merging", mesh, settings, merging_row);
+    add(name + "/discretize", mesh, settings, discretize_row);
     add(name + "/betti", mesh, settings, betti_row);
 }
 

@@ -14,6 +14,9 @@ CHAINS = [
     ("sphere/merging", "merging on top: sphere, nothing to merge", 0.025),
     ("torus/merging", "merging on top: torus", 0.09),
     ("tets/merging", "merging on top: box", 0.275),
+    ("sphere/discretize", "discretize, with checks and merging: sphere", 0.14),
+    ("torus/discretize", "discretize: torus", 0.2),
+    ("tets/discretize", "discretize: box", None),
     ("sphere_rough/flips", "intrinsic flips and merging on top: rough sphere, 10 % of the duals "
                            "negative", 0.19),
 ]
