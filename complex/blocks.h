@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/pieces.h"
+#include "complex/disjoint_sets.h"
+#include "complex/merging.h"
+#include "complex/sides.h"
 
 #include <functional>
 
@@ -14,24 +16,40 @@ using Straightness = std::function<bool(int k, Index s, Index f, Index g)>;
 /// open simplex lies in the interior of one block, its carrier. A simplex is a piece of its carrier
 /// if both have the same dimension; otherwise it has been removed.
 struct Blocks {
-    struct Carrier {
-        int dimension; ///< of the block
-        Index piece;   ///< the block's first piece, which represents it
-    };
-    std::vector<std::vector<Carrier>> carriers;  ///< of simplex s of degree k: carriers[k][s]
+    /// Of simplex s of degree k: carriers[k][s]. The block's first piece stands for its number.
+    std::vector<std::vector<Merging::Carrier>> carriers;
     std::vector<std::vector<std::int8_t>> signs; ///< orientation of a piece in its block, or 0
     std::vector<CofaceCounts> active_cofaces;    ///< numbers of cofaces of s that are not removed
     std::vector<std::vector<Index>> twisted;     ///< first pieces of blocks with inconsistent signs
 };
 
+/// Simplices of one degree joined across facets, with their orientations relative to each other.
+struct JoinedSimplices {
+    DisjointSets sets;
+    std::vector<Index> clashes; ///< simplices at facets where the orientations disagree
+
+    void join(const Sides& sides, Index facet) {
+        if (!sets.join(sides.first(facet), sides.second(facet), sides.relative_sign(facet)))
+            clashes.push_back(sides.first(facet));
+    }
+};
+
+/// The n-simplices, joined across the removed facets. removed_facets: one entry per (n-1)-simplex;
+/// facets without two cofaces stay (on a rank, the others lie elsewhere). Throws InvalidInput for a
+/// wrong number of entries.
+JoinedSimplices join_tops(const Pieces& complex, const std::vector<bool>& removed_facets);
+
 /// Joins n-simplices across the removed facets. Then, for k = n-1 down to 2, joins k-simplices
 /// across a (k-1)-simplex with exactly two active cofaces that are straight across it and have
 /// equally many cofaces. A (k-1)-simplex without active coface is removed: it lies inside a larger
-/// block. Vertices are never removed. removed_facets: one entry per (n-1)-simplex, true only for
-/// facets with two cofaces. Near-linear in the number of incidences. Throws InvalidInput for a
-/// wrong number of entries.
+/// block. Vertices are never removed. Near-linear in the number of incidences. Throws like
+/// join_tops.
 Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facets,
                    const Straightness& straight);
+
+/// The same for tops that are joined already.
+Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facets,
+                   JoinedSimplices tops, const Straightness& straight);
 
 /// The facets that merging by label removes: two cofaces, both with the same label. `labels` has
 /// one entry per n-simplex. Throws InvalidInput for a wrong number of labels.

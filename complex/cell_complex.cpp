@@ -78,11 +78,8 @@ std::vector<CofaceCounts> count_cofaces(const std::vector<IncidenceMatrix>& d,
 std::vector<Incidences> as_incidences(std::vector<IncidenceMatrix> coboundaries) {
     check_shapes(coboundaries);
     std::vector<Incidences> result;
-    for (IncidenceMatrix& D : coboundaries) {
-        IncidenceMatrix own;
-        own.swap(D); // Eigen would copy what is moved
-        result.emplace_back(std::move(own));
-    }
+    for (IncidenceMatrix& D : coboundaries)
+        result.emplace_back(std::move(D));
     return result;
 }
 

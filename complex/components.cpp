@@ -84,8 +84,9 @@ CellMarks boundary_cells(const CellComplex& complex) {
     CellMarks marks;
     for (int k = 0; k <= n; ++k)
         marks.emplace_back(complex.size(k), false);
-    for (const BoundaryFacet& on : boundary_facets(complex))
-        marks[n - 1][on.facet] = true;
+    const CofaceCounts& counts = complex.coface_counts(n - 1);
+    for (std::size_t f = 0; f < counts.size(); ++f)
+        marks[n - 1][f] = counts[f] == 1;
     mark_faces(complex, marks);
     return marks;
 }

@@ -6,7 +6,7 @@
 
 namespace polydec {
 
-Incidences::Incidences(IncidenceMatrix matrix)
+Incidences::Incidences(IncidenceMatrix&& matrix)
     : rows_(static_cast<Index>(matrix.rows())),
       cols_(static_cast<Index>(matrix.cols())),
       matrix_(std::make_shared<Lazy<IncidenceMatrix>>()) {

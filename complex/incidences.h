@@ -58,7 +58,7 @@ public:
     using Signs = std::vector<std::int8_t>;
 
     /// Cells of any kind: rows ascending, without zeros.
-    explicit Incidences(IncidenceMatrix matrix);
+    explicit Incidences(IncidenceMatrix&& matrix);
 
     /// Each row lists the faces of a cell, ascending. The last face has the cell's sign (1 without
     /// `signs`), the face before it the opposite sign, and so on.

@@ -18,106 +18,80 @@ namespace {
 using Row = IncidenceMatrix::InnerIterator;
 using Carriers = std::vector<std::vector<Merging::Carrier>>;
 
-bool is_first_piece(const Blocks& blocks, int k, Index s) {
-    const auto& [dimension, piece] = blocks.carriers[k][s];
-    return dimension == k && piece == s;
-}
+/// What is known of the cells of one degree once they have numbers.
+struct Numbered {
+    Index cells = 0, sides = 0;           // sides: of the cells one degree up, at these
+    std::vector<std::uint8_t> is_first{}; // 1 for the simplices that are first pieces
+};
 
-/// Numbers the blocks of each degree in the order of their first pieces.
-Carriers number_blocks(const Pieces& complex, const Blocks& blocks) {
-    const int n = complex.dimension();
-    Carriers carriers(n + 1);
-    for (int k = n; k >= 0; --k) {
-        carriers[k].resize(complex.size(k));
-        Index next = 0;
-        for (Index s = 0; s < complex.size(k); ++s) {
-            const auto [dimension, piece] = blocks.carriers[k][s];
-            carriers[k][s] = {
-                dimension, is_first_piece(blocks, k, s) ? next++ : carriers[dimension][piece].cell};
+/// Numbers the blocks of degree k in the order of their first pieces, which stood for them.
+Numbered number_blocks(Carriers& carriers, const CofaceCounts& active_cofaces, int k) {
+    auto& own = carriers[k];
+    const auto size = static_cast<Index>(own.size());
+    Index cells = 0, sides = 0;
+    std::vector<std::uint8_t> is_first(own.size(), 0);
+    for (Index s = 0; s < size; ++s) {
+        auto& [dimension, cell] = own[s];
+        if (dimension == k && cell == s) {
+            cell = cells++;
+            sides += active_cofaces[s];
+            is_first[s] = 1;
+        } else {
+            cell = carriers[dimension][cell].cell;
         }
     }
-    return carriers;
+    return {cells, sides, std::move(is_first)};
 }
 
 /// dia_k: the pieces of each cell are filled in by counting, so they come out ascending.
-IncidenceMatrix make_diamond(const Carriers& carriers, const Blocks& blocks, int k) {
-    const auto& own = carriers[k];
-    Index cells = 0, pieces = 0;
-    for (const auto& carrier : own)
-        if (carrier.dimension == k) {
-            cells = std::max(cells, carrier.cell + 1);
-            ++pieces;
-        }
+IncidenceMatrix make_diamond(const std::vector<Merging::Carrier>& own,
+                             const std::vector<std::int8_t>& signs, Index cells, int k) {
     IncidenceMatrix diamond(cells, static_cast<Index>(own.size()));
-    diamond.resizeNonZeros(pieces);
     Index* const begin = diamond.outerIndexPtr();
-    for (const auto& carrier : own)
-        if (carrier.dimension == k)
-            ++begin[carrier.cell + 1];
+    for (const auto& [dimension, cell] : own)
+        if (dimension == k)
+            ++begin[cell + 1];
     std::partial_sum(begin, begin + cells + 1, begin);
+    diamond.resizeNonZeros(begin[cells]);
+    Index* const pieces = diamond.innerIndexPtr();
+    std::int8_t* const values = diamond.valuePtr();
     std::vector<Index> next(begin, begin + cells);
     for (std::size_t s = 0; s < own.size(); ++s)
         if (own[s].dimension == k) {
             const Index place = next[own[s].cell]++;
-            diamond.innerIndexPtr()[place] = static_cast<Index>(s);
-            diamond.valuePtr()[place] = blocks.signs[k][s];
+            pieces[place] = static_cast<Index>(s);
+            values[place] = signs[s];
         }
     return diamond;
 }
 
 /// d^P_k. All pieces of a k-cell have the same merged cofaces, so its first piece tells: d^P(E, F)
 /// is the sum over the pieces t of E around it of sign(t) [t : piece] sign(piece).
-IncidenceRows merge_degree(const Pieces& complex, const Blocks& blocks, const Carriers& carriers,
-                           const std::vector<IncidenceMatrix>& diamonds, int k) {
-    const IncidenceMatrix& upper = diamonds[k + 1];
+IncidenceRows merge_degree(const Pieces& complex, const std::vector<Merging::Carrier>& carriers,
+                           const Numbered& lower, const IncidenceMatrix& upper, int k) {
     const auto cells = static_cast<Index>(upper.rows());
-    Index sides = 0;
-    for (Index s = 0; s < complex.size(k); ++s)
-        if (is_first_piece(blocks, k, s))
-            sides += blocks.active_cofaces[k][s];
-    IncidenceRows rows(cells, static_cast<Index>(diamonds[k].rows()), sides);
+    IncidenceRows rows(cells, lower.cells, lower.sides);
     const FaceTable faces = complex.faces(k + 1);
+    const Index *const begins = upper.outerIndexPtr(), *const pieces = upper.innerIndexPtr();
+    const std::int8_t* const signs = upper.valuePtr();
+    const std::uint8_t* const is_first = lower.is_first.data();
     for (Index cell = 0; cell < cells; ++cell) {
-        for (Row piece(upper, cell); piece; ++piece) {
-            const auto t = static_cast<Index>(piece.col());
-            for (int i = k + 1; i >= 0; --i)
-                if (const Index s = faces(t, i); is_first_piece(blocks, k, s))
-                    rows.add(carriers[k][s].cell, piece.value() * complex.sign(k + 1, t, i));
+        for (Index p = begins[cell]; p < begins[cell + 1]; ++p) {
+            const Index t = pieces[p];
+            int sign = signs[p] * complex.sign(k + 1, t, k + 1);
+            for (int i = k + 1; i >= 0; --i, sign = -sign)
+                if (const Index s = faces(t, i); is_first[s] != 0)
+                    rows.add(carriers[s].cell, sign);
         }
         rows.end_cell();
     }
     return rows;
 }
 
-CellComplex make_merged(const Pieces& complex, const Blocks& blocks, const Carriers& carriers,
-                        const std::vector<IncidenceMatrix>& diamonds) {
-    std::vector<IncidenceMatrix> coboundaries(complex.dimension());
-    std::vector<CofaceCounts> counts;
-    std::vector<std::vector<Incidence>> canceled;
-    for (int k = 0; k < complex.dimension(); ++k) {
-        auto rows = merge_degree(complex, blocks, carriers, diamonds, k);
-        rows.finish(coboundaries[k], counts.emplace_back(), canceled.emplace_back());
-    }
-    return {CellComplex::Unchecked{}, std::move(coboundaries), std::move(counts),
-            std::move(canceled)};
-}
-
-std::vector<IncidenceMatrix> make_diamonds(const Carriers& carriers, const Blocks& blocks) {
-    std::vector<IncidenceMatrix> diamonds(carriers.size());
-    for (std::size_t k = 0; k < carriers.size(); ++k) {
-        IncidenceMatrix diamond = make_diamond(carriers, blocks, static_cast<int>(k));
-        diamonds[k].swap(diamond);
-    }
-    return diamonds;
-}
-
 } // namespace
 
-Merging::Merging(Pieces pieces, const Blocks& blocks)
-    : pieces_(std::move(pieces)),
-      is_identity_(false),
-      maps_(std::make_shared<Lazy<Maps>>(maps_of(pieces_, blocks))),
-      merged_(make_merged(pieces_, blocks, maps().carriers, maps().diamonds)) {}
+Merging::Merging(Pieces pieces, Blocks blocks)
+    : Merging(of_blocks(std::move(pieces), std::move(blocks))) {}
 
 Merging::Merging(Pieces pieces, CellComplex merged, std::vector<std::vector<Carrier>> carriers,
                  std::vector<IncidenceMatrix> diamonds)
@@ -126,10 +100,23 @@ Merging::Merging(Pieces pieces, CellComplex merged, std::vector<std::vector<Carr
       maps_(std::make_shared<Lazy<Maps>>(Maps{std::move(carriers), std::move(diamonds)})),
       merged_(std::move(merged)) {}
 
-Merging::Maps Merging::maps_of(const Pieces& pieces, const Blocks& blocks) {
-    Carriers carriers = number_blocks(pieces, blocks);
-    auto diamonds = make_diamonds(carriers, blocks);
-    return {std::move(carriers), std::move(diamonds)};
+Merging Merging::of_blocks(Pieces pieces, Blocks blocks) {
+    const int n = pieces.dimension();
+    Carriers carriers = std::move(blocks.carriers);
+    std::vector<IncidenceMatrix> diamonds(carriers.size()), coboundaries(n);
+    std::vector<CofaceCounts> counts(n);
+    std::vector<std::vector<Incidence>> canceled(n);
+    for (int k = n; k >= 0; --k) {
+        const Numbered numbered = number_blocks(carriers, blocks.active_cofaces[k], k);
+        IncidenceMatrix diamond = make_diamond(carriers[k], blocks.signs[k], numbered.cells, k);
+        diamonds[k].swap(diamond);
+        if (k < n)
+            merge_degree(pieces, carriers[k], numbered, diamonds[k + 1], k)
+                .finish(coboundaries[k], counts[k], canceled[k]);
+    }
+    const CellComplex merged(CellComplex::Unchecked{}, std::move(coboundaries), std::move(counts),
+                             std::move(canceled));
+    return {std::move(pieces), merged, std::move(carriers), std::move(diamonds)};
 }
 
 std::vector<Index> Merging::vertices(int k, Index cell) const {

@@ -18,7 +18,7 @@ class Merging {
 public:
     /// The merged complex of the blocks; d^P d^P = 0 and dia d = d^P dia hold by construction.
     /// Linear time.
-    Merging(Pieces pieces, const Blocks& blocks);
+    Merging(Pieces pieces, Blocks blocks);
 
     /// The cell of P whose interior contains an open simplex of K.
     struct Carrier {
@@ -69,7 +69,7 @@ private:
     const Maps& maps() const {
         return maps_->get([this] { return identity(); });
     }
-    static Maps maps_of(const Pieces& pieces, const Blocks& blocks);
+    static Merging of_blocks(Pieces pieces, Blocks blocks);
     Maps identity() const;
 
     Pieces pieces_;

@@ -133,7 +133,8 @@ Parcels<SimplexClass> FacetJoining::classes_of(const Parcels<SentLink>& arrived)
     by_place.reserve(links.size());
     for (const SentLink& link : links)
         by_place.push_back({place(link.a), place(link.b), link.defect, link.scale});
-    DisjointSets classes = join_links(static_cast<Index>(simplices.size()), by_place, tolerance_);
+    DisjointSets classes(static_cast<Index>(simplices.size()));
+    join_links(by_place, tolerance_, classes);
     auto parcels = ranks_.empty_parcels<SimplexClass>();
     std::vector<GlobalIndex> first(simplices.size(), -1);
     for (std::size_t i = 0; i < simplices.size(); ++i) {

@@ -101,7 +101,7 @@ std::vector<Carrier> Rounds::pieces_of(const Blocks& blocks, int k) {
     classes.takes_part.reserve(own.size());
     for (std::size_t s = 0; s < own.size(); ++s) {
         const bool is_piece = own[s].dimension == k;
-        classes.first.push_back(is_piece ? own[s].piece : static_cast<Index>(s));
+        classes.first.push_back(is_piece ? own[s].cell : static_cast<Index>(s));
         classes.takes_part.push_back(is_piece);
     }
     const Labels labels = spread_labels(ranks_, local_, k, classes);

@@ -143,8 +143,7 @@ Blocks blocks_of(const SimplicialComplex& complex, const Points& rows, const Row
                                     of_degree.begin())});
             signs.push_back(dimension == k ? sign : std::int8_t{0});
         }
-        if (k < row.n)
-            blocks.active_cofaces.push_back(complex.coface_counts(k));
+        blocks.active_cofaces.push_back(complex.coface_counts(k));
         blocks.twisted.emplace_back();
     }
     return blocks;

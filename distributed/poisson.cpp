@@ -100,6 +100,20 @@ void check_fluxes(const DistributedMesh& mesh, const OwnFacets& facets) {
     }
 }
 
+/// Of each facet, the smallest height over it of a simplex.
+Vector least_heights(const Pieces& complex, const CellVolumes& volumes) {
+    const int n = complex.dimension();
+    const FaceTable faces = complex.faces(n);
+    const Vector &tops = volumes.primal(n), &facets = volumes.primal(n - 1);
+    Vector heights = Vector::Constant(facets.size(), std::numeric_limits<double>::infinity());
+    for (Index t = 0; t < tops.size(); ++t)
+        for (int i = 0; i <= n; ++i) {
+            const Index f = faces(t, i);
+            heights[f] = std::min(heights[f], n * tops[t] / facets[f]);
+        }
+    return heights;
+}
+
 /// 1 for own boundary facets whose dual counts as zero: by rounding, or beyond the boundary within
 /// the tolerance.
 Vector facets_without_dual(const Ranks& ranks, const DistributedMesh& mesh,
@@ -109,7 +123,7 @@ Vector facets_without_dual(const Ranks& ranks, const DistributedMesh& mesh,
     Points sizes(complex.size(n - 1), 2);
     ranks.together("facets", [&] {
         sizes.col(0) = 2 * circumradii(complex, mesh.local.points, n - 1);
-        sizes.col(1) = least_heights(complex, mesh.merged.of_pieces, {});
+        sizes.col(1) = least_heights(complex, mesh.merged.of_pieces);
     });
     const PieceRows pieces = gather_pieces(ranks, mesh.local, facets.cells, n - 1, sizes);
     const Vector& duals = mesh.cells.volumes.dual(n - 1);

@@ -227,7 +227,7 @@ void Deciding::find_rows(const Gathered& arrived) {
 void Deciding::find_surroundings() {
     const int n = layout_.n;
     const Index facets = complex_.size(n - 1);
-    around_ = {Sides(static_cast<std::size_t>(facets), {-1, -1}), Vector::Zero(facets),
+    around_ = {BothSides(static_cast<std::size_t>(facets), {-1, -1}), Vector::Zero(facets),
                Vector::Zero(complex_.size(0))};
     const Cofaces cofaces(complex_, n);
     for (Index t = 0; t < complex_.size(n); ++t)

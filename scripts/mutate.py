@@ -30,6 +30,7 @@ ROOT = Path(__file__).resolve().parent.parent
 
 # The test programs that each folder's flaws are asked of, one after the other.
 PROGRAMS = {folder: (f"{folder}/test_{folder}",) for folder in ("io", "meshes", "shape", "solvers")}
+PROGRAMS["complex"] = ("complex/test_complex", "dec/test_dec")
 PROGRAMS["dec"] = ("dec/test_dec", "solvers/test_solvers")
 PROGRAMS["backends"] = ("backends/test_backends", "solvers/test_solvers")
 SECONDS = 600

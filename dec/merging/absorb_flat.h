@@ -10,11 +10,11 @@
 namespace polydec {
 
 /// The n-simplices on both sides of each facet that may vanish; -1 at other facets.
-using Sides = std::vector<std::array<Index, 2>>;
+using BothSides = std::vector<std::array<Index, 2>>;
 
 /// Data on the corners and facets of flat n-simplices; entries elsewhere do not matter.
 struct AroundFlat {
-    Sides sides;
+    BothSides sides;
     Vector sizes;    ///< of facets: twice the circumradius; length
     Vector shortest; ///< edge at each vertex; length
 };

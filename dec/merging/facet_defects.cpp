@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/facet_defects.h"
 
+#include "base/parallel.h"
+#include "dec/merging/facet_links.h"
 #include "dec/merging/flat_simplices.h"
 #include "dec/metric/circumcenters.h"
 #include "dec/metric/circumsphere.h"
@@ -16,32 +18,134 @@ namespace polydec {
 
 namespace {
 
-/// Per facet, the sum over its cofaces of the angle subtended at the apex: the cotangent is the
-/// signed distance of the circumcenters over the facet's circumradius.
-Vector apex_angles(const Geometry& geometry, const Vector& radii) {
-    Vector angles = Vector::Zero(radii.size());
-    for_each_height(geometry, [&](Index f, double height, double) {
-        angles[f] += std::atan2(radii[f], height);
+using FacetMarks = std::vector<std::uint8_t>;
+
+/// The sums over the m cofaces of a facet of the angles subtended at the apex, compared with m
+/// right angles. Their cotangents are the distances of the circumcenters over the circumradius.
+FacetMarks measure_angles(const MergeOptions& options, FacetDefects& result) {
+    const Pieces& complex = result.geometry.pieces();
+    const int n = complex.dimension();
+    const Vector radii = circumradii(complex, result.geometry.metric(), n - 1);
+    const auto& cofaces = complex.coface_counts(n - 1);
+    result.scale.setOnes(radii.size());
+    result.defect.setZero(radii.size());
+    for_each_height(result.geometry, [&](Index f, double height, double) {
+        result.defect[f] += std::atan2(radii[f], height);
     });
-    return angles;
+    FacetMarks marks;
+    for (Index f = 0; f < radii.size(); ++f) {
+        double& defect = result.defect[f];
+        defect = std::abs(defect - cofaces[f] * std::numbers::pi / 2);
+        marks.push_back(radii[f] > 0 && defect <= options.tolerance ? 1 : 0);
+    }
+    return marks;
 }
 
-/// Marks the facets of flat simplices.
-std::vector<bool> facets_of(const Pieces& complex, const std::vector<bool>& flat) {
-    const int n = complex.dimension();
-    std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
-    for (std::size_t t = 0; t < flat.size(); ++t)
-        for (int i = 0; i <= n && flat[t]; ++i)
-            marks[complex.face(n, static_cast<Index>(t), i)] = true;
+/// Sizes l of facets, which have an extent if n > 1: twice their circumradii.
+class FacetSizes {
+public:
+    explicit FacetSizes(const Geometry& geometry)
+        : k_(geometry.pieces().dimension() - 1),
+          spheres_(geometry.pieces(), geometry.metric(), k_),
+          facets_(geometry.volumes().primal(k_)),
+          sides_(geometry.volumes().primal(k_ - 1)),
+          edges_(geometry.volumes().primal(1)) {
+        for (int k = 1; k <= k_; ++k)
+            faces_.push_back(geometry.pieces().faces(k));
+    }
+
+    double operator[](Index f) { return 2 * spheres_[f].radius(); }
+
+    /// An upper bound, faster. Seen from a corner, the center is the sum over the others of half
+    /// their squared distance times the gradient of their barycentric coordinate, the inverse
+    /// height. So l <= L^2 times the sum of |g| / k |f| over the faces g, L the longest edge.
+    double bound(Index f) {
+        double sum = 0;
+        for (int i = 0; i <= k_; ++i)
+            sum += sides_[faces_.back()(f, i)];
+        const double edge = longest_edge(f);
+        return edge * edge * sum / (k_ * facets_[f]);
+    }
+
+private:
+    double longest_edge(Index f) {
+        within_.assign(1, f); // and then its faces, degree by degree
+        for (int k = k_; k > 1; --k) {
+            below_.clear();
+            for (const Index s : within_)
+                for (int i = 0; i <= k; ++i)
+                    below_.push_back(faces_[k - 1](s, i));
+            std::sort(below_.begin(), below_.end());
+            below_.erase(std::unique(below_.begin(), below_.end()), below_.end());
+            std::swap(within_, below_);
+        }
+        double longest = 0;
+        for (const Index edge : within_)
+            longest = std::max(longest, edges_[edge]);
+        return longest;
+    }
+
+    int k_;
+    Circumspheres spheres_;
+    const Vector &facets_, &sides_, &edges_; // volumes
+    std::vector<FaceTable> faces_;           // of degrees 1, ..
+    std::vector<Index> within_, below_;
+};
+
+/// Most facets have no defect, or more than their bounds tolerate: only the others need spheres.
+FacetMarks measure_duals(const MergeOptions& options, FacetDefects& result) {
+    const auto& geometry = result.geometry;
+    const int n = geometry.pieces().dimension();
+    const Vector& dual = geometry.volumes().dual(n - 1);
+    const Bounds& terms = geometry.volumes().terms(n - 1);
+    Vector &defect = result.defect, &scale = result.scale;
+    FacetMarks marks(static_cast<std::size_t>(dual.size()), 0);
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    const double limit = spread_limit * options.tolerance;
+    defect.setZero(dual.size());
+    scale.setOnes(dual.size());
+    if (geometry.pieces().simplices(n - 1).cols() == 1) // vertices have no extent
+        return marks;
+    constexpr Index part_size = 1 << 13;
+    for_each_part(static_cast<Index>(dual.size()), part_size, [&](Index begin, Index end) {
+        FacetSizes sizes(geometry);
+        for (Index f = begin; f < end; ++f) {
+            defect[f] = std::max(0.0, std::abs(dual[f]) - rounding_of(terms[f]));
+            if (defect[f] > 0 && defect[f] <= limit * (scale[f] = sizes.bound(f)))
+                scale[f] = sizes[f];
+            if (defect[f] <= limit * scale[f] &&
+                is_degenerate(dual[f], terms[f], scale[f], unlimited, options.tolerance))
+                marks[f] = 1;
+        }
+    });
     return marks;
+}
+
+/// Unmarks the facets of flat n-simplices, and facets whose duals are long beside a height.
+void look_at_cofaces(FacetDefects& result, FacetMarks& marks) {
+    const Pieces& complex = result.geometry.pieces();
+    const CellVolumes& volumes = result.geometry.volumes();
+    const int n = complex.dimension();
+    const Vector &tops = volumes.primal(n), &facets = volumes.primal(n - 1),
+                 &dual = volumes.dual(n - 1);
+    const FaceTable faces = complex.faces(n);
+    for (Index t = 0; t < tops.size(); ++t) {
+        const bool is_flat = !result.flat.empty() && result.flat[t];
+        for (int i = 0; i <= n; ++i) {
+            const Index f = faces(t, i);
+            if (is_flat)
+                result.scale[f] = FacetSizes(result.geometry)[f];
+            if (marks[f] != 0 && (is_flat || !is_short(dual[f], n * tops[t] / facets[f])))
+                marks[f] = 0;
+        }
+    }
 }
 
 } // namespace
 
-bool is_degenerate(double dual, double terms, double l, double height, double tolerance) {
-    constexpr double thin = 0.1; // of a height
-    return l > 0 && std::abs(dual) <= tolerance * l + rounding_of(terms) &&
-           std::abs(dual) <= thin * height;
+double FacetDefects::ratio(Index facet) const {
+    const bool by_angles = criterion == MergeCriterion::angle;
+    return defect[facet] / (by_angles ? 1 : FacetSizes(geometry)[facet]);
 }
 
 void for_each_height(const Geometry& geometry,
@@ -62,20 +166,6 @@ void for_each_height(const Geometry& geometry,
     }
 }
 
-Vector least_heights(const Pieces& complex, const CellVolumes& volumes,
-                     const std::vector<bool>& flat) {
-    const int n = complex.dimension();
-    const FaceTable faces = complex.faces(n);
-    const Vector &tops = volumes.primal(n), &facets = volumes.primal(n - 1);
-    Vector heights = Vector::Constant(facets.size(), std::numeric_limits<double>::infinity());
-    for (Index t = 0; t < tops.size(); ++t)
-        for (int i = 0; i <= n && (flat.empty() || !flat[t]); ++i) {
-            const Index f = faces(t, i);
-            heights[f] = std::min(heights[f], n * tops[t] / facets[f]);
-        }
-    return heights;
-}
-
 FacetDefects facet_defects(const Geometry& geometry, const MergeOptions& options) {
     const bool by_angles = options.criterion == MergeCriterion::angle;
     return facet_defects(geometry, options,
@@ -84,44 +174,18 @@ FacetDefects facet_defects(const Geometry& geometry, const MergeOptions& options
 
 FacetDefects facet_defects(const Geometry& geometry, const MergeOptions& options,
                            std::vector<bool> flat) {
-    const Pieces& complex = geometry.pieces();
-    const CellVolumes& volumes = geometry.volumes();
-    const int n = complex.dimension();
+    FacetDefects result{geometry, options.criterion, {}, {}, {}, std::move(flat)};
     const bool by_angles = options.criterion == MergeCriterion::angle;
-    const Vector& dual = volumes.dual(n - 1);
-    const Bounds& terms = volumes.terms(n - 1);
-    FacetDefects result;
-    result.scale = circumradii(complex, geometry.metric(), n - 1);
-    result.defect = by_angles ? apex_angles(geometry, result.scale) : dual;
-    const auto& cofaces = complex.coface_counts(n - 1);
+    FacetMarks found = by_angles ? measure_angles(options, result) : measure_duals(options, result);
+    if (!by_angles &&
+        (!result.flat.empty() || std::find(found.begin(), found.end(), 1) != found.end()))
+        look_at_cofaces(result, found);
     auto& [interior, boundary, branching, marks] = result.degenerate;
-    marks.resize(static_cast<std::size_t>(dual.size()));
-    constexpr double unlimited = std::numeric_limits<double>::infinity();
-    bool any = false;
-    for (Index f = 0; f < dual.size(); ++f) {
-        double &defect = result.defect[f], &scale = result.scale[f];
-        const bool has_extent = scale > 0;
-        defect = by_angles ? std::abs(defect - cofaces[f] * std::numbers::pi / 2)
-                           : std::max(0.0, std::abs(defect) - rounding_of(terms[f]));
-        scale = by_angles ? 1 : 2 * scale;
-        marks[f] = by_angles
-                       ? has_extent && defect <= options.tolerance
-                       : is_degenerate(dual[f], terms[f], scale, unlimited, options.tolerance);
-        any = any || marks[f];
-    }
-    result.flat = std::move(flat);
-    if (!any)
-        return result;
-
-    const auto of_flat = facets_of(complex, result.flat);
-    const Vector heights = by_angles ? Vector() : least_heights(complex, volumes, result.flat);
-    for (Index f = 0; f < dual.size(); ++f) {
-        marks[f] = marks[f] &&
-                   (by_angles || (!of_flat[f] && is_degenerate(dual[f], terms[f], result.scale[f],
-                                                               heights[f], options.tolerance)));
-        if (marks[f])
+    const auto& cofaces = geometry.pieces().coface_counts(geometry.pieces().dimension() - 1);
+    for (std::size_t f = 0; f < found.size(); ++f)
+        if (found[f] != 0)
             ++(cofaces[f] == 1 ? boundary : cofaces[f] == 2 ? interior : branching);
-    }
+    marks.assign(found.begin(), found.end());
     return result;
 }
 

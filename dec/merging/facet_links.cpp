@@ -17,16 +17,15 @@ constexpr double tie = 1e-12;
 /// Joins links with nonzero defect.
 class LinkJoining {
 public:
-    LinkJoining(std::span<const FacetLink> links, double tolerance, DisjointSets& classes,
-                Index size)
+    LinkJoining(std::span<const FacetLink> links, double tolerance, DisjointSets& classes)
         : links_(links),
           limit_(spread_limit * tolerance),
           classes_(classes),
-          parts_(size),
-          spread_(static_cast<std::size_t>(size), 0.0),
-          place_(static_cast<std::size_t>(size), -1) {
+          parts_(classes),
+          spread_(classes.size(), 0.0),
+          place_(classes.size(), -1) {
         for (const FacetLink& link : links)
-            parts_.join(link.a, link.b);
+            parts_.join(link.a, link.b, link.relative_sign);
     }
 
     void run();
@@ -45,9 +44,9 @@ private:
 
     std::span<const FacetLink> links_;
     double limit_;
-    DisjointSets &classes_, parts_;
-    std::vector<double> spread_; // accumulated defect of each class, at its root
-    std::vector<Index> place_;   // in `roots_`; -1 except while links are joined
+    DisjointSets &classes_, parts_; // parts: connected by links
+    std::vector<double> spread_;    // accumulated defect of each class, at its root
+    std::vector<Index> place_;      // in `roots_`; -1 except while links are joined
     std::vector<Index> roots_;
     std::vector<Sides> sides_;
 };
@@ -126,24 +125,23 @@ void LinkJoining::join_tied(std::span<const Index> tied) {
         const Index group = groups.find(sides.a).element;
         if (gathered[group] > allowed[group])
             continue;
-        classes_.join(roots_[sides.a], roots_[sides.b]);
+        const FacetLink& link = links_[sides.link];
+        classes_.join(link.a, link.b, link.relative_sign);
         spread_[classes_.find(roots_[sides.a]).element] = gathered[group];
     }
 }
 
 } // namespace
 
-DisjointSets join_links(Index size, std::span<const FacetLink> links, double tolerance) {
-    DisjointSets classes(size);
+void join_links(std::span<const FacetLink> links, double tolerance, DisjointSets& classes) {
     bool are_exact = true;
     for (const FacetLink& link : links)
         if (link.defect > 0)
             are_exact = false;
         else
-            classes.join(link.a, link.b);
+            classes.join(link.a, link.b, link.relative_sign);
     if (!are_exact)
-        LinkJoining(links, tolerance, classes, size).run();
-    return classes;
+        LinkJoining(links, tolerance, classes).run();
 }
 
 } // namespace polydec

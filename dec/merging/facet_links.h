@@ -13,14 +13,15 @@ constexpr double spread_limit = 10;
 /// A degenerate facet across which the n-simplices a and b may become one cell.
 struct FacetLink {
     Index a, b;
-    double defect, scale; ///< see FacetDefects
+    double defect, scale;  ///< see FacetDefects
+    int relative_sign = 1; ///< see Sides
 };
 
-/// Classes of the n-simplices 0 .. size-1, joined across links in ascending relative defect.
-/// Connected links with equal defect are joined all or none. The defects accumulated by a class
-/// stay within spread_limit tolerances of each facet between. The result for connected links
-/// depends only on these and their order, so a part of all links gives the same classes. Time O(f
-/// log f) in the number of links with a defect, else near-linear.
-DisjointSets join_links(Index size, std::span<const FacetLink> links, double tolerance);
+/// Joins classes of n-simplices across links in ascending relative defect; links without defect may
+/// be joined already. Connected links with equal defect are joined all or none. The defects
+/// accumulated by a class stay within spread_limit tolerances of each facet between. The result for
+/// connected links depends only on these and their order, so a part of all links gives the same
+/// classes. Time O(f log f) in the number of links with a defect, else near-linear.
+void join_links(std::span<const FacetLink> links, double tolerance, DisjointSets& classes);
 
 } // namespace polydec

@@ -4,7 +4,7 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "complex/blocks.h"
-#include "complex/disjoint_sets.h"
+#include "complex/sides.h"
 #include "dec/merging/absorb_flat.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/merging/facet_links.h"
@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace polydec {
 
@@ -28,8 +29,8 @@ using Kept = std::vector<std::vector<bool>>; // per degree: simplices that must 
 /// The decomposition into cells of highest dimension.
 struct TopCells {
     std::vector<bool> removed; // facets
-    std::vector<Index> roots;  // of n-simplices: the first one of the same cell
-    bool exact;                // whether everything removed is within rounding
+    JoinedSimplices tops;
+    bool exact; // whether everything removed is within rounding
 };
 
 /// Selects the facets that vanish: facets joined in ascending defect while the classes stay tight,
@@ -41,35 +42,36 @@ public:
           defects_(defects),
           tolerance_(tolerance),
           is_in_space_(geometry.metric().ambient_dimension() == geometry.pieces().dimension()),
-          limit_(spread_limit * tolerance) {
-        const Pieces& complex = geometry.pieces();
-        const int n = complex.dimension();
-        const auto& counts = complex.coface_counts(n - 1);
-        const FaceTable faces = complex.faces(n);
-        sides_.resize(complex.size(n - 1), {-1, -1});
-        for (Index t = 0; t < complex.size(n); ++t)
-            for (int i = 0; i <= n; ++i) {
-                auto& sides = sides_[faces(t, i)];
-                sides[sides[0] < 0 ? 0 : 1] = t;
-            }
-        for (Index f = 0; f < complex.size(n - 1); ++f)
-            if (counts[f] != 2)
-                sides_[f] = {-1, -1};
-    }
+          limit_(spread_limit * tolerance),
+          sides_(geometry.pieces()) {}
 
     TopCells cells(const std::vector<bool>& kept) const {
-        std::vector<FacetLink> links;
-        for (std::size_t f = 0; f < sides_.size(); ++f)
-            if (const auto& [a, b] = sides_[f]; b >= 0 && defects_.degenerate[f] && !kept[f])
-                links.push_back({a, b, defects_.defect[f], defects_.scale[f]});
         const Pieces& complex = geometry_.pieces();
-        auto classes = join_links(complex.size(complex.dimension()), links, tolerance_);
+        TopCells cells{std::vector<bool>(kept.size(), false),
+                       {DisjointSets(complex.size(complex.dimension())), {}},
+                       true};
+        std::vector<FacetLink> inexact;
+        const auto facets = static_cast<Index>(kept.size());
+        for (Index f = 0; f < facets; ++f)
+            if (defects_.degenerate[f] && !kept[f] && sides_.exist(f)) {
+                if (defects_.defect[f] > 0)
+                    inexact.push_back({sides_.first(f), sides_.second(f), defects_.defect[f],
+                                       defects_.scale[f], sides_.relative_sign(f)});
+                else
+                    remove(f, cells);
+            }
+        join_links(inexact, tolerance_, cells.tops.sets);
         if (!defects_.flat.empty())
             absorb_flat(
                 geometry_, defects_.flat,
                 {free_sides(kept), defects_.scale, shortest_edges(complex, geometry_.volumes())},
-                tolerance_, classes);
-        return read_off(classes, kept);
+                tolerance_, cells.tops.sets);
+        for (Index f = 0; f < facets; ++f)
+            if (lies_in_a_class(f, cells) && !cells.removed[f] && !kept[f])
+                remove(f, cells);
+        if (!defects_.flat.empty()) // which may be cut off from the class that took them
+            cells.tops = join_tops(complex, cells.removed);
+        return cells;
     }
 
     /// The centers of the cells.
@@ -77,13 +79,14 @@ public:
         if (!is_in_space_ || cells.exact)
             return {};
         MeanSpheres spheres(geometry_, defects_.flat);
-        spheres.gather(cells.roots);
+        spheres.gather(DisjointSets(cells.tops.sets).firsts());
         return spheres.shared_centers();
     }
 
 private:
-    Sides free_sides(const std::vector<bool>& kept) const;
-    TopCells read_off(DisjointSets& classes, const std::vector<bool>& kept) const;
+    BothSides free_sides(const std::vector<bool>& kept) const;
+    bool lies_in_a_class(Index f, TopCells& cells) const;
+    void remove(Index f, TopCells& cells) const;
 
     const Geometry& geometry_;
     const FacetDefects& defects_;
@@ -93,27 +96,27 @@ private:
     Sides sides_;
 };
 
-Sides FacetChoice::free_sides(const std::vector<bool>& kept) const {
-    Sides free = sides_;
-    for (std::size_t f = 0; f < free.size(); ++f)
-        if (kept[f])
-            free[f] = {-1, -1};
+BothSides FacetChoice::free_sides(const std::vector<bool>& kept) const {
+    BothSides free(kept.size(), {-1, -1});
+    for (Index f = 0; f < std::ssize(kept); ++f)
+        if (!kept[f] && sides_.exist(f))
+            free[f] = {sides_.first(f), sides_.second(f)};
     return free;
 }
 
-/// In space, everything between two pieces of a class is removed.
-TopCells FacetChoice::read_off(DisjointSets& classes, const std::vector<bool>& kept) const {
-    TopCells cells{std::vector<bool>(sides_.size(), false), classes.firsts(), true};
-    for (std::size_t f = 0; f < sides_.size(); ++f) {
-        const auto& [a, b] = sides_[f];
-        if (b < 0 || kept[f] || cells.roots[a] != cells.roots[b] ||
-            !(is_in_space_ || defects_.defect[f] <= limit_ * defects_.scale[f]))
-            continue;
-        cells.removed[f] = true;
-        const auto& flat = defects_.flat;
-        cells.exact &= defects_.defect[f] == 0 && (flat.empty() || (!flat[a] && !flat[b]));
-    }
-    return cells;
+/// Whether both sides are pieces of one class. In space, everything between them is removed.
+bool FacetChoice::lies_in_a_class(Index f, TopCells& cells) const {
+    return (is_in_space_ || defects_.defect[f] <= limit_ * defects_.scale[f]) && sides_.exist(f) &&
+           cells.tops.sets.find(sides_.first(f)).element ==
+               cells.tops.sets.find(sides_.second(f)).element;
+}
+
+void FacetChoice::remove(Index f, TopCells& cells) const {
+    const auto& flat = defects_.flat;
+    cells.removed[f] = true;
+    cells.tops.join(sides_, f);
+    cells.exact = cells.exact && defects_.defect[f] == 0 &&
+                  (flat.empty() || (!flat[sides_.first(f)] && !flat[sides_.second(f)]));
 }
 
 /// Keeps the worst interfaces of each inadmissible block from being removed again. Among facets:
@@ -173,7 +176,7 @@ CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOption
 
     // every round keeps at least one more simplex, so the loop ends
     for (int rounds = 0;; ++rounds) {
-        const auto cells = choice.cells(kept[n - 1]);
+        TopCells cells = choice.cells(kept[n - 1]);
         const auto& removed = cells.removed;
         if (std::find(removed.begin(), removed.end(), true) == removed.end())
             return {unmerged(complex), defects.degenerate, rounds, geometry};
@@ -184,10 +187,10 @@ CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOption
         const auto straight = [&](int k, Index s, Index f, Index g) {
             return !kept[k - 1][s] && test(k, s, f, g);
         };
-        const auto blocks = join_blocks(complex, removed, straight);
+        Blocks blocks = join_blocks(complex, removed, std::move(cells.tops), straight);
         const auto inadmissible = inadmissible_blocks(complex, blocks);
         if (inadmissible.empty())
-            return {Merging(complex, blocks), defects.degenerate, rounds,
+            return {Merging(complex, std::move(blocks)), defects.degenerate, rounds,
                     shared.with_flat(flat_in_cells(complex, removed, defects.flat))};
         keep_worst(inadmissible, defects, n, kept);
     }

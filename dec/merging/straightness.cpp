@@ -15,10 +15,13 @@ namespace polydec {
 StraightnessTest::StraightnessTest(const Geometry& geometry, double tolerance, double angle)
     : geometry_(geometry),
       complex_(geometry_.pieces()),
-      volumes_(geometry_.volumes()),
       tolerance_(tolerance),
       angle_(angle),
       layout_(complex_, geometry_.metric()) {
+    const CellVolumes& volumes = geometry_.volumes();
+    for (int k = 1; k <= complex_.dimension(); ++k)
+        degrees_.push_back(
+            {complex_.faces(k), volumes.primal(k), volumes.dual(k), volumes.terms(k)});
     is_flat_ = geometry_.metric().ambient_dimension() == complex_.dimension();
     if (complex_.dimension() > 2)
         must_be_coplanar_ = boundary_cells(complex_);
@@ -28,11 +31,11 @@ StraightnessTest::StraightnessTest(const Geometry& geometry, double tolerance, d
 
 StraightnessTest::Wing StraightnessTest::look(int k, Index s, Index f) {
     int apex = 0;
-    while (complex_.face(k, f, apex) != s)
+    while (degrees_[k - 1].faces(f, apex) != s)
         ++apex;
     sphere_.look_at(layout_, k, f);
-    const double base = volumes_.primal(k - 1)[s], height = sphere_.height(apex, base);
-    return {apex, height, sphere_.uncertainty().of(height), k * volumes_.primal(k)[f] / base};
+    const double base = degrees_[k - 2].primal[s], height = sphere_.height(apex, base);
+    return {apex, height, sphere_.uncertainty().of(height), k * degrees_[k - 1].primal[f] / base};
 }
 
 StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, int apex) const {
@@ -61,12 +64,13 @@ bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
     if (!is_degenerate(a.height + b.height, terms, l, lower, tolerance_))
         return false;
 
-    const double V = volumes_.dual(k)[f], W = volumes_.dual(k)[g];
+    const auto& [faces, primal, dual, cancel] = degrees_[k - 1];
+    const double V = dual[f], W = dual[g];
     double size = 1; // of a dual
     for (int i = k; i < complex_.dimension(); ++i)
         size *= l;
     size = std::max({std::abs(V), std::abs(W), size});
-    const double noise = rounding_of(volumes_.terms(k)[f] + volumes_.terms(k)[g]);
+    const double noise = rounding_of(cancel[f] + cancel[g]);
     if (std::abs(V - W) > tolerance_ * size + noise)
         return false;
 

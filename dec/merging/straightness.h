@@ -31,6 +31,13 @@ private:
     };
     Wing look(int k, Index s, Index f);
 
+    /// Looked up once.
+    struct Degree {
+        FaceTable faces;
+        const Vector &primal, &dual;
+        const Bounds& terms;
+    };
+
     /// The component of the edge from s to the apex orthogonal to s: its length, and a unit vector.
     struct Altitude {
         double length;
@@ -40,7 +47,7 @@ private:
 
     Geometry geometry_;
     const Pieces& complex_;
-    const CellVolumes& volumes_;
+    std::vector<Degree> degrees_; // at k - 1: for k = 1, .., n
     double tolerance_, angle_;
     SimplexLayout layout_;
     Circumsphere sphere_; // looks at one simplex at a time

@@ -13,6 +13,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <random>
 
 namespace polydec::test::in_blocks {
 namespace {
@@ -153,6 +154,29 @@ TEST(InadmissibleBlocks, are_found_where_a_closed_surface_becomes_one_cell) {
     }
 }
 
+TEST(DisjointSets, have_their_least_members_and_signs_for_roots) {
+    constexpr Index size = 300;
+    DisjointSets sets(size);
+    std::vector<Index> label(size);
+    std::vector<int> sign(size);
+    std::mt19937 random(1);
+    for (Index a = 0; a < size; ++a) {
+        label[a] = a;
+        sign[a] = random() % 2 == 0 ? 1 : -1;
+    }
+    for (int i = 0; i < 280; ++i) {
+        const auto a = static_cast<Index>(random() % size), b = static_cast<Index>(random() % size);
+        EXPECT_TRUE(sets.join(a, b, sign[a] * sign[b]));
+        EXPECT_FALSE(sets.join(b, a, -sign[a] * sign[b]));
+        const auto [least, other] = std::minmax({label[a], label[b]});
+        std::replace(label.begin(), label.end(), Index{other}, Index{least});
+        const auto root = sets.find(std::max(a, b));
+        EXPECT_EQ(root.element, label[a]);
+        EXPECT_EQ(root.sign, sign[std::max(a, b)] * sign[root.element]);
+    }
+    EXPECT_EQ(sets.firsts(), label);
+}
+
 TEST(Blocks, never_join_across_branching_facets) {
     for (const char* name : {"branching", "tilted_tetrahedra", "theta_graph"}) {
         const SimplicialComplex K(mesh_named(name).simplices);
@@ -162,6 +186,16 @@ TEST(Blocks, never_join_across_branching_facets) {
             if (K.coface_counts(n - 1)[f] > 2) {
                 EXPECT_EQ(blocks.carriers[n - 1][f].dimension, n - 1) << name;
             }
+    }
+}
+
+TEST(Blocks, ignore_marks_of_facets_without_two_cofaces) {
+    for (const char* name : {"grid4", "branching", "kuhn3"}) {
+        const SimplicialComplex K(mesh_named(name).simplices);
+        const std::vector<bool> all(K.size(K.dimension() - 1), true);
+        EXPECT_EQ(join_blocks(K, all, always).signs,
+                  join_blocks(K, facets_within_labels(K, one_label(K)), always).signs)
+            << name;
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "complex/homology.h"
 #include "dec/merging/facet_defects.h"
+#include "dec/metric/circumcenters.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
@@ -40,6 +41,34 @@ TEST_P(Merges, remove_degenerate_facets_alone) {
             EXPECT_EQ(mesh().K().coface_counts(n - 1)[f], 2);
             EXPECT_LE(defects.ratio(f), 10 * tolerance);
         }
+}
+
+TEST(FacetDefects, miss_no_facet_within_the_tolerance) {
+    constexpr double wide = 1e-4;
+    for (const Mesh& mesh : {perturbed(kuhn(2, 8), 1e-5, 1), perturbed(kuhn(3, 4), 1e-5, 2),
+                             perturbed(kuhn(4, 2), 3e-5, 3), perturbed(torus(12, 6), 1e-5, 4)}) {
+        const SimplicialComplex K(mesh.simplices);
+        const int n = K.dimension();
+        const Geometry geometry(K, mesh.points);
+        const auto& volumes = geometry.volumes();
+        const auto defects = facet_defects(geometry, {MergeCriterion::dual_length, wide});
+        const Vector sizes = 2 * circumradii(K, mesh.points, n - 1);
+        const Cofaces cofaces(K, n);
+        Index inexact = 0;
+        for (Index f = 0; f < K.size(n - 1); ++f) {
+            const double dual = volumes.dual(n - 1)[f], terms = volumes.terms(n - 1)[f];
+            bool expected = true;
+            for (const Coface& t : cofaces.of(f))
+                expected =
+                    expected &&
+                    is_degenerate(dual, terms, sizes[f],
+                                  n * volumes.primal(n)[t.cell] / volumes.primal(n - 1)[f], wide);
+            EXPECT_EQ(defects.degenerate[f], expected) << n << ", facet " << f;
+            EXPECT_EQ(defects.ratio(f), defects.defect[f] / sizes[f]);
+            inexact += expected && defects.defect[f] > 0 ? 1 : 0;
+        }
+        EXPECT_GT(inexact, 0);
+    }
 }
 
 TEST_P(Merges, never_remove_vertices) {

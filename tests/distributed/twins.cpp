@@ -31,14 +31,10 @@ TEST(BrokenTwin, owners_by_the_last_vertex_are_seen) {
 }
 
 /// The first element of the class of each.
-std::vector<Index> firsts(DisjointSets classes, Index size) {
-    std::vector<Index> of_root(static_cast<std::size_t>(size), -1), result;
-    for (Index i = 0; i < size; ++i) {
-        Index& first = of_root[static_cast<std::size_t>(classes.find(i).element)];
-        first = first < 0 ? i : first;
-        result.push_back(first);
-    }
-    return result;
+std::vector<Index> joined(Index size, const std::vector<FacetLink>& links, double tolerance) {
+    DisjointSets classes(size);
+    join_links(links, tolerance, classes);
+    return classes.firsts();
 }
 
 /// A chain of cells whose links tie: together they gather more than they may, some alone do not.
@@ -49,18 +45,18 @@ TEST(BrokenTwin, links_that_tie_and_are_joined_on_each_rank_alone_are_seen) {
     std::vector<FacetLink> all;
     for (Index t = 0; t + 1 < cells; ++t)
         all.push_back({t, t + 1, 0.5 * wide, 1});
-    const auto whole = firsts(join_links(cells, all, wide), cells);
+    const auto whole = joined(cells, all, wide);
     DisjointSets twin(cells);
     for (int r = 0; r < ranks.size(); ++r) {
         std::vector<FacetLink> own;
         for (const FacetLink& link : all)
             if (link.a % ranks.size() == r)
                 own.push_back(link);
-        const auto alone = firsts(join_links(cells, own, wide), cells);
+        const auto alone = joined(cells, own, wide);
         for (Index t = 0; t < cells; ++t)
             twin.join(t, alone[static_cast<std::size_t>(t)]);
     }
-    EXPECT_EQ(firsts(std::move(twin), cells) != whole, ranks.size() > 1);
+    EXPECT_EQ(twin.firsts() != whole, ranks.size() > 1);
 }
 
 /// Triangles to and fro between points of a circle, which are one cell.
