@@ -73,6 +73,15 @@ private:
     std::size_t size_ = 0; // pending bytes
 };
 
+/// Bytes as base64 text.
+inline std::string base64_text(std::span<const char> bytes) {
+    std::string text;
+    Base64Writer writer([&](std::string_view piece) { text += piece; });
+    writer.write(bytes);
+    writer.finish();
+    return text;
+}
+
 /// Decodes base64 text, any number of bytes at a time. Skips white space; texts may follow one
 /// another, each completed by its own =.
 class Base64Reader {

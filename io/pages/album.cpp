@@ -15,16 +15,20 @@ namespace polydec {
 
 namespace {
 
+/// The text in HTML after the first `open`, up to the next character that ends a text or attribute;
+/// empty if there is none.
+std::string text_after(std::string_view page, std::string_view open) {
+    const auto begin = page.find(open);
+    if (begin == std::string_view::npos)
+        return "";
+    const std::string_view rest = page.substr(begin + open.size());
+    return std::string(rest.substr(0, rest.find_first_of("<>\"'")));
+}
+
 /// The title of a page, in HTML; empty if the text is no page of ours.
 std::string title_of(std::string_view page) {
-    constexpr std::string_view open = "<title>", close = "</title>";
-    const auto begin = page.find(open), end = page.find(close);
-    const bool is_page = begin < end && end != std::string_view::npos &&
-                         page.find("id=\"page-header\"") != std::string_view::npos;
-    if (!is_page)
-        return "";
-    const std::string_view title = page.substr(begin + open.size(), end - begin - open.size());
-    return title.find_first_of("<>\"'") == std::string_view::npos ? std::string(title) : "";
+    return page.find("id=\"page-header\"") != std::string_view::npos ? text_after(page, "<title>")
+                                                                     : "";
 }
 
 } // namespace
@@ -38,7 +42,10 @@ std::string album_html(const std::string& title, const std::vector<std::string>&
         if (name.empty())
             throw InvalidInput(fmt::format(
                 "page {} of an album was not written by polydec; write it with write_page", i));
-        links += fmt::format("\n<a id=\"to-{0}\" href=\"#page-{0}\">{1}</a>", i, name);
+        links += fmt::format("\n<a id=\"to-{0}\" href=\"#page-{0}\"><img alt=\"\" src=\"{2}\">"
+                             "<span><strong>{1}</strong> {3}</span></a>",
+                             i, name, text_after(pages[i], "<link rel=\"icon\" href=\""),
+                             text_after(pages[i], "<meta name=\"description\" content=\""));
         chosen += fmt::format("body:has(#page-{0}:target) #to-{0} {{ font-weight: bold; }}\n", i);
         // the first one comes last, so that the choice of another can hide it
         sections.insert(0, fmt::format("\n<section id=\"page-{0}\"{1}><iframe title=\"{2}\" "

@@ -5,6 +5,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/proxy_vectors.h"
 #include "dec/fields/streamlines.h"
+#include "io/base64.h"
 #include "io/pages/film.h"
 #include "io/pages/page_header.h"
 #include "io/pages/page_template.h"
@@ -73,6 +74,11 @@ void add_flow(Page& page, PageArrows& arrows, const Discretization& mesh) {
     }
 }
 
+/// The address of a picture that a page holds itself.
+std::string address(const std::string& png) {
+    return png.empty() ? "data:," : "data:image/png;base64," + base64_text(png);
+}
+
 } // namespace
 
 void add_arrows(Page& page, const std::string& field, const Discretization& mesh,
@@ -101,8 +107,9 @@ std::string to_html(const Page& page) {
                         {"script", std::string(page_template("page.js"))},
                         {"title", html_text(text.title)},
                         {"command", command},
-                        {"still", header.still},
-                        {"caption", html_text(header.caption)},
+                        {"still", address(header.still.png)},
+                        {"thumbnail", address(header.still.thumbnail)},
+                        {"description", html_text(header.still.words)},
                         {"warnings", section_html("warnings", "Warnings", text.warnings)},
                         {"notes", section_html("notes", "About this page", header.notes)},
                         {"facts", section_html("facts", "What is shown", text.facts)},

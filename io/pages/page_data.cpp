@@ -79,12 +79,7 @@ void PageData::add_rounded(std::string_view name, const Eigen::Ref<const DenseMa
 }
 
 std::string PageData::text() const {
-    std::string text;
-    Base64Writer writer([&](std::string_view piece) { text += piece; });
-    const std::string stream = deflate(bytes_);
-    writer.write(std::span<const char>(stream));
-    writer.finish();
-    return text;
+    return base64_text(deflate(bytes_));
 }
 
 } // namespace polydec

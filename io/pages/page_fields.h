@@ -3,6 +3,7 @@
 
 #include "complex/cell_complex.h"
 #include "io/pages/page.h"
+#include "io/pages/page_faces.h"
 
 #include <array>
 #include <cstddef>
@@ -40,6 +41,14 @@ std::string unit_in(const std::string& about);
 /// on edges or faces without a complex or of a wrong number; and, naming the step, if steps have
 /// other fields or vectors.
 std::vector<PageField> page_fields(const Page& page, int dimension, const CellComplex* complex);
+
+/// What a page shows: the faces of its mesh or else of its grid, and all its fields. Throws
+/// InvalidInput like page_faces and page_fields.
+struct PageContent {
+    PageFaces faces;
+    std::vector<PageField> fields;
+};
+PageContent page_content(const Page& page);
 
 /// The field that is seen first: the one that the page names; if it and some that follow are
 /// constant, the first one that is not. Null if the page shows no field.

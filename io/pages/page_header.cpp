@@ -6,10 +6,9 @@
 #include "dec/glued_box.h"
 #include "io/pages/first_view.h"
 #include "io/pages/page_data.h"
-#include "io/pages/page_faces.h"
 #include "io/pages/page_fields.h"
 #include "io/pages/page_text.h"
-#include "io/pages/still_picture.h"
+#include "io/pages/still.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_solid.h"
 #include "io/pictures/upright_view.h"
@@ -60,14 +59,9 @@ public:
         check_grid("a page", page.grid);
         if (page.mesh && grid_dimension(page.grid) < page.mesh->dimension())
             own_ = draw_cells(*page.mesh, 0);
-        if (page.mesh) {
-            const Merging cells = drawn_cells(*page.mesh);
-            faces_ = page_faces(cells);
-            all_ = page_fields(page, faces_.dimension, &cells.merged());
-        } else {
-            faces_ = page_faces(page.grid, page.groups);
-            all_ = page_fields(page, faces_.dimension, nullptr);
-        }
+        PageContent shown = page_content(page);
+        faces_ = std::move(shown.faces);
+        all_ = std::move(shown.fields);
         first_ = first_field(page, all_);
         step_ = opening_step(page, first_);
     }
@@ -94,10 +88,8 @@ public:
             maps(), json_array(fields_), shown_, steps(), step_, json_array(arrows_),
             data_.directory());
         header.data = data_.text();
-        header.still = still();
-        if (is_still_colored() && faces_.dimension > 1)
-            header.caption =
-                fmt::format("Colors: {}. ", strength_ ? strength_->name : first_->array->name);
+        if (faces_.size() > 0)
+            header.still = still_view(page_);
         header.notes = std::move(notes_);
         return header;
     }
@@ -108,23 +100,6 @@ private:
     bool has_place(std::string_view place) const {
         return std::any_of(all_.begin(), all_.end(),
                            [&](const PageField& field) { return field.place == place; });
-    }
-
-    bool is_still_colored() const {
-        return strength_ || (!own_ && first_ != nullptr && first_->list != &PageStep::field_data);
-    }
-
-    std::string still() const {
-        if (strength_ || !is_still_colored())
-            return still_picture(cells(), faces_, strength_ ? &*strength_ : nullptr, up_);
-        if (page_.steps.empty())
-            return still_picture(page_.grid, faces_, first_->array, up_);
-        VtuGrid grid = page_.grid;
-        grid.point_data = page_.steps[step_].point_data;
-        grid.cell_data = page_.steps[step_].cell_data;
-        const bool at_points = first_->list == &PageStep::point_data;
-        return still_picture(grid, faces_,
-                             &(at_points ? grid.point_data : grid.cell_data)[first_->number], up_);
     }
 
     /// For each axis upwards, the direction to the eye.
@@ -261,8 +236,6 @@ private:
             add_values(page_.steps.empty() ? fmt::format("sizes{}", i)
                                            : fmt::format("sizes{}.{}", i, s),
                        lengths[s]);
-        if (first_ != nullptr && first_->array->name == arrows.field)
-            strength_ = lengths[step_];
         return fmt::format(",\"scale\":{}", color_scale(range_of(lengths)));
     }
 
@@ -310,7 +283,6 @@ private:
     const PageField* first_ = nullptr;
     std::size_t step_ = 0; ///< the one that is seen first
     PageFaces faces_;
-    std::optional<VtuArray> strength_; ///< lengths of the vectors of the field shown first
     std::array<double, 3> origin_{};
     PageData data_;
     std::vector<std::string> fields_, arrows_, notes_;

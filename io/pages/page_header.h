@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/pages/page.h"
+#include "io/pages/still.h"
 
 #include <string>
 #include <vector>
@@ -12,8 +13,7 @@ namespace polydec {
 struct PageHeader {
     std::string json;
     std::string data;
-    std::string still;                   ///< an SVG picture
-    std::string caption = {};            ///< meaning of its colors; may be empty
+    StillView still;                     ///< empty texts for points alone
     std::vector<std::string> notes = {}; ///< omissions and rounding
 };
 

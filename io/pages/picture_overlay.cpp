@@ -5,7 +5,7 @@
 
 namespace polydec {
 
-void add_arrow(PictureOverlay& overlay, SvgPoint from, SvgPoint to, double width, Rgb color) {
+void add_arrow(PictureOverlay& overlay, SvgPoint from, SvgPoint to, double width, Color color) {
     const double x = to[0] - from[0], y = to[1] - from[1], head = 0.32;
     const auto barb = [&](double side) {
         return SvgPoint{to[0] - head * (x + side * y), to[1] - head * (y - side * x)};

@@ -14,18 +14,18 @@ struct PictureOverlay {
     struct Stroke {
         std::vector<SvgPoint> points;
         double width;
-        Rgb color;
+        Color color;
     };
     struct Box {
         SvgBox box;
-        Rgb color;
+        Color color;
     };
     struct Label {
         SvgPoint at;
         std::string text;
         double size;
         SvgAnchor anchor;
-        Rgb color;
+        Color color;
     };
     std::vector<Stroke> strokes = {};
     std::vector<Box> boxes = {};
@@ -33,7 +33,7 @@ struct PictureOverlay {
 };
 
 /// A line with two short ones at its end.
-void add_arrow(PictureOverlay& overlay, SvgPoint from, SvgPoint to, double width, Rgb color);
+void add_arrow(PictureOverlay& overlay, SvgPoint from, SvgPoint to, double width, Color color);
 
 /// The text, without its end if it is longer than this many pixels.
 std::string shortened(const std::string& text, double size, double most);

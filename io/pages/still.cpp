@@ -21,8 +21,8 @@ namespace {
 constexpr int picture_width = 1280, picture_height = 800;
 constexpr std::size_t most_svg_triangles = 4000, most_cells_with_edges = 2000;
 constexpr double margin = 24;
-constexpr Rgb plain{0xe4, 0xe9, 0xef}, ink{0x22, 0x22, 0x22}, gray{0x66, 0x66, 0x66};
-constexpr Rgb edge{0x44, 0x44, 0x44};
+constexpr Color plain{0xe4, 0xe9, 0xef}, ink{0x22, 0x22, 0x22}, gray{0x66, 0x66, 0x66};
+constexpr Color edge{0x44, 0x44, 0x44};
 
 std::string number_text(double value) {
     return fmt::format("{:.4g}", value);
@@ -79,18 +79,21 @@ SvgBox frame_of(const StillScenes& scenes) {
 class StillPictures {
 public:
     explicit StillPictures(const StillScenes& scenes)
-        : scenes_(scenes), projection_(scenes, frame_of(scenes)) {
+        : scenes_(scenes),
+          projection_(scenes, frame_of(scenes)),
+          is_flat_(is_flat(scenes.page().grid.points)) {
         if (scenes.range())
             map_ = fine_map(scenes.range()->map);
     }
 
-    std::string png(std::size_t step) const {
+    StillView view(std::size_t step) const {
         const StillScene scene = scenes_.at(step);
         const SurfacePainter painter = painted(scene);
         Raster raster = painter.picture();
         draw(raster, lines(scene, painter));
+        std::string thumbnail = raster.reduced(8).to_png();
         draw(raster, overlay(scene, painter));
-        return raster.to_png();
+        return {raster.to_png(), std::move(thumbnail), words(scene)};
     }
 
     std::string svg(std::size_t step) const {
@@ -123,7 +126,7 @@ private:
             for (std::size_t i = 0; i < 3; ++i)
                 (*seen.parts)[i] = scenes_.part(scene.values[3 * t + i]);
         }
-        if (!is_flat(scenes_.page().grid.points))
+        if (!is_flat_)
             seen.brightness = brightness((seen.corners[1] - seen.corners[0])
                                              .cross(seen.corners[2] - seen.corners[0])
                                              .cwiseProduct(Place(1, -1, 1)));
@@ -162,7 +165,7 @@ private:
             const auto& points = scenes_.points();
             const Place a = projection_(points.row(scenes_.corners()[i]).transpose());
             const Place b = projection_(points.row(scenes_.corners()[i + 1]).transpose());
-            Rgb color = ink;
+            Color color = ink;
             if (!scene.values.empty())
                 color = painter.color(scenes_.part(scene.values[i] / 2 + scene.values[i + 1] / 2));
             strokes.push_back({a[2] + b[2], {{on_paper(a), on_paper(b)}, 3, color}});
@@ -239,6 +242,24 @@ private:
             add_arrow(result, on_paper(at - half), on_paper(at + half), 1.4, ink);
     }
 
+    /// The name of the values, with what is known about them.
+    std::string legend() const {
+        const auto& about = scenes_.about();
+        return about.empty() ? scenes_.name() : scenes_.name() + ": " + about;
+    }
+
+    std::string words(const StillScene& scene) const {
+        if (!scenes_.range())
+            return fmt::format("The mesh: {} cells.", scenes_.cells());
+        const auto& [map, low, high, is_constant] = *scenes_.range();
+        return fmt::format("Colors show {}, {}{}{}.", legend(),
+                           is_constant
+                               ? "everywhere " + number_text(high)
+                               : fmt::format("from {} to {}", number_text(low), number_text(high)),
+                           scene.vectors.rows() > 0 ? "; arrows show its direction" : "",
+                           scene.time.empty() ? "" : fmt::format(", at t = {}", scene.time));
+    }
+
     void add_head(PictureOverlay& result, const StillScene& scene) const {
         const std::string time = scene.time.empty() ? "" : "t = " + scene.time;
         const double room = picture_width - 3 * margin - svg_text_width(time, 20);
@@ -268,10 +289,8 @@ private:
                                          15,
                                          SvgAnchor::middle,
                                          ink});
-        const auto& about = scenes_.about();
-        const std::string text = about.empty() ? scenes_.name() : scenes_.name() + ": " + about;
         result.labels.push_back({{picture_width / 2.0, picture_height - 62.0},
-                                 shortened(text, 16, picture_width - 2 * margin),
+                                 shortened(legend(), 16, picture_width - 2 * margin),
                                  16,
                                  SvgAnchor::middle,
                                  ink});
@@ -281,7 +300,7 @@ private:
     struct Piece {
         double nearness;
         std::vector<SvgPoint> corners;
-        Rgb color;
+        Color color;
         std::vector<PictureOverlay::Stroke> lines;
     };
 
@@ -345,14 +364,19 @@ private:
 
     const StillScenes& scenes_;
     Projection projection_;
-    std::vector<Rgb> map_;
+    bool is_flat_;
+    std::vector<Color> map_;
 };
 
 } // namespace
 
-std::string to_png(const Page& page) {
+StillView still_view(const Page& page) {
     const StillScenes scenes(page);
-    return StillPictures(scenes).png(scenes.opening());
+    return StillPictures(scenes).view(scenes.opening());
+}
+
+std::string to_png(const Page& page) {
+    return still_view(page).png;
 }
 
 std::string to_svg(const Page& page) {
@@ -364,7 +388,7 @@ void draw_steps(const Page& page, const std::function<void(const std::string& pn
     const StillScenes scenes(page);
     const StillPictures pictures(scenes);
     for (std::size_t step = 0; step < scenes.size(); ++step)
-        take(pictures.png(step));
+        take(pictures.view(step).png);
 }
 
 } // namespace polydec

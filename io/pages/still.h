@@ -14,8 +14,16 @@ namespace polydec {
 /// 2000 cells. Throws InvalidInput like to_html, and without lines or faces.
 std::string to_png(const Page& page);
 
-/// The same as SVG: up to 4000 triangles as polygons, painted from far to near; above, it contains
-/// the PNG picture of the surface.
+/// The same for who looks through many pages.
+struct StillView {
+    std::string png;
+    std::string thumbnail; ///< PNG, an eighth of the size, without text
+    std::string words;     ///< a sentence: what colors and arrows show
+};
+StillView still_view(const Page& page);
+
+/// The same as to_png, as SVG: up to 4000 triangles as polygons, painted from far to near; above,
+/// it contains the PNG picture of the surface.
 std::string to_svg(const Page& page);
 
 /// The PNG pictures of all steps, one after the other, in colors of one range.

@@ -2,10 +2,10 @@
 #include "io/pages/still_scene.h"
 
 #include "base/errors.h"
-#include "io/pictures/draw_cells.h"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace polydec {
 
@@ -21,15 +21,8 @@ Points in_space(const Points& points) {
 
 StillScenes::StillScenes(const Page& page) : page_(page), points_(in_space(page.grid.points)) {
     check_grid("a picture", page.grid);
-    PageFaces faces;
-    if (page.mesh) {
-        const Merging cells = drawn_cells(*page.mesh);
-        faces = page_faces(cells);
-        fields_ = page_fields(page, faces.dimension, &cells.merged());
-    } else {
-        faces = page_faces(page.grid, page.groups);
-        fields_ = page_fields(page, faces.dimension, nullptr);
-    }
+    auto [faces, fields] = page_content(page);
+    fields_ = std::move(fields);
     if (faces.size() == 0)
         throw InvalidInput("a picture needs lines or faces, and this page has only points: write a "
                            ".vtu file");

@@ -15,7 +15,7 @@ constexpr float nothing = -std::numeric_limits<float>::infinity();
 constexpr double near_enough = 4; ///< pixels
 
 /// The color of the line at a place with these distances from the sides, if one is there.
-const Rgb* line_at(const SeenTriangle& triangle, const Eigen::Vector3d& distances) {
+const Color* line_at(const SeenTriangle& triangle, const Eigen::Vector3d& distances) {
     for (int side = 0; side < 3; ++side) {
         const auto& line = triangle.sides[side];
         if (line && distances[(side + 2) % 3] < triangle.side_width)
@@ -26,15 +26,15 @@ const Rgb* line_at(const SeenTriangle& triangle, const Eigen::Vector3d& distance
 
 } // namespace
 
-std::vector<Rgb> fine_map(ColorMap map) {
+std::vector<Color> fine_map(ColorMap map) {
     constexpr int size = 1025;
-    std::vector<Rgb> colors;
+    std::vector<Color> colors;
     for (int i = 0; i < size; ++i)
-        colors.push_back(rgb_of(color_at(map, static_cast<double>(i) / (size - 1))));
+        colors.push_back(color_of(color_at(map, static_cast<double>(i) / (size - 1))));
     return colors;
 }
 
-SurfacePainter::SurfacePainter(int width, int height, std::vector<Rgb> map, Rgb plain)
+SurfacePainter::SurfacePainter(int width, int height, std::vector<Color> map, Color plain)
     : map_(std::move(map)),
       plain_(plain),
       samples_(factor * width, factor * height),
@@ -42,20 +42,18 @@ SurfacePainter::SurfacePainter(int width, int height, std::vector<Rgb> map, Rgb 
                     static_cast<std::size_t>(samples_.height()),
                 nothing) {}
 
-Rgb SurfacePainter::color(double part) const {
+Color SurfacePainter::color(double part) const {
     if (map_.empty())
         return plain_;
     const double at = std::clamp(part, 0.0, 1.0) * static_cast<double>(map_.size() - 1);
     return map_[static_cast<std::size_t>(std::lround(at))];
 }
 
-Rgb SurfacePainter::color(const SeenTriangle& triangle, const Eigen::Vector3d& weights) const {
-    Rgb result = plain_;
+Color SurfacePainter::color(const SeenTriangle& triangle, const Eigen::Vector3d& weights) const {
+    Color result = plain_;
     if (triangle.parts)
         result = color(weights.dot(Eigen::Vector3d(triangle.parts->data())));
-    for (auto& part : result)
-        part = static_cast<std::uint8_t>(std::lround(triangle.brightness * part));
-    return result;
+    return darker(result, triangle.brightness);
 }
 
 void SurfacePainter::paint(const SeenTriangle& triangle) {
@@ -96,7 +94,7 @@ void SurfacePainter::paint(const SeenTriangle& triangle) {
             if (nearness <= known)
                 continue;
             known = nearness;
-            const Rgb* line = line_at(triangle, weights.cwiseProduct(heights));
+            const Color* line = line_at(triangle, weights.cwiseProduct(heights));
             samples_.set(x, y, line != nullptr ? *line : color(triangle, weights));
         }
 }

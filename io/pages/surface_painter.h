@@ -16,7 +16,7 @@ struct SeenTriangle {
     std::optional<std::array<double, 3>> parts = {}; ///< of the corners on the color map
     double brightness = 1;
     /// Lines on the sides, from corner i to the next.
-    std::array<std::optional<Rgb>, 3> sides = {};
+    std::array<std::optional<Color>, 3> sides = {};
     double side_width = 0.7; ///< half the width of these lines, pixels
 };
 
@@ -25,7 +25,7 @@ struct SeenTriangle {
 class SurfacePainter {
 public:
     /// Values have the colors of this map, other triangles the plain color.
-    SurfacePainter(int width, int height, std::vector<Rgb> map, Rgb plain);
+    SurfacePainter(int width, int height, std::vector<Color> map, Color plain);
 
     void paint(const SeenTriangle& triangle);
 
@@ -36,21 +36,21 @@ public:
     bool shows(const Eigen::Vector3d& point) const;
 
     /// A number from 0 to 1 as a color of the map.
-    Rgb color(double part) const;
+    Color color(double part) const;
 
     /// Of a place in a triangle, by its barycentric coordinates, without lines.
-    Rgb color(const SeenTriangle& triangle, const Eigen::Vector3d& weights) const;
+    Color color(const SeenTriangle& triangle, const Eigen::Vector3d& weights) const;
 
 private:
     static constexpr int factor = 2;
 
-    std::vector<Rgb> map_;
-    Rgb plain_;
+    std::vector<Color> map_;
+    Color plain_;
     Raster samples_;
     std::vector<float> nearness_; ///< of each sample
 };
 
 /// The colors of a map at so many places that steps between them are not seen.
-std::vector<Rgb> fine_map(ColorMap map);
+std::vector<Color> fine_map(ColorMap map);
 
 } // namespace polydec

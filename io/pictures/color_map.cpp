@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <span>
 
@@ -22,8 +23,20 @@ const Color diverging_colors[] = {{13, 59, 112},   {49, 125, 180}, {157, 202, 22
 } // namespace
 
 std::string color_text(const Color& color) {
-    const auto part = [&](int i) { return static_cast<int>(std::lround(color[i])); };
-    return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
+    return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
+}
+
+Color color_of(std::string_view text) {
+    Color color{};
+    for (std::size_t i = 0; i < 3; ++i)
+        std::from_chars(text.data() + 1 + 2 * i, text.data() + 3 + 2 * i, color[i], 16);
+    return color;
+}
+
+Color darker(Color color, double brightness) {
+    for (auto& part : color)
+        part = static_cast<std::uint8_t>(std::lround(brightness * part));
+    return color;
 }
 
 ColorRange color_range(double low, double high) {
@@ -44,7 +57,11 @@ std::string color_at(ColorMap map, double t) {
     const double at = std::clamp(t, 0.0, 1.0) * static_cast<double>(colors.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(at), colors.size() - 2);
     const double part = at - static_cast<double>(i);
-    return color_text((1 - part) * colors[i] + part * colors[i + 1]);
+    Color mixed{};
+    for (std::size_t c = 0; c < 3; ++c)
+        mixed[c] = static_cast<std::uint8_t>(
+            std::lround((1 - part) * colors[i][c] + part * colors[i + 1][c]));
+    return color_text(mixed);
 }
 
 } // namespace polydec

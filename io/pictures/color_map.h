@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-
+#include <array>
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace polydec {
 
 /// Red, green and blue from 0 to 255.
-using Color = Eigen::Vector3d;
+using Color = std::array<std::uint8_t, 3>;
 
-/// The color as "#rrggbb".
+/// The color as "#rrggbb", and that of such a text.
 std::string color_text(const Color& color);
+Color color_of(std::string_view text);
+
+/// All three parts times a brightness from 0 to 1, rounded.
+Color darker(Color color, double brightness);
 
 /// Color maps that are safe for color blindness.
 enum class ColorMap {

@@ -138,13 +138,6 @@ std::vector<Index> order_of(const SolidFaces& faces, const Frame& frame) {
     return order;
 }
 
-Color color_of(const std::string& text) {
-    Color color;
-    for (int i = 0; i < 3; ++i)
-        color[i] = std::stoi(text.substr(1 + 2 * i, 2), nullptr, 16);
-    return color;
-}
-
 /// Values to colors.
 struct ColorScale {
     ColorMap map;
@@ -344,7 +337,8 @@ SvgDrawing draw_solid(const SolidFaces& faces, const SolidView& view) {
         std::string fill = scale ? (*scale)(faces.values[f]) : view.plain;
         if (!faces.fills.empty() && !faces.fills[f].empty())
             fill = faces.fills[f];
-        fill = color_text(brightness(frame.parts(normal_of(faces.polygons, f))) * color_of(fill));
+        fill = color_text(
+            darker(color_of(fill), brightness(frame.parts(normal_of(faces.polygons, f)))));
         // without lines a thin one of the same color closes the seams
         SvgPolygon polygon{{}, {.stroke = fill, .fill = fill, .width = 0.4}};
         if (view.line != "none")

@@ -2,11 +2,9 @@
 #include "io/pictures/raster.h"
 
 #include "io/deflate.h"
-#include "io/pictures/color_map.h"
 #include "io/pictures/stroke_font.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <zlib.h>
 
@@ -44,23 +42,12 @@ int clipped(double place, int end) {
 
 } // namespace
 
-Rgb rgb_of(std::string_view text) {
-    Rgb color{};
-    for (std::size_t i = 0; i < 3; ++i)
-        std::from_chars(text.data() + 1 + 2 * i, text.data() + 3 + 2 * i, color[i], 16);
-    return color;
-}
-
-std::string color_text(Rgb color) {
-    return color_text(Color(color[0], color[1], color[2]));
-}
-
-Raster::Raster(int width, int height, Rgb ground)
+Raster::Raster(int width, int height, Color ground)
     : width_(width),
       height_(height),
       pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), ground) {}
 
-void Raster::stroke(SvgPoint from, SvgPoint to, double width, Rgb color) {
+void Raster::stroke(SvgPoint from, SvgPoint to, double width, Color color) {
     const double reach = width / 2 + 1;
     const int left = clipped(std::min(from[0], to[0]) - reach, width_);
     const int right = clipped(std::max(from[0], to[0]) + reach + 1, width_);
@@ -70,14 +57,14 @@ void Raster::stroke(SvgPoint from, SvgPoint to, double width, Rgb color) {
         for (int x = left; x < right; ++x) {
             const double d = distance(x + 0.5, y + 0.5, from, to);
             const double cover = std::clamp(width / 2 + 0.5 - d, 0.0, 1.0);
-            Rgb& pixel = pixels_[place(x, y)];
+            Color& pixel = pixels_[place(x, y)];
             for (std::size_t i = 0; i < 3; ++i)
                 pixel[i] = static_cast<std::uint8_t>(
                     std::lround(pixel[i] + cover * (color[i] - pixel[i])));
         }
 }
 
-void Raster::fill(const SvgBox& box, Rgb color) {
+void Raster::fill(const SvgBox& box, Color color) {
     const int right = clipped(std::ceil(box.right - 0.5), width_);
     const int bottom = clipped(std::ceil(box.bottom - 0.5), height_);
     for (int y = clipped(std::ceil(box.top - 0.5), height_); y < bottom; ++y)
@@ -85,7 +72,7 @@ void Raster::fill(const SvgBox& box, Rgb color) {
             set(x, y, color);
 }
 
-void Raster::text(SvgPoint at, std::string_view text, double size, SvgAnchor anchor, Rgb color) {
+void Raster::text(SvgPoint at, std::string_view text, double size, SvgAnchor anchor, Color color) {
     const double advance = svg_text_width("m", size), width = svg_text_width(text, size);
     const double across = 0.1 * size, up = 0.12 * size, thick = 0.085 * size;
     double x = at[0] - (anchor == SvgAnchor::end      ? width
@@ -117,11 +104,11 @@ Raster Raster::reduced(int factor) const {
         for (int x = 0; x < result.width_; ++x) {
             std::array<int, 3> sums{};
             for (int part = 0; part < count; ++part) {
-                const Rgb color = at(factor * x + part % factor, factor * y + part / factor);
+                const Color color = at(factor * x + part % factor, factor * y + part / factor);
                 for (std::size_t i = 0; i < 3; ++i)
                     sums[i] += color[i];
             }
-            Rgb& pixel = result.pixels_[result.place(x, y)];
+            Color& pixel = result.pixels_[result.place(x, y)];
             for (std::size_t i = 0; i < 3; ++i)
                 pixel[i] = static_cast<std::uint8_t>((sums[i] + count / 2) / count);
         }

@@ -1,43 +1,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/pictures/color_map.h"
 #include "io/pictures/svg_layout.h"
 
-#include <array>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace polydec {
 
-/// Red, green and blue.
-using Rgb = std::array<std::uint8_t, 3>;
-
-/// The color "#rrggbb".
-Rgb rgb_of(std::string_view text);
-std::string color_text(Rgb color);
-
 /// An image of opaque pixels, rows from the top. Pixel (i, j) covers [i, i+1] x [j, j+1]. What lies
 /// outside the image is clipped.
 class Raster {
 public:
-    Raster(int width, int height, Rgb ground = {255, 255, 255});
+    Raster(int width, int height, Color ground = {255, 255, 255});
 
     int width() const { return width_; }
     int height() const { return height_; }
-    Rgb at(int x, int y) const { return pixels_[place(x, y)]; }
-    void set(int x, int y, Rgb color) { pixels_[place(x, y)] = color; }
+    Color at(int x, int y) const { return pixels_[place(x, y)]; }
+    void set(int x, int y, Color color) { pixels_[place(x, y)] = color; }
 
     /// A line with round ends. Pixels partly covered are mixed.
-    void stroke(SvgPoint from, SvgPoint to, double width, Rgb color);
+    void stroke(SvgPoint from, SvgPoint to, double width, Color color);
 
     /// All pixels whose center is in the box.
-    void fill(const SvgBox& box, Rgb color);
+    void fill(const SvgBox& box, Color color);
 
     /// Text in an own font of strokes for ASCII, as wide as svg_text_width; other characters become
     /// question marks. `anchor` is the place of the point on the baseline.
-    void text(SvgPoint at, std::string_view text, double size, SvgAnchor anchor, Rgb color);
+    void text(SvgPoint at, std::string_view text, double size, SvgAnchor anchor, Color color);
 
     /// Means of squares of so many pixels a side, which divides both sizes.
     Raster reduced(int factor) const;
@@ -52,7 +44,7 @@ private:
     }
 
     int width_, height_;
-    std::vector<Rgb> pixels_;
+    std::vector<Color> pixels_;
 };
 
 } // namespace polydec

@@ -79,12 +79,9 @@ void SvgCanvas::circle(SvgPoint center, double radius, const SvgStyle& style) {
 
 void SvgCanvas::image(SvgPoint left_top, double width, double height, std::string_view png) {
     text_ += fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
-                         "href=\"data:image/png;base64,",
-                         pixels(left_top[0]), pixels(left_top[1]), pixels(width), pixels(height));
-    Base64Writer writer([this](std::string_view text) { text_ += text; });
-    writer.write(std::span<const char>(png.data(), png.size()));
-    writer.finish();
-    text_ += "\"/>\n";
+                         "href=\"data:image/png;base64,{}\"/>\n",
+                         pixels(left_top[0]), pixels(left_top[1]), pixels(width), pixels(height),
+                         base64_text(png));
 }
 
 void SvgCanvas::text(SvgPoint at, std::string_view text, const SvgLabel& label) {

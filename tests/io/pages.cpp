@@ -199,7 +199,9 @@ TEST(Pages, AreBoundIntoAnAlbum) {
     EXPECT_EQ(count_of(album, "<iframe"), 2U);
     EXPECT_EQ(count_of(album, "<script"), 0U) << "they stand in attributes, as text";
     EXPECT_EQ(count_of(album, "srcdoc=\"" + xml_escaped(pages[1]) + "\""), 1U);
-    EXPECT_EQ(count_of(album, "<a id=\"to-1\" href=\"#page-1\">b &lt;&amp;&quot;</a>"), 1U);
+    EXPECT_EQ(
+        count_of(album, "<a id=\"to-1\" href=\"#page-1\"><img alt=\"\" src=\"data:image/png;"), 1U);
+    EXPECT_EQ(count_of(album, "<strong>b &lt;&amp;&quot;</strong> The mesh: 2 cells."), 1U);
     EXPECT_TRUE(
         says(error_of([&] { album_html("none", {}); }), {"InvalidInput", "album", "pages"}));
     EXPECT_TRUE(says(error_of([&] {

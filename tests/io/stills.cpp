@@ -14,7 +14,7 @@ namespace polydec::test::in_stills {
 
 namespace {
 
-constexpr Rgb white{255, 255, 255}, gray{100, 100, 100};
+constexpr Color white{255, 255, 255}, gray{100, 100, 100};
 
 /// A triangle that covers a picture of this size, at one nearness.
 SeenTriangle cover(double size, double nearness) {
@@ -23,7 +23,7 @@ SeenTriangle cover(double size, double nearness) {
                         Eigen::Vector3d(-size, 4 * size, nearness)}};
 }
 
-int off(const Rgb& a, const Rgb& b) {
+int off(const Color& a, const Color& b) {
     int most = 0;
     for (std::size_t i = 0; i < 3; ++i)
         most = std::max(most, std::abs(a[i] - b[i]));
@@ -39,7 +39,7 @@ TEST(Stills, TheNearestTriangleIsSeenInAnyOrder) {
         SurfacePainter painter(10, 10, {}, gray);
         painter.paint(is_near_first ? near : far);
         painter.paint(is_near_first ? far : near);
-        EXPECT_EQ(painter.picture().at(5, 5), (Rgb{50, 50, 50}));
+        EXPECT_EQ(painter.picture().at(5, 5), (Color{50, 50, 50}));
         EXPECT_TRUE(painter.shows({5, 5, 2}));
         EXPECT_FALSE(painter.shows({5, 5, -20}));
     }
@@ -52,8 +52,8 @@ TEST(Stills, AValueHasTheColorOfItsPlaceOnTheMap) {
         SurfacePainter painter(40, 40, fine_map(map), gray);
         painter.paint(triangle);
         for (const int x : {0, 7, 20, 39})
-            EXPECT_LE(off(painter.picture().at(x, 11), rgb_of(color_at(map, (x + 0.5 + 40) / 200))),
-                      2);
+            EXPECT_LE(
+                off(painter.picture().at(x, 11), color_of(color_at(map, (x + 0.5 + 40) / 200))), 2);
     }
 }
 
@@ -71,11 +71,11 @@ TEST(Stills, SidesHaveLinesInside) {
     triangle.corners[0] = {0, 0, 0};
     triangle.corners[1] = {40, 0, 0};
     triangle.corners[2] = {0, 40, 0};
-    triangle.sides[0] = Rgb{0, 0, 0};
+    triangle.sides[0] = Color{0, 0, 0};
     triangle.side_width = 2;
     SurfacePainter painter(10, 10, {}, gray);
     painter.paint(triangle);
-    EXPECT_EQ(painter.picture().at(5, 1), (Rgb{0, 0, 0}));
+    EXPECT_EQ(painter.picture().at(5, 1), (Color{0, 0, 0}));
     EXPECT_EQ(painter.picture().at(5, 2), gray);
     EXPECT_EQ(painter.picture().at(0, 5), gray);
 }
