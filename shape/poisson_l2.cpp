@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace polydec {
 
@@ -105,36 +106,26 @@ private:
     Vector sizes_, counts_;
 };
 
-/// Numbers of the unknowns of a system but one of each free component.
-std::vector<Index> without_constants(const PoissonForms::System& system) {
-    std::vector<Index> places(system.K.rows(), 0);
-    for (Eigen::Index j = 0; j < system.kernel.cols(); ++j) {
-        Eigen::Index pinned = 0;
-        system.kernel.col(j).maxCoeff(&pinned);
-        places[pinned] = -1;
-    }
-    Index count = 0;
-    for (Index& place : places)
-        place = place < 0 ? -1 : count++;
-    return places;
-}
-
-Index count_of(const std::vector<Index>& places) {
-    Index count = 0;
-    for (const Index place : places)
-        count = std::max(count, place + 1);
-    return count;
-}
-
-/// Whether k^2 is proved: as many negative eigenvalues as functions at vertices, and as many as
-/// components where constants are free, whose means are held down.
+/// Whether k^2 is proved: as many negative eigenvalues as functions at vertices.
+///
+/// Where constants are free, a function on facets is fixed to 0 at one of them, which leaves the
+/// energy of its answer to loads of mean 0 as it is. The constants at vertices are multipliers that
+/// keep the means of loads at 0.
 bool is_proved(const PoissonForms& forms, const SparseMatrix& on_facets,
                const SparseMatrix& on_vertices, double square, const std::string& engine) {
-    const auto facets = without_constants(forms.facets()),
-               vertices = without_constants(forms.vertices());
-    const Index m = forms.simplices(), first = count_of(facets), second = count_of(vertices);
-    const auto free = static_cast<Index>(forms.facets().kernel.cols());
-    Blocks blocks(m + first + second + free);
+    const Index m = forms.simplices();
+    std::vector<Index> facets(forms.facets().K.rows(), 0), vertices(forms.vertices().K.rows());
+    std::iota(vertices.begin(), vertices.end(), 0);
+    for (const auto& constant : forms.facets().kernel.colwise()) {
+        Eigen::Index fixed = 0;
+        constant.maxCoeff(&fixed);
+        facets[fixed] = -1;
+    }
+    Index first = 0;
+    for (Index& place : facets)
+        place = place < 0 ? -1 : first++;
+    const auto second = static_cast<Index>(vertices.size());
+    Blocks blocks(m + first + second);
     blocks.block(forms.facets().K, m, 1, facets);
     blocks.block(forms.vertices().K, m + first, -1, vertices);
     for (Index s = 0; s < m; ++s) {
@@ -151,21 +142,9 @@ bool is_proved(const PoissonForms& forms, const SparseMatrix& on_facets,
     };
     couple(on_facets, m, facets);
     couple(on_vertices, m + first, vertices);
-    for (Index component = 0; component < free; ++component) {
-        const Index row = m + first + second + component;
-        double sum = 0, most = 0;
-        for (Index s = 0; s < m; ++s)
-            if (forms.components()[s] == component) {
-                blocks.both(s, row, forms.volumes()[s]);
-                sum += forms.volumes()[s];
-                most = std::max(most, forms.volumes()[s] * forms.volumes()[s] / blocks.size(s));
-            }
-        const double weight = 1e-8 * sum / square; // any positive one is right
-        blocks.diagonal(row, -weight, std::max(weight, most));
-    }
     const auto negative =
         blocks.negative(engine, forms.dimension(), forms.facets().doubt + forms.vertices().doubt);
-    return negative && *negative == second + free;
+    return negative && *negative == second;
 }
 
 } // namespace

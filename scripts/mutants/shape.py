@@ -79,6 +79,8 @@ MUTANTS = {
     "l2_constant_too_small": ("shape/poisson_l2.cpp", "B.setFromTriplets(entries.begin(), entries.end());",
                               "B.setFromTriplets(entries.begin(), entries.end()); B *= 0.9;",
                               "PoissonError.of_L2_is_by_a_constant_a_little_above_the_least"),
+    "loads_of_any_mean": ("shape/poisson_l2.cpp", "facets[fixed] = -1;", "vertices[0] = facets[fixed] = -1;",
+                          "PoissonError.of_L2_is_by_a_constant_a_little_above_the_least"),
     "conditions_of_pieces": ("shape/shape.cpp", "= by_cell.facets[cell]", "= by_cell.facets[f % by_cell.facets.size()]",
                              "PoissonError.of_a_mesh_takes_what_the_solver_takes_also_on_merged_cells"),
     "path_ends_too_soon": ("shape/bisection.cpp", "next >= 0; next = longer_around(1, edge, edge)", "next >= 0; next = -1",
