@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace polydec {
 
@@ -60,7 +61,7 @@ private:
             values_[i] = values_[i - 1];
         }
         columns_[place] = column;
-        values_[place] = value;
+        values_[place] = value + 0.0; // -0 becomes 0
     }
 
     Index row_;
@@ -147,6 +148,61 @@ SparseMatrix gram(Index size, const Rows& A, const Transposed& transposed, const
     return product;
 }
 
+/// A cell with two faces, as an edge from one to the other; another cell has no first end.
+struct Edge {
+    Index first = -1, last = -1;
+    double sign = 1; ///< product of the signs of both ends
+};
+
+template <class Rows>
+Edge edge_of(const Rows& D, Index e) {
+    Edge edge;
+    Index ends = 0;
+    D.for_each(e, 1, [&](Index face, double sign) {
+        (ends++ == 0 ? edge.first : edge.last) = face;
+        edge.sign *= sign;
+    });
+    return ends == 2 ? edge : Edge();
+}
+
+/// D^T diag(weights) D in one pass, where room for rows has been made: the row of a vertex consists
+/// of the edges that end there, the vertex, and the edges that begin there. Returns whether rows
+/// are complete: whether the cells are edges in lexicographic order, as in every simplicial
+/// complex, and there is no more room (a relative complex counts edges that it does not have).
+template <class Rows>
+bool fill_from_edges(const Rows& D, Index edges, const Vector& weights, SparseMatrix& product) {
+    const Index* const begins = product.outerIndexPtr();
+    Index* const columns = product.innerIndexPtr();
+    double* const values = product.valuePtr();
+    std::vector<Index> next(begins, begins + product.rows());
+    Vector diagonal = Vector::Zero(product.rows());
+    Index e = 0;
+    for (Index v = 0; v < product.rows(); ++v) {
+        if (begins[v] == begins[v + 1])
+            continue;
+        const Index own = next[v];
+        Index place = own + 1;
+        double sum = diagonal[v];
+        for (Index last = v; e < edges; ++e) {
+            const Edge edge = edge_of(D, e);
+            if (edge.first != v || edge.last <= last)
+                break;
+            last = edge.last;
+            const Index across = next[last]++;
+            columns[place] = last;
+            columns[across] = v;
+            values[place++] = values[across] = edge.sign * weights[e] + 0.0;
+            sum += weights[e];
+            diagonal[last] += weights[e];
+        }
+        columns[own] = v;
+        values[own] = sum;
+        if (place != begins[v + 1])
+            return false;
+    }
+    return e == edges;
+}
+
 SignedRows rows_of(const IncidenceMatrix& A) {
     return {A.outerIndexPtr(), A.innerIndexPtr(), A.valuePtr()};
 }
@@ -162,10 +218,19 @@ SparseMatrix gram_of_rows(const Incidences& D, const Vector& weights) {
     return product;
 }
 
-SparseMatrix gram_of_columns(const Incidences& D, const Vector& weights) {
-    const IncidenceMatrix transposed = D.transposed();
-    SparseMatrix product;
+SparseMatrix gram_of_columns(const CellComplex& complex, int k, const Vector& weights) {
+    const Incidences& D = complex.incidences(k);
+    SparseMatrix product(D.cols(), D.cols());
     D.visit([&](const auto& rows) {
+        if (D.size() == 2 * D.rows()) {
+            const CofaceCounts& edges = complex.coface_counts(k);
+            for (Index v = 0; v < D.cols(); ++v)
+                product.outerIndexPtr()[v + 1] = edges[v] + (edges[v] > 0 ? 1 : 0);
+            make_room(product);
+            if (fill_from_edges(rows, D.rows(), weights, product))
+                return;
+        }
+        const IncidenceMatrix transposed = D.transposed();
         gram(D.cols(), rows_of(transposed), rows, weights).swap(product);
     });
     return product;

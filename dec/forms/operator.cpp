@@ -161,8 +161,8 @@ SparseMatrix Operator::matrix(const Product& product) {
         if (is_gram(product, i)) {
             const auto& [complex, k, transposed] = std::get<Derivative>(product[i]);
             const Vector& weights = *std::get<Weights>(product[i + 1]);
-            const Incidences& D = complex.incidences(k);
-            multiply(transposed ? gram_of_columns(D, weights) : gram_of_rows(D, weights));
+            multiply(transposed ? gram_of_columns(complex, k, weights)
+                                : gram_of_rows(complex.incidences(k), weights));
             i += 2;
         } else if (const auto* weights = std::get_if<Weights>(&product[i])) {
             if (begun)
@@ -176,6 +176,8 @@ SparseMatrix Operator::matrix(const Product& product) {
         identity.setIdentity();
         multiply(identity);
     }
+    if (product.size() > 3 || !is_gram(product, 0))
+        result.coeffs() += 0.0; // -0 becomes 0, as in the halves of a Laplacian
     return result;
 }
 
@@ -187,7 +189,6 @@ SparseMatrix Operator::matrix() const {
             sum_of(sum, term).swap(term);
         sum.swap(term);
     }
-    sum.coeffs() += 0.0; // -0 becomes 0
     return sum;
 }
 

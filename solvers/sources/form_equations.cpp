@@ -45,7 +45,7 @@ SparseMatrix upper_stiffness(const FormSpace& space, int k) {
         for (Index cell = 0; cell < weights.size(); ++cell)
             if (unknown(cell))
                 weights[cell] = 0;
-        A = gram_of_columns(complex.incidences(k), weights);
+        A = gram_of_columns(complex, k, weights);
     } else {
         SparseMatrix M = star.matrix();
         M.prune([&](Eigen::Index row, Eigen::Index column, double) {
