@@ -14,11 +14,11 @@ namespace polydec {
 /// 2000 cells. Throws InvalidInput like to_html, and without lines or faces.
 std::string to_png(const Page& page);
 
-/// The same for who looks through many pages.
+/// What a page carries for browsers without WebGL, and for albums. Throws like to_png.
 struct StillView {
-    std::string png;
+    std::string png;       ///< that of to_png
     std::string thumbnail; ///< PNG, an eighth of the size, without text
-    std::string words;     ///< a sentence: what colors and arrows show
+    std::string words;     ///< a sentence in English: what colors and arrows show
 };
 StillView still_view(const Page& page);
 
