@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/surface_painter.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,12 +12,17 @@ namespace {
 constexpr float nothing = -std::numeric_limits<float>::infinity();
 constexpr double near_enough = 4; ///< pixels
 
-/// The color of the line at a place with these distances from the sides, if one is there.
-const Color* line_at(const SeenTriangle& triangle, const Eigen::Vector3d& distances) {
-    for (int side = 0; side < 3; ++side) {
-        const auto& line = triangle.sides[side];
-        if (line && distances[(side + 2) % 3] < triangle.side_width)
-            return &*line;
+double mean(const SurfacePainter::Weights& values, const SurfacePainter::Weights& weights) {
+    return values[0] * weights[0] + values[1] * weights[1] + values[2] * weights[2];
+}
+
+/// The color of the line at a place of a triangle of these heights, if one is there.
+const Color* line_at(const SeenTriangle& triangle, const SurfacePainter::Weights& weights,
+                     const SurfacePainter::Weights& heights) {
+    for (std::size_t side = 0; side < 3; ++side) {
+        const std::size_t opposite = (side + 2) % 3;
+        if (triangle.sides[side] && weights[opposite] * heights[opposite] < triangle.side_width)
+            return &*triangle.sides[side];
     }
     return nullptr;
 }
@@ -38,9 +41,7 @@ SurfacePainter::SurfacePainter(int width, int height, std::vector<Color> map, Co
     : map_(std::move(map)),
       plain_(plain),
       samples_(factor * width, factor * height),
-      nearness_(static_cast<std::size_t>(samples_.width()) *
-                    static_cast<std::size_t>(samples_.height()),
-                nothing) {}
+      nearness_(place(0, samples_.height()), nothing) {}
 
 Color SurfacePainter::color(double part) const {
     if (map_.empty())
@@ -49,53 +50,54 @@ Color SurfacePainter::color(double part) const {
     return map_[static_cast<std::size_t>(std::lround(at))];
 }
 
-Color SurfacePainter::color(const SeenTriangle& triangle, const Eigen::Vector3d& weights) const {
-    Color result = plain_;
-    if (triangle.parts)
-        result = color(weights.dot(Eigen::Vector3d(triangle.parts->data())));
-    return darker(result, triangle.brightness);
+Color SurfacePainter::color(const SeenTriangle& triangle, const Weights& weights) const {
+    return darker(triangle.parts ? color(mean(*triangle.parts, weights)) : plain_,
+                  triangle.brightness);
 }
 
 void SurfacePainter::paint(const SeenTriangle& triangle) {
-    Eigen::Matrix3d p; // a column for each corner, in samples
-    for (int i = 0; i < 3; ++i)
-        p.col(i) = factor * triangle.corners[i];
-    const auto cross = [](double ax, double ay, double bx, double by) { return ax * by - ay * bx; };
-    const double area =
-        cross(p(0, 1) - p(0, 0), p(1, 1) - p(1, 0), p(0, 2) - p(0, 0), p(1, 2) - p(1, 0));
+    Weights x, y, nearness; // of the corners, in samples
+    for (std::size_t i = 0; i < 3; ++i) {
+        x[i] = factor * triangle.corners[i][0];
+        y[i] = factor * triangle.corners[i][1];
+        nearness[i] = factor * triangle.corners[i][2];
+    }
+    const double area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
     if (area == 0 || !std::isfinite(area))
         return; // seen from its side
 
-    Eigen::Vector3d heights; // over the sides opposite to the corners, in pixels
-    for (int i = 0; i < 3; ++i)
-        heights[i] =
-            std::abs(area) / (p.col((i + 1) % 3) - p.col((i + 2) % 3)).head(2).norm() / factor;
+    // The barycentric coordinates are linear in x and y. Neighbors compute the same number with
+    // the other sign for their common side, so that no sample between them is left out.
+    double constant[3], per_x[3], per_y[3];
+    Weights heights; // over the opposite sides, in pixels
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
+        constant[i] = (x[a] * y[b] - y[a] * x[b]) / area;
+        per_x[i] = (y[a] - y[b]) / area;
+        per_y[i] = (x[b] - x[a]) / area;
+        heights[i] = std::abs(area) / std::hypot(x[a] - x[b], y[a] - y[b]) / factor;
+    }
     const auto bound = [](double place, int end) {
         return static_cast<int>(std::clamp(std::ceil(place - 0.5), 0.0, static_cast<double>(end)));
     };
-    const int left = bound(p.row(0).minCoeff(), samples_.width());
-    const int right = bound(p.row(0).maxCoeff() + 1, samples_.width());
-    const int top = bound(p.row(1).minCoeff(), samples_.height());
-    const int bottom = bound(p.row(1).maxCoeff() + 1, samples_.height());
-    for (int y = top; y < bottom; ++y)
-        for (int x = left; x < right; ++x) {
-            Eigen::Vector3d weights;
-            for (int i = 0; i < 3; ++i) {
-                const auto a = p.col((i + 1) % 3), b = p.col((i + 2) % 3);
-                weights[i] =
-                    cross(a[0] - x - 0.5, a[1] - y - 0.5, b[0] - x - 0.5, b[1] - y - 0.5) / area;
-            }
-            if (weights.minCoeff() < 0)
+    const auto [left, right] = std::minmax({x[0], x[1], x[2]});
+    const auto [top, bottom] = std::minmax({y[0], y[1], y[2]});
+    const int x_end = bound(right + 1, samples_.width());
+    const int y_end = bound(bottom + 1, samples_.height());
+    for (int row = bound(top, samples_.height()); row < y_end; ++row)
+        for (int column = bound(left, samples_.width()); column < x_end; ++column) {
+            Weights weights;
+            for (std::size_t i = 0; i < 3; ++i)
+                weights[i] = constant[i] + per_x[i] * (column + 0.5) + per_y[i] * (row + 0.5);
+            if (weights[0] < 0 || weights[1] < 0 || weights[2] < 0)
                 continue;
-            const auto nearness = static_cast<float>(p.row(2).dot(weights));
-            float& known =
-                nearness_[static_cast<std::size_t>(y) * static_cast<std::size_t>(samples_.width()) +
-                          static_cast<std::size_t>(x)];
-            if (nearness <= known)
+            const auto near = static_cast<float>(mean(nearness, weights));
+            float& known = nearness_[place(column, row)];
+            if (near <= known)
                 continue;
-            known = nearness;
-            const Color* line = line_at(triangle, weights.cwiseProduct(heights));
-            samples_.set(x, y, line != nullptr ? *line : color(triangle, weights));
+            known = near;
+            const Color* line = line_at(triangle, weights, heights);
+            samples_.set(column, row, line != nullptr ? *line : color(triangle, weights));
         }
 }
 
@@ -103,9 +105,7 @@ bool SurfacePainter::shows(const Eigen::Vector3d& point) const {
     const double x = factor * point[0], y = factor * point[1];
     if (!(x >= 0 && y >= 0 && x < samples_.width() && y < samples_.height()))
         return false;
-    const float known =
-        nearness_[static_cast<std::size_t>(y) * static_cast<std::size_t>(samples_.width()) +
-                  static_cast<std::size_t>(x)];
+    const float known = nearness_[place(static_cast<int>(x), static_cast<int>(y))];
     return known != nothing && known <= factor * (point[2] + near_enough);
 }
 

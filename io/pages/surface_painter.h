@@ -4,6 +4,8 @@
 #include "io/pictures/color_map.h"
 #include "io/pictures/raster.h"
 
+#include <Eigen/Core>
+
 #include <array>
 #include <optional>
 #include <vector>
@@ -39,10 +41,16 @@ public:
     Color color(double part) const;
 
     /// Of a place in a triangle, by its barycentric coordinates, without lines.
-    Color color(const SeenTriangle& triangle, const Eigen::Vector3d& weights) const;
+    using Weights = std::array<double, 3>;
+    Color color(const SeenTriangle& triangle, const Weights& weights) const;
 
 private:
     static constexpr int factor = 2;
+
+    std::size_t place(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(samples_.width()) +
+               static_cast<std::size_t>(x);
+    }
 
     std::vector<Color> map_;
     Color plain_;

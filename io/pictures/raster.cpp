@@ -117,12 +117,16 @@ Raster Raster::reduced(int factor) const {
 
 std::string Raster::to_png() const {
     constexpr char up = 2; // each row is its difference from the row above
-    std::string rows;
-    for (int y = 0; y < height_; ++y) {
-        rows += up;
-        for (int x = 0; x < width_; ++x)
-            for (std::size_t i = 0; i < 3; ++i)
-                rows += static_cast<char>(at(x, y)[i] - (y > 0 ? at(x, y - 1)[i] : 0));
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(pixels_.data());
+    const std::size_t length = 3 * place(0, 1);
+    std::vector<std::uint8_t> above(length);
+    std::string rows(place(0, height_) * 3 + static_cast<std::size_t>(height_), up);
+    auto row = rows.begin();
+    for (int y = 0; y < height_; ++y, bytes += length) {
+        row = std::transform(
+            bytes, bytes + length, above.begin(), row + 1,
+            [](std::uint8_t own, std::uint8_t other) { return static_cast<char>(own - other); });
+        above.assign(bytes, bytes + length);
     }
     const std::string header = big_endian(static_cast<unsigned long>(width_)) +
                                big_endian(static_cast<unsigned long>(height_)) +
