@@ -37,6 +37,7 @@ constexpr std::array wordings{
     Wording{"WaveOptions::time_step", "--time-step"},
     Wording{"FlowSteps::time_step", "--time-step"},
     Wording{"set_memory_limit", "--max-memory"},
+    Wording{"shape_spectrum", "--of-shape"},
 };
 
 void replace_all(std::string& text, std::string_view what, std::string_view by) {

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace polydec::tools {
 
 namespace {
@@ -89,36 +87,6 @@ void ShapeCounts::write(Text& text) const {
         text("proved: {} eigenvalues of the shape lie below {:.8g}\n", number_in_words(counts[i]),
              below[i]);
     text("{:.2f} s\n", seconds);
-}
-
-double coarseness(const Discretization& mesh, double eigenvalue) {
-    if (mesh.dimension() != 2 || !(eigenvalue > 0))
-        return 0;
-    const Pieces& pieces = mesh.pieces();
-    const CellVolumes& volumes = mesh.geometry().volumes();
-    double squares = 0;
-    for (Index t = 0; t < pieces.size(2); ++t)
-        for (int i = 0; i < 3; ++i) {
-            const double length = volumes.primal(1)[pieces.face(2, t, i)] * mesh.unit();
-            squares += volumes.primal(2)[t] * length * length;
-        }
-    return eigenvalue * squares / volumes.primal(2).sum() / 24;
-}
-
-std::string advice_of_shape(const Discretization& mesh, const BoundaryConditions& conditions,
-                            int degree, double coarse) {
-    const auto& fixed = conditions.fixed_vertices;
-    const bool is_possible =
-        (degree == 0 || degree == mesh.dimension() || (degree == 1 && mesh.dimension() == 2)) &&
-        std::find(fixed.begin(), fixed.end(), true) == fixed.end();
-    if (!is_possible)
-        return {};
-    const std::string how_coarse =
-        coarse > 0.05
-            ? fmt::format("; this mesh is coarse for the last ones, which may be {:.0f} % off",
-                          100 * std::min(coarse, 1.0))
-            : "";
-    return "--of-shape encloses the eigenvalues of the shape itself" + how_coarse;
 }
 
 } // namespace polydec::tools

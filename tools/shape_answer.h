@@ -45,13 +45,4 @@ struct ShapeCounts : Answer {
     void write(Text& text) const override;
 };
 
-/// Estimated relative gap between the bounds of level 1 for this eigenvalue: from the mean
-/// enlargement of the mass of triangles, six times as much for squares. Not a bound.
-double coarseness(const Discretization& mesh, double eigenvalue);
-
-/// Advice that --of-shape gives more than eigenvalues of a mesh, and whether the mesh is coarse for
-/// them; empty if --of-shape does not apply. Side, degree and conditions describe the forms.
-std::string advice_of_shape(const Discretization& mesh, const BoundaryConditions& conditions,
-                            int degree, double coarse);
-
 } // namespace polydec::tools

@@ -142,9 +142,6 @@ void run_spectrum(SpectrumArguments arguments) {
     log.warn(result.warnings);
     Eigenvalues answer(result, space.in_words(), mesh.chosen_stars(), seconds.count());
     answer.resumed = resumed;
-    answer.coarse =
-        coarseness(mesh, result.eigenvalues.size() > 0 ? result.eigenvalues.maxCoeff() : 0);
-    answer.advice = advice_of_shape(mesh, space.conditions(), result.degree, answer.coarse);
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(arguments, mesh, answer, log);

@@ -5,6 +5,7 @@
 #include "io/pages/draw_page.h"
 #include "meshes/unit_of_length.h"
 #include "tools/common.h"
+#include "tools/messages.h"
 
 #include <fmt/format.h>
 
@@ -33,8 +34,8 @@ void Eigenvalues::write(JsonWriter& json) const {
     if (resumed)
         json.member("resumed_with", *resumed);
     json.member("conditions", conditions);
-    if (!advice.empty())
-        json.member("coarseness", coarse);
+    if (spectrum.coarseness)
+        json.member("coarseness", *spectrum.coarseness);
     write_stars(json, stars);
 }
 
@@ -47,8 +48,8 @@ void Eigenvalues::write(Text& text) const {
         text("{:>5}  {:>20.12g}  {:>10.2e}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
              spectrum.radii[i], spectrum.residuals[i]);
     text("\n{}\n", in_words(spectrum.certificate));
-    if (!advice.empty())
-        text("{}\n", advice);
+    if (spectrum.coarseness)
+        text("{}\n", told(advice_of_shape(spectrum)));
     text("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
     if (resumed && *resumed > 0)
         text("resumed from {} vectors of a checkpoint\n", *resumed);

@@ -16,8 +16,6 @@ struct Eigenvalues : Answer {
     std::string conditions; ///< on the boundary, in words
     ChosenStars stars;
     double seconds;
-    double coarse = 0;                 ///< see coarseness
-    std::string advice = {};           ///< on eigenvalues of the shape; may be empty
     std::optional<Index> resumed = {}; ///< number of vectors resumed from a checkpoint
 
     Eigenvalues(const Spectrum& found, std::string words, const ChosenStars& chosen, double took)

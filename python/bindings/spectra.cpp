@@ -49,7 +49,10 @@ py::dict spectrum_of(const Cells& of, const std::string& side, int degree, Index
     warn(found.warnings);
     auto values = std::move(found.eigenvalues);
     auto modes = std::move(found.modes);
-    return pairs_of(std::move(found), std::move(values), std::move(modes));
+    const auto coarseness = found.coarseness;
+    py::dict parts = pairs_of(std::move(found), std::move(values), std::move(modes));
+    parts["coarseness"] = coarseness;
+    return parts;
 }
 
 py::dict smallest_eigenpairs(const MatrixParts& A, const std::variant<Numbers, MatrixParts>& M,

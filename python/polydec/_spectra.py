@@ -67,10 +67,15 @@ class Eigenpairs:
 
 @dataclass(frozen=True, repr=False)
 class Spectrum(Eigenpairs):
-    """Smallest eigenpairs of a Laplace-de Rham operator. Modes are forms of `side` and `degree`."""
+    """Smallest eigenpairs of a Laplace-de Rham operator. Modes are forms of `side` and `degree`.
+
+    `coarseness` estimates, on surfaces, how far the largest eigenvalue is from that of the shape
+    itself, relative to it; no bound. None where `shape_spectrum` does not enclose the eigenvalues.
+    """
 
     side: str = "primal"
     degree: int = 0
+    coarseness: float | None = None
 
 
 def _eigenpairs(parts: dict[str, Any]) -> dict[str, Any]:

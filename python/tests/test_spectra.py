@@ -54,11 +54,13 @@ def test_conditions(square):
     assert abs(essential.modes[on_boundary]).max() == 0
     left = polydec.spectrum(square, count=3, essential=lambda x: x[:, 0] < 1e-9)
     assert np.allclose(left.eigenvalues[0], np.pi ** 2 / 4, rtol=0.1)
+    assert 0 < left.coarseness < 1
 
 
 def test_coexact_spectrum():
     box = complex_of("kuhn")
     curl = polydec.spectrum(box, degree=1, count=5, coexact=True, essential=True)
+    assert curl.coarseness is None
     space = polydec.FormSpace(box, 1, essential=True)
     d, star, kept = space.inside.d(1), space.inside.star(2), space.free
     for value, mode in zip(curl.eigenvalues, curl.modes[kept].T):

@@ -41,6 +41,11 @@ MUTANTS = {
     "steps_unscaled": ("solvers/time/diffusion.cpp", "A = scales_.asDiagonal() * A * scales_.asDiagonal();",
                        "scales_.setOnes();",
                        "Heat.of_stars_that_are_matrices_does_not_mind_the_size_of_cells"),
+    "coarseness_of_unsquared_sides": ("solvers/spectra/spectrum.cpp", "volumes.primal(1).cwiseAbs2()", "volumes.primal(1)",
+                                      "Coarseness.of_a_grid_is_twice_the_error_of_linear_functions"),
+    "coarseness_of_pinned_vertices": ("solvers/spectra/spectrum.cpp",
+                                      "std::find(fixed.begin(), fixed.end(), true) != fixed.end()", "fixed.empty() && n < 0",
+                                      "Coarseness.is_that_of_eigenvalues_that_can_be_enclosed"),
     "modes_of_the_kept_star": ("solvers/spectra/spectrum.cpp",
                                "pairs.vectors = SparseMatrix(star.matrix()) * pairs.vectors;",
                                "pairs.vectors = space.extend(DenseMatrix(SparseMatrix(stars[k].matrix()) "

@@ -52,6 +52,24 @@ std::vector<std::string> warning_of_negative_values(const Spectrum& spectrum,
                         duals == 1 ? "has" : "have", positive_stars(n))};
 }
 
+/// Linear functions enlarge the mass of a triangle by up to the eigenvalue times the sum of its
+/// squared sides over 24.
+std::optional<double> coarseness_of(const FormSpace& space, const Vector& eigenvalues) {
+    const Cells cells = space.cells();
+    const int n = cells.dimension(), degree = space.degree();
+    const auto& fixed = space.conditions().fixed_vertices;
+    if (!(degree == 0 || degree == n || (degree == 1 && n == 2)) ||
+        std::find(fixed.begin(), fixed.end(), true) != fixed.end())
+        return std::nullopt;
+    if (n != 2)
+        return 0;
+    const CellVolumes& volumes = cells.volumes();
+    const Vector squares = cells.complex().boundary(2).cast<double>().cwiseAbs().transpose() *
+                           volumes.primal(1).cwiseAbs2();
+    return std::max(0.0, eigenvalues.maxCoeff()) * volumes.primal(2).dot(squares) /
+           volumes.primal(2).sum() / 24;
+}
+
 /// The forms with the eigenvalue 0, if there are so many that a direct method is faster.
 DenseMatrix kernel(const Cells& inside, const SpectrumOptions& options, int k, Index zeros,
                    bool is_dual_function) {
@@ -74,6 +92,17 @@ std::vector<std::string> warning_of_rough_values(const std::vector<Index>& rough
         "{} of the eigenvalues, number {} first, {} not known to 1e-6, because of rounding errors "
         "relative to the largest one: check the radii, and improve cells of extreme shape",
         rough.size(), rough.front(), rough.size() == 1 ? "is" : "are")};
+}
+
+std::string advice_of_shape(const Spectrum& spectrum) {
+    constexpr double much = 0.05;
+    if (!spectrum.coarseness)
+        return {};
+    std::string advice = "shape_spectrum encloses the eigenvalues of the shape itself";
+    if (*spectrum.coarseness > much)
+        advice += fmt::format("; this mesh is coarse for the last ones, which may be {:.0f} % off",
+                              100 * std::min(*spectrum.coarseness, 1.0));
+    return advice;
 }
 
 void use_input_units(Spectrum& spectrum, double unit) {
@@ -135,6 +164,7 @@ Spectrum spectrum(const FormSpace& space, const SpectrumOptions& options) {
                     std::move(pairs.linear_solver),
                     std::move(pairs.eigen_solver),
                     std::move(pairs.rough)};
+    result.coarseness = coarseness_of(space, result.eigenvalues);
     result.warnings = warning_of_negative_values(result, stars);
     for (auto& warning : warning_of_rough_values(result.rough))
         result.warnings.push_back(std::move(warning));

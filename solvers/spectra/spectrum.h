@@ -4,6 +4,8 @@
 #include "backends/spectra/certified_eigensolver.h"
 #include "dec/boundary/form_space.h"
 
+#include <optional>
+
 namespace polydec {
 
 struct SpectrumOptions {
@@ -34,6 +36,10 @@ struct Spectrum {
     /// Eigenvalues hidden by rounding: the radius exceeds 1e-6 of the value and of the distance to
     /// the next one.
     std::vector<Index> rough = {};
+    /// Estimated relative distance of the largest eigenvalue from that of the shape itself, where
+    /// shape_spectrum encloses it: on surfaces from the mean size of the cells, else 0. Not a
+    /// bound.
+    std::optional<double> coarseness = {};
     /// About rough values, spurious negative ones, and better engines that are not installed.
     std::vector<std::string> warnings = {};
 };
@@ -54,6 +60,10 @@ Spectrum spectrum(const FormSpace& space, const SpectrumOptions& options = {});
 /// Converts a spectrum from a mesh's unit of length to the units of its input. Values at rounding
 /// level relative to the largest may underflow; radii grow by the loss.
 void use_input_units(Spectrum& spectrum, double unit);
+
+/// Where to find the eigenvalues of the shape itself, and whether the mesh is coarse for the last
+/// ones; empty without coarseness.
+std::string advice_of_shape(const Spectrum& spectrum);
 
 /// A warning about values hidden by rounding, if there are any.
 std::vector<std::string> warning_of_rough_values(const std::vector<Index>& rough);

@@ -6,12 +6,14 @@
 #include "tests/solvers/dense_spectrum.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
+#include "tests/support/says.h"
 #include "tests/support/scales.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <functional>
+#include <numbers>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -214,6 +216,32 @@ TEST(GradedBoxes, have_spectra_in_every_degree) {
     const auto mesh = circumcentric(graded(3, 4, 3e4));
     for (int k = 0; k <= 3; ++k)
         EXPECT_EQ(spectrum({mesh, Side::primal, k}, {.count = 3}).eigenvalues.size(), 3) << k;
+}
+
+/// Linear functions on a grid with diagonals: lambda_h = lambda (1 + lambda h^2 / 12) for cosines
+/// of one coordinate.
+TEST(Coarseness, of_a_grid_is_twice_the_error_of_linear_functions) {
+    constexpr double exact = 9 * std::numbers::pi * std::numbers::pi;
+    for (const int n : {16, 32}) {
+        const auto mesh =
+            discretize(grid(n, n), {.criterion = MergeCriterion::none, .star = StarKind::galerkin});
+        // 0, 1, 1, 2, 4, 4, 5, 5, 8, 9 times pi^2
+        const auto found = spectrum({mesh, Side::primal, 0}, {.count = 10});
+        EXPECT_NEAR(*found.coarseness / (found.eigenvalues[9] / exact - 1), 2, 0.1) << n;
+        EXPECT_EQ(says(advice_of_shape(found), {"shape_spectrum", "coarse"}), n == 16);
+    }
+}
+
+TEST(Coarseness, is_that_of_eigenvalues_that_can_be_enclosed) {
+    const auto square = circumcentric(grid(4, 4));
+    const auto cube = circumcentric(kuhn(3, 2));
+    BoundaryConditions pinned = built_in_conditions(Side::primal);
+    pinned.fixed_vertices.assign(square.complex().size(0), false);
+    pinned.fixed_vertices[0] = true;
+    EXPECT_FALSE(spectrum({square, Side::primal, 0, pinned}, {.count = 3}).coarseness);
+    EXPECT_TRUE(spectrum({square, Side::dual, 1}, {.count = 3}).coarseness);
+    EXPECT_FALSE(spectrum({cube, Side::primal, 1}, {.count = 3}).coarseness);
+    EXPECT_EQ(spectrum({cube, Side::dual, 0}, {.count = 3}).coarseness, 0);
 }
 
 } // namespace
