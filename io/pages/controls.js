@@ -16,8 +16,8 @@ class Controls {
         const isStrength = fields[header.shown]?.strength !== undefined; // lines run along it
         element("edges").checked = header.cells <= mostWithEdges && !isStrength;
         element("up").value = String(header.up);
-        if (scene.isSolid && (isStrength || fields[header.shown]?.components > 1)) // arrows are inside
-            [element("axis").value, element("cut").value] = [String(header.up === 1 ? 2 : 4), "50"];
+        if (header.cut)
+            [element("axis").value, element("cut").value] = header.cut.map(String);
         this.hideWhatIsNotThere(scene, header, fields);
         this.times = timeTexts(header.steps);
         element("step").max = header.steps.length - 1;

@@ -4,8 +4,6 @@
 #include "io/meshes/read_mesh.h"
 #include "io/pictures/upright_view.h"
 
-#include <Eigen/Geometry>
-
 namespace polydec {
 
 int upward_axis(const Page& page) {
@@ -26,14 +24,6 @@ SolidView first_view(const Points& points, int up) {
         view.up = Eigen::Vector3d::UnitY();
     }
     return view;
-}
-
-Eigen::Matrix3d axes_of(const SolidView& view) {
-    const Eigen::Vector3d eye = Eigen::Vector3d(view.eye).normalized();
-    const Eigen::Vector3d right = Eigen::Vector3d(view.up).cross(eye).normalized();
-    Eigen::Matrix3d axes;
-    axes << right.transpose(), eye.cross(right).transpose(), eye.transpose();
-    return axes;
 }
 
 } // namespace polydec

@@ -17,7 +17,4 @@ bool is_flat(const Points& points);
 /// flat.
 SolidView first_view(const Points& points, int up);
 
-/// The directions of the view to the right, up and to the eye, as rows.
-Eigen::Matrix3d axes_of(const SolidView& view);
-
 } // namespace polydec

@@ -159,6 +159,45 @@ void add_pieces_of_curve(PageFaces& faces, const Merging& merging) {
 
 } // namespace
 
+Index PageFaces::cells() const {
+    Index count = 0;
+    for (const auto& [cell, other] : owners)
+        count = std::max({count, cell + 1, other + 1});
+    return count;
+}
+
+PageFaces PageFaces::visible(const std::vector<bool>& kept) const {
+    const auto is_kept = [&](Index cell) { return cell >= 0 && kept[cell]; };
+    PageFaces result;
+    result.dimension = dimension;
+    const int size_of_each = dimension < 2 ? 2 : 3;
+    for (Index t = 0; t < size(); ++t) {
+        const auto [cell, other] = owners[t];
+        if (is_kept(cell) == is_kept(other))
+            continue;
+        result.owners.push_back({is_kept(cell) ? cell : other, -1});
+        const auto copy = [&](const std::vector<Index>& from, std::vector<Index>& to, int count) {
+            if (!from.empty())
+                to.insert(to.end(), from.begin() + count * t, from.begin() + count * (t + 1));
+        };
+        copy(lines, result.lines, size_of_each);
+        copy(corners, result.corners, size_of_each);
+        copy(sides, result.sides, 1);
+        copy(edges, result.edges, 3);
+        copy(faces, result.faces, 1);
+    }
+    return result;
+}
+
+Index PageFaces::entry(std::string_view place, Index corner) const {
+    const bool is_curve = dimension < 2;
+    const Index t = corner / (is_curve ? 2 : 3);
+    return place == "vertex" ? (is_curve ? lines : corners)[corner]
+           : place == "cell" ? owners[t][0]
+           : place == "face" ? faces[t]
+                             : edges[corner];
+}
+
 int cell_dimension(VtuCell type) {
     switch (type) {
     case VtuCell::vertex:

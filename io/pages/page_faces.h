@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace polydec {
@@ -28,6 +29,15 @@ struct PageFaces {
     std::vector<Index> lines;                 ///< two corners to a cell, if dimension is 1
 
     Index size() const { return static_cast<Index>(owners.size()); }
+    Index cells() const; ///< one more than the largest owner
+
+    /// What is seen if only some cells are kept: the triangles, or lines, with one of these as the
+    /// first owner and none on the other side.
+    PageFaces visible(const std::vector<bool>& kept) const;
+
+    /// The entry of a field at this place (see PageField) that a corner, or end of a line, shows;
+    /// -1: none.
+    Index entry(std::string_view place, Index corner) const;
 };
 
 /// The cells of largest dimension, by their numbers in the grid; polygons are split into triangles.

@@ -60,6 +60,31 @@ void check_steps(const Page& page, const std::vector<PageField>& fields) {
     }
 }
 
+const PageField* first_field(const Page& page, const std::vector<PageField>& fields) {
+    const PageField* asked = nullptr;
+    for (const PageField& field : fields) {
+        if (asked == nullptr && field.array->name == page.shown)
+            asked = &field;
+        if (asked != nullptr && (!page.steps.empty() || varies(*field.array)))
+            return &field;
+    }
+    return asked;
+}
+
+std::size_t opening_step(const Page& page, const PageField& field) {
+    std::size_t best = 0;
+    double most = 0;
+    for (std::size_t s = 0; s < page.steps.size(); ++s) {
+        const auto [low, high] = range_of(field.at(page.steps[s]));
+        const double range = high - low;
+        if (range > (1 + 1e-9) * most) {
+            best = s;
+            most = range;
+        }
+    }
+    return best;
+}
+
 } // namespace
 
 DenseMatrix rows_of(const VtuArray& array) {
@@ -142,17 +167,6 @@ PageContent page_content(const Page& page) {
     return {faces, page_fields(page, faces.dimension, &cells.merged())};
 }
 
-const PageField* first_field(const Page& page, const std::vector<PageField>& fields) {
-    const PageField* asked = nullptr;
-    for (const PageField& field : fields) {
-        if (asked == nullptr && field.array->name == page.shown)
-            asked = &field;
-        if (asked != nullptr && (!page.steps.empty() || varies(*field.array)))
-            return &field;
-    }
-    return asked;
-}
-
 bool has_moving_arrows(const Page& page) {
     return !page.steps.empty() && !page.steps.front().vectors.empty();
 }
@@ -189,18 +203,27 @@ std::vector<VtuArray> strengths(const Page& page, const std::vector<PageField>& 
     return lengths;
 }
 
-std::size_t opening_step(const Page& page, const PageField* field) {
-    std::size_t best = 0;
-    double most = 0;
-    for (std::size_t s = 0; s < page.steps.size() && field != nullptr; ++s) {
-        const auto [low, high] = range_of(field->at(page.steps[s]));
-        const double range = high - low;
-        if (range > (1 + 1e-9) * most) {
-            best = s;
-            most = range;
+const VtuArray& ShownField::at(const Page& page, std::size_t number) const {
+    if (!strengths.empty())
+        return strengths[number];
+    return page.steps.empty() ? *field->array : field->at(page.steps[number]);
+}
+
+ShownField shown_field(const Page& page, const std::vector<PageField>& fields,
+                       std::ptrdiff_t cells) {
+    ShownField shown{first_field(page, fields)};
+    if (shown.field == nullptr)
+        return shown;
+    shown.place = shown.field->place;
+    shown.step = opening_step(page, *shown.field);
+    for (const PageArrows& arrows : page.arrows)
+        if (shown.strengths.empty() && arrows.field == shown.field->array->name) {
+            shown.strengths = strengths(page, fields, arrows, cells);
+            shown.vectors = vectors_of_cells(page, fields, arrows, cells);
         }
-    }
-    return best;
+    if (!shown.strengths.empty())
+        shown.place = "cell";
+    return shown;
 }
 
 } // namespace polydec

@@ -50,10 +50,6 @@ struct PageContent {
 };
 PageContent page_content(const Page& page);
 
-/// The field that is seen first: the one that the page names; if it and some that follow are
-/// constant, the first one that is not. Null if the page shows no field.
-const PageField* first_field(const Page& page, const std::vector<PageField>& fields);
-
 /// Whether the arrows of a page have other vectors at each step.
 bool has_moving_arrows(const Page& page);
 
@@ -66,7 +62,23 @@ std::vector<Points> vectors_of_cells(const Page& page, const std::vector<PageFie
 std::vector<VtuArray> strengths(const Page& page, const std::vector<PageField>& fields,
                                 const PageArrows& arrows, std::ptrdiff_t cells);
 
-/// The first step where this field has its largest range, but for rounding; 0 without steps.
-std::size_t opening_step(const Page& page, const PageField* field);
+/// What colors show first.
+struct ShownField {
+    const PageField* field = nullptr; ///< null if the page shows no field
+    /// The lengths of its vectors in cells, if they have some, are shown instead of its values. At
+    /// every step, like the vectors.
+    std::vector<VtuArray> strengths = {};
+    std::vector<Points> vectors = {};
+    std::string place = {}; ///< of what is shown, as in PageField
+    std::size_t step = 0;   ///< the first one where it has its largest range, but for rounding
+
+    const VtuArray& at(const Page& page, std::size_t step) const;
+    bool has_vectors() const { return !strengths.empty() || field->array->components > 1; }
+};
+
+/// The field that the page names; if it and some that follow are constant, the first one that is
+/// not. `cells` are drawn.
+ShownField shown_field(const Page& page, const std::vector<PageField>& fields,
+                       std::ptrdiff_t cells);
 
 } // namespace polydec

@@ -5,6 +5,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/glued_box.h"
 #include "io/pages/first_view.h"
+#include "io/pages/opening.h"
 #include "io/pages/page_data.h"
 #include "io/pages/page_fields.h"
 #include "io/pages/page_text.h"
@@ -62,8 +63,10 @@ public:
         PageContent shown = page_content(page);
         faces_ = std::move(shown.faces);
         all_ = std::move(shown.fields);
-        first_ = first_field(page, all_);
-        step_ = opening_step(page, first_);
+        shown_ = shown_field(page, all_, faces_.cells());
+        Points points = Points::Zero(page.grid.points.rows(), 3);
+        points.leftCols(page.grid.points.cols()) = page.grid.points;
+        opening_ = opening_of(page, points, faces_, shown_);
     }
 
     PageHeader make() {
@@ -80,12 +83,14 @@ public:
         PageHeader header;
         header.json = fmt::format(
             "{{\"dimension\":{},\"flat\":{},\"up\":{},\"eyes\":{},\"unit\":{},\"cells\":{},"
-            "\"points\":{},\"origin\":{},\"maps\":{},\"fields\":{},\"shown\":{},\"steps\":{},"
+            "\"cut\":{},\"points\":{},\"origin\":{},\"maps\":{},\"fields\":{},\"shown\":{},"
+            "\"steps\":{},"
             "\"step\":{},\"arrows\":{},\"arrays\":{}}}",
             faces_.dimension, is_flat(page_.grid.points), up_, eyes(),
-            json_text(page_.text.length_unit), cells().types.size(), page_.grid.points.rows(),
+            json_text(page_.text.length_unit), cells().types.size(), cut(),
+            page_.grid.points.rows(),
             json_array({json_number(origin_[0]), json_number(origin_[1]), json_number(origin_[2])}),
-            maps(), json_array(fields_), shown_, steps(), step_, json_array(arrows_),
+            maps(), json_array(fields_), number_, steps(), shown_.step, json_array(arrows_),
             data_.directory());
         header.data = data_.text();
         if (faces_.size() > 0)
@@ -103,13 +108,18 @@ private:
     }
 
     /// For each axis upwards, the direction to the eye.
-    static std::string eyes() {
+    std::string eyes() const {
         std::vector<std::string> all;
         for (const int axis : {0, 1, 2}) {
-            const Vector eye = upright_view(axis).eye;
+            const Vector eye = axis == up_ ? opening_.view.eye : upright_view(axis).eye;
             all.push_back(fmt::format("[{},{},{}]", eye[0], eye[1], eye[2]));
         }
         return json_array(all);
+    }
+
+    std::string cut() const {
+        return opening_.percent < 100 ? fmt::format("[{},{}]", opening_.side, opening_.percent)
+                                      : "null";
     }
 
     static std::string maps() {
@@ -171,8 +181,8 @@ private:
         is_rounded_ = values * std::max<std::size_t>(1, page_.steps.size()) > most_exact_values;
         for (std::size_t i = 0; i < all_.size(); ++i) {
             const VtuArray& array = *all_[i].array;
-            if (&all_[i] == first_)
-                shown_ = static_cast<int>(i);
+            if (&all_[i] == shown_.field)
+                number_ = static_cast<int>(i);
             fields_.push_back(fmt::format("{{\"name\":{},\"about\":{},\"unit\":{},\"place\":\"{}\","
                                           "\"components\":{},\"scale\":{}}}",
                                           json_text(array.name), json_text(array.about),
@@ -280,13 +290,13 @@ private:
     int up_;
     std::optional<VtuGrid> own_; ///< top cells, if the grid has others
     std::vector<PageField> all_;
-    const PageField* first_ = nullptr;
-    std::size_t step_ = 0; ///< the one that is seen first
+    ShownField shown_;
+    Opening opening_;
     PageFaces faces_;
     std::array<double, 3> origin_{};
     PageData data_;
     std::vector<std::string> fields_, arrows_, notes_;
-    int shown_ = -1;
+    int number_ = -1; ///< of the field that is shown
     bool is_rounded_ = false;
 };
 

@@ -3,6 +3,7 @@
 
 #include "io/pages/first_view.h"
 #include "io/pages/picture_overlay.h"
+#include "io/pages/projection.h"
 #include "io/pages/still_scene.h"
 #include "io/pages/surface_painter.h"
 #include "io/pictures/lighting.h"
@@ -28,47 +29,11 @@ std::string number_text(double value) {
     return fmt::format("{:.4g}", value);
 }
 
-using Place = Eigen::Vector3d;
+using Place = Projection::Place;
 
 SvgPoint on_paper(const Place& p) {
     return {p[0], p[1]};
 }
-
-/// From points to pixels to the right and down, and nearness in pixels: all fills the frame.
-class Projection {
-public:
-    Projection(const StillScenes& scenes, const SvgBox& frame)
-        : axes_(axes_of(first_view(scenes.page().grid.points, upward_axis(scenes.page())))) {
-        const auto& points = scenes.points();
-        Place low = axes_ * Place(points.row(scenes.corners().front())), high = low;
-        for (const Index v : scenes.corners()) {
-            const Place p = axes_ * Place(points.row(v));
-            low = low.cwiseMin(p);
-            high = high.cwiseMax(p);
-        }
-        const Place size = high - low;
-        const double across = frame.width() / size[0], up = frame.height() / size[1];
-        scale_ = std::min(across, up);
-        if (!std::isfinite(scale_))
-            scale_ = 1;
-        middle_ = low / 2 + high / 2;
-        center_ = {(frame.left + frame.right) / 2, (frame.top + frame.bottom) / 2, 0};
-    }
-
-    Place operator()(const Place& point) const {
-        return center_ + (scale_ * (axes_ * point - middle_)).cwiseProduct(Place(1, -1, 1));
-    }
-
-    /// A direction, in pixels.
-    Place along(const Place& vector) const {
-        return (scale_ * (axes_ * vector)).cwiseProduct(Place(1, -1, 1));
-    }
-
-private:
-    Eigen::Matrix3d axes_;
-    Place middle_, center_;
-    double scale_;
-};
 
 SvgBox frame_of(const StillScenes& scenes) {
     const bool has_head = !scenes.page().text.title.empty() || !scenes.page().steps.empty();
@@ -80,7 +45,7 @@ class StillPictures {
 public:
     explicit StillPictures(const StillScenes& scenes)
         : scenes_(scenes),
-          projection_(scenes, frame_of(scenes)),
+          projection_(scenes.view(), scenes.points(), scenes.corners(), frame_of(scenes)),
           is_flat_(is_flat(scenes.page().grid.points)) {
         if (scenes.range())
             map_ = fine_map(scenes.range()->map);
@@ -226,9 +191,18 @@ private:
             auto& known = nearest.try_emplace(square, found).first->second;
             known = std::min(known, found);
         }
-        for (const auto& [square, found] : nearest)
-            add_arrow_at(result, painter, seen[found.second].first,
-                         scene.vectors.row(seen[found.second].second).transpose(), size);
+        std::map<std::array<int, 2>, Place> drawn; // none near another one
+        for (const auto& [square, found] : nearest) {
+            const auto& [at, number] = seen[found.second];
+            const auto is_near = [&](int x, int y) {
+                const auto other = drawn.find({square[0] + x, square[1] + y});
+                return other != drawn.end() && (other->second - at).head(2).norm() < 0.8 * size;
+            };
+            if (is_near(-1, -1) || is_near(-1, 0) || is_near(-1, 1) || is_near(0, -1))
+                continue;
+            drawn.emplace(square, at);
+            add_arrow_at(result, painter, at, scene.vectors.row(number).transpose(), size);
+        }
     }
 
     void add_arrow_at(PictureOverlay& result, const SurfacePainter& painter, const Place& at,
@@ -238,8 +212,11 @@ private:
         if (!(part > 0.02) || !(pixels > 0))
             return;
         const Place half = ray * (0.45 * size * std::sqrt(part) / pixels);
-        if (painter.shows(at - half) && painter.shows(at + half))
-            add_arrow(result, on_paper(at - half), on_paper(at + half), 1.4, ink);
+        if (!painter.shows(at - half) || !painter.shows(at + half))
+            return;
+        constexpr Color light{255, 255, 255}; // around it, for dark colors
+        add_arrow(result, on_paper(at - half), on_paper(at + half), 4, light);
+        add_arrow(result, on_paper(at - half), on_paper(at + half), 1.4, ink);
     }
 
     /// The name of the values, with what is known about them.
@@ -372,7 +349,7 @@ private:
 
 StillView still_view(const Page& page) {
     const StillScenes scenes(page);
-    return StillPictures(scenes).view(scenes.opening());
+    return StillPictures(scenes).view(scenes.first_step());
 }
 
 std::string to_png(const Page& page) {
@@ -381,7 +358,7 @@ std::string to_png(const Page& page) {
 
 std::string to_svg(const Page& page) {
     const StillScenes scenes(page);
-    return StillPictures(scenes).svg(scenes.opening());
+    return StillPictures(scenes).svg(scenes.first_step());
 }
 
 void draw_steps(const Page& page, const std::function<void(const std::string& png)>& take) {

@@ -26,78 +26,36 @@ StillScenes::StillScenes(const Page& page) : page_(page), points_(in_space(page.
     if (faces.size() == 0)
         throw InvalidInput("a picture needs lines or faces, and this page has only points: write a "
                            ".vtu file");
-    add_visible(faces);
-    first_ = first_field(page, fields_);
-    if (first_ == nullptr)
+    cells_ = static_cast<std::size_t>(faces.cells());
+    shown_ = shown_field(page, fields_, faces.cells());
+    opening_ = opening_of(page, points_, faces, shown_);
+    visible_ = faces.visible(opening_.kept(faces, points_));
+    if (shown_.field == nullptr)
         return;
-    place_ = first_->place;
-    find_strengths();
-    const auto [low, high] = strengths_.empty() ? range_of(page, *first_) : range_of(strengths_);
+    const auto [low, high] =
+        shown_.strengths.empty() ? range_of(page, *shown_.field) : range_of(shown_.strengths);
     range_ = color_range(low, high);
 }
 
-void StillScenes::add_visible(const PageFaces& faces) {
-    corners_of_cell_ = faces.dimension < 2 ? 2 : 3;
-    for (Index t = 0; t < faces.size(); ++t) {
-        for (const Index cell : faces.owners[t])
-            cells_ = std::max(cells_, static_cast<std::size_t>(cell + 1));
-        if (faces.owners[t][1] >= 0)
-            continue; // inside a solid
-        owners_.push_back(faces.owners[t][0]);
-        const auto& list = is_curve() ? faces.lines : faces.corners;
-        for (int i = 0; i < corners_of_cell_; ++i)
-            corners_.push_back(list[corners_of_cell_ * t + i]);
-        if (is_curve())
-            continue;
-        sides_.push_back(faces.sides[t]);
-        if (!faces.faces.empty())
-            faces_.push_back(faces.faces[t]);
-        for (int i = 0; i < 3 && !faces.edges.empty(); ++i)
-            edges_.push_back(faces.edges[3 * t + i]);
-    }
-}
-
-/// Of the arrows that come with the first field, if cells have them.
-void StillScenes::find_strengths() {
-    for (std::size_t i = 0; i < page_.arrows.size() && strengths_.empty(); ++i)
-        if (page_.arrows[i].field == first_->array->name && !is_curve()) {
-            const auto count = static_cast<std::ptrdiff_t>(cells_);
-            strengths_ = strengths(page_, fields_, page_.arrows[i], count);
-            vectors_ = vectors_of_cells(page_, fields_, page_.arrows[i], count);
-        }
-    if (!strengths_.empty())
-        place_ = "cell";
-}
-
 std::string StillScenes::name() const {
-    return strengths_.empty() ? first_->array->name : strengths_.front().name;
-}
-
-const VtuArray& StillScenes::array_at(std::size_t step) const {
-    if (!strengths_.empty())
-        return strengths_[step];
-    return page_.steps.empty() ? *first_->array : first_->at(page_.steps[step]);
+    return shown_.at(page_, 0).name;
 }
 
 /// The vectors whose lengths are shown, one for each value; or none.
 Points StillScenes::vectors_at(std::size_t step) const {
-    if (!strengths_.empty())
-        return in_space(vectors_[step]);
-    const VtuArray& array = array_at(step);
+    if (!shown_.vectors.empty())
+        return in_space(shown_.vectors[step]);
+    const VtuArray& array = shown_.at(page_, step);
     return array.components == 3 ? Points(rows_of(array)) : Points(0, 3);
 }
 
 /// At the corners; of fields on edges, on the sides from the corners to the next.
 std::vector<double> StillScenes::values_at(std::size_t step) const {
-    const Vector numbers = shown_numbers(array_at(step));
+    const Vector numbers = shown_numbers(shown_.at(page_, step));
     std::vector<double> values;
-    values.reserve(corners_.size());
-    for (std::size_t corner = 0; corner < corners_.size(); ++corner) {
-        const std::size_t t = corner / static_cast<std::size_t>(corners_of_cell_);
-        const Index i = place_ == "vertex" ? corners_[corner]
-                        : place_ == "cell" ? owners_[t]
-                        : place_ == "face" ? faces_[t]
-                                           : edges_[corner];
+    values.reserve(corners().size());
+    for (Index corner = 0; corner < std::ssize(corners()); ++corner) {
+        const Index i = visible_.entry(shown_.place, corner);
         values.push_back(i < 0 ? std::numeric_limits<double>::quiet_NaN() : numbers[i]);
     }
     return values;
@@ -106,19 +64,19 @@ std::vector<double> StillScenes::values_at(std::size_t step) const {
 /// Arrows stand at points, or on the visible triangles of their cells.
 void StillScenes::add_arrows(StillScene& scene, std::size_t step) const {
     const Points vectors = vectors_at(step);
-    if (vectors.rows() == 0 || is_curve() || (place_ != "vertex" && place_ != "cell"))
+    if (vectors.rows() == 0 || is_curve() || (shown_.place != "vertex" && shown_.place != "cell"))
         return;
-    if (place_ == "vertex") {
+    if (shown_.place == "vertex") {
         scene.sites = points_;
         scene.vectors = vectors;
         return;
     }
-    scene.sites.resize(std::ssize(owners_), 3);
-    scene.vectors.resize(std::ssize(owners_), 3);
-    for (Index i = 0; i < std::ssize(owners_); ++i) {
-        scene.vectors.row(i) = vectors.row(owners_[i]);
-        scene.sites.row(i) = (points_.row(corners_[3 * i]) + points_.row(corners_[3 * i + 1]) +
-                              points_.row(corners_[3 * i + 2])) /
+    scene.sites.resize(visible_.size(), 3);
+    scene.vectors.resize(visible_.size(), 3);
+    for (Index i = 0; i < visible_.size(); ++i) {
+        scene.vectors.row(i) = vectors.row(visible_.owners[i][0]);
+        scene.sites.row(i) = (points_.row(corners()[3 * i]) + points_.row(corners()[3 * i + 1]) +
+                              points_.row(corners()[3 * i + 2])) /
                              3;
     }
 }
@@ -132,9 +90,9 @@ StillScene StillScenes::at(std::size_t step) const {
     StillScene scene;
     if (!page_.steps.empty())
         scene.time = page_.steps[step].time;
-    if (first_ == nullptr)
+    if (shown_.field == nullptr)
         return scene;
-    (place_ == "edge" && !is_curve() ? scene.side_values : scene.values) = values_at(step);
+    (shown_.place == "edge" && !is_curve() ? scene.side_values : scene.values) = values_at(step);
     add_arrows(scene, step);
     return scene;
 }

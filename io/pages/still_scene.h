@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/pages/page_faces.h"
-#include "io/pages/page_fields.h"
+#include "io/pages/opening.h"
 #include "io/pictures/color_map.h"
 
 #include <optional>
@@ -30,41 +29,37 @@ public:
     StillScenes& operator=(const StillScenes&) = delete;
 
     std::size_t size() const { return page_.steps.empty() ? 1 : page_.steps.size(); }
-    std::size_t opening() const { return opening_step(page_, first_); }
+    std::size_t first_step() const { return shown_.step; }
+    const SolidView& view() const { return opening_.view; }
     StillScene at(std::size_t step) const;
 
     const Page& page() const { return page_; }
-    const Points& points() const { return points_; }        ///< three coordinates each
-    bool is_curve() const { return corners_of_cell_ == 2; } ///< lines, not triangles
-    const std::vector<Index>& corners() const { return corners_; }
-    const std::vector<Index>& sides() const { return sides_; } ///< as in PageFaces
-    std::size_t cells() const { return cells_; }               ///< of largest dimension
+    const Points& points() const { return points_; }         ///< three coordinates each
+    bool is_curve() const { return visible_.dimension < 2; } ///< lines, not triangles
+    const std::vector<Index>& corners() const {
+        return is_curve() ? visible_.lines : visible_.corners;
+    }
+    const std::vector<Index>& sides() const { return visible_.sides; } ///< as in PageFaces
+    std::size_t cells() const { return cells_; }                       ///< of largest dimension
 
     /// The colors over all steps, if there are values.
     const std::optional<ColorRange>& range() const { return range_; }
     double part(double value) const; ///< its place on the map, 0 to 1
     std::string name() const;
-    const std::string& about() const { return first_->array->about; }
+    const std::string& about() const { return shown_.field->array->about; }
 
 private:
-    void add_visible(const PageFaces& faces);
-    void find_strengths();
-    const VtuArray& array_at(std::size_t step) const;
     Points vectors_at(std::size_t step) const;
     std::vector<double> values_at(std::size_t step) const;
     void add_arrows(StillScene& scene, std::size_t step) const;
 
     const Page& page_;
     Points points_;
-    int corners_of_cell_ = 3;
+    PageFaces visible_; ///< of the opening
     std::size_t cells_ = 0;
-    std::vector<Index> corners_, sides_;
-    std::vector<Index> owners_, faces_, edges_; ///< of each triangle or line; of each side
     std::vector<PageField> fields_;
-    const PageField* first_ = nullptr; ///< of the fields, or null
-    std::vector<VtuArray> strengths_;  ///< of its arrows, shown instead of its values; or empty
-    std::vector<Points> vectors_;      ///< these arrows at every step
-    std::string place_;                ///< of the values that are shown, as in PageField
+    ShownField shown_;
+    Opening opening_;
     std::optional<ColorRange> range_;
 };
 

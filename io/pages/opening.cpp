@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "io/pages/opening.h"
+
+#include "io/pages/first_view.h"
+#include "io/pages/projection.h"
+#include "io/pages/surface_painter.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+using Place = Eigen::Vector3d;
+
+/// Seen after a quarter of a turn.
+SolidView turned(SolidView view) {
+    const Place up = view.up, eye = view.eye;
+    view.eye = up.dot(eye) * up + up.cross(eye);
+    return view;
+}
+
+/// Of the cells, the means of the corners of their triangles, by their height over the cut's side.
+Vector heights_of_cells(const PageFaces& faces, const Points& points, int side) {
+    const Vector along = points.col(side % 3) * (side < 3 ? 1 : -1);
+    Vector sums = Vector::Zero(faces.cells()), counts = sums;
+    for (Index t = 0; t < faces.size(); ++t)
+        for (const Index cell : faces.owners[t])
+            if (cell >= 0)
+                for (int i = 0; i < 3; ++i) {
+                    sums[cell] += along[faces.corners[3 * t + i]];
+                    ++counts[cell];
+                }
+    return sums.cwiseQuotient(counts.cwiseMax(1));
+}
+
+class Opener {
+public:
+    Opener(const Points& points, const PageFaces& faces, const ShownField& shown, Vector numbers)
+        : points_(points), faces_(faces), shown_(shown), numbers_(std::move(numbers).cwiseAbs()) {
+        for (const double number : numbers_)
+            if (number > largest_)
+                largest_ = number; // not NaN
+    }
+
+    bool has_numbers() const { return largest_ > 0 && std::isfinite(largest_); }
+
+    /// Whether a place on the surface, where the field is nearly largest, is seen.
+    bool is_well_seen(const SolidView& view, const PageFaces& surface) const {
+        constexpr int width = 320, height = 200;
+        const Projection project(view, points_, surface.corners, {0, 0, width, height});
+        SurfacePainter painter(width, height, {}, {});
+        SeenTriangle seen;
+        std::vector<Place> places;
+        for (Index t = 0; t < surface.size(); ++t) {
+            Place middle = Place::Zero();
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Index corner = 3 * t + static_cast<Index>(i);
+                seen.corners[i] = project(Place(points_.row(surface.corners[corner])));
+                middle += seen.corners[i] / 3;
+            }
+            painter.paint(seen);
+            for (std::size_t i = 0; i < 3; ++i)
+                if (is_large(surface.entry(shown_.place, 3 * t + static_cast<Index>(i))))
+                    places.push_back(shown_.place == "vertex" ? seen.corners[i]
+                                     : shown_.place == "edge"
+                                         ? Place((seen.corners[i] + seen.corners[(i + 1) % 3]) / 2)
+                                         : middle);
+        }
+        return std::any_of(places.begin(), places.end(),
+                           [&](const Place& place) { return painter.shows(place); });
+    }
+
+    /// The percentage where a cell with a large number is the last one that is kept.
+    int percent_of_largest(int side) const {
+        const Vector heights = heights_of_cells(faces_, points_, side);
+        double least = heights.maxCoeff();
+        for (Index corner = 0; corner < 3 * faces_.size(); ++corner)
+            for (const Index cell : faces_.owners[corner / 3])
+                if (cell >= 0 &&
+                    is_large(shown_.place == "cell" ? cell : faces_.entry(shown_.place, corner)))
+                    least = std::min(least, heights[cell]);
+        const double part =
+            (least - heights.minCoeff()) / (heights.maxCoeff() - heights.minCoeff());
+        return part < 1 ? static_cast<int>(std::ceil(100 * part)) : 100;
+    }
+
+private:
+    bool is_large(Index entry) const {
+        constexpr double nearly = 0.95;
+        return entry >= 0 && numbers_[entry] >= nearly * largest_;
+    }
+
+    const Points& points_;
+    const PageFaces& faces_;
+    const ShownField& shown_;
+    Vector numbers_;
+    double largest_ = 0;
+};
+
+} // namespace
+
+std::vector<bool> Opening::kept(const PageFaces& faces, const Points& points) const {
+    std::vector<bool> result(static_cast<std::size_t>(faces.cells()), true);
+    if (percent >= 100)
+        return result;
+    const Vector heights = heights_of_cells(faces, points, side);
+    const double low = heights.minCoeff(), high = heights.maxCoeff();
+    const double limit = low + (high - low) * (percent / 100.0 + 1e-6);
+    for (Index cell = 0; cell < heights.size(); ++cell)
+        result[cell] = heights[cell] <= limit;
+    return result;
+}
+
+Opening opening_of(const Page& page, const Points& points, const PageFaces& faces,
+                   const ShownField& shown) {
+    const int up = upward_axis(page);
+    Opening opening{first_view(points, up)};
+    if (shown.field == nullptr || faces.dimension < 2 || is_flat(points))
+        return opening;
+    const bool is_solid = faces.dimension > 2;
+    opening.side = up == 1 ? 2 : 4;
+    const Opener opener(points, faces, shown, shown_numbers(shown.at(page, shown.step)));
+    if (!opener.has_numbers())
+        return opening;
+    if (is_solid && shown.has_vectors()) { // most of them are inside
+        opening.percent = std::clamp(opener.percent_of_largest(opening.side), 30, 70);
+        return opening;
+    }
+    const PageFaces surface = faces.visible(opening.kept(faces, points));
+    SolidView view = opening.view;
+    for (int turns = 0; turns < 4; ++turns, view = turned(view))
+        if (opener.is_well_seen(view, surface)) {
+            opening.view = view;
+            return opening;
+        }
+    if (is_solid)
+        opening.percent = opener.percent_of_largest(opening.side);
+    return opening;
+}
+
+} // namespace polydec

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/cell_centers.h"
+#include "io/pages/draw_page.h"
+#include "io/pages/opening.h"
+#include "meshes/generate.h"
+#include "tests/support/circumcentric.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace polydec::test::in_openings {
+
+namespace {
+
+using Place = Eigen::Vector3d;
+
+/// A page of a function at vertices or at cells, and how it opens.
+struct Opened {
+    Page page;
+    PageContent content;
+    Opening opening;
+
+    explicit Opened(Page made) : page(std::move(made)), content(page_content(page)) {
+        const auto shown = shown_field(page, content.fields, content.faces.cells());
+        opening = opening_of(page, page.grid.points, content.faces, shown);
+    }
+
+    PageFaces seen() const {
+        return content.faces.visible(opening.kept(content.faces, page.grid.points));
+    }
+};
+
+Opened opened(const Discretization& mesh, Side side,
+              const std::function<double(const Place&)>& function) {
+    const Points sites = side == Side::primal ? cell_centers(mesh, 0) : cell_centers(mesh, 3);
+    Vector values(sites.rows());
+    for (Index i = 0; i < sites.rows(); ++i)
+        values[i] = function(sites.row(i).transpose());
+    return Opened(draw_page(mesh, {NamedForm{"f", Cochain{side, 0, values}}}));
+}
+
+/// Largest at a place.
+std::function<double(const Place&)> hump(const Place& middle) {
+    return [middle](const Place& x) { return std::exp(-20 * (x - middle).squaredNorm()); };
+}
+
+} // namespace
+
+TEST(Openings, AreFromASideWhereTheLargestValueIsSeen) {
+    const auto sphere = circumcentric(icosphere(3));
+    for (const Place& middle : {Place(1, 0, 0), Place(-1, 0, 0), Place(0, 1, 0), Place(0, -1, 0),
+                                Place(0.6, 0, 0.8), Place(-0.6, -0.6, 0.5)}) {
+        const auto found = opened(sphere, Side::primal, hump(middle));
+        EXPECT_GT(Place(found.opening.view.eye).dot(middle), 0) << middle.transpose();
+        EXPECT_EQ(found.opening.percent, 100);
+        EXPECT_EQ(found.opening.view.up, SolidView().up);
+    }
+}
+
+TEST(Openings, AreAsUsualWhereTheLargestValueIsSeenSo) {
+    const auto sphere = circumcentric(icosphere(2));
+    const auto constant = opened(sphere, Side::primal, [](const Place&) { return 1; });
+    const auto front = opened(sphere, Side::primal, hump({0, -1, 0}));
+    for (const auto& each : {constant, front, Opened(draw_page(sphere))})
+        EXPECT_EQ(each.opening.view.eye, SolidView().eye);
+}
+
+TEST(Openings, CutSolidsThroughTheLargestValueInside) {
+    const auto cube = circumcentric(kuhn(3, 6));
+    for (const Side side : {Side::primal, Side::dual})
+        for (const double depth : {0.3, 0.5, 0.7}) {
+            const auto found = opened(cube, side, hump({0.5, depth, 0.5}));
+            EXPECT_LT(found.opening.percent, 100);
+            // the cut is towards -y: the part behind the largest value stays
+            EXPECT_NEAR(found.opening.percent, 100 * (1 - depth), 18) << depth;
+            const PageFaces seen = found.seen();
+            double nearest = 1;
+            for (const Index corner : seen.corners)
+                nearest = std::min(
+                    nearest,
+                    (Place(found.page.grid.points.row(corner)) - Place(0.5, depth, 0.5)).norm());
+            EXPECT_LT(nearest, 0.2);
+        }
+}
+
+TEST(Openings, LeaveSolidsWholeWhoseLargestValueIsOutside) {
+    const auto cube = circumcentric(kuhn(3, 4));
+    for (const Side side : {Side::primal, Side::dual}) {
+        const auto found = opened(cube, side, [](const Place& x) { return x[0] + x[2]; });
+        EXPECT_EQ(found.opening.percent, 100);
+        EXPECT_EQ(found.seen().size(), 6 * 2 * 16);
+    }
+}
+
+TEST(Openings, CutSolidsWithVectorsInTheirMiddlePart) {
+    const auto cube = circumcentric(kuhn(3, 4));
+    for (const double depth : {0.0, 0.4, 1.0}) {
+        DenseMatrix vectors = DenseMatrix::Zero(cube.complex().size(0), 3);
+        const Points sites = cell_centers(cube, 0);
+        for (Index i = 0; i < sites.rows(); ++i)
+            vectors(i, 0) = hump({0.5, depth, 0.5})(sites.row(i).transpose());
+        const Opened found(draw_page(cube, {NamedForm{"v", Side::primal, vectors}}));
+        EXPECT_GE(found.opening.percent, 30);
+        EXPECT_LE(found.opening.percent, 70);
+    }
+}
+
+} // namespace polydec::test::in_openings
