@@ -87,7 +87,7 @@ bool is_clearly_thick(const Mesh& mesh, Index cell, std::vector<double>& scratch
     }
     for (Eigen::Index i = 0; i < n; ++i)
         bound *= 4 * longest; // between other vertices twice as long at most
-    return volume > bound;
+    return volume > bound && std::isfinite(volume);
 }
 
 using Facet = std::vector<Index>;

@@ -9,6 +9,8 @@ MUTANTS = {
                             "Discretize.is_the_same_for_a_mesh_with_flaws_as_for_the_tidied_one"),
     "thick_at_a_glance": ("meshes/flat_cells.cpp", "bound = 1e-10", "bound = 0",
                           "Tidy.judges_flatness_by_shape_not_by_size"),
+    "thick_beyond_all_numbers": ("meshes/flat_cells.cpp", "volume > bound && std::isfinite(volume)", "volume > bound",
+                                 "Tidy.judges_flatness_at_the_ends_of_the_range_as_at_1"),
     "welded_by_equality": ("meshes/weld.cpp", "join_near(scaled_(open, Eigen::indexing::all), length, sets);", ";",
                            "Weld.joins_what_is_jittered_by_less_than_the_length"),
     "polygons_in_any_unit": ("meshes/polygon_splitter.cpp", "    if (largest > 0)\n", "    if (false)\n"),

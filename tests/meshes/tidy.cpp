@@ -184,6 +184,17 @@ TEST(Tidy, judges_flatness_by_shape_not_by_size) {
               1);
 }
 
+/// Squares of its edges are too small for numbers, or for their inverses.
+TEST(Tidy, judges_flatness_at_the_ends_of_the_range_as_at_1) {
+    const Mesh sliver = make({{1, -3}, {2, -3 + 0x1p-42}, {2, -3}}, {{0, 1, 2}});
+    EXPECT_TRUE(says(refusal([&] { tidy(sliver); }), {"no cells"}));
+    for (const double scale : {0x1p-498, 0x1p-508, 0x1p-518, 0x1p-528, 0x1p-538, 0x1p500}) {
+        Mesh mesh = sliver;
+        mesh.points *= scale;
+        EXPECT_TRUE(says(refusal([&] { tidy(mesh); }), {"no cells"})) << scale;
+    }
+}
+
 TEST(Tidy, works_for_curves_and_for_points) {
     EXPECT_TRUE(
         says(refusal([] {
