@@ -29,11 +29,12 @@ from mutants import MUTANTS
 ROOT = Path(__file__).resolve().parent.parent
 
 # The test programs that each folder's flaws are asked of, one after the other.
-PROGRAMS = {folder: (f"{folder}/test_{folder}",) for folder in ("io", "shape", "solvers")}
+PROGRAMS = {folder: (f"{folder}/test_{folder}",) for folder in ("io", "shape")}
 for lower in ("complex", "meshes"):
     PROGRAMS[lower] = (f"{lower}/test_{lower}", "dec/test_dec")
 PROGRAMS["dec"] = ("dec/test_dec", "solvers/test_solvers")
 PROGRAMS["backends"] = ("backends/test_backends", "solvers/test_solvers")
+PROGRAMS["solvers"] = ("solvers/test_solvers", "io/test_io")
 SECONDS = 600
 WITH_COMPONENTS = "slepc.*:*UninstantiatedParameterizedTestSuite*" # there are none beside a flaw
 

@@ -95,8 +95,8 @@ MUTANTS = {
                                   "DrawFields.OnEdgesAndFacesHaveTheLengthsOfTheirVectorsAtEveryTime"),
     "fields_forget_their_degree": ("io/pictures/draw_fields.cpp", "array.degree = own;", ";",
                                    "DrawFields.HasEveryFieldOfAllDegreesTogether"),
-    "still_depth": ("io/pages/surface_painter.cpp", "if (nearness <= known)", "if (false)",
+    "still_depth": ("io/pages/surface_painter.cpp", "if (near <= known)", "if (false)",
                     "Stills.TheNearestTriangleIsSeenInAnyOrder"),
-    "png_rows": ("io/pictures/raster.cpp", "(y > 0 ? at(x, y - 1)[i] : 0)", "0",
+    "png_rows": ("io/pictures/raster.cpp", "above.assign(bytes, bytes + length);", ";",
                  "Stills.APngFileHoldsThePixels"),
 }
