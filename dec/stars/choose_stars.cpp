@@ -31,7 +31,8 @@ Vector ones_on(const Marks& marks) {
 CellVolumes barycentric_volumes(const MergedCells& cells) {
     const Geometry& pieces = cells.geometry();
     return merged_volumes(cells.merging(),
-                          dual_volumes(pieces.pieces(), pieces.metric(), Centers::centroids()));
+                          dual_volumes(pieces.pieces(), pieces.metric(), Centers::centroids(),
+                                       FlatSimplices::passed_over));
 }
 
 /// The cells of a surface that get Galerkin's stars: cells beside an edge without positive dual,

@@ -127,19 +127,20 @@ Opening opening_of(const Page& page, const Points& points, const PageFaces& face
     const Opener opener(points, faces, shown, shown_numbers(shown.at(page, shown.step)));
     if (!opener.has_numbers())
         return opening;
-    if (is_solid && shown.has_vectors()) { // most of them are inside
-        opening.percent = std::clamp(opener.percent_of_largest(opening.side), 30, 70);
-        return opening;
-    }
-    const PageFaces surface = faces.visible(opening.kept(faces, points));
+    const bool is_inside = is_solid && shown.has_vectors(); // most of them are
     SolidView view = opening.view;
-    for (int turns = 0; turns < 4; ++turns, view = turned(view))
-        if (opener.is_well_seen(view, surface)) {
+    for (int turns = 0; turns < 4 && !is_inside; ++turns, view = turned(view))
+        if (opener.is_well_seen(view, faces.visible(opening.kept(faces, points)))) {
             opening.view = view;
             return opening;
         }
-    if (is_solid)
+    if (!is_solid)
+        return opening;
+    opening.percent = 50;
+    if (!opener.is_well_seen(opening.view, faces.visible(opening.kept(faces, points))))
         opening.percent = opener.percent_of_largest(opening.side);
+    if (is_inside)
+        opening.percent = std::clamp(opening.percent, 30, 70);
     return opening;
 }
 

@@ -22,8 +22,8 @@ struct Opening {
 };
 
 /// The first of four views around the axis that shows a place where the field is nearly as large as
-/// anywhere. If none does, a solid is cut through such a place; solids with vectors always are, in
-/// their middle part. Points have three coordinates.
+/// anywhere. If none does, a solid is cut in half, or through such a place; solids with vectors
+/// always are, in their middle part. Points have three coordinates.
 Opening opening_of(const Page& page, const Points& points, const PageFaces& faces,
                    const ShownField& shown);
 

@@ -107,11 +107,12 @@ private:
                            [&](const PageField& field) { return field.place == place; });
     }
 
-    /// For each axis upwards, the direction to the eye.
+    /// For each axis upwards, the direction to the eye; of flat points, for their heights.
     std::string eyes() const {
         std::vector<std::string> all;
         for (const int axis : {0, 1, 2}) {
-            const Vector eye = axis == up_ ? opening_.view.eye : upright_view(axis).eye;
+            const bool is_opening = axis == up_ && !is_flat(page_.grid.points);
+            const Vector eye = is_opening ? opening_.view.eye : upright_view(axis).eye;
             all.push_back(fmt::format("[{},{},{}]", eye[0], eye[1], eye[2]));
         }
         return json_array(all);
