@@ -79,6 +79,8 @@ MUTANTS = {
                          "LooserTolerance.is_told_where_coordinates_have_few_digits"),
     "sources_everywhere": ("dec/fields/chosen_vertices.cpp", "tag && of_cell == *tag", "tag && of_cell != 0",
                            "ChosenVertices.are_those_of_a_place_a_group_and_the_boundary"),
+    "no_duals_beside_flat_cells": ("dec/stars/choose_stars.cpp", "FlatSimplices::passed_over", "FlatSimplices::refused",
+                                   "ChosenStars.of_vertices_fill_cubes_with_flat_pieces"),
     "robin_one_for_all": ("dec/boundary/boundary_conditions.cpp",
                           "result[f] = given.size() == 1 ? given[0] : given[f];",
                           "result[f] = given[0];",

@@ -14,6 +14,7 @@
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
+#include "tests/support/slivers.h"
 
 #include <gtest/gtest.h>
 
@@ -322,6 +323,15 @@ TEST(ChosenStars, by_galerkin_have_a_positive_spectrum_on_a_sliver) {
     EXPECT_NEAR(found[0], 57.599677, 1e-6);
     EXPECT_NEAR(found[1], 96, 1e-5);
     EXPECT_NEAR(found[2], 96, 1e-5);
+}
+
+/// Flat tetrahedra add nothing to the duals of their vertices.
+TEST(ChosenStars, of_vertices_fill_cubes_with_flat_pieces) {
+    const auto cubes = discretize(five_to_a_cube(3), {.star = StarKind::barycentric});
+    ASSERT_GT(cubes.pieces().size(3), 5 * 27);
+    const Vector shares = cubes.stars()[0].diagonal();
+    EXPECT_NEAR(shares.sum(), 27, 1e-9);
+    EXPECT_GT(shares.minCoeff(), 0);
 }
 
 TEST(ChosenStars, by_galerkin_are_there_for_tets_as_flat_as_they_come) {
