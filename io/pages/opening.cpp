@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace polydec {
 
@@ -128,9 +128,10 @@ Opening opening_of(const Page& page, const Points& points, const PageFaces& face
     if (!opener.has_numbers())
         return opening;
     const bool is_inside = is_solid && shown.has_vectors(); // most of them are
+    const PageFaces whole = faces.visible(opening.kept(faces, points));
     SolidView view = opening.view;
     for (int turns = 0; turns < 4 && !is_inside; ++turns, view = turned(view))
-        if (opener.is_well_seen(view, faces.visible(opening.kept(faces, points)))) {
+        if (opener.is_well_seen(view, whole)) {
             opening.view = view;
             return opening;
         }

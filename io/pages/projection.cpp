@@ -13,7 +13,9 @@ Projection::Projection(const SolidView& view, const Points& points,
     const Place eye = Place(view.eye).normalized();
     const Place right = Place(view.up).cross(eye).normalized();
     axes_ << right.transpose(), eye.cross(right).transpose(), eye.transpose();
-    Place low = axes_ * Place(points.row(numbers.front())), high = low;
+    Place low = Place::Zero(), high = low;
+    if (!numbers.empty())
+        low = high = axes_ * Place(points.row(numbers.front()));
     for (const Index v : numbers) {
         const Place p = axes_ * Place(points.row(v));
         low = low.cwiseMin(p);

@@ -13,7 +13,7 @@ class Projection {
 public:
     using Place = Eigen::Vector3d;
 
-    /// The points with these numbers fill the frame. Points have three coordinates.
+    /// The points with these numbers, if any, fill the frame. Points have three coordinates.
     Projection(const SolidView& view, const Points& points, const std::vector<Index>& numbers,
                const SvgBox& frame);
 

@@ -107,4 +107,19 @@ TEST(Openings, CutSolidsWithVectorsInTheirMiddlePart) {
     }
 }
 
+/// Each face of two tetrahedra on the same vertices has both of them: none is outside.
+TEST(Openings, OfSolidsWithoutOutsideDoNotFail) {
+    Page page;
+    page.grid.points = kuhn(3, 1).points.topRows(4);
+    page.grid.points.row(3) << 0, 0, 1;
+    page.grid.types = {VtuCell::tetra, VtuCell::tetra};
+    page.grid.corners = {0, 1, 2, 3, 0, 1, 2, 3};
+    page.grid.offsets = {4, 8};
+    page.grid.face_offsets = {-1, -1};
+    page.grid.point_data = {vtu_array("f", Vector::LinSpaced(4, 0, 1))};
+    page.shown = "f";
+    EXPECT_EQ(Opened(page).seen().size(), 0);
+    EXPECT_GT(to_html(page).size(), 1000U);
+}
+
 } // namespace polydec::test::in_openings
