@@ -192,8 +192,10 @@ private:
             known = std::min(known, found);
         }
         std::map<std::array<int, 2>, Place> drawn; // none near another one
-        for (const auto& [square, found] : nearest) {
-            const auto& [at, number] = seen[found.second];
+        for (const auto& entry : nearest) {
+            const std::array square = entry.first;
+            const std::size_t found = entry.second.second;
+            const Place at = seen[found].first;
             const auto is_near = [&](int x, int y) {
                 const auto other = drawn.find({square[0] + x, square[1] + y});
                 return other != drawn.end() && (other->second - at).head(2).norm() < 0.8 * size;
@@ -201,7 +203,8 @@ private:
             if (is_near(-1, -1) || is_near(-1, 0) || is_near(-1, 1) || is_near(0, -1))
                 continue;
             drawn.emplace(square, at);
-            add_arrow_at(result, painter, at, scene.vectors.row(number).transpose(), size);
+            add_arrow_at(result, painter, at, scene.vectors.row(seen[found].second).transpose(),
+                         size);
         }
     }
 
