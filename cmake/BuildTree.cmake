@@ -14,19 +14,6 @@ set_target_properties(${polydec_build_targets} PROPERTIES EXPORT_NO_SYSTEM ON)
 export(TARGETS ${polydec_build_targets} NAMESPACE polydec::
     FILE ${PROJECT_BINARY_DIR}/polydecBuildTargets.cmake)
 
-# Programs without the address sanitizer, such as Python and the test programs, must preload it to
-# run with a sanitized library; it also needs the C++ library, whose exceptions it intercepts.
-set(polydec_preloaded)
-string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags)
-if("${CMAKE_CXX_FLAGS} ${${flags}}" MATCHES "-fsanitize=address")
-    foreach(name IN ITEMS libasan.so libstdc++.so.6)
-        execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=${name}
-            OUTPUT_VARIABLE path OUTPUT_STRIP_TRAILING_WHITESPACE)
-        list(APPEND polydec_preloaded ${path})
-    endforeach()
-    list(JOIN polydec_preloaded ":" polydec_preloaded)
-endif()
-
 # The public headers, one a line.
 set(headers "$<TARGET_PROPERTY:polydec,HEADER_SET>")
 set(component_headers)

@@ -16,7 +16,8 @@ function(polydec_compile_by_module target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     # Types in anonymous namespaces may be members in a file but not in what it reads, and a local
     # name may hide one of another file.
-    target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-shadow -Wshadow=local)
+    target_compile_options(${target} PRIVATE -Wno-shadow
+        "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage;-Wshadow=local>")
     get_target_property(sources ${target} SOURCES)
     list(FILTER sources INCLUDE REGEX "\\.cpp$")
     foreach(source IN LISTS sources)
@@ -27,3 +28,22 @@ function(polydec_compile_by_module target)
             PROPERTIES UNITY_GROUP ${module})
     endforeach()
 endfunction()
+
+# Programs without the address sanitizer, such as Python and the test programs, must preload it to
+# run with a sanitized library; it also needs the C++ library, whose exceptions it intercepts.
+set(polydec_preloaded)
+string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags)
+if("${CMAKE_CXX_FLAGS} ${${flags}}" MATCHES "-fsanitize=[^ ]*address")
+    set(runtime libasan.so)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+        set(runtime libclang_rt.asan-${CMAKE_SYSTEM_PROCESSOR}.so)
+    endif()
+    foreach(name IN ITEMS ${runtime} libstdc++.so.6)
+        execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=${name}
+            OUTPUT_VARIABLE path OUTPUT_STRIP_TRAILING_WHITESPACE)
+        list(APPEND polydec_preloaded ${path})
+    endforeach()
+    list(GET polydec_preloaded 0 path)
+    cmake_path(GET path PARENT_PATH CMAKE_BUILD_RPATH)
+    list(JOIN polydec_preloaded ":" polydec_preloaded)
+endif()

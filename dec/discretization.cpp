@@ -209,7 +209,10 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
                                  .facet_tags = std::move(facet_tags),
                                  .groups = std::move(mesh.groups),
                                  .input_cells = std::move(mesh.input_cells)});
-    if (options.star != StarKind::circumcentric && options.star != StarKind::automatic) {
+    const bool exist_anyway =
+        options.star == StarKind::circumcentric ||
+        (options.star == StarKind::automatic && result.geometry().flat().empty());
+    if (!exist_anyway) {
         begin(stage, "stars");
         result.chosen_stars(); // or report why there are none
     }

@@ -19,7 +19,7 @@ namespace {
 /// The library's own allocators give null where memory ends, which it does not look for.
 class ThrowingAllocator {
 public:
-    static constexpr bool kNeedFree = true;
+    [[maybe_unused]] static constexpr bool kNeedFree = true;
     void* Malloc(std::size_t size) { return Realloc(nullptr, 0, size); }
     void* Realloc(void* old, std::size_t, std::size_t size) {
         if (size == 0) {

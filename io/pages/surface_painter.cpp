@@ -12,8 +12,28 @@ namespace {
 constexpr float nothing = -std::numeric_limits<float>::infinity();
 constexpr double near_enough = 4; ///< pixels
 
-double mean(const SurfacePainter::Weights& values, const SurfacePainter::Weights& weights) {
+/// A number for each place, linear in both coordinates.
+struct Linear {
+    double constant = 0, per_x = 0, per_y = 0;
+
+    double operator()(double x, double y) const { return constant + per_x * x + per_y * y; }
+};
+
+double mean(const SurfacePainter::Weights& values, const double (&weights)[3]) {
     return values[0] * weights[0] + values[1] * weights[1] + values[2] * weights[2];
+}
+
+/// The coordinate opposite to a side of a triangle. The neighbor there computes the same numbers
+/// with the other sign, so that no sample between them is left out.
+Linear barycentric(double x, double y, double next_x, double next_y, double area) {
+    return {(x * next_y - y * next_x) / area, (y - next_y) / area, (next_x - x) / area};
+}
+
+/// The values of the corners at each place, from the barycentric coordinates there.
+Linear mean(const SurfacePainter::Weights& values, const Linear (&weights)[3]) {
+    const auto& [a, b, c] = weights;
+    return {mean(values, {a.constant, b.constant, c.constant}),
+            mean(values, {a.per_x, b.per_x, c.per_x}), mean(values, {a.per_y, b.per_y, c.per_y})};
 }
 
 /// The color of the line at a place of a triangle of these heights, if one is there.
@@ -51,7 +71,9 @@ Color SurfacePainter::color(double part) const {
 }
 
 Color SurfacePainter::color(const SeenTriangle& triangle, const Weights& weights) const {
-    return darker(triangle.parts ? color(mean(*triangle.parts, weights)) : plain_,
+    return darker(triangle.parts
+                      ? color(mean(*triangle.parts, {weights[0], weights[1], weights[2]}))
+                      : plain_,
                   triangle.brightness);
 }
 
@@ -66,38 +88,43 @@ void SurfacePainter::paint(const SeenTriangle& triangle) {
     if (area == 0 || !std::isfinite(area))
         return; // seen from its side
 
-    // The barycentric coordinates are linear in x and y. Neighbors compute the same number with
-    // the other sign for their common side, so that no sample between them is left out.
-    double constant[3], per_x[3], per_y[3];
+    Linear weights[3];
     Weights heights; // over the opposite sides, in pixels
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
-        constant[i] = (x[a] * y[b] - y[a] * x[b]) / area;
-        per_x[i] = (y[a] - y[b]) / area;
-        per_y[i] = (x[b] - x[a]) / area;
+        weights[i] = barycentric(x[a], y[a], x[b], y[b], area);
         heights[i] = std::abs(area) / std::hypot(x[a] - x[b], y[a] - y[b]) / factor;
     }
+    const Linear near = mean(nearness, weights);
+    const Linear part = triangle.parts ? mean(*triangle.parts, weights) : Linear{};
+    const Color uniform = darker(plain_, triangle.brightness);
+    const bool has_lines = triangle.sides[0] || triangle.sides[1] || triangle.sides[2];
     const auto bound = [](double place, int end) {
         return static_cast<int>(std::clamp(std::ceil(place - 0.5), 0.0, static_cast<double>(end)));
     };
     const auto [left, right] = std::minmax({x[0], x[1], x[2]});
     const auto [top, bottom] = std::minmax({y[0], y[1], y[2]});
-    const int x_end = bound(right + 1, samples_.width());
+    const int first = bound(left, samples_.width()), end = bound(right + 1, samples_.width());
     const int y_end = bound(bottom + 1, samples_.height());
     for (int row = bound(top, samples_.height()); row < y_end; ++row)
-        for (int column = bound(left, samples_.width()); column < x_end; ++column) {
-            Weights weights;
-            for (std::size_t i = 0; i < 3; ++i)
-                weights[i] = constant[i] + per_x[i] * (column + 0.5) + per_y[i] * (row + 0.5);
-            if (weights[0] < 0 || weights[1] < 0 || weights[2] < 0)
+        for (int column = first; column < end; ++column) {
+            const double at_x = column + 0.5, at_y = row + 0.5;
+            const double a = weights[0](at_x, at_y), b = weights[1](at_x, at_y),
+                         c = weights[2](at_x, at_y);
+            if (a < 0 || b < 0 || c < 0)
                 continue;
-            const auto near = static_cast<float>(mean(nearness, weights));
+            const auto nearer = static_cast<float>(near(at_x, at_y));
             float& known = nearness_[place(column, row)];
-            if (near <= known)
+            if (nearer <= known)
                 continue;
-            known = near;
-            const Color* line = line_at(triangle, weights, heights);
-            samples_.set(column, row, line != nullptr ? *line : color(triangle, weights));
+            known = nearer;
+            const Color* line = has_lines ? line_at(triangle, {a, b, c}, heights) : nullptr;
+            if (line != nullptr)
+                samples_.set(column, row, *line);
+            else
+                samples_.set(column, row,
+                             triangle.parts ? darker(color(part(at_x, at_y)), triangle.brightness)
+                                            : uniform);
         }
 }
 

@@ -100,18 +100,19 @@ void Raster::text(SvgPoint at, std::string_view text, double size, SvgAnchor anc
 Raster Raster::reduced(int factor) const {
     Raster result(width_ / factor, height_ / factor);
     const int count = factor * factor;
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(pixels_.data());
+    const std::size_t length = 3 * place(0, 1), step = 3 * static_cast<std::size_t>(factor);
+    auto* pixel = reinterpret_cast<std::uint8_t*>(result.pixels_.data());
     for (int y = 0; y < result.height_; ++y)
-        for (int x = 0; x < result.width_; ++x) {
-            std::array<int, 3> sums{};
-            for (int part = 0; part < count; ++part) {
-                const Color color = at(factor * x + part % factor, factor * y + part / factor);
-                for (std::size_t i = 0; i < 3; ++i)
-                    sums[i] += color[i];
+        for (int x = 0; x < result.width_; ++x)
+            for (int color = 0; color < 3; ++color) {
+                int sum = count / 2;
+                const auto* row = bytes + 3 * place(factor * x, factor * y) + color;
+                for (int i = 0; i < factor; ++i, row += length)
+                    for (std::size_t j = 0; j < step; j += 3)
+                        sum += row[j];
+                *pixel++ = static_cast<std::uint8_t>(sum / count);
             }
-            Color& pixel = result.pixels_[result.place(x, y)];
-            for (std::size_t i = 0; i < 3; ++i)
-                pixel[i] = static_cast<std::uint8_t>((sums[i] + count / 2) / count);
-        }
     return result;
 }
 

@@ -81,6 +81,9 @@ MUTANTS = {
                            "ChosenVertices.are_those_of_a_place_a_group_and_the_boundary"),
     "no_duals_beside_flat_cells": ("dec/stars/choose_stars.cpp", "FlatSimplices::passed_over", "FlatSimplices::refused",
                                    "ChosenStars.of_vertices_fill_cubes_with_flat_pieces"),
+    "stars_of_flat_pieces_taken_for_granted": (
+        "dec/discretization.cpp", "result.geometry().flat().empty()", "true",
+        "ChosenStars.that_do_not_exist_are_refused_before_they_are_used"),
     "robin_one_for_all": ("dec/boundary/boundary_conditions.cpp",
                           "result[f] = given.size() == 1 ? given[0] : given[f];",
                           "result[f] = given[0];",

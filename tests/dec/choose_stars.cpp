@@ -334,6 +334,15 @@ TEST(ChosenStars, of_vertices_fill_cubes_with_flat_pieces) {
     EXPECT_GT(shares.minCoeff(), 0);
 }
 
+/// The flat one of three tetrahedra, a square, joins a neighbor that covers half of it.
+TEST(ChosenStars, that_do_not_exist_are_refused_before_they_are_used) {
+    Mesh mesh{Points(6, 3), Simplices(3, 4), {}};
+    mesh.points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, -0.75, 1, 1;
+    mesh.simplices << 0, 4, 3, 1, 0, 2, 3, 1, 0, 2, 5, 1;
+    EXPECT_TRUE(says(refusal([&] { discretize(mesh); }), {"3-cell 0", "flat", "tolerance"}));
+    EXPECT_EQ(discretize(mesh, {.star = StarKind::circumcentric}).complex().size(3), 2);
+}
+
 TEST(ChosenStars, by_galerkin_are_there_for_tets_as_flat_as_they_come) {
     for (const int size : {8, 10}) {
         const auto mesh = discretize(shaken(kuhn(3, size), 0.3, 3));
