@@ -110,7 +110,7 @@ def put_program(system, command, how):
         shutil.copy(ROOT / "tests/house/consumer" / name, system.work)
     system.put("readme.cpp", door("cpp"))
     system.put("CMakeLists.txt", PROJECT % how)
-    run(command, "generate", "flange", "--segments", 48, "-o", system.work / "fandisk.off")
+    run(command, "generate", "flange", "--segments", 48, "-o", system.work / "part.off")
 
 
 def packages(options, base):
