@@ -31,9 +31,10 @@ void group(Index halfedges, Index numbers, Number number, std::vector<Index>& be
 
 /// Cosine and sine of the angle opposite to a in a triangle, of any size.
 std::array<double, 2> corner(double a, double b, double c) {
-    const double longest = std::max({a, b, c});
-    a /= longest, b /= longest, c /= longest;
-    return {(c * c + (b - a) * (b + a)) / (2 * b * c), 2 * triangle_area(a, b, c) / (b * c)};
+    const int exponent = std::ilogb(std::max({a, b, c}));
+    for (double* side : {&a, &b, &c})
+        *side = std::ldexp(*side, -exponent); // which rounds nothing
+    return {twice_scalar_product(a, b, c) / (2 * b * c), 2 * triangle_area(a, b, c) / (b * c)};
 }
 
 } // namespace

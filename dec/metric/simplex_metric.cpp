@@ -93,12 +93,9 @@ int SimplexLayout::base(int k) const {
     return best;
 }
 
-/// Inner product of the edges from the origin to i and to j by the law of cosines; the difference
-/// of the two squares with the most cancellation is computed as a product.
+/// Inner product of the edges from the origin to i and to j.
 double SimplexLayout::product(int origin, int i, int j) const {
-    const double a = length(origin, i), b = length(origin, j), opposite = length(i, j);
-    const double shorter = std::min(a, b), longer = std::max(a, b);
-    return (shorter * shorter + (longer - opposite) * (longer + opposite)) / 2;
+    return twice_scalar_product(length(i, j), length(origin, i), length(origin, j)) / 2;
 }
 
 /// The height of corner a over the previous corners, whose first coordinates are known. 0 if only

@@ -20,14 +20,22 @@ inline double triangle_area(double a, double b, double c) {
     return product > 0 ? std::sqrt(product) / 4 : 0;
 }
 
+/// Twice the scalar product of the sides b and c, from the corner opposite to side a, length^2: by
+/// the law of cosines, whose difference with the most cancellation is computed as a product.
+inline double twice_scalar_product(double a, double b, double c) {
+    if (b < c)
+        std::swap(b, c);
+    return c * c + (b - a) * (b + a);
+}
+
 /// Cotangent of the angle opposite side a, between sides b and c, of a triangle of known area.
 inline double corner_cotangent(double a, double b, double c, double area) {
-    return (c * c + (b - a) * (b + a)) / (4 * area);
+    return twice_scalar_product(a, b, c) / (4 * area);
 }
 
 /// The angle itself, from 0 to pi.
 inline double corner_angle(double a, double b, double c, double area) {
-    return std::atan2(4 * area, c * c + (b - a) * (b + a));
+    return std::atan2(4 * area, twice_scalar_product(a, b, c));
 }
 
 /// Circumradius of a triangle of known area.

@@ -89,4 +89,6 @@ MUTANTS = {
                                   "Refine.knows_what_rounding_has_changed"),
     "more_simplices_than_allowed": ("shape/shape_spectrum.cpp", "pieces.size(n) <= most ? low : high", "pieces.size(n) <= 2 * most ? low : high",
                                     "Adaptive.fills_the_most_triangles_and_warns"),
+    "corners_stretch": ("shape/unfolded_triangles.cpp", "twice_scalar_product(a, b, c) / (2", "(c * c + (b - a) * (b + a)) / (2",
+                        "ExactDistance.is_no_longer_than_ways_along_edges_where_all_triangles_are_needles"),
 }

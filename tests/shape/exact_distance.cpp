@@ -4,6 +4,7 @@
 #include "dec/surfaces/intrinsic_delaunay.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "tests/shape/known_shapes.h"
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"
 #include "tests/support/families.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace polydec::test::in_exact_distance {
 namespace {
@@ -225,6 +227,32 @@ TEST(ExactDistance, does_not_mind_needles) {
         for (Index v = 0; v < d.size(); ++v)
             EXPECT_NEAR(d[v], thin.points.row(v).norm(), 1e-12) << width << " " << v;
     }
+}
+
+/// Strips in a circle, a hundred thousand times as long as wide.
+TEST(ExactDistance, is_no_longer_than_ways_along_edges_where_all_triangles_are_needles) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> number(-1, 1);
+    int answered = 0;
+    for (int trial = 0; trial < 50; ++trial) {
+        Mesh strip{Points(9, 2), Simplices(9, 3), {}};
+        for (Index v = 0; v < 9; ++v) {
+            strip.points.row(v) << 1e-6 * (v % 3 + number(random)),
+                std::round(3 * number(random)) + 1e-5 * number(random);
+            strip.simplices.row(v) << v, (v + 1) % 9, (v + 2) % 9;
+        }
+        const MeasuredSurface surface = measured(divided(divided(strip)));
+        Vector d;
+        if (refusal([&] { d = from(surface, {0}); }) != "accepted")
+            continue; // by chance a triangle has no area
+        ++answered;
+        for (Index h = 0; h < 3 * surface.surface.triangles(); ++h) {
+            const Index v = surface.surface.tail(h), w = surface.surface.tail(Triangles::next(h));
+            EXPECT_LE(std::abs(d[v] - d[w]),
+                      surface.lengths[surface.surface.edge(h)] * (1 + 1e-9) + 1e-12);
+        }
+    }
+    EXPECT_GT(answered, 25);
 }
 
 TEST(ExactDistance, scales_with_the_lengths) {
