@@ -70,7 +70,7 @@ void draw(const HodgeArguments& arguments, const Discretization& mesh, const Coc
                               name(form.side), form.degree, arguments.form),
                   answer.conditions, in_words(answer.stars)};
     write_picture(arguments.picture, mesh,
-                  {{"form", form, "the sum"},
+                  {{"form", form, "the form that is split"},
                    {"exact", parts.exact, "d of a form"},
                    {"coexact", parts.coexact, "the codifferential of a form"},
                    {"harmonic", parts.harmonic, "neither, from the topology"}},

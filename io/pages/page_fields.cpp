@@ -71,11 +71,11 @@ const PageField* first_field(const Page& page, const std::vector<PageField>& fie
     return asked;
 }
 
-std::size_t opening_step(const Page& page, const PageField& field) {
+std::size_t opening_step(const Page& page, const ShownField& shown) {
     std::size_t best = 0;
     double most = 0;
     for (std::size_t s = 0; s < page.steps.size(); ++s) {
-        const auto [low, high] = range_of(field.at(page.steps[s]));
+        const auto [low, high] = range_of(shown.at(page, s));
         const double range = high - low;
         if (range > (1 + 1e-9) * most) {
             best = s;
@@ -215,7 +215,6 @@ ShownField shown_field(const Page& page, const std::vector<PageField>& fields,
     if (shown.field == nullptr)
         return shown;
     shown.place = shown.field->place;
-    shown.step = opening_step(page, *shown.field);
     for (const PageArrows& arrows : page.arrows)
         if (shown.strengths.empty() && arrows.field == shown.field->array->name) {
             shown.strengths = strengths(page, fields, arrows, cells);
@@ -223,6 +222,7 @@ ShownField shown_field(const Page& page, const std::vector<PageField>& fields,
         }
     if (!shown.strengths.empty())
         shown.place = "cell";
+    shown.step = opening_step(page, shown);
     return shown;
 }
 

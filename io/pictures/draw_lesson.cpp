@@ -79,7 +79,9 @@ SvgDrawing draw_apart(const Discretization& mesh, const LessonOptions& options) 
         throw InvalidInput("a drawing of a solid shows its cells and their numbers: leave out "
                            "duals, orientations and circumcircles, or draw a surface");
     const auto all = [](const Vector&) { return true; };
-    const SolidFaces faces = kept_cells(mesh, all, options.explode / (1 + options.explode));
+    const SolidFaces faces = options.explode > 0
+                                 ? kept_cells(mesh, all, options.explode / (1 + options.explode))
+                                 : kept_faces(mesh, all);
     SvgDrawing drawing = draw_solid(faces, structure.view);
     drawing.margin = 24;
     if (structure.numbers) {

@@ -99,4 +99,8 @@ MUTANTS = {
                     "Stills.TheNearestTriangleIsSeenInAnyOrder"),
     "png_rows": ("io/pictures/raster.cpp", "above.assign(bytes, bytes + length);", ";",
                  "Stills.APngFileHoldsThePixels"),
+    "insides_painted": ("io/pictures/draw_lesson.cpp", "options.explode > 0\n                                 ? kept_cells", "options.explode >= 0\n                                 ? kept_cells",
+                        "DrawLesson.SolidsThatAreWholeHaveTheirSurfaceAlone"),
+    "steps_by_numbers_of_edges": ("io/pages/page_fields.cpp", "shown.step = opening_step(page, shown);", "auto by_edges = shown; by_edges.strengths.clear(); shown.step = opening_step(page, by_edges);",
+                                  "DrawFields.OnPagesOpenWhereVectorsAreLongestNotTheNumbersOfEdges"),
 }

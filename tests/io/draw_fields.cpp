@@ -3,6 +3,7 @@
 // Pictures of several fields: each value is found where it belongs, in files, pages and series.
 #include "io/pictures/draw_fields.h"
 
+#include "dec/fields/de_rham.h"
 #include "io/pages/draw_page.h"
 #include "io/pages/page_fields.h"
 #include "io/pages/read_grid.h"
@@ -178,6 +179,21 @@ TEST(DrawFields, OnEdgesAndFacesHaveTheLengthsOfTheirVectorsAtEveryTime) {
         EXPECT_EQ(numbers(lengths[1]), page.steps[1].vectors[i].rowwise().stableNorm());
         EXPECT_EQ(range_of(lengths)[1], numbers(lengths[1]).maxCoeff());
     }
+}
+
+/// The numbers of edges are larger in the first step, on longer edges.
+TEST(DrawFields, OnPagesOpenWhereVectorsAreLongestNotTheNumbersOfEdges) {
+    const auto mesh = discretize(grid(4, 4, 100, 1));
+    const auto field = [&](int axis, double factor) {
+        return std::vector<NamedForm>{{"X", de_rham(mesh, 1, [=](const Vector& point) {
+                                           Vector X = Vector::Zero(2);
+                                           X[axis] = factor * point[0] / 100;
+                                           return X;
+                                       })}};
+    };
+    Page page = draw_page(mesh, field(0, 1));
+    page.steps = {draw_step(page, "0", field(0, 1)), draw_step(page, "1", field(1, 3))};
+    EXPECT_NE(to_html(page).find("\"step\":1,"), std::string::npos);
 }
 
 TEST(DrawFields, OnFacesOrEdgesNeedAMesh) {
