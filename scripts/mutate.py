@@ -3,6 +3,7 @@
 """Plants one flaw at a time in a copy of a source file and checks that a test fails.
 
     scripts/mutate.py build/release build/tests [--only NAME ..] [--jobs N]
+    scripts/mutate.py --texts     asks only whether the text of each flaw is in its file once
 
 The folders are a shared release build of polydec and a build of the tests; neither is changed. Only
 the mutated file is compiled (1 to 8 s) and preloaded. A copy of the library, linked without
@@ -62,12 +63,19 @@ def open_library(build, folder):
                    cwd=build)
 
 
+def stale(name):
+    """Why the flaw cannot be planted; "" if it can."""
+    path, old = MUTANTS[name][:2]
+    count = (ROOT / path).read_text().count(old)
+    return "" if count == 1 else f"text occurs {count} times in {path}, expected once"
+
+
 def compiled(build, work, name):
     """Path of the shared object with the flaw, or None and the reason."""
     path, old, new = MUTANTS[name][:3]
+    if stale(name):
+        return None, stale(name)
     source = (ROOT / path).read_text()
-    if source.count(old) != 1:
-        return None, f"text occurs {source.count(old)} times in {path}, expected once"
     mutated, shared = work / f"{name}.cpp", work / f"{name}.so"
     mutated.write_text(f'#line 1 "{path}"\n' + source.replace(old, new))
     command, where = flags(build, path)
@@ -109,12 +117,19 @@ def ask(build, tests, work, name):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("build", type=Path, help="release build of polydec, its library shared")
-    parser.add_argument("tests", type=Path, help="build of the tests")
+    parser.add_argument("build", type=Path, nargs="?", help="release build of polydec, its library shared")
+    parser.add_argument("tests", type=Path, nargs="?", help="build of the tests")
+    parser.add_argument("--texts", action="store_true", help="ask only whether each text is there once")
     parser.add_argument("--only", nargs="+", choices=sorted(MUTANTS), default=list(MUTANTS),
                         metavar="NAME", help="these flaws alone")
     parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1))
     arguments = parser.parse_args()
+    if arguments.texts:
+        found = [f"{name}: {stale(name)}" for name in arguments.only if stale(name)]
+        print("\n".join(found) or "every text is there once")
+        return 2 if found else 0
+    if arguments.tests is None:
+        parser.error("expected the folders of both builds, or --texts")
     build, tests = arguments.build.resolve(), arguments.tests.resolve()
     ended = {"caught": 0, "survived": 0, "stale": 0}
     with tempfile.TemporaryDirectory() as folder, \

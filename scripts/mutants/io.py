@@ -95,7 +95,7 @@ MUTANTS = {
                                   "DrawFields.OnEdgesAndFacesHaveTheLengthsOfTheirVectorsAtEveryTime"),
     "fields_forget_their_degree": ("io/pictures/draw_fields.cpp", "array.degree = own;", ";",
                                    "DrawFields.HasEveryFieldOfAllDegreesTogether"),
-    "still_depth": ("io/pages/surface_painter.cpp", "if (near <= known)", "if (false)",
+    "still_depth": ("io/pages/surface_painter.cpp", "if (nearer <= known)", "if (false)",
                     "Stills.TheNearestTriangleIsSeenInAnyOrder"),
     "png_rows": ("io/pictures/raster.cpp", "above.assign(bytes, bytes + length);", ";",
                  "Stills.APngFileHoldsThePixels"),
