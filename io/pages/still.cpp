@@ -22,7 +22,7 @@ namespace {
 constexpr int picture_width = 1280, picture_height = 800;
 constexpr std::size_t most_svg_triangles = 4000, most_cells_with_edges = 2000;
 constexpr double margin = 24;
-constexpr Color plain{0xe4, 0xe9, 0xef}, ink{0x22, 0x22, 0x22}, gray{0x66, 0x66, 0x66};
+constexpr Color plain{0xe4, 0xe9, 0xef}, ink{0x22, 0x22, 0x22};
 constexpr Color edge{0x44, 0x44, 0x44};
 
 std::string number_text(double value) {

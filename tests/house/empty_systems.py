@@ -51,8 +51,10 @@ class System:
         self.install(*packages)
 
     def run(self, script, network=False):
-        mounts = "".join(f"mount --bind /{name} {self.root}/{name}; " for name in ("proc", "dev"))
-        return run("unshare", "-m" if network else "-mn", "sh", "-ec", mounts + 'exec chroot "$@"', "sh",
+        first = "".join(f"mount --bind /{name} {self.root}/{name}; " for name in ("proc", "dev"))
+        if not network:
+            first += "ip link set lo up; " # without it MPI complains, which CMake takes for options
+        return run("unshare", "-m" if network else "-mn", "sh", "-ec", first + 'exec chroot "$@"', "sh",
                    self.root, "env", "-i", "HOME=/root", "LC_ALL=C.UTF-8", "PATH=/usr/sbin:/usr/bin:/sbin:/bin",
                    "DEBIAN_FRONTEND=noninteractive", "sh", "-ec", f"cd /srv; {script}")
 
