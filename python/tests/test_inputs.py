@@ -195,7 +195,7 @@ def test_values_at_vertices_inside_and_conditions_that_match_nothing():
 def test_distances_from_chosen_vertices():
     square = polydec.discretize(polydec.meshes.grid(8, 8))
     far = polydec.geodesic_distance(square, "boundary")
-    assert (far[square.boundary_vertices()] == 0).all() and far.max() == .5
+    assert (far[square.boundary_vertices()] == 0).all() and abs(far.max() - .5) < 1e-15
     left = square.points[:, 0] < .01
     assert (polydec.geodesic_distance(square, left)
             == polydec.geodesic_distance(square, lambda p: p[:, 0] < .01)).all()

@@ -164,7 +164,7 @@ TEST(ExactDistance, from_all_the_boundary_of_a_square_is_that_to_the_nearest_sid
             boundary.push_back(v);
     const Vector d = from(square, boundary);
     for (Index v = 0; v < d.size(); ++v)
-        EXPECT_EQ(d[v], to_side(v));
+        EXPECT_NEAR(d[v], to_side(v), 1e-15);
 }
 
 TEST(ExactDistance, in_the_plane_is_straight_on_any_triangles_and_bends_around_holes) {
