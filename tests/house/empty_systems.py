@@ -141,7 +141,7 @@ def build_packages(options, base):
     run("tar", "-xzf", options.tarball, "-C", system.work)
     tree = next(system.work.iterdir()).name
     system.install(f"./{tree}", command="build-dep")
-    system.run(f"cd {tree}; DEB_BUILD_OPTIONS=noopt DEB_CXXFLAGS_STRIP=-g dpkg-buildpackage -us -uc -b")
+    system.run(f"cd {tree}; DEB_BUILD_OPTIONS='noopt noautodbgsym' DEB_CXXFLAGS_STRIP=-g dpkg-buildpackage -us -uc -b")
     system.run("lintian --allow-root --fail-on error,warning *.changes")
     return system.work
 
