@@ -10,7 +10,7 @@ system is a new Debian 12 by debootstrap with the packages named below; polydec 
 Each engine cholmod must be found where it is installed. Nothing but Debian's packages comes from the
 network; what is built and run has none.
 
-Usage: empty_systems.py COMMAND FOLDER [--debs FOLDER] [PART ..]. COMMAND is a polydec that makes a mesh,
+Usage: empty_systems.py [--debs FOLDER] COMMAND FOLDER [PART ..]. COMMAND is a polydec that makes a mesh,
 FOLDER is made anew, DEBS holds packages that were built before. Exit code: 0 all went well, 1 not, 77
 without root, debootstrap, git or network.
 """
