@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The warnings every target of polydec is compiled with.
+# How targets of polydec are compiled: warnings, modules, and what programs with sanitizers load.
+# The warnings of every target.
 function(polydec_compile_options target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
     if(POLYDEC_WERROR)
@@ -30,7 +31,8 @@ function(polydec_compile_by_module target)
 endfunction()
 
 # Programs without the address sanitizer, such as Python and the test programs, must preload it to
-# run with a sanitized library; it also needs the C++ library, whose exceptions it intercepts.
+# run with a sanitized library; it also needs the C++ library, whose exceptions it intercepts. Programs with it find it by
+# their run path, since clang keeps its own where nothing looks.
 set(polydec_preloaded)
 string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags)
 if("${CMAKE_CXX_FLAGS} ${${flags}}" MATCHES "-fsanitize=[^ ]*address")
