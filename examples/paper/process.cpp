@@ -33,7 +33,11 @@ char over_limit[160]; ///< message when the limit is exceeded
 const char* program = "";
 std::atomic<bool> is_working{false};
 
+/// The program ends for one reason: a limit that is exceeded meanwhile is not told.
 int fail(ExitCode code, const char* text) noexcept {
+    sigset_t limits{};
+    sigaddset(&limits, SIGXCPU);
+    pthread_sigmask(SIG_BLOCK, &limits, nullptr);
     console::tell(program);
     console::tell(": ");
     console::tell(text);

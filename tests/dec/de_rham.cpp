@@ -33,33 +33,41 @@ public:
                (linear(2) * x).array().cube();
     }
 
+    SmoothForm form() const {
+        return [*this](const Vector& x) { return value(x); };
+    }
+
     /// Coefficient at dx_J: sum over p of (-1)^p d/dx_(J_p) of that at J without J_p.
-    Vector derivative(const Vector& x) const {
-        const Vector a = 2 * linear(1) * x, b = 3 * (linear(2) * x).array().square();
-        const DenseMatrix partial = linear(0) + DenseMatrix(a.asDiagonal() * linear(1)) +
-                                    DenseMatrix(b.asDiagonal() * linear(2));
+    SmoothForm d() const {
+        struct Term {
+            Index J, I, axis;
+            double sign;
+        };
+        std::vector<Term> terms;
         const auto lower = subsets(static_cast<int>(N_), k_);
         const auto upper = subsets(static_cast<int>(N_), k_ + 1);
-        Vector result = Vector::Zero(static_cast<Index>(upper.size()));
         for (std::size_t J = 0; J < upper.size(); ++J)
             for (int p = 0; p <= k_; ++p) {
                 auto rest = upper[J];
                 rest.erase(rest.begin() + p);
                 const auto I = std::lower_bound(lower.begin(), lower.end(), rest) - lower.begin();
-                result[J] += (p % 2 == 0 ? 1 : -1) * partial(I, upper[J][p]);
+                terms.push_back({static_cast<Index>(J), static_cast<Index>(I), upper[J][p],
+                                 p % 2 == 0 ? 1.0 : -1.0});
             }
-        return result;
-    }
-
-    SmoothForm form() const {
-        return [*this](const Vector& x) { return value(x); };
-    }
-    SmoothForm d() const {
-        return [*this](const Vector& x) { return derivative(x); };
+        return [*this, terms, size = upper.size()](const Vector& x) {
+            const Vector a = 2 * linear(1) * x, b = 3 * (linear(2) * x).array().square();
+            Vector result = Vector::Zero(static_cast<Index>(size));
+            for (const auto& [J, I, axis, sign] : terms)
+                result[J] += sign * (linear(0)(I, axis) + a[I] * linear(1)(I, axis) +
+                                     b[I] * linear(2)(I, axis));
+            return result;
+        };
     }
 
 private:
-    DenseMatrix linear(Index which) const { return random_.middleCols(1 + which * N_, N_); }
+    Eigen::Block<const DenseMatrix> linear(Index which) const {
+        return random_.block(0, 1 + which * N_, random_.rows(), N_);
+    }
 
     Index N_;
     int k_;

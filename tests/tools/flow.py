@@ -106,7 +106,7 @@ class Flow(TestCase):
         whole, took = timed(self, *line, "-o", "whole.pvd")
         wanted = [self.read(file) for file in self.steps_of("whole.pvd")]
         part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume")
-        for answer in ended_runs(self, part, ("part.pvd", "part.checkpoint"), kills(10),
+        for answer in ended_runs(self, part, ("part.pvd", "part.checkpoint"), kills(5),
                                  (0.2 * took, 0.9 * took)):
             answer["resumed_at"] = whole["resumed_at"]
             self.assertEqual(answer, whole)

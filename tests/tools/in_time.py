@@ -315,7 +315,7 @@ class InTime(TestCase):
             whole, took = timed(self, *line, "-o", "whole.pvd")
             wanted = self.contents("whole.pvd")
             part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume")
-            for answer in ended_runs(self, part, ("part.pvd", "part.checkpoint"), kills(30) // 2,
+            for answer in ended_runs(self, part, ("part.pvd", "part.checkpoint"), kills(10) // 2,
                                      (0.2 * took, 0.9 * took)):
                 answer["resumed_at"] = whole["resumed_at"]
                 self.assertEqual(answer, whole)

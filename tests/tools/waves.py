@@ -116,7 +116,7 @@ class Waves(TestCase):
         whole, took = timed(self, *line, "-o", "whole.pvd")
         part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume")
         between = 0
-        for answer in ended_runs(self, part, ("part.pvd", "part.checkpoint"), kills(12),
+        for answer in ended_runs(self, part, ("part.pvd", "part.checkpoint"), kills(6),
                                  (0.2 * took, 0.9 * took),
                                  (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)):
             between += 4 * answer["resumed_at"] % answer["steps"] != 0
@@ -134,7 +134,7 @@ class Waves(TestCase):
         self.assertNotIn("resumed_with", whole)
         part = (*line, "--checkpoint", "part.checkpoint", "--resume")
         resumed = 0
-        for answer in ended_runs(self, part, ("part.checkpoint",), kills(12),
+        for answer in ended_runs(self, part, ("part.checkpoint",), kills(6),
                                  (0.3 * took, 1.5 * took), (signal.SIGINT, signal.SIGKILL)):
             resumed = max(resumed, answer["resumed_with"])
             self.assertTrue(answer["certificate"]["complete"])
