@@ -146,7 +146,7 @@ bool Enclosing::may_prove(double s, Index j) const {
 void Enclosing::prove(const Vector& guesses, Index j) {
     const double upper = result_.upper[j], guess = std::min(guesses[j], upper * ratio_);
     const double width = std::max(upper - guess, 1e-11 * upper);
-    for (const double share : {1e-4, 1e-2, 0.1, 1.0 / 3, 1.0, 3.0, 9.0}) {
+    for (const double share : {1e-2, 0.1, 1.0 / 3, 1.0, 3.0, 9.0}) {
         const double s = guess - share * width;
         if (!(s > 0))
             return;

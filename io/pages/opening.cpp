@@ -4,6 +4,7 @@
 #include "io/pages/first_view.h"
 #include "io/pages/projection.h"
 #include "io/pages/surface_painter.h"
+#include "io/pictures/draw_cells.h"
 
 #include <Eigen/Geometry>
 
@@ -16,6 +17,12 @@ namespace polydec {
 namespace {
 
 using Place = Eigen::Vector3d;
+
+Points in_space(const Points& points) {
+    Points result = Points::Zero(points.rows(), 3);
+    result.leftCols(points.cols()) = points;
+    return result;
+}
 
 /// Seen after a quarter of a turn.
 SolidView turned(SolidView view) {
@@ -40,8 +47,11 @@ Vector heights_of_cells(const PageFaces& faces, const Points& points, int side) 
 
 class Opener {
 public:
-    Opener(const Points& points, const PageFaces& faces, const ShownField& shown, Vector numbers)
-        : points_(points), faces_(faces), shown_(shown), numbers_(std::move(numbers).cwiseAbs()) {
+    explicit Opener(const PageContent& content)
+        : points_(content.points),
+          faces_(content.faces),
+          shown_(content.shown),
+          numbers_(shown_numbers(shown_.at(content.page, shown_.step)).cwiseAbs()) {
         for (const double number : numbers_)
             if (number > largest_)
                 largest_ = number; // not NaN
@@ -102,32 +112,20 @@ private:
     double largest_ = 0;
 };
 
-} // namespace
-
-std::vector<bool> Opening::kept(const PageFaces& faces, const Points& points) const {
-    std::vector<bool> result(static_cast<std::size_t>(faces.cells()), true);
-    if (percent >= 100)
-        return result;
-    const Vector heights = heights_of_cells(faces, points, side);
-    const double low = heights.minCoeff(), high = heights.maxCoeff();
-    const double limit = low + (high - low) * (percent / 100.0 + 1e-6);
-    for (Index cell = 0; cell < heights.size(); ++cell)
-        result[cell] = heights[cell] <= limit;
-    return result;
-}
-
-Opening opening_of(const Page& page, const Points& points, const PageFaces& faces,
-                   const ShownField& shown) {
-    const int up = upward_axis(page);
+/// Of content whose fields are known.
+Opening opening_of(const PageContent& content) {
+    const Points& points = content.points;
+    const PageFaces& faces = content.faces;
+    const int up = upward_axis(content.page);
     Opening opening{first_view(points, up)};
-    if (shown.field == nullptr || faces.dimension < 2 || is_flat(points))
+    if (content.shown.field == nullptr || faces.dimension < 2 || is_flat(points))
         return opening;
     const bool is_solid = faces.dimension > 2;
     opening.side = up == 1 ? 2 : 4;
-    const Opener opener(points, faces, shown, shown_numbers(shown.at(page, shown.step)));
+    const Opener opener(content);
     if (!opener.has_numbers())
         return opening;
-    const bool is_inside = is_solid && shown.has_vectors(); // most of them are
+    const bool is_inside = is_solid && content.shown.has_vectors(); // most of them are
     const PageFaces whole = faces.visible(opening.kept(faces, points));
     SolidView view = opening.view;
     for (int turns = 0; turns < 4 && !is_inside; ++turns, view = turned(view))
@@ -143,6 +141,36 @@ Opening opening_of(const Page& page, const Points& points, const PageFaces& face
     if (is_inside)
         opening.percent = std::clamp(opening.percent, 30, 70);
     return opening;
+}
+
+} // namespace
+
+std::vector<bool> Opening::kept(const PageFaces& faces, const Points& points) const {
+    std::vector<bool> result(static_cast<std::size_t>(faces.cells()), true);
+    if (percent >= 100)
+        return result;
+    const Vector heights = heights_of_cells(faces, points, side);
+    const double low = heights.minCoeff(), high = heights.maxCoeff();
+    const double limit = low + (high - low) * (percent / 100.0 + 1e-6);
+    for (Index cell = 0; cell < heights.size(); ++cell)
+        result[cell] = heights[cell] <= limit;
+    return result;
+}
+
+PageContent::PageContent(const Page& content) : page(content), points(in_space(page.grid.points)) {
+    check_grid("a page", page.grid);
+    const auto take = [&](PageFaces drawn, const CellComplex* complex) {
+        faces = std::move(drawn);
+        fields = page_fields(page, faces.dimension, complex);
+    };
+    if (page.mesh) {
+        const Merging cells = drawn_cells(*page.mesh);
+        take(page_faces(cells), &cells.merged());
+    } else {
+        take(page_faces(page.grid, page.groups), nullptr);
+    }
+    shown = shown_field(page, fields, faces.cells());
+    opening = opening_of(*this);
 }
 
 } // namespace polydec

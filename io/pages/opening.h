@@ -21,10 +21,25 @@ struct Opening {
     std::vector<bool> kept(const PageFaces& faces, const Points& points) const;
 };
 
-/// The first of four views around the axis that shows a place where the field is nearly as large as
-/// anywhere. If none does, a solid is cut in half, or through such a place; solids with vectors
-/// always are, in their middle part. Points have three coordinates.
-Opening opening_of(const Page& page, const Points& points, const PageFaces& faces,
-                   const ShownField& shown);
+/// What a page shows: the faces of its mesh or else of its grid, and all its fields; and how it
+/// opens. Of four views around the axis it takes the first that shows a place where the field is
+/// nearly as large as anywhere. If none does, a solid is cut in half, or through such a place;
+/// solids with vectors always are, in their middle part.
+struct PageContent {
+    /// Throws InvalidInput like check_grid, page_faces and page_fields. The page must outlive this.
+    explicit PageContent(const Page& page);
+    PageContent(const PageContent&) = delete;
+    PageContent& operator=(const PageContent&) = delete;
+
+    const Page& page;
+    const Points points; ///< three coordinates each
+    PageFaces faces;
+    std::vector<PageField> fields;
+    ShownField shown;
+    Opening opening;
+
+    /// The faces that are seen as it opens.
+    PageFaces visible() const { return faces.visible(opening.kept(faces, points)); }
+};
 
 } // namespace polydec

@@ -4,14 +4,12 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "dec/glued_box.h"
-#include "io/pictures/draw_cells.h"
-#include "io/pictures/draw_solid.h"
+#include "io/pictures/color_map.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
-#include <utility>
 
 namespace polydec {
 
@@ -155,16 +153,6 @@ std::vector<PageField> page_fields(const Page& page, int dimension, const CellCo
     }
     check_steps(page, fields);
     return fields;
-}
-
-PageContent page_content(const Page& page) {
-    if (!page.mesh) {
-        PageFaces faces = page_faces(page.grid, page.groups);
-        return {faces, page_fields(page, faces.dimension, nullptr)};
-    }
-    const Merging cells = drawn_cells(*page.mesh);
-    PageFaces faces = page_faces(cells);
-    return {faces, page_fields(page, faces.dimension, &cells.merged())};
 }
 
 bool has_moving_arrows(const Page& page) {

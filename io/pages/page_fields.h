@@ -42,14 +42,6 @@ std::string unit_in(const std::string& about);
 /// other fields or vectors.
 std::vector<PageField> page_fields(const Page& page, int dimension, const CellComplex* complex);
 
-/// What a page shows: the faces of its mesh or else of its grid, and all its fields. Throws
-/// InvalidInput like page_faces and page_fields.
-struct PageContent {
-    PageFaces faces;
-    std::vector<PageField> fields;
-};
-PageContent page_content(const Page& page);
-
 /// Whether the arrows of a page have other vectors at each step.
 bool has_moving_arrows(const Page& page);
 

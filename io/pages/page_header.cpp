@@ -56,17 +56,9 @@ std::string color_scale(const std::array<double, 2>& ends) {
 /// Makes the header, part after part.
 class Maker {
 public:
-    explicit Maker(const Page& page) : page_(page), up_(upward_axis(page)) {
-        check_grid("a page", page.grid);
+    explicit Maker(const Page& page) : page_(page), up_(upward_axis(page)), content_(page) {
         if (page.mesh && grid_dimension(page.grid) < page.mesh->dimension())
             own_ = draw_cells(*page.mesh, 0);
-        PageContent shown = page_content(page);
-        faces_ = std::move(shown.faces);
-        all_ = std::move(shown.fields);
-        shown_ = shown_field(page, all_, faces_.cells());
-        Points points = Points::Zero(page.grid.points.rows(), 3);
-        points.leftCols(page.grid.points.cols()) = page.grid.points;
-        opening_ = opening_of(page, points, faces_, shown_);
     }
 
     PageHeader make() {
@@ -94,7 +86,7 @@ public:
             data_.directory());
         header.data = data_.text();
         if (faces_.size() > 0)
-            header.still = still_view(page_);
+            header.still = still_view(content_);
         header.notes = std::move(notes_);
         return header;
     }
@@ -289,11 +281,12 @@ private:
 
     const Page& page_;
     int up_;
+    PageContent content_;
+    const PageFaces& faces_ = content_.faces;
+    const std::vector<PageField>& all_ = content_.fields;
+    const ShownField& shown_ = content_.shown;
+    const Opening& opening_ = content_.opening;
     std::optional<VtuGrid> own_; ///< top cells, if the grid has others
-    std::vector<PageField> all_;
-    ShownField shown_;
-    Opening opening_;
-    PageFaces faces_;
     std::array<double, 3> origin_{};
     PageData data_;
     std::vector<std::string> fields_, arrows_, notes_;

@@ -20,7 +20,7 @@ namespace polydec {
 namespace {
 
 constexpr int picture_width = 1280, picture_height = 800;
-constexpr std::size_t most_svg_triangles = 4000, most_cells_with_edges = 2000;
+constexpr Index most_svg_triangles = 4000, most_cells_with_edges = 2000;
 constexpr double margin = 24;
 constexpr Color plain{0xe4, 0xe9, 0xef}, ink{0x22, 0x22, 0x22};
 constexpr Color edge{0x44, 0x44, 0x44};
@@ -350,22 +350,24 @@ private:
 
 } // namespace
 
-StillView still_view(const Page& page) {
-    const StillScenes scenes(page);
+StillView still_view(const PageContent& content) {
+    const StillScenes scenes(content);
     return StillPictures(scenes).view(scenes.first_step());
 }
 
 std::string to_png(const Page& page) {
-    return still_view(page).png;
+    return still_view(PageContent(page)).png;
 }
 
 std::string to_svg(const Page& page) {
-    const StillScenes scenes(page);
+    const PageContent content(page);
+    const StillScenes scenes(content);
     return StillPictures(scenes).svg(scenes.first_step());
 }
 
 void draw_steps(const Page& page, const std::function<void(const std::string& png)>& take) {
-    const StillScenes scenes(page);
+    const PageContent content(page);
+    const StillScenes scenes(content);
     const StillPictures pictures(scenes);
     for (std::size_t step = 0; step < scenes.size(); ++step)
         take(pictures.view(step).png);

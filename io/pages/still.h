@@ -14,13 +14,15 @@ namespace polydec {
 /// 2000 cells. Throws InvalidInput like to_html, and without lines or faces.
 std::string to_png(const Page& page);
 
+struct PageContent;
+
 /// What a page carries for browsers without WebGL, and for albums. Throws like to_png.
 struct StillView {
     std::string png;       ///< that of to_png
     std::string thumbnail; ///< PNG, an eighth of the size, without text
     std::string words;     ///< a sentence in English: what colors and arrows show
 };
-StillView still_view(const Page& page);
+StillView still_view(const PageContent& content);
 
 /// The same as to_png, as SVG: up to 4000 triangles as polygons, painted from far to near; above,
 /// it contains the PNG picture of the surface.

@@ -5,53 +5,36 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace polydec {
 
-namespace {
-
-Points in_space(const Points& points) {
-    Points result = Points::Zero(points.rows(), 3);
-    result.leftCols(points.cols()) = points;
-    return result;
-}
-
-} // namespace
-
-StillScenes::StillScenes(const Page& page) : page_(page), points_(in_space(page.grid.points)) {
-    check_grid("a picture", page.grid);
-    auto [faces, fields] = page_content(page);
-    fields_ = std::move(fields);
-    if (faces.size() == 0)
+StillScenes::StillScenes(const PageContent& content)
+    : content_(content), shown_(content.shown), visible_(content.visible()) {
+    if (content.faces.size() == 0)
         throw InvalidInput("a picture needs lines or faces, and this page has only points: write a "
                            ".vtu file");
-    cells_ = static_cast<std::size_t>(faces.cells());
-    shown_ = shown_field(page, fields_, faces.cells());
-    opening_ = opening_of(page, points_, faces, shown_);
-    visible_ = faces.visible(opening_.kept(faces, points_));
     if (shown_.field == nullptr)
         return;
     const auto [low, high] =
-        shown_.strengths.empty() ? range_of(page, *shown_.field) : range_of(shown_.strengths);
+        shown_.strengths.empty() ? range_of(page(), *shown_.field) : range_of(shown_.strengths);
     range_ = color_range(low, high);
 }
 
 std::string StillScenes::name() const {
-    return shown_.at(page_, 0).name;
+    return shown_.at(page(), 0).name;
 }
 
 /// The vectors whose lengths are shown, one for each value; or none.
 Points StillScenes::vectors_at(std::size_t step) const {
     if (!shown_.vectors.empty())
-        return in_space(shown_.vectors[step]);
-    const VtuArray& array = shown_.at(page_, step);
+        return shown_.vectors[step];
+    const VtuArray& array = shown_.at(page(), step);
     return array.components == 3 ? Points(rows_of(array)) : Points(0, 3);
 }
 
 /// At the corners; of fields on edges, on the sides from the corners to the next.
 std::vector<double> StillScenes::values_at(std::size_t step) const {
-    const Vector numbers = shown_numbers(shown_.at(page_, step));
+    const Vector numbers = shown_numbers(shown_.at(page(), step));
     std::vector<double> values;
     values.reserve(corners().size());
     for (Index corner = 0; corner < std::ssize(corners()); ++corner) {
@@ -67,7 +50,7 @@ void StillScenes::add_arrows(StillScene& scene, std::size_t step) const {
     if (vectors.rows() == 0 || is_curve() || (shown_.place != "vertex" && shown_.place != "cell"))
         return;
     if (shown_.place == "vertex") {
-        scene.sites = points_;
+        scene.sites = points();
         scene.vectors = vectors;
         return;
     }
@@ -75,8 +58,8 @@ void StillScenes::add_arrows(StillScene& scene, std::size_t step) const {
     scene.vectors.resize(visible_.size(), 3);
     for (Index i = 0; i < visible_.size(); ++i) {
         scene.vectors.row(i) = vectors.row(visible_.owners[i][0]);
-        scene.sites.row(i) = (points_.row(corners()[3 * i]) + points_.row(corners()[3 * i + 1]) +
-                              points_.row(corners()[3 * i + 2])) /
+        scene.sites.row(i) = (points().row(corners()[3 * i]) + points().row(corners()[3 * i + 1]) +
+                              points().row(corners()[3 * i + 2])) /
                              3;
     }
 }
@@ -88,8 +71,8 @@ double StillScenes::part(double value) const {
 
 StillScene StillScenes::at(std::size_t step) const {
     StillScene scene;
-    if (!page_.steps.empty())
-        scene.time = page_.steps[step].time;
+    if (!page().steps.empty())
+        scene.time = page().steps[step].time;
     if (shown_.field == nullptr)
         return scene;
     (shown_.place == "edge" && !is_curve() ? scene.side_values : scene.values) = values_at(step);

@@ -22,25 +22,22 @@ struct StillScene {
 /// The scenes of a page, with what all its steps have in common.
 class StillScenes {
 public:
-    /// Throws InvalidInput like check_grid and page_fields, and if the page has no lines or faces.
-    /// The page must outlive this object.
-    explicit StillScenes(const Page& page);
-    StillScenes(const StillScenes&) = delete;
-    StillScenes& operator=(const StillScenes&) = delete;
+    /// Throws InvalidInput if the page has no lines or faces. The content must outlive this object.
+    explicit StillScenes(const PageContent& content);
 
-    std::size_t size() const { return page_.steps.empty() ? 1 : page_.steps.size(); }
+    std::size_t size() const { return page().steps.empty() ? 1 : page().steps.size(); }
     std::size_t first_step() const { return shown_.step; }
-    const SolidView& view() const { return opening_.view; }
+    const SolidView& view() const { return content_.opening.view; }
     StillScene at(std::size_t step) const;
 
-    const Page& page() const { return page_; }
-    const Points& points() const { return points_; }         ///< three coordinates each
+    const Page& page() const { return content_.page; }
+    const Points& points() const { return content_.points; } ///< three coordinates each
     bool is_curve() const { return visible_.dimension < 2; } ///< lines, not triangles
     const std::vector<Index>& corners() const {
         return is_curve() ? visible_.lines : visible_.corners;
     }
     const std::vector<Index>& sides() const { return visible_.sides; } ///< as in PageFaces
-    std::size_t cells() const { return cells_; }                       ///< of largest dimension
+    Index cells() const { return content_.faces.cells(); }             ///< of largest dimension
 
     /// The colors over all steps, if there are values.
     const std::optional<ColorRange>& range() const { return range_; }
@@ -53,13 +50,9 @@ private:
     std::vector<double> values_at(std::size_t step) const;
     void add_arrows(StillScene& scene, std::size_t step) const;
 
-    const Page& page_;
-    Points points_;
-    PageFaces visible_; ///< of the opening
-    std::size_t cells_ = 0;
-    std::vector<PageField> fields_;
-    ShownField shown_;
-    Opening opening_;
+    const PageContent& content_;
+    const ShownField& shown_;
+    PageFaces visible_;
     std::optional<ColorRange> range_;
 };
 

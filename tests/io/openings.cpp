@@ -20,16 +20,9 @@ using Place = Eigen::Vector3d;
 struct Opened {
     Page page;
     PageContent content;
-    Opening opening;
+    const Opening& opening;
 
-    explicit Opened(Page made) : page(std::move(made)), content(page_content(page)) {
-        const auto shown = shown_field(page, content.fields, content.faces.cells());
-        opening = opening_of(page, page.grid.points, content.faces, shown);
-    }
-
-    PageFaces seen() const {
-        return content.faces.visible(opening.kept(content.faces, page.grid.points));
-    }
+    explicit Opened(Page made) : page(std::move(made)), content(page), opening(content.opening) {}
 };
 
 Opened opened(const Discretization& mesh, Side side,
@@ -63,8 +56,9 @@ TEST(Openings, AreAsUsualWhereTheLargestValueIsSeenSo) {
     const auto sphere = circumcentric(icosphere(2));
     const auto constant = opened(sphere, Side::primal, [](const Place&) { return 1; });
     const auto front = opened(sphere, Side::primal, hump({0, -1, 0}));
-    for (const auto& each : {constant, front, Opened(draw_page(sphere))})
-        EXPECT_EQ(each.opening.view.eye, SolidView().eye);
+    const Opened bare(draw_page(sphere));
+    for (const auto* each : {&constant, &front, &bare})
+        EXPECT_EQ(each->opening.view.eye, SolidView().eye);
 }
 
 TEST(Openings, CutSolidsThroughTheLargestValueInside) {
@@ -75,7 +69,7 @@ TEST(Openings, CutSolidsThroughTheLargestValueInside) {
             EXPECT_LT(found.opening.percent, 100);
             // the cut is towards -y: the part behind the largest value stays
             EXPECT_NEAR(found.opening.percent, 100 * (1 - depth), 18) << depth;
-            const PageFaces seen = found.seen();
+            const PageFaces seen = found.content.visible();
             double nearest = 1;
             for (const Index corner : seen.corners)
                 nearest = std::min(
@@ -90,7 +84,7 @@ TEST(Openings, LeaveSolidsWholeWhoseLargestValueIsOutside) {
     for (const Side side : {Side::primal, Side::dual}) {
         const auto found = opened(cube, side, [](const Place& x) { return x[0] + x[2]; });
         EXPECT_EQ(found.opening.percent, 100);
-        EXPECT_EQ(found.seen().size(), 6 * 2 * 16);
+        EXPECT_EQ(found.content.visible().size(), 6 * 2 * 16);
     }
 }
 
@@ -118,7 +112,7 @@ TEST(Openings, OfSolidsWithoutOutsideDoNotFail) {
     page.grid.face_offsets = {-1, -1};
     page.grid.point_data = {vtu_array("f", Vector::LinSpaced(4, 0, 1))};
     page.shown = "f";
-    EXPECT_EQ(Opened(page).seen().size(), 0);
+    EXPECT_EQ(Opened(page).content.visible().size(), 0);
     EXPECT_GT(to_html(page).size(), 1000U);
 }
 
