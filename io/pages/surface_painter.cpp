@@ -70,11 +70,13 @@ Color SurfacePainter::color(double part) const {
     return map_[static_cast<std::size_t>(std::lround(at))];
 }
 
+Color SurfacePainter::shaded(const SeenTriangle& triangle, double part) const {
+    return darker(triangle.parts ? color(part) : plain_, triangle.brightness);
+}
+
 Color SurfacePainter::color(const SeenTriangle& triangle, const Weights& weights) const {
-    return darker(triangle.parts
-                      ? color(mean(*triangle.parts, {weights[0], weights[1], weights[2]}))
-                      : plain_,
-                  triangle.brightness);
+    return shaded(triangle,
+                  triangle.parts ? mean(*triangle.parts, {weights[0], weights[1], weights[2]}) : 0);
 }
 
 void SurfacePainter::paint(const SeenTriangle& triangle) {
@@ -97,7 +99,6 @@ void SurfacePainter::paint(const SeenTriangle& triangle) {
     }
     const Linear near = mean(nearness, weights);
     const Linear part = triangle.parts ? mean(*triangle.parts, weights) : Linear{};
-    const Color uniform = darker(plain_, triangle.brightness);
     const bool has_lines = triangle.sides[0] || triangle.sides[1] || triangle.sides[2];
     const auto bound = [](double place, int end) {
         return static_cast<int>(std::clamp(std::ceil(place - 0.5), 0.0, static_cast<double>(end)));
@@ -119,12 +120,7 @@ void SurfacePainter::paint(const SeenTriangle& triangle) {
                 continue;
             known = nearer;
             const Color* line = has_lines ? line_at(triangle, {a, b, c}, heights) : nullptr;
-            if (line != nullptr)
-                samples_.set(column, row, *line);
-            else
-                samples_.set(column, row,
-                             triangle.parts ? darker(color(part(at_x, at_y)), triangle.brightness)
-                                            : uniform);
+            samples_.set(column, row, line != nullptr ? *line : shaded(triangle, part(at_x, at_y)));
         }
 }
 

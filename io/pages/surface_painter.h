@@ -47,6 +47,9 @@ public:
 private:
     static constexpr int factor = 2;
 
+    /// The color of a triangle at a place with this part on the map.
+    Color shaded(const SeenTriangle& triangle, double part) const;
+
     std::size_t place(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(samples_.width()) +
                static_cast<std::size_t>(x);

@@ -16,8 +16,9 @@ from ._complex import CellsLike, Complex, as_complex
 from ._errors import InvalidInput
 from ._fields import flux_sharp, sharp_pd
 from ._lists import CellList, Polygons
+from ._spectra import Spectrum
 from ._vertices import at_cells, at_vertices
-from ._view import file_and_up
+from ._view import Fields, by_name, file_and_up
 
 
 def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:
@@ -35,7 +36,7 @@ def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:
     return points, [points[corners[a:b]] for a, b in zip(starts, offsets[seen + 1])], seen
 
 
-def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None = None,
+def plot(complex: CellsLike, values: Fields | None = None, *, degree: int | None = None,
          side: str = "primal", ax: Any = None, bar: str | None = "",
          up: str | None = None, **style: Any) -> Any:
     """Draws the cells with matplotlib, colored by a function, a form or vectors.
@@ -45,16 +46,17 @@ def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None =
 
     Parameters
     ----------
-    values : Cochain or array_like, optional
+    values : Cochain, array_like, mapping of str to these, or Spectrum, optional
         A primal 0-form, shown as its mean over each polygon; a form on the polygons, of primal
         degree 2 or dual degree n - 2; or any array with one number per polygon. A 1-form, or an
         array with a vector per vertex or n-cell, shows the lengths of its vectors, with arrows.
+        Several fields, or modes, are drawn beside each other.
     degree, side
         Degree and side of an array; by default its length gives the degree.
     ax : matplotlib axes, optional
-        New axes by default; three-dimensional for points in space.
+        New axes by default; three-dimensional for points in space. For several fields, as many.
     bar : str or None
-        Label of the color bar; None draws no bar.
+        Label of the color bar; the names of several fields are added. None draws no bar.
     up : {"x", "y", "z"}, optional
         The axis of space that points up, as in `view`.
     **style
@@ -65,7 +67,8 @@ def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None =
     Returns
     -------
     matplotlib axes
-        The polygons are ``ax.collections[-1]``, which works with ``plt.colorbar``.
+        The polygons are ``ax.collections[-1]``, which works with ``plt.colorbar``. For a mapping or
+        a spectrum, an array of axes.
 
     Examples
     --------
@@ -76,33 +79,51 @@ def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None =
     >>> len(ax.collections[-1].get_paths()) == hexagons.size(2)
     True
     """
-    import matplotlib.pyplot as plt
-
     complex = as_complex(complex)
     points, polygons, seen = _polygons(complex.box)
-    colors, vectors = None, None
-    if values is not None:
-        colors, vectors = _shown(complex, values, degree, side, seen)
-    in_plane = points.shape[1] == 2
+    fields: Mapping[str, Form | None] = {"": None}
+    if isinstance(values, (Mapping, Spectrum)):
+        fields = by_name(values)
+    elif values is not None:
+        fields = {"": values}
     axis, eye = _core.first_view(*file_and_up(complex, up))
-    if ax is None:
-        ax = plt.figure().add_subplot(projection=None if in_plane else "3d")
-        if not in_plane:
-            ax.view_init(*_angles(eye, axis))
+    angles = None if points.shape[1] == 2 else _angles(eye, axis)
+    axes = _new_axes(len(fields), angles) if ax is None else np.ravel(ax)
+    if len(axes) != len(fields):
+        raise InvalidInput(f"{len(axes)} axes for {len(fields)} fields: expected one for each")
     edges = {"edgecolor": "#333333", "linewidth": 0.4}
     if len(polygons) > _MOST_WITH_EDGES:
         edges = {"edgecolor": "none", "linewidth": 0, "antialiased": False}
-    style = {**edges, **style}
-    if colors is not None:
-        style = {**_color_style(colors, style), **style}
-    if in_plane:
-        collection = _draw_in_plane(ax, polygons, colors, vectors, style)
-    else:
-        light = _core.brightness(_seen(_normals(polygons), eye, axis))
-        collection = _draw_in_space(ax, polygons, light, colors, vectors, style)
-    if colors is not None and bar is not None:
-        ax.figure.colorbar(collection, ax=ax, label=bar, shrink=0.8)
-    return ax
+    light = None if angles is None else _core.brightness(_seen(_normals(polygons), eye, axis))
+    for own, (name, field) in zip(axes, fields.items()):
+        colors, vectors = (None, None) if field is None else _shown(complex, field, degree, side, seen)
+        look = {**edges, **style}
+        if colors is not None:
+            look = {**_color_style(colors, look), **look}
+        if light is None:
+            collection = _draw_in_plane(own, polygons, colors, vectors, look)
+        else:
+            collection = _draw_in_space(own, polygons, light, colors, vectors, look)
+        if colors is not None and bar is not None:
+            label = " ".join(filter(None, (bar, name)))
+            own.figure.colorbar(collection, ax=own, label=label, shrink=0.8)
+    return axes if isinstance(values, (Mapping, Spectrum)) else axes[0]
+
+
+def _new_axes(count: int, angles: tuple[float, float, float] | None) -> npt.NDArray[Any]:
+    """In a figure that is larger for several, but not wider than a page; in space from these angles."""
+    import matplotlib.pyplot as plt
+
+    columns = int(np.ceil(np.sqrt(count)))
+    rows = -(-count // max(columns, 1))
+    size = np.array(plt.rcParams["figure.figsize"])
+    figure = plt.figure(figsize=size * (columns, rows) * min(1, 12.8 / (columns * size[0])),
+                        layout="constrained" if count > 1 else None)
+    axes = [figure.add_subplot(rows, columns, 1 + i, projection=None if angles is None else "3d")
+            for i in range(count)]
+    for ax in axes if angles is not None else ():
+        ax.view_init(*angles)
+    return np.array(axes)
 
 
 _MOST_WITH_EDGES = 4000

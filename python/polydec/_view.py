@@ -122,7 +122,7 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
             np.ascontiguousarray(fields.modes), fields.radii, fields.residuals,
             (proof.shift, proof.below_shift, proof.returned_below_shift, proof.complete), title,
             [*facts], conventions))
-    columns = _by_name(fields)
+    columns = by_name(fields)
     steps = []
     if times is not None:
         steps = [(f"{time:g}", _forms(complex, _at(columns, i, len(times)), degree, side))
@@ -164,7 +164,7 @@ def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | 
     ['z.vtu']
     """
     complex = as_complex(complex)
-    given = _forms(complex, _by_name(forms), degree, side)
+    given = _forms(complex, by_name(forms), degree, side)
     _core.write_vtu(os.fspath(path), complex._mesh, given, float32)
 
 
@@ -207,7 +207,7 @@ class Series:
     def add(self, time: float, forms: Fields, *, degree: int | None = None,
             side: str = "primal") -> None:
         """Adds a step with forms as for `view`; the names must be the same at every time."""
-        self._series.add(time, _forms(self._complex, _by_name(forms), degree, side))
+        self._series.add(time, _forms(self._complex, by_name(forms), degree, side))
 
     def close(self) -> None:
         """Writes remaining output. Called at the end of a ``with`` block."""
@@ -221,7 +221,7 @@ class Series:
             self.close()
 
 
-def _by_name(fields: Fields | None) -> dict[str, Form]:
+def by_name(fields: Fields | None) -> dict[str, Form]:
     if fields is None:
         return {}
     if isinstance(fields, Spectrum):

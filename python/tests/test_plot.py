@@ -41,6 +41,32 @@ def test_the_axes_that_are_given_are_returned(make):
     assert len(polydec.plot(c).figure.axes) == 1
 
 
+def test_noise_around_a_constant_is_not_shown():
+    c = square()
+    for value in (-0.3, 0, 2e9):
+        noisy = value * (1 + 1e-13 * np.random.default_rng(1).normal(size=36))
+        shown = colors_of(polydec.plot(c, noisy, degree=2))
+        assert np.ptp(shown, axis=0).max() < 0.01
+        assert shown[0] == pytest.approx(colors_of(polydec.plot(c, np.ones(36), degree=2))[0], abs=0.01)
+
+
+@pytest.mark.parametrize("make", [square, sphere])
+def test_several_fields_are_drawn_beside_each_other(make):
+    c = make()
+    fields = {"area": c.volumes(2), "height": c.points[:, -1], "grad": c.cochain(c.points[:, 0], 0).d()}
+    axes = polydec.plot(c, fields)
+    assert len({ax.get_position().bounds for ax in axes}) == 3
+    for ax, (name, values) in zip(axes, fields.items()):
+        one = polydec.plot(c, values, bar=name)
+        assert (colors_of(ax) == colors_of(one)).all()
+        assert ax.figure.axes[-1].get_ylabel() == "grad"
+        assert getattr(ax, "elev", None) == getattr(one, "elev", None)
+    assert polydec.plot(c, {"area": c.volumes(2)}, ax=axes[0])[0] is axes[0]
+    assert len(polydec.plot(c, polydec.spectrum(c, count=2))) == 2
+    with pytest.raises(polydec.InvalidInput, match="2 axes for 3 fields"):
+        polydec.plot(c, fields, ax=axes[:2])
+
+
 def test_the_label_of_the_bar():
     axes = polydec.plot(square(), np.arange(36.0), bar="speed").figure.axes
     assert "speed" in axes[1].get_ylabel()

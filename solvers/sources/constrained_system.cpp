@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace polydec {
@@ -86,14 +87,14 @@ FreeComponents::FreeComponents(const SparseMatrix& graph, const std::vector<bool
             number[root] = count++;
         component_[i] = number[root];
     }
-    weights_of_all_ = Vector::Zero(count);
+    weights_of_all_ = Sums::Zero(count);
     for (Index i = 0; i < n; ++i)
         if (const Index c = component_[i]; c >= 0)
             weights_of_all_[c] += weights_[i];
 }
 
 Compatibility FreeComponents::balance(Vector& b) const {
-    Vector sum = Vector::Zero(count()), size = sum;
+    Sums sum = Sums::Zero(count()), size = sum, rest = sum;
     for (Index i = 0; i < b.size(); ++i)
         if (const Index c = component_[i]; c >= 0) {
             sum[c] += b[i];
@@ -101,13 +102,20 @@ Compatibility FreeComponents::balance(Vector& b) const {
         }
     Compatibility compatibility{count()};
     for (Index c = 0; c < count(); ++c)
-        if (size[c] > 0 && std::abs(sum[c]) / size[c] > compatibility.worst) {
-            compatibility.worst = std::abs(sum[c]) / size[c];
-            compatibility.excess = sum[c];
+        if (const auto share = static_cast<double>(std::abs(sum[c]) / size[c]);
+            share > compatibility.worst) {
+            compatibility.worst = share;
+            compatibility.excess = static_cast<double>(sum[c]);
         }
     for (Index i = 0; i < b.size(); ++i)
-        if (const Index c = component_[i]; c >= 0)
-            b[i] -= sum[c] * weights_[i] / weights_of_all_[c];
+        if (const Index c = component_[i]; c >= 0) {
+            b[i] -= static_cast<double>(sum[c] * weights_[i] / weights_of_all_[c]);
+            rest[c] += std::abs(b[i]);
+        }
+    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+    for (Index i = 0; i < b.size(); ++i)
+        if (const Index c = component_[i]; c >= 0 && rest[c] <= rounding * size[c])
+            b[i] = 0;
     return compatibility;
 }
 
@@ -115,7 +123,7 @@ void FreeComponents::remove_means(Vector& u) const {
     Vector mean = Vector::Zero(count());
     for (Index i = 0; i < u.size(); ++i)
         if (const Index c = component_[i]; c >= 0)
-            mean[c] += weights_[i] * u[i] / weights_of_all_[c];
+            mean[c] += static_cast<double>(weights_[i] * u[i] / weights_of_all_[c]);
     for (Index i = 0; i < u.size(); ++i)
         if (const Index c = component_[i]; c >= 0)
             u[i] -= mean[c];

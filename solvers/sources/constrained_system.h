@@ -43,16 +43,17 @@ public:
     Index of(Index unknown) const { return component_[unknown]; }
 
     /// Projects a right-hand side onto the range: subtracts its sum on each component, distributed
-    /// by the weights.
+    /// by the weights. Where only rounding is left, it is 0.
     Compatibility balance(Vector& b) const;
 
     /// Makes the weighted mean on each component 0.
     void remove_means(Vector& u) const;
 
 private:
-    std::vector<Index> component_; // of unknowns
+    std::vector<Index> component_;                              // of unknowns
+    using Sums = Eigen::Matrix<long double, Eigen::Dynamic, 1>; // as exact as their terms
     Vector weights_;
-    Vector weights_of_all_; // of components
+    Sums weights_of_all_; // of components
 };
 
 /// Throws InvalidInput, naming the cell, if a right-hand side on cells of a degree is not finite,

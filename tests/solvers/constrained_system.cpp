@@ -2,11 +2,13 @@
 #include "solvers/sources/constrained_system.h"
 
 #include "base/errors.h"
+#include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -21,17 +23,19 @@ SparseMatrix sparse(const DenseMatrix& A) {
 
 /// Laplacian of paths with the given numbers of nodes, side by side.
 SparseMatrix paths(const std::vector<Index>& nodes) {
-    Index size = 0;
-    for (const Index part : nodes)
-        size += part;
-    DenseMatrix A = DenseMatrix::Zero(size, size);
+    std::vector<Eigen::Triplet<double, Index>> entries;
     Index first = 0;
     for (const Index part : nodes) {
         for (Index i = first; i + 1 < first + part; ++i)
-            A.block(i, i, 2, 2) += (DenseMatrix(2, 2) << 1, -1, -1, 1).finished();
+            for (const Index end : {i, i + 1}) {
+                entries.emplace_back(end, end, 1);
+                entries.emplace_back(end, 2 * i + 1 - end, -1);
+            }
         first += part;
     }
-    return sparse(A);
+    SparseMatrix A(first, first);
+    A.setFromTriplets(entries.begin(), entries.end());
+    return A;
 }
 
 ConstrainedSystem system_of(const SparseMatrix& A, std::vector<bool> fixed) {
@@ -109,6 +113,23 @@ TEST(ConstrainedSystem, removes_in_proportion_to_the_weights_what_nothing_can_gi
         solver.solve(vector({4, 0, 0}), Vector::Zero(3));
     EXPECT_TRUE((system.A * u).isApprox(vector({3, -2, -1}), 1e-14));
     EXPECT_EQ(compatibility.worst, 1);
+}
+
+/// Else the solution of a constant source is noise, which pictures show in all colors.
+TEST(ConstrainedSystem, leaves_nothing_of_what_is_as_the_weights_but_every_part_that_is_not) {
+    constexpr Index size = 20000;
+    const Vector weights = (1.5 + random_vector(size, 1).array()).matrix();
+    const FreeComponents free(SparseMatrix(paths({size})), std::vector<bool>(size, false),
+                              std::vector<bool>(size, false), weights);
+    for (const double scale : {1.0, -1e-200, 3e200}) {
+        Vector constant = scale * weights / 3;
+        EXPECT_GT(free.balance(constant).worst, 0.99);
+        EXPECT_TRUE(constant.isZero(0)) << scale;
+        Vector more = scale * weights / 3;
+        more[7] += 1e-10 * scale;
+        free.balance(more);
+        EXPECT_NEAR(more[7], 1e-10 * scale, 1e-13 * std::abs(scale));
+    }
 }
 
 TEST(ConstrainedSystem, treats_each_component_by_itself) {
