@@ -18,12 +18,6 @@ namespace {
 
 using Place = Eigen::Vector3d;
 
-Points in_space(const Points& points) {
-    Points result = Points::Zero(points.rows(), 3);
-    result.leftCols(points.cols()) = points;
-    return result;
-}
-
 /// Seen after a quarter of a turn.
 SolidView turned(SolidView view) {
     const Place up = view.up, eye = view.eye;
@@ -144,6 +138,12 @@ Opening opening_of(const PageContent& content) {
 }
 
 } // namespace
+
+Points in_space(const Points& points) {
+    Points result = Points::Zero(points.rows(), 3);
+    result.leftCols(points.cols()) = points;
+    return result;
+}
 
 std::vector<bool> Opening::kept(const PageFaces& faces, const Points& points) const {
     std::vector<bool> result(static_cast<std::size_t>(faces.cells()), true);

@@ -21,6 +21,9 @@ struct Opening {
     std::vector<bool> kept(const PageFaces& faces, const Points& points) const;
 };
 
+/// Points or vectors with three coordinates; those that they lack are 0.
+Points in_space(const Points& points);
+
 /// What a page shows: the faces of its mesh or else of its grid, and all its fields; and how it
 /// opens. Of four views around the axis it takes the first that shows a place where the field is
 /// nearly as large as anywhere. If none does, a solid is cut in half, or through such a place;

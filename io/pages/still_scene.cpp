@@ -27,7 +27,7 @@ std::string StillScenes::name() const {
 /// The vectors whose lengths are shown, one for each value; or none.
 Points StillScenes::vectors_at(std::size_t step) const {
     if (!shown_.vectors.empty())
-        return shown_.vectors[step];
+        return in_space(shown_.vectors[step]);
     const VtuArray& array = shown_.at(page(), step);
     return array.components == 3 ? Points(rows_of(array)) : Points(0, 3);
 }

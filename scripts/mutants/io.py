@@ -2,6 +2,9 @@
 """Flaws of io/; see mutate.py."""
 
 MUTANTS = {
+    "vectors_left_in_the_plane": ("io/pages/still_scene.cpp", "return in_space(shown_.vectors[step]);",
+                                  "return shown_.vectors[step];",
+                                  "StillScenes.HaveTheVectorsOfPlaneFormsInSpace"),
     "rounding_has_a_sign": ("io/pictures/color_map.cpp", "low < -rounding * most &&", "low < 0 &&",
                             "ColorMaps.AreDivergingForBothSignsBeyondRoundingAndHaveZeroInTheMiddle"),
     "off_lies_on_its_back": ("io/meshes/read_mesh.cpp", '".ply" || extension == ".off"', '".ply"',

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/cell_centers.h"
+#include "dec/forms/derivative.h"
 #include "io/pages/draw_page.h"
 #include "io/pages/opening.h"
+#include "io/pages/still_scene.h"
 #include "meshes/generate.h"
 #include "tests/support/circumcentric.h"
 
@@ -32,6 +34,10 @@ Opened opened(const Discretization& mesh, Side side,
     for (Index i = 0; i < sites.rows(); ++i)
         values[i] = function(sites.row(i).transpose());
     return Opened(draw_page(mesh, {NamedForm{"f", Cochain{side, 0, values}}}));
+}
+
+Cochain x_of_vertices(const Discretization& mesh) {
+    return {Side::primal, 0, Vector(cell_centers(mesh, 0).col(0))};
 }
 
 /// Largest at a place.
@@ -99,6 +105,18 @@ TEST(Openings, CutSolidsWithVectorsInTheirMiddlePart) {
         EXPECT_GE(found.opening.percent, 30);
         EXPECT_LE(found.opening.percent, 70);
     }
+}
+
+/// Arrows of a form in the plane have its vectors, and no third coordinate.
+TEST(StillScenes, HaveTheVectorsOfPlaneFormsInSpace) {
+    const auto square = circumcentric(kuhn(2, 4));
+    Page page = draw_page(square, {NamedForm{"w", d(square.complex(), x_of_vertices(square))}});
+    const PageContent content(page);
+    const StillScene scene = StillScenes(content).at(0);
+    ASSERT_EQ(scene.vectors.cols(), 3);
+    ASSERT_EQ(scene.vectors.rows(), content.faces.size());
+    for (Index i = 0; i < content.faces.size(); ++i)
+        EXPECT_LE((Place(scene.vectors.row(i)) - Place(1, 0, 0)).norm(), 1e-12);
 }
 
 /// Each face of two tetrahedra on the same vertices has both of them: none is outside.
