@@ -26,7 +26,7 @@ function(polydec_compile_by_module target)
         file(RELATIVE_PATH module ${PROJECT_SOURCE_DIR} ${source})
         string(REGEX REPLACE "/.*" "" module ${module})
         math(EXPR files_${module} "${files_${module}} + 1")
-        math(EXPR part "${files_${module}} / 45") # takes no longer, and both processors have something to do
+        math(EXPR part "${files_${module}} / 45") # so that a change occupies both processors
         set_source_files_properties(${source} TARGET_DIRECTORY ${target}
             PROPERTIES UNITY_GROUP ${module}_${part})
     endforeach()

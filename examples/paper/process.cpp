@@ -36,6 +36,7 @@ std::atomic<bool> is_working{false};
 /// The program ends for one reason: a limit that is exceeded meanwhile is not told.
 int fail(ExitCode code, const char* text) noexcept {
     sigset_t limits{};
+    sigemptyset(&limits);
     sigaddset(&limits, SIGXCPU);
     pthread_sigmask(SIG_BLOCK, &limits, nullptr);
     console::tell(program);

@@ -156,8 +156,7 @@ private:
         for (const auto& [field, sites, vectors, lines] : scenes_.page().arrows) {
             if (sites.rows() > 0)
                 continue;
-            Points points = Points::Zero(lines.points.rows(), 3);
-            points.leftCols(lines.points.cols()) = lines.points;
+            const Points points = in_space(lines.points);
             for (Index i = 0; i < lines.simplices.rows(); ++i) {
                 const Place a = projection_(points.row(lines.simplices(i, 0)).transpose());
                 const Place b = projection_(points.row(lines.simplices(i, 1)).transpose());

@@ -86,6 +86,8 @@ def plot(complex: CellsLike, values: Fields | None = None, *, degree: int | None
         fields = by_name(values)
     elif values is not None:
         fields = {"": values}
+    if not fields:
+        raise InvalidInput("no field is given: expected at least one in the mapping, or none at all")
     axis, eye = _core.first_view(*file_and_up(complex, up))
     angles = None if points.shape[1] == 2 else _angles(eye, axis)
     axes = _new_axes(len(fields), angles) if ax is None else np.ravel(ax)

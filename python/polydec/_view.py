@@ -222,6 +222,7 @@ class Series:
 
 
 def by_name(fields: Fields | None) -> dict[str, Form]:
+    """One field is called "values", modes mode_0, mode_1 and so on; None has no fields."""
     if fields is None:
         return {}
     if isinstance(fields, Spectrum):

@@ -65,6 +65,8 @@ def test_several_fields_are_drawn_beside_each_other(make):
     assert len(polydec.plot(c, polydec.spectrum(c, count=2))) == 2
     with pytest.raises(polydec.InvalidInput, match="2 axes for 3 fields"):
         polydec.plot(c, fields, ax=axes[:2])
+    with pytest.raises(polydec.InvalidInput, match="no field"):
+        polydec.plot(c, {})
 
 
 def test_the_label_of_the_bar():
