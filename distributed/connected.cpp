@@ -51,6 +51,36 @@ Connections connections_of(Mat graph) {
     return result;
 }
 
+/// Adds the sums of local parts over each component; the owner of its first part does so.
+struct OverAll {
+    FreeComponents::Sums operator()(const FreeComponents::Sums& of_parts) const {
+        const auto begins = ranks.of_all(std::vector<GlobalIndex>{first_part});
+        struct Share {
+            GlobalIndex component;
+            long double value;
+        };
+        auto shares = ranks.empty_parcels<Share>();
+        std::vector<int> whom;
+        for (std::size_t p = 0; p < component.size(); ++p) {
+            whom.push_back(static_cast<int>(
+                std::upper_bound(begins.begin(), begins.end(), component[p]) - begins.begin() - 1));
+            shares[whom.back()].push_back({component[p], of_parts[static_cast<Index>(p)]});
+        }
+        std::vector<long double> totals(component.size(), 0);
+        for (const auto& parcel : ranks.deliver(std::move(shares)))
+            for (const auto& [whole, value] : parcel)
+                totals[static_cast<std::size_t>(whole - first_part)] += value;
+        const auto result = ranks.ask<long double>("sums", whom, component, [&](GlobalIndex whole) {
+            return totals[static_cast<std::size_t>(whole - first_part)];
+        });
+        return FreeComponents::Sums::Map(result.data(), static_cast<Index>(result.size()));
+    }
+
+    Ranks ranks;
+    GlobalIndex first_part;             ///< here
+    std::vector<GlobalIndex> component; ///< of parts here: the number of its first part
+};
+
 } // namespace
 
 GlobalIndex component_count(const Ranks& ranks, const LocalComplex& local) {
@@ -76,8 +106,8 @@ GlobalIndex component_count(const Ranks& ranks, const LocalComplex& local) {
 
 SharedComponents::SharedComponents(const Ranks& ranks, Mat graph, const HeldUnknowns& held,
                                    Vector weights)
-    : ranks_(ranks), weights_(std::move(weights)) {
-    const auto n = static_cast<Index>(weights_.size());
+    : ranks_(ranks) {
+    const auto n = static_cast<Index>(weights.size());
     const auto& fixed = held.fixed;
     const Connections connections = connections_of(graph);
     DisjointSets sets(n);
@@ -92,7 +122,7 @@ SharedComponents::SharedComponents(const Ranks& ranks, Mat graph, const HeldUnkn
 
     // what hangs together here, numbered over all ranks
     std::vector<Index> part_of_root(static_cast<std::size_t>(n), -1);
-    part_.assign(static_cast<std::size_t>(n), -1);
+    std::vector<Index> part_of(static_cast<std::size_t>(n), -1);
     std::vector<Index> first;
     for (Index i = 0; i < n; ++i) {
         if (fixed[i])
@@ -102,10 +132,11 @@ SharedComponents::SharedComponents(const Ranks& ranks, Mat graph, const HeldUnkn
             part = static_cast<Index>(first.size());
             first.push_back(i);
         }
-        part_[i] = part;
+        part_of[i] = part;
     }
     const auto parts = static_cast<Index>(first.size());
-    first_part_ = ranks.sum_before(parts);
+    OverAll over_all{ranks, ranks.sum_before(parts), {}};
+    const GlobalIndex first_part = over_all.first_part;
 
     // and with those of other ranks, whose number is -1 if they are fixed
     std::vector<GlobalIndex> wanted;
@@ -113,8 +144,8 @@ SharedComponents::SharedComponents(const Ranks& ranks, Mat graph, const HeldUnkn
         wanted.push_back(row);
     const auto beside =
         ranks.ask<GlobalIndex>("parts", connections.owners, wanted, [&](GlobalIndex row) {
-            const Index part = part_[static_cast<std::size_t>(row - connections.first_row)];
-            return part < 0 ? -1 : first_part_ + part;
+            const Index part = part_of[static_cast<std::size_t>(row - connections.first_row)];
+            return part < 0 ? -1 : first_part + part;
         });
     std::vector<SharedElement> shared;
     for (std::size_t e = 0; e < beside.size(); ++e) {
@@ -124,77 +155,32 @@ SharedComponents::SharedComponents(const Ranks& ranks, Mat graph, const HeldUnkn
         if (beside[e] < 0)
             is_held[i] = true;
         else
-            shared.push_back({first_part_ + part_[i], beside[e], 1});
+            shared.push_back({first_part + part_of[i], beside[e], 1});
     }
-    for (const auto& joined : join_shared(ranks, first_part_, parts, std::move(shared)))
-        component_.push_back(joined.first);
+    for (const auto& joined : join_shared(ranks, first_part, parts, std::move(shared)))
+        over_all.component.push_back(joined.first);
 
-    std::vector<double> holds(static_cast<std::size_t>(parts), 0);
+    FreeComponents::Sums holds = FreeComponents::Sums::Zero(parts);
     for (Index i = 0; i < n; ++i)
-        if (part_[i] >= 0 && is_held[i])
-            holds[part_[i]] = 1;
-    holds = over_all(std::move(holds));
+        if (part_of[i] >= 0 && is_held[i])
+            holds[part_of[i]] = 1;
+    holds = over_all(holds);
     grounded_.assign(static_cast<std::size_t>(n), false);
     for (Index p = 0; p < parts; ++p)
-        if (holds[p] == 0 && component_[p] == first_part_ + p) {
+        if (holds[p] == 0 && over_all.component[p] == first_part + p) {
             grounded_[first[p]] = true;
             ++count_;
         }
     count_ = ranks.sum(count_);
-    for (Index& part : part_)
+    for (Index& part : part_of)
         if (part >= 0 && holds[part] > 0)
             part = -1;
-    weights_of_all_ = sums(weights_);
-}
-
-/// Numbers of parts added up over those of a component, which the owner of its first part does.
-std::vector<double> SharedComponents::over_all(std::vector<double> of_parts) const {
-    const auto begins = ranks_.of_all(std::vector<GlobalIndex>{first_part_});
-    struct Share {
-        GlobalIndex component;
-        double value;
-    };
-    auto shares = ranks_.empty_parcels<Share>();
-    std::vector<int> whom;
-    for (std::size_t p = 0; p < of_parts.size(); ++p) {
-        whom.push_back(static_cast<int>(
-            std::upper_bound(begins.begin(), begins.end(), component_[p]) - begins.begin() - 1));
-        shares[whom.back()].push_back({component_[p], of_parts[p]});
-    }
-    std::vector<double> totals(of_parts.size(), 0);
-    for (const auto& parcel : ranks_.deliver(std::move(shares)))
-        for (const auto& [component, value] : parcel)
-            totals[static_cast<std::size_t>(component - first_part_)] += value;
-    return ranks_.ask<double>("sums", whom, component_, [&](GlobalIndex component) {
-        return totals[static_cast<std::size_t>(component - first_part_)];
-    });
-}
-
-std::vector<double> SharedComponents::sums(const Vector& values) const {
-    std::vector<double> of_parts(component_.size(), 0);
-    for (std::size_t i = 0; i < part_.size(); ++i)
-        if (part_[i] >= 0)
-            of_parts[part_[i]] += values[static_cast<Index>(i)];
-    return over_all(std::move(of_parts));
+    parts_ = {std::move(part_of), parts, std::move(weights), std::move(over_all)};
 }
 
 Compatibility SharedComponents::balance(Vector& b) const {
-    const auto sum = sums(b), size = sums(b.cwiseAbs());
-    double worst = 0;
-    for (std::size_t p = 0; p < sum.size(); ++p)
-        if (size[p] > 0)
-            worst = std::max(worst, std::abs(sum[p]) / size[p]);
-    for (Index i = 0; i < b.size(); ++i)
-        if (const Index p = part_[i]; p >= 0)
-            b[i] -= sum[p] * weights_[i] / weights_of_all_[p];
-    return {static_cast<Index>(count_), ranks_.largest(worst)};
-}
-
-void SharedComponents::remove_means(Vector& u) const {
-    const auto weighted = sums(weights_.cwiseProduct(u));
-    for (Index i = 0; i < u.size(); ++i)
-        if (const Index p = part_[i]; p >= 0)
-            u[i] -= weighted[p] / weights_of_all_[p];
+    const Compatibility local = parts_.balance(b);
+    return {static_cast<Index>(count_), ranks_.largest(local.worst)};
 }
 
 } // namespace polydec

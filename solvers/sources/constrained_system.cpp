@@ -27,12 +27,13 @@ void check_sizes(const ConstrainedSystem& system) {
             n, system.A.cols(), system.fixed.size(), system.tied.size(), system.weights.size()));
 }
 
-/// Scales weights, of which only ratios matter, by a power of two: the largest is then 1 to 2.
-void normalize(Vector& weights) {
+/// Weights, of which only ratios matter, scaled by a power of two: the largest is then 1 to 2.
+Vector normalized(Vector weights) {
     const double largest = weights.size() > 0 ? weights.maxCoeff() : 0;
     if (largest > 0 && std::isfinite(largest))
         for (double& weight : weights)
             weight = std::ldexp(weight, -std::ilogb(largest));
+    return weights;
 }
 
 /// The rows and columns of A in the list.
@@ -52,12 +53,9 @@ SparseMatrix part(const SparseMatrix& A, const std::vector<Index>& list) {
     return result;
 }
 
-} // namespace
-
-FreeComponents::FreeComponents(const SparseMatrix& graph, const std::vector<bool>& fixed,
-                               const std::vector<bool>& tied, Vector weights)
-    : weights_(std::move(weights)) {
-    normalize(weights_);
+/// Of each unknown, numbered in order; -1 if it is not free.
+std::vector<Index> free_components(const SparseMatrix& graph, const std::vector<bool>& fixed,
+                                   const std::vector<bool>& tied) {
     const auto n = static_cast<Index>(graph.rows());
     DisjointSets sets(n);
     std::vector<bool> held = tied;
@@ -76,8 +74,7 @@ FreeComponents::FreeComponents(const SparseMatrix& graph, const std::vector<bool
     for (Index i = 0; i < n; ++i)
         if (held[i] && !fixed[i])
             held_root[sets.find(i).element] = true;
-    std::vector<Index> number(n, -1);
-    component_.assign(n, -1);
+    std::vector<Index> number(n, -1), component(n, -1);
     Index count = 0;
     for (Index i = 0; i < n; ++i) {
         const Index root = sets.find(i).element;
@@ -85,21 +82,42 @@ FreeComponents::FreeComponents(const SparseMatrix& graph, const std::vector<bool
             continue;
         if (number[root] < 0)
             number[root] = count++;
-        component_[i] = number[root];
+        component[i] = number[root];
     }
-    weights_of_all_ = Sums::Zero(count);
-    for (Index i = 0; i < n; ++i)
+    return component;
+}
+
+Index count_of(const std::vector<Index>& component) {
+    return component.empty() ? 0 : 1 + *std::max_element(component.begin(), component.end());
+}
+
+} // namespace
+
+FreeComponents::FreeComponents(std::vector<Index> component, Index count, Vector weights,
+                               std::function<Sums(Sums)> over_all)
+    : component_(std::move(component)),
+      weights_(std::move(weights)),
+      over_all_(std::move(over_all)),
+      weights_of_all_(sums(count, [&](Index i) { return weights_[i]; })) {}
+
+FreeComponents::FreeComponents(const SparseMatrix& graph, const std::vector<bool>& fixed,
+                               const std::vector<bool>& tied, Vector weights)
+    : component_(free_components(graph, fixed, tied)),
+      weights_(normalized(std::move(weights))),
+      weights_of_all_(sums(count_of(component_), [&](Index i) { return weights_[i]; })) {}
+
+template <typename Term>
+FreeComponents::Sums FreeComponents::sums(Index count, Term term) const {
+    Sums own = Sums::Zero(count);
+    for (std::size_t i = 0; i < component_.size(); ++i)
         if (const Index c = component_[i]; c >= 0)
-            weights_of_all_[c] += weights_[i];
+            own[c] += term(static_cast<Index>(i));
+    return over_all_(std::move(own));
 }
 
 Compatibility FreeComponents::balance(Vector& b) const {
-    Sums sum = Sums::Zero(count()), size = sum, rest = sum;
-    for (Index i = 0; i < b.size(); ++i)
-        if (const Index c = component_[i]; c >= 0) {
-            sum[c] += b[i];
-            size[c] += std::abs(b[i]);
-        }
+    const auto magnitude = [&](Index i) { return std::abs(b[i]); };
+    const Sums sum = sums(count(), [&](Index i) { return b[i]; }), size = sums(count(), magnitude);
     Compatibility compatibility{count()};
     for (Index c = 0; c < count(); ++c)
         if (const auto share = static_cast<double>(std::abs(sum[c]) / size[c]);
@@ -108,10 +126,9 @@ Compatibility FreeComponents::balance(Vector& b) const {
             compatibility.excess = static_cast<double>(sum[c]);
         }
     for (Index i = 0; i < b.size(); ++i)
-        if (const Index c = component_[i]; c >= 0) {
+        if (const Index c = component_[i]; c >= 0)
             b[i] -= static_cast<double>(sum[c] * weights_[i] / weights_of_all_[c]);
-            rest[c] += std::abs(b[i]);
-        }
+    const Sums rest = sums(count(), magnitude);
     constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
     for (Index i = 0; i < b.size(); ++i)
         if (const Index c = component_[i]; c >= 0 && rest[c] <= rounding * size[c])
@@ -120,13 +137,11 @@ Compatibility FreeComponents::balance(Vector& b) const {
 }
 
 void FreeComponents::remove_means(Vector& u) const {
-    Vector mean = Vector::Zero(count());
+    const Sums weighted =
+        sums(count(), [&](Index i) { return static_cast<long double>(weights_[i]) * u[i]; });
     for (Index i = 0; i < u.size(); ++i)
         if (const Index c = component_[i]; c >= 0)
-            mean[c] += static_cast<double>(weights_[i] * u[i] / weights_of_all_[c]);
-    for (Index i = 0; i < u.size(); ++i)
-        if (const Index c = component_[i]; c >= 0)
-            u[i] -= mean[c];
+            u[i] -= static_cast<double>(weighted[c] / weights_of_all_[c]);
 }
 
 void check_loads(const char* what, const Vector& loads, int degree) {

@@ -4,6 +4,7 @@
 #include "backends/linear_solver.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -34,9 +35,15 @@ struct Compatibility {
 /// components of a matrix graph without fixed or tied unknowns.
 class FreeComponents {
 public:
+    using Sums = Eigen::Matrix<long double, Eigen::Dynamic, 1>; ///< as exact as their terms
+
     FreeComponents() = default;
     FreeComponents(const SparseMatrix& graph, const std::vector<bool>& fixed,
                    const std::vector<bool>& tied, Vector weights);
+    /// Given the component of each unknown, -1 if it is not free. If components continue in other
+    /// processes, `over_all` adds their sums.
+    FreeComponents(std::vector<Index> component, Index count, Vector weights,
+                   std::function<Sums(Sums)> over_all);
 
     Index count() const { return static_cast<Index>(weights_of_all_.size()); }
     /// The component of an unknown; -1 if it is not free.
@@ -50,9 +57,12 @@ public:
     void remove_means(Vector& u) const;
 
 private:
-    std::vector<Index> component_;                              // of unknowns
-    using Sums = Eigen::Matrix<long double, Eigen::Dynamic, 1>; // as exact as their terms
+    template <typename Term>
+    Sums sums(Index count, Term term) const;
+
+    std::vector<Index> component_; // of unknowns
     Vector weights_;
+    std::function<Sums(Sums)> over_all_ = [](Sums own) { return own; };
     Sums weights_of_all_; // of components
 };
 

@@ -2,6 +2,7 @@
 #include "distributed/poisson.h"
 
 #include "base/errors.h"
+#include "complex/components.h"
 #include "dec/fields/cell_centers.h"
 #include "solvers/sources/poisson.h"
 #include "tests/distributed/compare.h"
@@ -108,6 +109,30 @@ TEST(DistributedPoisson, has_the_solution_of_one_process_with_all_conditions_on_
                                  fmt::format("{}, {} side, {}", name, polydec::name(side), which));
     }
     EXPECT_GT(solved, 4 * meshes().size());
+}
+
+/// Else it is noise, which pictures show in all colors.
+TEST(DistributedPoisson, a_constant_source_on_a_closed_mesh_has_the_solution_0) {
+    const auto ranks = Ranks::all();
+    std::size_t solved = 0;
+    for (const auto& [name, given] : swept(ranks, most_cells)) {
+        if (!boundary_facets(circumcentric(given).complex()).empty())
+            continue;
+        const DistributedMesh mesh = discretized(ranks, given, some_ownerships(ranks, name).back());
+        std::optional<SharedPoissonSolver> solver;
+        try {
+            solver.emplace(ranks, mesh, SharedPoissonOptions{});
+        } catch (const Error&) { // the mesh has no such star
+            continue;
+        }
+        const auto zeros = [](const Points& sites) -> Vector { return Vector::Zero(sites.rows()); };
+        const auto found =
+            solver->solve(Vector::Ones(solver->sites().rows()), zeros(solver->boundary_sites()),
+                          zeros(solver->flux_sites()));
+        EXPECT_TRUE(found.values.isZero(0)) << name;
+        ++solved;
+    }
+    EXPECT_GT(solved, 3U);
 }
 
 TEST(DistributedPoisson, every_engine_gives_the_same_and_options_that_nobody_reads_are_refused) {
