@@ -79,8 +79,9 @@ function fieldsOf(header, arrays) {
 function scaleOf(field, {map, from, to, log}, maps) {
     const name = map === "auto" ? field.scale.map : map, isDiverging = name === "diverging";
     const colors = name === "gray" ? ["#f2f2f2", "#1c1c1c"] : maps[name];
-    const largest = Math.max(Math.abs(field.low), Math.abs(field.high));
-    let ends = isDiverging ? [-largest, largest] : [field.low, field.high];
+    const [low, high] = field.scale.constant ? field.scale.ends : [field.low, field.high];
+    const largest = Math.max(Math.abs(low), Math.abs(high));
+    let ends = isDiverging ? [-largest, largest] : [low, high];
     const isLog = log && field.low >= 0 && field.high > 0;
     if (isLog)
         ends[0] = Math.max(field.least, 1e-6 * field.high);

@@ -12,6 +12,7 @@ function legendOf(field, scale) {
             components > 1 ? "colors show the length" : "",
             scale.isConstant ? "the same everywhere, but for rounding" : ""].filter(Boolean).join("; "),
         colors: scale.colors,
-        numbers: [0, 0.25, 0.5, 0.75, 1].map(t => numberText(valueAt(t, scale), 4)),
+        numbers: [0, 0.25, 0.5, 0.75, 1].map(t =>
+            scale.isConstant && t !== 0.5 ? "" : numberText(valueAt(t, scale), 4)),
     };
 }

@@ -159,7 +159,7 @@ void add_pieces_of_curve(PageFaces& faces, const Merging& merging) {
 
 } // namespace
 
-Index PageFaces::cells() const {
+Index PageFaces::count_cells() const {
     Index count = 0;
     for (const auto& [cell, other] : owners)
         count = std::max({count, cell + 1, other + 1});

@@ -29,7 +29,7 @@ struct PageFaces {
     std::vector<Index> lines;                 ///< two corners to a cell, if dimension is 1
 
     Index size() const { return static_cast<Index>(owners.size()); }
-    Index cells() const; ///< one more than the largest owner
+    Index count_cells() const; ///< one more than the largest owner
 
     /// What is seen if only some cells are kept: the triangles, or lines, with one of these as the
     /// first owner and none on the other side.

@@ -5,7 +5,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/glued_box.h"
 #include "io/pages/first_view.h"
-#include "io/pages/opening.h"
+#include "io/pages/page_content.h"
 #include "io/pages/page_data.h"
 #include "io/pages/page_fields.h"
 #include "io/pages/page_text.h"
@@ -48,9 +48,9 @@ DenseMatrix some_vectors(const PageArrows& arrows, const Points& vectors, Index 
 /// The rule of color_range, in JSON.
 std::string color_scale(const std::array<double, 2>& ends) {
     const ColorRange range = color_range(ends[0], ends[1]);
-    return fmt::format("{{\"map\":\"{}\",\"constant\":{}}}",
-                       range.map == ColorMap::diverging ? "diverging" : "sequential",
-                       range.is_constant);
+    return fmt::format("{{\"map\":\"{}\",\"ends\":[{},{}],\"constant\":{}}}",
+                       range.map == ColorMap::diverging ? "diverging" : "sequential", range.low,
+                       range.high, range.is_constant);
 }
 
 /// Makes the header, part after part.

@@ -230,11 +230,11 @@ private:
     std::string words(const StillScene& scene) const {
         if (!scenes_.range())
             return fmt::format("The mesh: {} cells.", scenes_.cells());
-        const auto& [map, low, high, is_constant] = *scenes_.range();
+        const ColorRange& range = *scenes_.range();
         return fmt::format("Colors show {}, {}{}{}.", legend(),
-                           is_constant
-                               ? "everywhere " + number_text(high)
-                               : fmt::format("from {} to {}", number_text(low), number_text(high)),
+                           range.is_constant ? "everywhere " + number_text(range.middle())
+                                             : fmt::format("from {} to {}", number_text(range.low),
+                                                           number_text(range.high)),
                            scene.vectors.rows() > 0 ? "; arrows show its direction" : "",
                            scene.time.empty() ? "" : fmt::format(", at t = {}", scene.time));
     }
@@ -259,10 +259,10 @@ private:
             result.boxes.push_back(
                 {{left + long_bar * i / pieces, top, left + long_bar * (i + 1) / pieces, bottom},
                  painter.color((i + 0.5) / pieces)});
-        const auto& [map, low, high, is_constant] = *scenes_.range();
-        const double numbers[] = {low, low / 2 + high / 2, high};
+        const ColorRange& range = *scenes_.range();
+        const double numbers[] = {range.low, range.middle(), range.high};
         for (int i = 0; i < 3; ++i)
-            if (!is_constant || i == 1)
+            if (!range.is_constant || i == 1)
                 result.labels.push_back({{left + long_bar * i / 2, picture_height - 16.0},
                                          number_text(numbers[i]),
                                          15,

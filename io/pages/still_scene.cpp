@@ -9,7 +9,10 @@
 namespace polydec {
 
 StillScenes::StillScenes(const PageContent& content)
-    : content_(content), shown_(content.shown), visible_(content.visible()) {
+    : content_(content),
+      shown_(content.shown),
+      visible_(content.visible()),
+      cells_(content.faces.count_cells()) {
     if (content.faces.size() == 0)
         throw InvalidInput("a picture needs lines or faces, and this page has only points: write a "
                            ".vtu file");
@@ -64,9 +67,8 @@ void StillScenes::add_arrows(StillScene& scene, std::size_t step) const {
     }
 }
 
-/// The middle if values differ by rounding alone.
 double StillScenes::part(double value) const {
-    return range_->is_constant ? 0.5 : (value - range_->low) / (range_->high - range_->low);
+    return (value - range_->low) / (range_->high - range_->low);
 }
 
 StillScene StillScenes::at(std::size_t step) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/pages/opening.h"
+#include "io/pages/page_content.h"
 #include "io/pictures/color_map.h"
 
 #include <optional>
@@ -37,7 +37,7 @@ public:
         return is_curve() ? visible_.lines : visible_.corners;
     }
     const std::vector<Index>& sides() const { return visible_.sides; } ///< as in PageFaces
-    Index cells() const { return content_.faces.cells(); }             ///< of largest dimension
+    Index cells() const { return cells_; }                             ///< of largest dimension
 
     /// The colors over all steps, if there are values.
     const std::optional<ColorRange>& range() const { return range_; }
@@ -53,6 +53,7 @@ private:
     const PageContent& content_;
     const ShownField& shown_;
     PageFaces visible_;
+    Index cells_;
     std::optional<ColorRange> range_;
 };
 

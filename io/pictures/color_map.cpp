@@ -43,9 +43,14 @@ ColorRange color_range(double low, double high) {
     constexpr double rounding = 1e-6;
     const double most = std::max(std::abs(low), std::abs(high));
     const bool is_constant = high - low <= rounding * most;
-    if (!is_constant && low < -rounding * most && high > rounding * most)
+    if (is_constant) {
+        const double middle = low / 2 + high / 2,
+                     wide = std::isnormal(middle) ? std::abs(middle) / 100 : 1;
+        return {ColorMap::sequential, middle - wide, middle + wide, true};
+    }
+    if (low < -rounding * most && high > rounding * most)
         return {ColorMap::diverging, -most, most, false};
-    return {ColorMap::sequential, low, high, is_constant};
+    return {ColorMap::sequential, low, high, false};
 }
 
 std::string color_at(ColorMap map, double t) {

@@ -27,12 +27,15 @@ enum class ColorMap {
 /// The colors of values in pictures and pages.
 struct ColorRange {
     ColorMap map;
-    double low, high; ///< values at the ends of the map
-    bool is_constant; ///< the values are equal, up to rounding
+    double low, high; ///< values at the ends of the map; low < high
+    bool is_constant; ///< the values are equal, up to rounding, and have the color in the middle
+
+    double middle() const { return low / 2 + high / 2; }
 };
 
 /// The default colors of values from `low` to `high`: diverging, from minus to plus the largest
-/// absolute value, if both signs occur beyond rounding; else sequential, from low to high.
+/// absolute value, if both signs occur beyond rounding; else sequential, from low to high. If
+/// these are equal up to rounding, they are in the middle, and the ends a hundredth from it.
 /// Rounding is 1e-6 of the largest absolute value.
 ColorRange color_range(double low, double high);
 

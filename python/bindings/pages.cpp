@@ -101,15 +101,13 @@ std::string drawing(const Discretization& mesh, bool duals, bool dual_orientatio
 }
 
 /// The map of values between these, as colors at equal distances, and the values at its ends.
-/// Values that are equal up to rounding are in its middle.
 std::tuple<std::vector<std::string>, double, double> colors(double low, double high) {
     constexpr int steps = 30; // of which both maps have their corners among them
     const ColorRange range = color_range(low, high);
     std::vector<std::string> map;
     for (int i = 0; i <= steps; ++i)
         map.push_back(color_at(range.map, static_cast<double>(i) / steps));
-    const double more = range.is_constant ? (low == 0 && high == 0 ? 1 : 0.01 * std::abs(low)) : 0;
-    return {map, range.low - more, range.high + more};
+    return {map, range.low, range.high};
 }
 
 /// For each normal, in parts to the right, up and to the eye.

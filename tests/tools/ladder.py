@@ -13,6 +13,8 @@ GROWTH = 2.5   # at most, where the number of cells is doubled
 LASTING = 0.3  # seconds, below which the start of the program counts
 SMALLEST, LARGEST = 20000, 640000  # cells
 INFO = ("info",)
+VIEW = ("view", "-o", "a.html")
+MERGE = ("merge", "-o", "a.vtu")
 PRIMAL, DUAL = (("poisson", "--side", side, "--rhs", 1) for side in ("primal", "dual"))
 
 
@@ -147,10 +149,10 @@ FAMILIES = (
     (holes, "off", INFO, PRIMAL, DUAL),
     (polygon, "off", INFO, CIRCUMCENTRIC),
     (strip, "off", INFO, PRIMAL, DUAL),
-    (grid, "off", INFO, PRIMAL, DUAL),
+    (grid, "off", INFO, MERGE, VIEW, PRIMAL, DUAL),
     (soup, "stl", INFO, PRIMAL),
     (folded, "off", INFO, PRIMAL),
-    (shaken, "off", INFO, PRIMAL, DUAL),
+    (shaken, "off", INFO, VIEW, PRIMAL, DUAL),
 )
 
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "io/pages/page_content.h"
+
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/derivative.h"
 #include "io/pages/draw_page.h"
-#include "io/pages/opening.h"
 #include "io/pages/still_scene.h"
 #include "meshes/generate.h"
 #include "tests/support/circumcentric.h"
@@ -12,7 +13,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace polydec::test::in_openings {
+namespace polydec::test::in_page_content {
 
 namespace {
 
@@ -134,4 +135,4 @@ TEST(Openings, OfSolidsWithoutOutsideDoNotFail) {
     EXPECT_GT(to_html(page).size(), 1000U);
 }
 
-} // namespace polydec::test::in_openings
+} // namespace polydec::test::in_page_content

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/pages/opening.h"
+#include "io/pages/page_content.h"
 
 #include "io/pages/first_view.h"
 #include "io/pages/projection.h"
@@ -28,7 +28,7 @@ SolidView turned(SolidView view) {
 /// Of the cells, the means of the corners of their triangles, by their height over the cut's side.
 Vector heights_of_cells(const PageFaces& faces, const Points& points, int side) {
     const Vector along = points.col(side % 3) * (side < 3 ? 1 : -1);
-    Vector sums = Vector::Zero(faces.cells()), counts = sums;
+    Vector sums = Vector::Zero(faces.count_cells()), counts = sums;
     for (Index t = 0; t < faces.size(); ++t)
         for (const Index cell : faces.owners[t])
             if (cell >= 0)
@@ -146,7 +146,7 @@ Points in_space(const Points& points) {
 }
 
 std::vector<bool> Opening::kept(const PageFaces& faces, const Points& points) const {
-    std::vector<bool> result(static_cast<std::size_t>(faces.cells()), true);
+    std::vector<bool> result(static_cast<std::size_t>(faces.count_cells()), true);
     if (percent >= 100)
         return result;
     const Vector heights = heights_of_cells(faces, points, side);
@@ -169,7 +169,7 @@ PageContent::PageContent(const Page& content) : page(content), points(in_space(p
     } else {
         take(page_faces(page.grid, page.groups), nullptr);
     }
-    shown = shown_field(page, fields, faces.cells());
+    shown = shown_field(page, fields, faces.count_cells());
     opening = opening_of(*this);
 }
 
