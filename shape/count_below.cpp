@@ -22,8 +22,11 @@ CountBelow count_below(const Shape& shape, double s, const CountOptions& options
         return one_form_count(shape, s, options);
     const Shape of = options.degree == 0 ? shape : top_forms(shape);
     const ConformingForm conforming(of, options.level);
-    return enclosed_count(of, conforming.family(), lower_form(of, options.level), s,
-                          metric_ratio(of), options.linear_solver);
+    const FormFamily lower = lower_form(of, options.level);
+    const int n = of.pieces.dimension();
+    FamilyCounter below(conforming.family(), options.linear_solver, n),
+        above(lower, options.linear_solver, n);
+    return enclosed_count(of, below, above, s, metric_ratio(of));
 }
 
 } // namespace polydec

@@ -217,18 +217,4 @@ Vector FormFamily::local_values(const Factors& factors, double s, const DenseMat
     return result;
 }
 
-std::optional<Index> negative_eigenvalues(const FormFamily& family, double s,
-                                          const std::string& engine, int domain_dimension) {
-    CountedMatrix at = family.at(s);
-    if (family.size() == 0)
-        return at.eliminated;
-    const Index eliminated = at.eliminated;
-    InertiaCounter counter(ShiftedMatrices(at.matrix), engine, domain_dimension,
-                           std::move(at.doubt));
-    const auto count = counter.below(0, 1);
-    if (!count)
-        return std::nullopt;
-    return *count + eliminated;
-}
-
 } // namespace polydec

@@ -89,8 +89,4 @@ private:
     double most_summands_ = 0;
 };
 
-/// The number of negative eigenvalues of Q(s), if it can be trusted.
-std::optional<Index> negative_eigenvalues(const FormFamily& family, double s,
-                                          const std::string& engine, int domain_dimension);
-
 } // namespace polydec

@@ -13,9 +13,6 @@ namespace polydec {
 
 namespace {
 
-/// Values nearer to each other than this share are looked at from one s.
-constexpr double nearby = 1e-3;
-
 /// The forms X^T Q(s) X and minus their derivative by s.
 struct Projected {
     double s = 0;
@@ -32,8 +29,10 @@ Projected project(const FormFamily& family, const DenseMatrix& X, double s) {
 }
 
 /// One step of Newton for all values, in the space of X; X becomes their vectors, and `residuals`
-/// are Q(value) times these. False if X says nothing.
-bool rotate(const FormFamily& family, DenseMatrix& X, Vector& values, DenseMatrix& residuals) {
+/// are Q(s) times these. Values that differ by a share below `nearby` have one s. False if X says
+/// nothing.
+bool rotate(const FormFamily& family, DenseMatrix& X, Vector& values, DenseMatrix& residuals,
+            double nearby) {
     DenseMatrix rotated(X.rows(), X.cols());
     residuals.resize(X.rows(), X.cols());
     Projected at;
@@ -67,7 +66,7 @@ LowerGuesses lower_guesses(const FormFamily& family, DenseMatrix X, const Vector
                            const std::string& engine, int domain_dimension) {
     Vector values = given;
     DenseMatrix residuals;
-    if (!rotate(family, X, values, residuals) || !rotate(family, X, values, residuals))
+    if (!rotate(family, X, values, residuals, 0.5) || !rotate(family, X, values, residuals, 0.1))
         return {given, X};
     // errors are of functions far above; in between, so that none of these is blown up
     const double shift = std::min(0.7 * values.maxCoeff(), 0.9 * family.limit());
@@ -83,7 +82,7 @@ LowerGuesses lower_guesses(const FormFamily& family, DenseMatrix X, const Vector
         solver->factorize(family.at(shift).matrix, facts);
         for (int step = 0; step < 2; ++step) {
             X -= solver->solve(residuals);
-            if (!X.allFinite() || !rotate(family, X, better, residuals))
+            if (!X.allFinite() || !rotate(family, X, better, residuals, 1e-2))
                 return best;
             best = {better, X};
         }

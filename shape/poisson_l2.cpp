@@ -92,12 +92,11 @@ public:
 
     /// Negative eigenvalues, if they can be told; `doubt` is of blocks given.
     std::optional<Index> negative(const std::string& engine, int dimension, double doubt) const {
-        auto matrix = std::make_shared<SparseMatrix>(size_, size_);
-        matrix->setFromTriplets(entries_.begin(), entries_.end());
+        SparseMatrix matrix(size_, size_);
+        matrix.setFromTriplets(entries_.begin(), entries_.end());
         constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-        InertiaCounter counter(ShiftedMatrices(matrix), engine, dimension,
-                               {sizes_, doubt + rounding * counts_.maxCoeff(), 0});
-        return counter.below(0, 1);
+        return TrustedInertia(engine, dimension)
+            .negative(matrix, sizes_, doubt + rounding * counts_.maxCoeff());
     }
 
 private:

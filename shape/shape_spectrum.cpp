@@ -30,7 +30,8 @@ public:
           options_(options),
           ratio_(metric_ratio(shape)),
           conforming_(shape, options.level),
-          lower_(lower_form(shape, options.level)) {
+          lower_(lower_form(shape, options.level)),
+          counter_(lower_, options.linear_solver, dimension()) {
         result_.zeros = std::min(zero_eigenvalues(shape), options.count);
     }
 
@@ -75,6 +76,7 @@ private:
     double ratio_; // of eigenvalues computed and meant
     ConformingForm conforming_;
     FormFamily lower_;
+    FamilyCounter counter_; // of it
     CertifiedEigenpairs pairs_;
     DenseMatrix moments_; // of conforming functions
     LowerGuesses guessed_;
@@ -153,7 +155,7 @@ void Enclosing::prove(const Vector& guesses, Index j) {
         if (!may_prove(s, j))
             continue;
         ++result_.factorizations;
-        const auto count = negative_eigenvalues(lower_, s, options_.linear_solver, dimension());
+        const auto count = counter_.at(s);
         if (!count)
             continue;
         counts_.emplace_back(s, *count);
@@ -191,8 +193,8 @@ void Enclosing::prove_lower() {
 void Enclosing::count_all() {
     result_.count_at =
         std::max(pairs_.certificate.shift / ratio_, result_.upper[options_.count - 1]);
-    result_.count = enclosed_count(shape_, conforming_.family(), lower_, result_.count_at, ratio_,
-                                   options_.linear_solver);
+    FamilyCounter conforming(conforming_.family(), options_.linear_solver, dimension());
+    result_.count = enclosed_count(shape_, conforming, counter_, result_.count_at, ratio_);
     result_.factorizations += result_.count.at_most ? 2 : 1;
 }
 

@@ -10,30 +10,40 @@
 
 namespace polydec {
 
-Index trusted_count(const FormFamily& family, double s, Direction direction,
-                    const std::string& engine, int domain_dimension) {
-    for (const double step : {0.0, 1e-12, 1e-10, 1e-8, 1e-6}) {
-        const double at = s * (direction == Direction::up ? 1 + step : 1 - step);
-        if (const auto count = negative_eigenvalues(family, at, engine, domain_dimension))
+FamilyCounter::FamilyCounter(const FormFamily& family, const std::string& engine,
+                             int domain_dimension)
+    : family_(family), inertia_(engine, domain_dimension) {}
+
+std::optional<Index> FamilyCounter::at(double s) {
+    const CountedMatrix Q = family_.at(s);
+    if (family_.size() == 0)
+        return Q.eliminated;
+    const auto count = inertia_.negative(*Q.matrix, Q.doubt.sizes, Q.doubt.share);
+    if (!count)
+        return std::nullopt;
+    return *count + Q.eliminated;
+}
+
+Index FamilyCounter::near(double s, Direction direction) {
+    for (const double step : {0.0, 1e-12, 1e-10, 1e-8, 1e-6})
+        if (const auto count = at(s * (direction == Direction::up ? 1 + step : 1 - step)))
             return *count;
-    }
     throw SolverFailure(fmt::format(
         "the eigenvalues below {:.6g} cannot be counted: rounding hides the signs of pivots; flip "
         "edges, or improve or remove cells that are much smaller or flatter than others",
         s));
 }
 
-CountBelow enclosed_count(const Shape& shape, const FormFamily& conforming, const FormFamily& lower,
-                          double s, double ratio, const std::string& engine) {
-    const int n = shape.pieces.dimension();
+CountBelow enclosed_count(const Shape& shape, FamilyCounter& conforming, FamilyCounter& lower,
+                          double s, double ratio) {
     CountBelow result;
-    result.at_least = trusted_count(conforming, s * ratio, Direction::down, engine, n);
-    const double above = s / ratio * (1 + 1e-15);
-    if (above * (1 + 1e-6) < lower.limit()) {
-        result.at_most = trusted_count(lower, above, Direction::up, engine, n);
+    result.at_least = conforming.near(s * ratio, Direction::down);
+    const double above = s / ratio * (1 + 1e-15), limit = lower.family().limit();
+    if (above * (1 + 1e-6) < limit) {
+        result.at_most = lower.near(above, Direction::up);
     } else {
-        result.too_large = lower.beyond(above * (1 + 1e-6));
-        result.warnings = {warning_of_large(shape, result.too_large, above, lower.limit())};
+        result.too_large = lower.family().beyond(above * (1 + 1e-6));
+        result.warnings = {warning_of_large(shape, result.too_large, above, limit)};
     }
     return result;
 }

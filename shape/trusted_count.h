@@ -11,14 +11,29 @@ namespace polydec {
 /// The safe direction to move s if a count cannot be trusted; counts are monotone in s.
 enum class Direction { down, up };
 
-/// Negative eigenvalues of Q(s) or, if the count is not trusted, of Q at an s moved by at most 1e-6
-/// of s. Throws SolverFailure if no count can be trusted.
-Index trusted_count(const FormFamily& family, double s, Direction direction,
-                    const std::string& engine, int domain_dimension);
+/// Counts negative eigenvalues of Q(s), for one s after the other.
+class FamilyCounter {
+public:
+    /// The family must outlive this.
+    FamilyCounter(const FormFamily& family, const std::string& engine, int domain_dimension);
+
+    const FormFamily& family() const { return family_; }
+
+    /// If the count can be trusted.
+    std::optional<Index> at(double s);
+
+    /// Or, if it is not, at an s moved by at most 1e-6 of s. Throws SolverFailure if no count can
+    /// be trusted.
+    Index near(double s, Direction direction);
+
+private:
+    const FormFamily& family_;
+    TrustedInertia inertia_;
+};
 
 /// The eigenvalues below s of a shape with these forms; `ratio` as in metric_ratio.
-CountBelow enclosed_count(const Shape& shape, const FormFamily& conforming, const FormFamily& lower,
-                          double s, double ratio, const std::string& engine);
+CountBelow enclosed_count(const Shape& shape, FamilyCounter& conforming, FamilyCounter& lower,
+                          double s, double ratio);
 
 /// Throws InvalidInput unless the level is 1 or 2.
 void check_level(int level);

@@ -29,32 +29,23 @@ ShiftedMatrices::ShiftedMatrices(std::shared_ptr<const SparseMatrix> B)
 ShiftedMatrices::ShiftedMatrices(SparseMatrix A_, SparseMatrix M_, Index hidden_)
     : A(std::make_shared<const SparseMatrix>(std::move(A_))), M(std::move(M_)), hidden(hidden_) {}
 
-InertiaCounter::InertiaCounter(ShiftedMatrices matrices, const std::string& engine,
-                               int domain_dimension, Doubt doubt)
-    : matrices_(std::move(matrices)),
-      solver_(make_linear_solver(engine)),
-      doubt_(std::move(doubt)) {
+TrustedInertia::TrustedInertia(const std::string& engine, int domain_dimension)
+    : solver_(make_linear_solver(engine)) {
     facts_.symmetry = Symmetry::symmetric;
     facts_.definiteness = Definiteness::indefinite;
     facts_.inertia = Inertia::wanted;
     facts_.domain_dimension = domain_dimension;
 }
 
-InertiaCounter::~InertiaCounter() = default;
+TrustedInertia::~TrustedInertia() = default;
 
-/// D (A - shift M) D without rounding, D^2 (sizes + |shift| M) from 1/4 to 1 on the diagonal.
-SparseMatrix InertiaCounter::scaled(double shift) const {
-    const Vector all = doubt_.sizes + std::abs(shift) * matrices_.M.diagonal();
-    const Vector D = all.unaryExpr([](double size) {
+std::optional<Index> TrustedInertia::negative(const SparseMatrix& B, const Vector& sizes,
+                                              double share) {
+    // without rounding, D^2 sizes from 1/4 to 1
+    const Vector D = sizes.unaryExpr([](double size) {
         return size > 0 ? std::ldexp(1.0, -((std::ilogb(size) + 2) >> 1)) : 1.0;
     });
-    return D.asDiagonal() * matrices_.at(shift) * D.asDiagonal();
-}
-
-std::optional<Index> InertiaCounter::below(double shift, double gap) {
-    if (!(doubt_.relative * std::abs(shift) < gap))
-        return std::nullopt;
-    const auto S = std::make_shared<const SparseMatrix>(scaled(shift));
+    const auto S = std::make_shared<const SparseMatrix>(D.asDiagonal() * B * D.asDiagonal());
     Vector probe(S->rows());
     for (Index i = 0; i < probe.size(); ++i)
         probe[i] = std::sin(1.0 + i);
@@ -74,9 +65,22 @@ std::optional<Index> InertiaCounter::below(double shift, double gap) {
     // inverse iteration comes to the smallest eigenvalue from above
     constexpr double far_below = 1e-2, below = 0.25;
     const double smallest = 1 / probe.norm();
-    if (!(doubt_.share < below * smallest && lost * row_sum_norm(*S) <= far_below * smallest))
+    if (!(share < below * smallest && lost * row_sum_norm(*S) <= far_below * smallest))
         return std::nullopt;
-    const auto negative = solver_->negative_pivots();
+    return solver_->negative_pivots();
+}
+
+InertiaCounter::InertiaCounter(ShiftedMatrices matrices, const std::string& engine,
+                               int domain_dimension, Doubt doubt)
+    : matrices_(std::move(matrices)),
+      inertia_(engine, domain_dimension),
+      doubt_(std::move(doubt)) {}
+
+std::optional<Index> InertiaCounter::below(double shift, double gap) {
+    if (!(doubt_.relative * std::abs(shift) < gap))
+        return std::nullopt;
+    const auto negative = inertia_.negative(
+        matrices_.at(shift), doubt_.sizes + std::abs(shift) * matrices_.M.diagonal(), doubt_.share);
     if (!negative || *negative < matrices_.hidden)
         return std::nullopt;
     return *negative - matrices_.hidden;

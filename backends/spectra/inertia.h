@@ -32,21 +32,35 @@ struct ShiftedMatrices {
     SparseMatrix at(double shift) const { return *A - shift * M; }
 };
 
-/// Counts eigenvalues of a symmetric matrix below a shift, by the inertia of A - shift M. D (A -
-/// shift M) D has the same inertia for any diagonal D > 0; D is chosen so that no entry exceeds 1.
-/// On graded meshes the norm of A says nothing about the accuracy of its small entries.
+/// Counts negative eigenvalues of symmetric matrices; equal patterns in a row are analyzed once. D
+/// B D has the same inertia as B for any diagonal D > 0; D is chosen so that no entry exceeds 1. On
+/// graded meshes the norm of B says nothing about the accuracy of its small entries.
+class TrustedInertia {
+public:
+    /// The engine must count negative eigenvalues.
+    TrustedInertia(const std::string& engine, int domain_dimension);
+    ~TrustedInertia();
+
+    /// The number of negative eigenvalues of the exact matrix, if it can be trusted. The doubt, and
+    /// by far the backward error of solves, must be below the smallest eigenvalue of the scaled
+    /// matrix, from inverse iteration. nullopt if not, or if the factorization breaks down.
+    std::optional<Index> negative(const SparseMatrix& B, const Vector& sizes, double share);
+
+private:
+    std::unique_ptr<LinearSolver> solver_;
+    MatrixFacts facts_;
+};
+
+/// Counts eigenvalues of a symmetric matrix below a shift, by the inertia of A - shift M.
 class InertiaCounter {
 public:
     /// The doubt is for A. The engine must count negative eigenvalues.
     InertiaCounter(ShiftedMatrices matrices, const std::string& engine, int domain_dimension,
                    Doubt doubt);
-    ~InertiaCounter();
 
-    /// The number of eigenvalues of the exact matrix below the shift, if it can be trusted. The
-    /// doubt, and by far the backward error of solves, must be below the smallest eigenvalue of the
-    /// scaled matrix, from inverse iteration. The relative doubt must be below `gap`, the distance
-    /// of the shift from the nearest eigenvalue. nullopt if not, or if the factorization breaks
-    /// down.
+    /// The number of eigenvalues of the exact matrix below the shift, if it can be trusted: see
+    /// TrustedInertia. The relative doubt must be below `gap`, the distance of the shift from the
+    /// nearest eigenvalue.
     std::optional<Index> below(double shift, double gap);
 
     struct Counted {
@@ -64,11 +78,8 @@ public:
     double shift_close_to(Index done, Index wanted, double low, double high, double length);
 
 private:
-    SparseMatrix scaled(double shift) const;
-
     ShiftedMatrices matrices_;
-    std::unique_ptr<LinearSolver> solver_;
-    MatrixFacts facts_;
+    TrustedInertia inertia_;
     Doubt doubt_;
 };
 
