@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -146,27 +147,13 @@ void write_obj(const Path& path, const SurfaceFaces& faces) {
     lines.commit();
 }
 
-void write_ply(const Path& path, const SurfaceFaces& faces) {
-    std::size_t most_corners = 3;
-    for (std::size_t face = 0; face < faces.count; ++face)
-        most_corners = std::max(most_corners, faces[face].size());
-    Lines lines(path);
-    lines.text(fmt::format("ply\nformat ascii 1.0\nelement vertex {}\n"
-                           "property double x\nproperty double y\nproperty double z\n"
-                           "element face {}\nproperty list {} int vertex_indices\nend_header\n",
-                           faces.points.rows(), faces.count,
-                           most_corners < 256 ? "uchar" : "uint"));
-    write_vertices(lines, faces.points);
-    write_faces(lines, faces);
-    lines.commit();
-}
-
-/// Appends a number of four bytes, the lowest first.
+/// Appends the bytes of a number, the lowest first.
 template <typename Number>
 void append_bytes(std::string& bytes, Number number) {
-    const auto bits = std::bit_cast<std::uint32_t>(number);
-    for (unsigned shift = 0; shift < 32; shift += 8)
-        bytes += static_cast<char>(bits >> shift & 0xFFU);
+    auto of_number = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    if constexpr (std::endian::native == std::endian::big)
+        std::reverse(of_number.begin(), of_number.end());
+    bytes.append(of_number.data(), of_number.size());
 }
 
 Eigen::Vector3d padded(const Points& points, Index vertex) {
@@ -185,6 +172,36 @@ float to_float(const Path& path, double value, Index vertex) {
                {.vertices = {vertex}});
     }
     return static_cast<float>(value);
+}
+
+void write_ply(const Path& path, const SurfaceFaces& faces) {
+    std::size_t most_corners = 3;
+    for (std::size_t face = 0; face < faces.count; ++face)
+        most_corners = std::max(most_corners, faces[face].size());
+    const bool is_short = most_corners < 256;
+    AtomicFile file(path);
+    file.write(fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n"
+                           "property double x\nproperty double y\nproperty double z\n"
+                           "element face {}\nproperty list {} int vertex_indices\nend_header\n",
+                           faces.points.rows(), faces.count, is_short ? "uchar" : "uint"));
+    std::string bytes;
+    for (Index vertex = 0; vertex < faces.points.rows(); ++vertex) {
+        bytes.clear();
+        for (const double value : padded(faces.points, vertex))
+            append_bytes(bytes, value);
+        file.write(bytes);
+    }
+    for (std::size_t face = 0; face < faces.count; ++face) {
+        bytes.clear();
+        if (is_short)
+            append_bytes(bytes, static_cast<std::uint8_t>(faces[face].size()));
+        else
+            append_bytes(bytes, static_cast<std::uint32_t>(faces[face].size()));
+        for (const Index corner : faces[face])
+            append_bytes(bytes, corner);
+        file.write(bytes);
+    }
+    file.commit();
 }
 
 void write_stl(const Path& path, const SurfaceFaces& faces) {

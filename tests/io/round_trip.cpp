@@ -187,11 +187,13 @@ TEST(RoundTrip, PolygonsAreWrittenAsPolygons) {
               "v 0 0 0\nv 1 0 0\nv 1.5 1 0\nv 0.5 2 0\nv -0.5 1 0\nv 2 -1 0\nv 3 0 0\n"
               "f 1 2 3 4 5\nf 2 6 7 3\n");
     write_mesh(folder.path("a.ply"), mesh);
-    EXPECT_EQ(read_text(folder.path("a.ply")),
-              "ply\nformat ascii 1.0\nelement vertex 7\nproperty double x\nproperty double y\n"
-              "property double z\nelement face 2\nproperty list uchar int vertex_indices\n"
-              "end_header\n0 0 0\n1 0 0\n1.5 1 0\n0.5 2 0\n-0.5 1 0\n2 -1 0\n3 0 0\n5 0 1 2 3 4\n"
-              "4 1 5 6 2\n");
+    const std::string header =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 7\nproperty double x\n"
+        "property double y\nproperty double z\nelement face 2\n"
+        "property list uchar int vertex_indices\nend_header\n";
+    const std::string ply = read_text(folder.path("a.ply"));
+    EXPECT_EQ(ply.substr(0, header.size()), header);
+    EXPECT_EQ(ply.size(), header.size() + 7 * 3 * 8 + (1 + 5 * 4) + (1 + 4 * 4));
     for (const char* name : {"a.off", "a.obj", "a.ply"}) {
         EXPECT_EQ(rows(read_mesh(folder.path(name)).simplices),
                   rows(split_polygons(mesh).simplices));
