@@ -164,6 +164,16 @@ std::uint64_t resident() noexcept {
     return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
+/// Threads that wait by spinning take the time of other programs. OpenMP asks for this once, when
+/// it is loaded, so the program starts again; if it cannot, it goes on as it is.
+void wait_passively(char** argv) noexcept {
+    static char path[4096] = "";
+    if (std::getenv("OMP_WAIT_POLICY") == nullptr &&
+        ::readlink("/proc/self/exe", path, sizeof path - 1) > 0 &&
+        ::setenv("OMP_WAIT_POLICY", "passive", 1) == 0)
+        ::execv(path, argv);
+}
+
 } // namespace
 
 void hold_memory_limit() {
@@ -188,6 +198,7 @@ void hold_memory_limit() {
 }
 
 int run_process(const char* name, int (*work)(int, char**), int argc, char** argv) noexcept {
+    wait_passively(argv);
     program = name;
     keep_freed_memory();
     console::open_standard_streams();

@@ -16,7 +16,7 @@ enum ExitCode {
 /// No unfinished file remains (system/unfinished.h) however the program ends: by a signal, by a
 /// library that calls exit(), or by an error that cannot be passed on. A signal ends the program
 /// unless it was ignored before. A broken pipe is an ordinary error. Allocates no memory once
-/// memory is short.
+/// memory is short. Threads wait passively unless OMP_WAIT_POLICY says otherwise.
 int run_process(const char* name, int (*work)(int, char**), int argc, char** argv) noexcept;
 
 /// Limits memory for cases that no check_memory foresees: the program ends with resource_failure

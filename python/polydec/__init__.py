@@ -14,7 +14,13 @@ of this module also derive from Python's built-in ones. Start with `discretize` 
 """
 import os as _os
 
+# OpenMP asks when it is loaded how threads wait; spinning would take the time of other programs.
+_is_asked = "OMP_WAIT_POLICY" not in _os.environ
+if _is_asked:
+    _os.environ["OMP_WAIT_POLICY"] = "passive"
 from . import _core, meshes
+if _is_asked:
+    del _os.environ["OMP_WAIT_POLICY"]
 from ._core import __version__
 from ._cells import Cells
 from ._cochain import Cochain
