@@ -166,14 +166,19 @@ std::vector<NamedForm> shown(const IncompressibleFlow& flow, const Vector& w) {
     const int n = mesh.dimension();
     return {NamedForm("velocity", Side::primal,
                       vectors_at_vertices(mesh, {Side::primal, n - 1, w}, Proxy::flux),
-                      "the velocity"),
-            NamedForm("vorticity", {Side::primal, n - 2, flow.vorticity(w)}, "the vorticity"),
-            NamedForm("pressure", flow.pressure(w), "the pressure over the density")};
+                      "the velocity, in units of length/time"),
+            NamedForm("vorticity", {Side::primal, n - 2, flow.vorticity(w)},
+                      "the vorticity, in units of 1/time"),
+            NamedForm("pressure", flow.pressure(w),
+                      "the pressure over the density, in units of length^2/time^2")};
 }
 
 void run_flow(const FlowArguments& arguments) {
     Log log;
     const Given given(arguments);
+    if (!given.vorticity.given() && !given.velocity.given() && !given.boundary.given())
+        throw CLI::ValidationError("flow needs --vorticity EXPR, --velocity VECTOR or "
+                                   "--boundary-velocity VECTOR: else the fluid stays at rest");
     check_time(arguments.time, {arguments.mesh.mesh});
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.time.out.empty())
