@@ -14,7 +14,7 @@ class Entry:
     keys: tuple = ()                             # pressed in the picture then
 
 
-LEFT, RIGHT, UP, DOWN = "ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"
+LEFT, DOWN = "ArrowLeft", "ArrowDown"
 
 ENTRIES = (
     Entry("merged_flange", "A machine part, merged",
@@ -41,8 +41,8 @@ ENTRIES = (
            "polydec spectrum goldberg.off --side dual --degree 0 --count 16 -o goldberg.html"),
           "goldberg.html", {"field": "10"}),
     Entry("harmonic_field", "A harmonic field on a torus",
-          "The torus has two loops, and two harmonic 1-forms: eigenvalue 0 twice. Colors are the "
-          "values on edges; they are integrals of the field that the arrows show.",
+          "The torus has two loops, and two harmonic 1-forms: eigenvalue 0 twice. Colors show the "
+          "length of the field, and lines run along it.",
           ("polydec generate torus --major 32 --minor 16 -o torus.off",
            "polydec spectrum torus.off --side primal --degree 1 --count 6 -o torus.html"),
           "torus.html", {"field": "0", "edges": False}, (DOWN,) * 4),
@@ -99,13 +99,14 @@ ENTRIES = (
           ("12_maxwell_cavity",), "maxwell_cavity.html", {"axis": "2", "cut": "50"}, (LEFT,) * 2),
     Entry("hot_spot", "A hot spot, blown around a sphere",
           "A user-defined PDE: transport by a wind with upwind sampling, and heat, on quads.",
-          ("10_your_own_pde",), "temperature.html", {"step": "8", "levels": True}, (RIGHT,) * 20),
+          ("10_your_own_pde",), "temperature.html", {"step": "8", "levels": True}, (LEFT,) * 6),
     Entry("wave", "A wave on a torus",
           "From rest, a bump runs around the tube both ways, meets itself and continues. Energy is "
           "conserved to rounding; the page plays the steps.",
           ("polydec generate torus --major 96 --minor 48 -o fine-torus.off",
            "polydec wave fine-torus.off --initial 'exp(-30*((x-1.5)^2+y^2+z^2))' --until 3 "
-           "--frames 60 -o wave.html"), "wave.html", {"step": "18", "edges": False},
+           "--frames 60 -o wave.html"), "wave.html", 
+          {"step": "18", "edges": False, "from": "-0.1", "to": "0.1"},
           (DOWN,) * 4),
     Entry("flow", "Vortices on a sphere",
           "Two vortices of one sense turn around each other on a sphere of hexagons, stretch each "
@@ -118,5 +119,5 @@ ENTRIES = (
           "The vertical electric field, by leapfrog on octahedra and tetrahedra, a value for each "
           "cell; the page plays the steps. A cut removes the front half.",
           ("13_electromagnetic_pulse",), "pulse_on_octahedra.html",
-          {"axis": "0", "cut": "50", "step": "17"}, (LEFT,) * 7),
+          {"axis": "0", "cut": "50", "step": "14", "from": "-0.2", "to": "0.2"}, (LEFT,) * 7),
 )
