@@ -64,8 +64,7 @@ function withValues(field, names, header, arrays) {
 function fieldsOf(header, arrays) {
     const named = name => header.steps.length ? header.steps.map((_, s) => `${name}.${s}`) : [name];
     return header.fields.map((about, i) => {
-        const given = {...about, unit: about.unit.replace("length", header.unit || "length")};
-        const field = withValues(given, named(`f${i}`), header, arrays);
+        const field = withValues(about, named(`f${i}`), header, arrays);
         const at = header.arrows.findIndex(each => each.field === field.name);
         const names = named(`sizes${at}`);
         if (arrays[names[0]])

@@ -42,7 +42,8 @@ Vector heights_of_cells(const PageFaces& faces, const Points& points, int side) 
 class Opener {
 public:
     explicit Opener(const PageContent& content)
-        : points_(content.points),
+        : page_(content.page),
+          points_(content.points),
           faces_(content.faces),
           shown_(content.shown),
           numbers_(shown_numbers(shown_.at(content.page, shown_.step)).cwiseAbs()) {
@@ -53,8 +54,12 @@ public:
 
     bool has_numbers() const { return largest_ > 0 && std::isfinite(largest_); }
 
-    /// Whether a place on the surface, where the field is nearly largest, is seen.
-    bool is_well_seen(const SolidView& view, const PageFaces& surface) const {
+    bool has_paths() const {
+        return std::any_of(page_.arrows.begin(), page_.arrows.end(), is_path);
+    }
+
+    /// How many places are seen on paths or, without any, where the field is nearly largest.
+    std::ptrdiff_t count_seen(const SolidView& view, const PageFaces& surface) const {
         constexpr int width = 320, height = 200;
         const Projection project(view, points_, surface.corners, {0, 0, width, height});
         SurfacePainter painter(width, height, {}, {});
@@ -68,15 +73,22 @@ public:
                 middle += seen.corners[i] / 3;
             }
             painter.paint(seen);
-            for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t i = 0; i < 3 && !has_paths(); ++i)
                 if (is_large(surface.entry(shown_.place, 3 * t + static_cast<Index>(i))))
                     places.push_back(shown_.place == "vertex" ? seen.corners[i]
                                      : shown_.place == "edge"
                                          ? Place((seen.corners[i] + seen.corners[(i + 1) % 3]) / 2)
                                          : middle);
         }
-        return std::any_of(places.begin(), places.end(),
-                           [&](const Place& place) { return painter.shows(place); });
+        for (const PageArrows& arrows : page_.arrows) {
+            const Mesh& lines = arrows.lines;
+            const Points ends = in_space(lines.points);
+            for (Index i = 0; i < lines.simplices.rows() && is_path(arrows); ++i)
+                places.push_back(project(Place(
+                    (ends.row(lines.simplices(i, 0)) + ends.row(lines.simplices(i, 1))) / 2)));
+        }
+        return std::count_if(places.begin(), places.end(),
+                             [&](const Place& place) { return painter.shows(place); });
     }
 
     /// The percentage where a cell with a large number is the last one that is kept.
@@ -94,11 +106,14 @@ public:
     }
 
 private:
+    static bool is_path(const PageArrows& arrows) { return arrows.sites.rows() == 0; }
+
     bool is_large(Index entry) const {
         constexpr double nearly = 0.95;
         return entry >= 0 && numbers_[entry] >= nearly * largest_;
     }
 
+    const Page& page_;
     const Points& points_;
     const PageFaces& faces_;
     const ShownField& shown_;
@@ -122,15 +137,17 @@ Opening opening_of(const PageContent& content) {
     const bool is_inside = is_solid && content.shown.has_vectors(); // most of them are
     const PageFaces whole = faces.visible(opening.kept(faces, points));
     SolidView view = opening.view;
+    std::ptrdiff_t most = 0; // of paths; of a field one place will do
     for (int turns = 0; turns < 4 && !is_inside; ++turns, view = turned(view))
-        if (opener.is_well_seen(view, whole)) {
+        if (const auto seen = most == 0 || opener.has_paths() ? opener.count_seen(view, whole) : 0;
+            seen > most) {
             opening.view = view;
-            return opening;
+            most = seen;
         }
-    if (!is_solid)
+    if (!is_solid || most > 0)
         return opening;
     opening.percent = 50;
-    if (!opener.is_well_seen(opening.view, faces.visible(opening.kept(faces, points))))
+    if (opener.count_seen(opening.view, faces.visible(opening.kept(faces, points))) == 0)
         opening.percent = opener.percent_of_largest(opening.side);
     if (is_inside)
         opening.percent = std::clamp(opening.percent, 30, 70);

@@ -119,13 +119,17 @@ std::array<double, 2> range_of(const Page& page, const PageField& field) {
     return range;
 }
 
-std::string unit_in(const std::string& about) {
+std::string unit_in(const std::string& about, const PageText& text) {
     constexpr std::string_view mark = "in units of ";
     const auto at = about.find(mark);
     if (at == std::string::npos)
         return "";
     const auto begin = at + mark.size();
-    return about.substr(begin, about.find_first_of(" ,;", begin) - begin);
+    std::string unit = about.substr(begin, about.find_first_of(" ,;", begin) - begin);
+    constexpr std::string_view length = "length";
+    if (const auto place = unit.find(length); place < unit.size() && !text.length_unit.empty())
+        unit.replace(place, length.size(), text.length_unit);
+    return unit;
 }
 
 std::vector<PageField> page_fields(const Page& page, int dimension, const CellComplex* complex) {

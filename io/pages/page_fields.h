@@ -33,8 +33,9 @@ Vector shown_numbers(const VtuArray& array);
 std::array<double, 2> range_of(const std::vector<VtuArray>& arrays);
 std::array<double, 2> range_of(const Page& page, const PageField& field);
 
-/// The unit in a description, "in units of length^2"; or empty.
-std::string unit_in(const std::string& about);
+/// The unit in a description, "in units of length^2"; or empty. If the page names the unit of
+/// length, by its name.
+std::string unit_in(const std::string& about, const PageText& text);
 
 /// All fields of a page that shows cells of a dimension: those with values at vertices first, those
 /// on edges and faces of its cell complex last. Throws InvalidInput, naming the field, for values

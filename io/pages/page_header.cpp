@@ -179,8 +179,9 @@ private:
             fields_.push_back(fmt::format("{{\"name\":{},\"about\":{},\"unit\":{},\"place\":\"{}\","
                                           "\"components\":{},\"scale\":{}}}",
                                           json_text(array.name), json_text(array.about),
-                                          json_text(unit_in(array.about)), all_[i].place,
-                                          array.components, color_scale(range_of(page_, all_[i]))));
+                                          json_text(unit_in(array.about, page_.text)),
+                                          all_[i].place, array.components,
+                                          color_scale(range_of(page_, all_[i]))));
             if (page_.steps.empty())
                 add_values(fmt::format("f{}", i), array);
             for (std::size_t s = 0; s < page_.steps.size(); ++s)

@@ -221,10 +221,13 @@ private:
         add_arrow(result, on_paper(at - half), on_paper(at + half), 1.4, ink);
     }
 
-    /// The name of the values, with what is known about them.
+    /// The name of the values and their unit, with what is known about them.
     std::string legend() const {
         const auto& about = scenes_.about();
-        return about.empty() ? scenes_.name() : scenes_.name() + ": " + about;
+        const std::string unit = unit_in(about, scenes_.page().text);
+        return fmt::format("{}{}{}{}", scenes_.name(),
+                           unit.empty() ? "" : fmt::format(" [{}]", unit),
+                           about.empty() ? "" : ": ", about);
     }
 
     std::string words(const StillScene& scene) const {

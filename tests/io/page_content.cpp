@@ -59,6 +59,23 @@ TEST(Openings, AreFromASideWhereTheLargestValueIsSeen) {
     }
 }
 
+/// Wherever its field is largest: the path is the answer.
+TEST(Openings, AreFromTheSideThatShowsMostOfAPath) {
+    const auto sphere = circumcentric(icosphere(3));
+    for (const Place& middle : {Place(1, 0, 0), Place(-1, 0, 0), Place(0, 1, 0), Place(0, -1, 0)}) {
+        Page page = opened(sphere, Side::primal, hump(-middle)).page;
+        Mesh path;
+        path.points = Points(2, 3);
+        path.points.row(0) = 1.01 * middle - Place(0, 0, 0.1);
+        path.points.row(1) = 1.01 * middle + Place(0, 0, 0.1);
+        path.simplices = Simplices(1, 2);
+        path.simplices << 0, 1;
+        const Points none(0, 3);
+        page.arrows.push_back({"f", none, none, path});
+        EXPECT_GT(Place(Opened(page).opening.view.eye).dot(middle), 0) << middle.transpose();
+    }
+}
+
 TEST(Openings, AreAsUsualWhereTheLargestValueIsSeenSo) {
     const auto sphere = circumcentric(icosphere(2));
     const auto constant = opened(sphere, Side::primal, [](const Place&) { return 1; });

@@ -189,6 +189,9 @@ TEST(Pages, NameTheUnitsOfTheirFields) {
     auto page = simple_page();
     page.grid.point_data[0].about = "areas, in units of length^2, of cells";
     EXPECT_EQ(count_of(to_html(page), "\"unit\":\"length^2\""), 1U);
+    page.text.length_unit = "mm";
+    EXPECT_EQ(count_of(to_html(page), "\"unit\":\"mm^2\""), 1U);
+    page.text.length_unit = "";
     page.grid.point_data[0].about = "areas";
     EXPECT_EQ(count_of(to_html(page), "\"unit\":\"length^2\""), 0U);
 }

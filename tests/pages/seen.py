@@ -281,7 +281,7 @@ class Seen(TestCase):
         line = ("flow", golden("uv8.off"), "--vorticity", "z", "--until", 0.5, "--frames", 2)
         self.succeed(*line, "-o", "f.pvd")
         page = self.page(*line)
-        self.assertEqual(self.browser.text("legend-name"), "velocity")
+        self.assertEqual(self.browser.text("legend-name"), "velocity [length/time]")
         self.assertEqual(set(page.fields), {"velocity", "vorticity", "pressure"})
         self.browser.plain()
         self.assertGreater(max(self.extent_of_arrows()), 100)
