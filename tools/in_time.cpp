@@ -67,9 +67,8 @@ void add_time(CLI::App& command, TimeArguments& arguments, const std::string& ow
         ->check(check_positive);
     command.add_option("--frames", arguments.frames, "N\tstates to write, besides the initial one")
         ->check(CLI::Range(1, 1'000'000));
-    command.add_option(
-        "-o,--out", arguments.out,
-        "FILE\twrite a series: .pvd with a folder beside it, or .html page that plays");
+    command.add_option("-o,--out", arguments.out,
+                       "FILE\twrite .pvd series and folder, .html page that plays, .png or .svg");
     auto* checkpoint = command.add_option(
         "--checkpoint", arguments.checkpoint,
         "FILE\tkeep the state in this .checkpoint file: each frame, minute, Ctrl-C or SIGTERM");
@@ -82,8 +81,8 @@ void add_time(CLI::App& command, TimeArguments& arguments, const std::string& ow
 
 void check_time(const TimeArguments& arguments, Paths inputs) {
     if (!arguments.out.empty())
-        check_output_file(arguments.out, {".pvd", ".html"}, inputs);
-    if (arguments.resume && lower_extension(arguments.out) == ".html")
+        check_output_file(arguments.out, and_pages({".pvd"}), inputs);
+    if (arguments.resume && is_page(arguments.out))
         throw InvalidInput(
             fmt::format("cannot resume with {}: a page is written from all frames at once; write a "
                         ".pvd file, then convert it with polydec view",

@@ -14,7 +14,8 @@ namespace polydec {
 
 /// Pictures of one mesh at ascending times, in the format of the extension. .pvd lists .vtu files
 /// in a folder of the same name beside it, for ParaView, as from draw_fields; .html is a page with
-/// a time slider and playback, as from draw_page, with arrows at every time. Every file appears
+/// a time slider and playback, as from draw_page, with arrows at every time; .png and .svg are the
+/// page's still picture, at the step with the largest range of values. Every file appears
 /// whole or not at all. A .pvd series is written as steps are added. After a crash it is readable;
 /// its list lacks at most the last 1/32 of the steps, whose files exist. A page is written at the
 /// end, and replaces an old one.

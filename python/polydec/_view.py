@@ -169,14 +169,15 @@ def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | 
 
 
 class Series:
-    """Pictures at ascending times: a .pvd file for ParaView, or an .html page that plays.
+    """Pictures at ascending times: a .pvd file for ParaView, an .html page that plays, or a .png or
+    .svg picture of one step.
 
     A .pvd file grows step by step, and is readable after a kill. A page is written at the end.
 
     Parameters
     ----------
     path : str or os.PathLike
-        Must end with .pvd or .html.
+        Must end with .pvd, .html, .png or .svg.
     complex : Complex, or a mesh as `discretize` takes it
     title : str
     times : sequence of float

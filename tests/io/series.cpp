@@ -209,6 +209,18 @@ TEST(Series, GoesOnAsIfItHadNotEnded) {
                      {"InvalidInput", "a.html", "page", ".pvd"}));
 }
 
+TEST(Series, IsAPictureOfOneStepByItsExtension) {
+    const auto mesh = square();
+    const TemporaryFolder folder;
+    for (const auto& [name, begin] : {std::pair("a.png", "\x89PNG"), std::pair("a.svg", "<svg")}) {
+        Series series(folder.path(name), mesh);
+        for (const int time : {0, 1})
+            series.add(time, {NamedForm("u", moving(mesh, Side::primal, 0, time))});
+        series.close();
+        EXPECT_EQ(read_text(folder.path(name)).substr(0, 4), begin);
+    }
+}
+
 TEST(Series, RefusesWhatDoesNotFit) {
     const auto mesh = square();
     const TemporaryFolder folder;
