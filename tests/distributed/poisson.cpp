@@ -111,12 +111,14 @@ TEST(DistributedPoisson, has_the_solution_of_one_process_with_all_conditions_on_
     EXPECT_GT(solved, 4 * meshes().size());
 }
 
-/// Else it is noise, which pictures show in all colors.
+/// Else it is noise, which pictures show in all colors. Where a vertex has a negative dual the
+/// means have other weights than the source.
 TEST(DistributedPoisson, a_constant_source_on_a_closed_mesh_has_the_solution_0) {
     const auto ranks = Ranks::all();
     std::size_t solved = 0;
     for (const auto& [name, given] : swept(ranks, most_cells)) {
-        if (!boundary_facets(circumcentric(given).complex()).empty())
+        const Discretization whole = circumcentric(given);
+        if (!boundary_facets(whole.complex()).empty() || !(whole.volumes().dual(0).minCoeff() > 0))
             continue;
         const DistributedMesh mesh = discretized(ranks, given, some_ownerships(ranks, name).back());
         std::optional<SharedPoissonSolver> solver;
