@@ -168,7 +168,7 @@ std::vector<NamedForm> shown(const IncompressibleFlow& flow, const Vector& w) {
                       vectors_at_vertices(mesh, {Side::primal, n - 1, w}, Proxy::flux),
                       "the velocity, in units of length/time"),
             NamedForm("vorticity", {Side::primal, n - 2, flow.vorticity(w)},
-                      "the vorticity, in units of 1/time"),
+                      n > 2 ? "the vorticity" : "the vorticity, in units of 1/time"),
             NamedForm("pressure", flow.pressure(w),
                       "the pressure over the density, in units of length^2/time^2")};
 }

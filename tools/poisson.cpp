@@ -74,7 +74,8 @@ void draw(const Discretization& mesh, const PoissonArguments& arguments, const V
                   fmt::format("u from {:.10g} to {:.10g}; residual {:.2e} with {}", answer.min,
                               answer.max, answer.report.residual, answer.report.engine)};
     const NamedForm u("u", {side, 0, values},
-                      fmt::format("the solution, a {} 0-form, in units of length^2*f", name(side)));
+                      fmt::format("the solution, a {} 0-form, in units of length^2*f{}", name(side),
+                                  arguments.conductivity.empty() ? "" : "/conductivity"));
     std::vector<VtuArray> numbers{{"residual", std::vector<double>{answer.report.residual}}};
     if (answer.errors)
         numbers.push_back({"error_max", std::vector<double>{answer.errors->max}});

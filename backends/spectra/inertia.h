@@ -43,7 +43,8 @@ public:
 
     /// The number of negative eigenvalues of the exact matrix, if it can be trusted. The doubt, and
     /// by far the backward error of solves, must be below the smallest eigenvalue of the scaled
-    /// matrix, from inverse iteration. nullopt if not, or if the factorization breaks down.
+    /// matrix, from inverse iteration. nullopt if not, or if the factorization breaks down. `sizes`
+    /// and `share` of B are those of Doubt.
     std::optional<Index> negative(const SparseMatrix& B, const Vector& sizes, double share);
 
 private:

@@ -42,6 +42,8 @@ struct PageArrows {
     Points vectors = {}; ///< one row per site
     /// Segments along the vectors, e.g. from streamlines; or empty.
     Mesh lines = {};
+
+    bool is_path() const { return sites.rows() == 0; }
 };
 
 /// Arrays at another time, with the names and sizes of the grid's, and the vectors of the page's

@@ -55,7 +55,8 @@ public:
     bool has_numbers() const { return largest_ > 0 && std::isfinite(largest_); }
 
     bool has_paths() const {
-        return std::any_of(page_.arrows.begin(), page_.arrows.end(), is_path);
+        return std::any_of(page_.arrows.begin(), page_.arrows.end(),
+                           [](const PageArrows& arrows) { return arrows.is_path(); });
     }
 
     /// How many places are seen on paths or, without any, where the field is nearly largest.
@@ -83,7 +84,7 @@ public:
         for (const PageArrows& arrows : page_.arrows) {
             const Mesh& lines = arrows.lines;
             const Points ends = in_space(lines.points);
-            for (Index i = 0; i < lines.simplices.rows() && is_path(arrows); ++i)
+            for (Index i = 0; i < lines.simplices.rows() && arrows.is_path(); ++i)
                 places.push_back(project(Place(
                     (ends.row(lines.simplices(i, 0)) + ends.row(lines.simplices(i, 1))) / 2)));
         }
@@ -106,8 +107,6 @@ public:
     }
 
 private:
-    static bool is_path(const PageArrows& arrows) { return arrows.sites.rows() == 0; }
-
     bool is_large(Index entry) const {
         constexpr double nearly = 0.95;
         return entry >= 0 && numbers_[entry] >= nearly * largest_;

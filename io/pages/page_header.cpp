@@ -223,7 +223,7 @@ private:
                                  some_vectors(arrows, page_.steps[s].vectors[i], stride));
             arrows_.push_back(fmt::format("{{\"field\":{},\"stride\":{}{}{}}}",
                                           json_text(arrows.field), stride, add_sizes(i),
-                                          rows == 0 ? ",\"lines_alone\":true" : ""));
+                                          arrows.is_path() ? ",\"lines_alone\":true" : ""));
             if (arrows.lines.simplices.rows() > 0)
                 add_lines(fmt::format("flow{}", i), arrows.lines);
         }

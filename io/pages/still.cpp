@@ -153,9 +153,10 @@ private:
     }
 
     void add_paths(PictureOverlay& result, const SurfacePainter& painter) const {
-        for (const auto& [field, sites, vectors, lines] : scenes_.page().arrows) {
-            if (sites.rows() > 0)
+        for (const PageArrows& arrows : scenes_.page().arrows) {
+            if (!arrows.is_path())
                 continue;
+            const Mesh& lines = arrows.lines;
             const Points points = in_space(lines.points);
             for (Index i = 0; i < lines.simplices.rows(); ++i) {
                 const Place a = projection_(points.row(lines.simplices(i, 0)).transpose());

@@ -48,7 +48,7 @@ MUTANTS = {
                          "Ply.RefusesBrokenBodies"),
     "opened_from_one_side": ("io/pages/page_content.cpp", "turns < 4", "turns < 1",
                              "Openings.AreFromASideWhereTheLargestValueIsSeen"),
-    "paths_not_looked_at": ("io/pages/page_content.cpp", "return arrows.sites.rows() == 0;", "return false;",
+    "paths_not_looked_at": ("io/pages/page_content.cpp", "&& arrows.is_path(); ++i)", "&& false; ++i)",
                             "Openings.AreFromTheSideThatShowsMostOfAPath"),
     "cut_anywhere": ("io/pages/page_content.cpp", "std::ceil(100 * part)", "50",
                      "Openings.CutSolidsThroughTheLargestValueInside"),
