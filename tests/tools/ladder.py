@@ -166,7 +166,7 @@ def processor_seconds(run):
     return used() - before
 
 
-def worst_growth(seconds, n, runs=3):
+def worst_growth(seconds, n, runs=5):
     """Of seconds(n), from n to 2 n and from there to 4 n, the first n being one that takes long.
     Of each the least of several runs, or one where that will do: what else runs on the machine
     only adds to it."""
