@@ -36,11 +36,10 @@ function longest(lists) {
 /** Of each vector its length. */
 function lengths(numbers, components) {
     if (components === 1)
-        return Float64Array.from(numbers);
-    const result = new Float64Array(numbers.length / components);
-    for (let i = 0; i < result.length; ++i)
-        result[i] = Math.hypot(...numbers.subarray(i * components, (i + 1) * components));
-    return result;
+        return new Float64Array(numbers);
+    return made(Float64Array, numbers.length / components, components === 3
+        ? i => Math.hypot(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2])
+        : i => Math.hypot(...numbers.subarray(i * components, (i + 1) * components)));
 }
 
 /** Values at every step, their range over all, and the colors that the library chose for it. */

@@ -9,6 +9,12 @@ const kinds = {
 };
 const places = {none: 0, vertex: 1, cell: 2, edge: 3, face: 4};
 
+/** Puts rows of three numbers into a texture. */
+const threes = numbers => (to, at, i) => {
+    for (let c = 0; c < 3; ++c)
+        to[at + c] = numbers[3 * i + c];
+};
+
 class Renderer {
     constructor(canvas, scene) {
         this.canvas = canvas;
@@ -28,8 +34,7 @@ class Renderer {
         };
         this.textures = {};
         gl.bindVertexArray(gl.createVertexArray());
-        this.keep("centers", "float4", scene.isCurve ? 1 : scene.header.cells,
-            i => [...scene.center(i), 0]);
+        this.keep("centers", "float4", scene.centers.length / 3, threes(scene.centers));
         if (!scene.isCurve)
             this.restoreFaces();
         if (scene.arrays.dual_lines)
@@ -70,20 +75,28 @@ class Renderer {
         const {gl} = this, {arrays, size} = this.scene;
         this.programs.faces = this.program(faceVertices, faceColors);
         this.keepPoints();
-        this.keep("triangles", "whole4", size, t => [...this.scene.corners(t), arrays.sides[t]]);
-        this.keep("owners", "whole4", size, t => {
-            const [first, second] = this.scene.owners(t);
-            return [first + 1, second + 1, arrays.faces ? arrays.faces[t] : 0, 0];
+        const {corners, sides, owners, faces, edges} = arrays, {isSolid} = this.scene;
+        this.keep("triangles", "whole4", size, (to, at, t) => {
+            for (let i = 0; i < 3; ++i)
+                to[at + i] = corners[3 * t + i];
+            to[at + 3] = sides[t];
         });
-        this.keep("edges", "whole4", arrays.edges ? size : 1, t => arrays.edges
-            ? [...arrays.edges.subarray(3 * t, 3 * t + 3)].map(e => e + 1).concat(0) : [0, 0, 0, 0]);
+        this.keep("owners", "whole4", size, (to, at, t) => {
+            to[at] = owners[isSolid ? 2 * t : t] + 1;
+            to[at + 1] = isSolid ? owners[2 * t + 1] + 1 : 0;
+            to[at + 2] = faces ? faces[t] : 0;
+        });
+        this.keep("edges", "whole4", edges ? size : 1, (to, at, t) => {
+            for (let i = 0; edges && i < 3; ++i)
+                to[at + i] = edges[3 * t + i] + 1;
+        });
         this.keepTexels("values", new Float32Array(1), "float1");
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
         this.cut = null;
     }
 
     keepPoints() {
-        this.keep("points", "float4", this.scene.points.length / 3, v => [...this.scene.point(v), 0]);
+        this.keep("points", "float4", this.scene.points.length / 3, threes(this.scene.points));
     }
 
     /** Keeps the triangles that a cut leaves to be seen: of a solid there are far fewer than all. */
@@ -117,11 +130,12 @@ class Renderer {
         return {program, places};
     }
 
-    /** A texture of as many entries, each four numbers. */
-    keep(name, kind, count, entry) {
-        const texels = new kinds[kind][4](4 * count);
+    /** A texture of as many entries, each four numbers, put where they belong. */
+    keep(name, kind, count, put) {
+        const rows = Math.max(1, Math.ceil(count / textureWidth));
+        const texels = new kinds[kind][4](4 * textureWidth * rows);
         for (let i = 0; i < count; ++i)
-            texels.set(entry(i), 4 * i);
+            put(texels, 4 * i, i);
         this.keepTexels(name, texels, kind);
     }
 
@@ -130,8 +144,11 @@ class Renderer {
         const rows = Math.max(1, Math.ceil(numbers.length / width / textureWidth));
         if (rows > gl.getParameter(gl.MAX_TEXTURE_SIZE) && !gl.isContextLost())
             throw new Error("this mesh is larger than the graphics card can hold");
-        const texels = new Numbers(width * textureWidth * rows);
-        texels.set(numbers);
+        let texels = numbers; // in whole rows
+        if (numbers.length !== width * textureWidth * rows) {
+            texels = new Numbers(width * textureWidth * rows);
+            texels.set(numbers);
+        }
         if (this.textures[name])
             gl.deleteTexture(this.textures[name].texture);
         const texture = gl.createTexture();
@@ -178,11 +195,12 @@ class Renderer {
         this.field = field;
         // GPUs have floats alone: values are taken in parts of the largest one
         this.unit = field ? Math.max(Math.abs(field.low), Math.abs(field.high)) || 1 : 1;
-        const values = field ? field.values[step].map(x => x / this.unit) : [0];
+        const shown = field ? field.values[step] : [0], {unit} = this;
+        const values = made(Float32Array, shown.length, i => shown[i] / unit);
         if (this.scene.isCurve)
             this.keepTexels("curve", this.scene.curveLines(field, values));
         else
-            this.keepTexels("values", Float32Array.from(values), "float1");
+            this.keepTexels("values", values, "float1");
         const arrows = this.scene.arrowLines(field, step);
         this.hasArrows = arrows !== null;
         if (arrows)

@@ -23,7 +23,8 @@ class Scene {
 
     /** Places of the file, less its origin, in the scene. */
     places(numbers) {
-        return Float64Array.from(numbers, x => x / this.extent / this.radius);
+        const {extent, radius} = this;
+        return made(Float64Array, numbers.length, i => numbers[i] / extent / radius);
     }
 
     /** Gives a plane mesh heights, of each point the value there by the largest one; or none. */
@@ -64,17 +65,18 @@ class Scene {
 
     /** Of each cell the mean of the corners of its triangles, as the shaders know it. */
     cellCenters() {
-        const sums = new Float64Array(3 * this.header.cells), counts = new Float64Array(this.header.cells);
-        for (let t = 0; t < this.size; ++t)
-            for (const cell of this.owners(t)) {
-                if (cell < 0)
-                    continue;
-                counts[cell] += 3;
-                for (const v of this.corners(t))
-                    for (let i = 0; i < 3; ++i)
-                        sums[3 * cell + i] += this.points[3 * v + i];
-            }
-        return Float32Array.from(sums, (x, i) => x / (counts[Math.floor(i / 3)] || 1));
+        const {points, arrays: {corners, owners}} = this, cells = this.header.cells;
+        const sums = new Float64Array(3 * cells), counts = new Float64Array(cells);
+        for (let side = 0; side < owners.length; ++side) {
+            const cell = owners[side], t = this.isSolid ? side >> 1 : side;
+            if (cell < 0)
+                continue;
+            counts[cell] += 3;
+            for (let corner = 3 * t; corner < 3 * t + 3; ++corner)
+                for (let i = 0; i < 3; ++i)
+                    sums[3 * cell + i] += points[3 * corners[corner] + i];
+        }
+        return made(Float32Array, 3 * cells, i => sums[i] / (counts[Math.floor(i / 3)] || 1));
     }
 
     center(cell) {

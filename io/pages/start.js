@@ -10,6 +10,7 @@ class Viewer {
         this.scene = scene;
         this.fields = fields;
         this.picked = null;
+        this.isSlow = scene.size > 2e5; // until a picture tells
         this.camera = new Camera(scene.isFlat, scene.header.up, scene.header.eyes);
         this.renderer = new Renderer(canvas, scene);
         canvas.addEventListener("webglcontextlost", event => {
