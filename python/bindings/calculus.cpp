@@ -2,7 +2,7 @@
 #include "python/bindings/calculus.h"
 
 #include "complex/homology.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "dec/forms/laplacian.h"
 #include "python/bindings/convert.h"
 

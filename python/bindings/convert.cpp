@@ -3,7 +3,7 @@
 
 #include "backends/linear/auto_solver.h"
 #include "base/errors.h"
-#include "dec/fields/interior_product.h"
+#include "dec/fields/lie_derivative.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 
 #include "base/checks.h"
-#include "complex/corners.h"
-#include "dec/advice.h"
-#include "dec/diagnosis/diagnosis.h"
-#include "dec/facet_groups.h"
+#include "complex/merging.h"
+#include "dec/discretization/advice.h"
+#include "dec/discretization/cell_data.h"
+#include "dec/discretization/diagnosis.h"
+#include "dec/discretization/glued_box.h"
+#include "dec/discretization/material_stars.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/fields/chosen_vertices.h"
+#include "dec/fields/chosen_cells.h"
 #include "dec/forms/input_units.h"
-#include "dec/glued_box.h"
-#include "dec/input_vertices.h"
-#include "dec/material_stars.h"
 #include "io/diagnosis_json.h"
 #include "io/pictures/draw_cells.h"
 #include "python/bindings/calculus.h"
@@ -223,6 +222,13 @@ void add_stars(py::class_<Discretization, Cells>& type) {
              [](const Discretization& mesh, const std::string& side, const CellData& kappa) {
                  return unlocked(
                      [&, on = side_of(side)] { return with_conductivity(mesh, on, kappa); });
+             })
+        .def("with_electric_material",
+             [](const Discretization& mesh, const std::string& side, int k,
+                const CellData& permittivity, const CellData& permeability) {
+                 return unlocked([&, on = side_of(side)] {
+                     return with_electric_material(mesh, on, k, permittivity, permeability);
+                 });
              })
         .def("with_material",
              [](const Discretization& mesh, int k, const CellData& weights) {

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "base/checks.h"
 #include "base/errors.h"
+#include "dec/discretization/glued_box.h"
 #include "dec/fields/de_rham.h"
-#include "dec/fields/dual_wedge.h"
-#include "dec/fields/flat.h"
-#include "dec/fields/interior_product.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "dec/fields/lie_derivative.h"
-#include "dec/fields/sharp.h"
 #include "dec/fields/transfer.h"
 #include "dec/fields/wedge.h"
 #include "dec/fields/whitney_interpolation.h"
-#include "dec/glued_box.h"
 #include "python/bindings/convert.h"
 
 #include <fmt/format.h>

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/cell_lists.h"
-#include "io/meshes/length_file.h"
-#include "io/meshes/read_mesh.h"
+#include "io/meshes/mesh_files.h"
 #include "io/meshes/vtk_cells.h"
-#include "io/meshes/write_mesh.h"
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"
-#include "meshes/peel.h"
 #include "meshes/polygons.h"
 #include "meshes/rearrange.h"
 #include "meshes/tetrahedralize.h"
-#include "meshes/unjoined_boundary.h"
+#include "meshes/tidy.h"
 #include "meshes/weld.h"
 #include "python/bindings/convert.h"
 

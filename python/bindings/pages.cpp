@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "io/meshes/read_mesh.h"
-#include "io/pages/draw_page.h"
+#include "io/meshes/mesh_files.h"
+#include "io/pages/page.h"
 #include "io/pages/series.h"
 #include "io/pictures/color_map.h"
 #include "io/pictures/draw_fields.h"
-#include "io/pictures/draw_lesson.h"
+#include "io/pictures/draw_structure.h"
 #include "io/pictures/lighting.h"
+#include "io/pictures/svg_drawing.h"
 #include "io/pictures/upright_view.h"
-#include "io/pictures/write_drawing.h"
 #include "python/bindings/convert.h"
 
 #include <cmath>

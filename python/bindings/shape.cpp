@@ -3,7 +3,6 @@
 
 #include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
-#include "shape/flipped.h"
 #include "shape/poisson_error.h"
 #include "shape/shape_spectrum.h"
 

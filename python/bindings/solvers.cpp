@@ -6,7 +6,6 @@
 #include "solvers/sources/poisson.h"
 #include "solvers/surfaces/geodesic_distance.h"
 #include "solvers/surfaces/parallel_transport.h"
-#include "solvers/surfaces/surface_paths.h"
 
 namespace polydec::python {
 

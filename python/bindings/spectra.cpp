@@ -2,7 +2,6 @@
 #include "backends/spectra/certified_eigensolver.h"
 #include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
-#include "solvers/spectra/coexact_spectrum.h"
 #include "solvers/spectra/spectrum.h"
 
 #include <variant>

@@ -24,7 +24,7 @@ if _is_asked:
 from ._core import __version__
 from ._cells import Cells
 from ._cochain import Cochain
-from ._complex import Complex, Merging, discretize
+from ._complex import Complex, discretize
 from ._distance import (GeodesicDistance, ParallelTransport, ShortestPath, SurfacePaths,
                         geodesic_distance)
 from ._engines import (Backend, Solution, backends, load_engine, register_eigen_solver,
@@ -41,6 +41,7 @@ from ._flow import (Flow, FluxTransport, IncompressibleFlow, ShallowWater, flow_
 from ._given import as_mesh, split_polygons
 from ._lists import CellList, Polygons
 from ._hodge import HodgeParts, HodgeSolver, harmonic_forms, hodge_decomposition
+from ._merging import Merging
 from ._mesh import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, write_mesh
 from ._periodic import PeriodicMesh, glue, periodic
 from ._plot import plot, to_meshio, to_pyvista

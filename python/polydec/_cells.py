@@ -2,7 +2,7 @@
 """Cells and their operators."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Sequence, Union
+from typing import Any, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -10,13 +10,8 @@ import scipy.sparse.linalg
 
 from . import _core
 from ._arrays import Floats, Integers, floats, matrix_parts
+from ._cochain import Form, as_form
 from ._errors import InvalidInput
-
-if TYPE_CHECKING:
-    from ._cochain import Cochain
-
-#: An array of values, or a `Cochain`, which stores its side and degree.
-Form = Union["Cochain", npt.ArrayLike]
 
 
 class Cells:
@@ -302,18 +297,3 @@ class _Operator(scipy.sparse.linalg.LinearOperator):  # type: ignore[misc]
         """The dense matrix of the operator: one product per column."""
         columns = [self.matvec(column) for column in np.eye(self.shape[1])]
         return np.array(columns).reshape(self.shape[::-1]).T
-
-
-def as_form(cells: Cells, form: Form, degree: int | None,
-            side: str = "primal") -> tuple[str, int, Floats]:
-    """Side, degree and values of a `Cochain`, or of an array with its degree and side. An array may
-    have one value per input vertex."""
-    from ._cochain import Cochain
-    from ._vertices import form_at_cells
-    if isinstance(form, Cochain):
-        return form.side, form.degree, form.values
-    if degree is None:
-        raise InvalidInput("an array is given without a degree: expected a Cochain, or an array "
-                           "and the degree of the form")
-    values = floats(form, f"values of the {side} {degree}-form")
-    return side, degree, form_at_cells(cells, values, side, degree)

@@ -2,15 +2,18 @@
 """Discrete forms with their degree and side."""
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 import numpy.typing as npt
 
+from . import _core
 from ._arrays import Floats, floats
-from ._cells import Cells
 from ._errors import InvalidInput
-from ._vertices import form_at_cells
+from ._vertices import form_at_cells, mesh_of
+
+if TYPE_CHECKING:
+    from ._cells import Cells
 
 
 class Cochain:
@@ -82,12 +85,9 @@ class Cochain:
 
     def wedge(self, other: Cochain) -> Cochain:
         """Exterior product with another form of the same side."""
-        from ._fields import wedge
-        from ._complex import Complex
-        if not isinstance(self.complex, Complex):
-            raise InvalidInput("products of forms need a Complex, not just cells")
-        product: Cochain = wedge(self.complex, self, other)
-        return product
+        side, degree, values = product(self.complex, as_form(self.complex, self),
+                                       as_form(self.complex, other))
+        return Cochain(values, degree, side, self.complex)
 
     def norm(self) -> float:
         """L2 norm."""
@@ -128,3 +128,26 @@ class Cochain:
 
     def __repr__(self) -> str:
         return f"Cochain({self.side} {self.degree}-form, {len(self.values)} values)"
+
+
+#: An array of values, or a `Cochain`, which stores its side and degree.
+Form = Union[Cochain, npt.ArrayLike]
+
+
+def as_form(cells: Cells, form: Form, degree: int | None = None,
+            side: str = "primal") -> tuple[str, int, Floats]:
+    """Side, degree and values of a `Cochain`, or of an array with its degree and side. An array may
+    have one value per input vertex."""
+    if isinstance(form, Cochain):
+        return form.side, form.degree, form.values
+    if degree is None:
+        raise InvalidInput("an array is given without a degree: expected a Cochain, or an array "
+                           "and the degree of the form")
+    values = floats(form, f"values of the {side} {degree}-form")
+    return side, degree, form_at_cells(cells, values, side, degree)
+
+
+def product(cells: Cells, left: tuple[str, int, Floats], right: tuple[str, int, Floats],
+            weights: str = "uniform") -> tuple[str, int, Floats]:
+    """Exterior product of two forms on one side; these weights are for primal ones."""
+    return _core.product(mesh_of(cells), weights if left[0] == "primal" else "dual", *left, *right)

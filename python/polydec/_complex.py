@@ -12,11 +12,12 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, Integers, floats, matrix_parts
 from ._cell_data import CellNumbers, cell_data
-from ._cells import Cells, Form, as_form
+from ._cells import Cells
 from ._cochain import Cochain
 from ._errors import InvalidInput, PolydecWarning, told, warn
 from ._given import MeshLike, as_mesh
 from ._lists import CellList, Polygons
+from ._merging import Merging
 from ._mesh import LengthMesh, Mesh
 from ._periodic import PeriodicMesh
 from ._vertices import points_of
@@ -84,7 +85,7 @@ class Complex(Cells):
 
     @property
     def merging(self) -> Merging:
-        return Merging(self)
+        return Merging(self, self._mesh)
 
     @property
     def options(self) -> dict[str, Any]:
@@ -216,6 +217,19 @@ class Complex(Cells):
         data = cell_data(self, kappa, "conductivities")
         return Complex(self._mesh.with_conductivity(side, data), None, self._options)
 
+    def with_electric_material(self, permittivity: CellNumbers, permeability: CellNumbers = 1.0, *,
+                               degree: int = 1, side: str = "primal") -> Complex:
+        """A copy on which forms of this degree and side are electric fields E, with energies
+        ``permittivity |E|^2`` and ``|B|^2 / permeability``, both positive; see `with_material`.
+
+        >>> import numpy as np, polydec
+        >>> box = polydec.discretize(polydec.meshes.kuhn([2, 2, 2]))
+        >>> glass = box.with_electric_material(lambda x: np.where(x[:, 2] > 0.5, 4.0, 1.0))
+        """
+        data = [cell_data(self, permittivity, "permittivity"),
+                cell_data(self, permeability, "permeability")]
+        return Complex(self._mesh.with_electric_material(side, degree, *data), None, self._options)
+
     def cell_means(self, k: int, weights: CellNumbers) -> Floats:
         """Means of cell data around each k-cell, for example losses for `Waves`. Takes numbers as
         `with_material` does, but >= 0."""
@@ -244,71 +258,6 @@ class Complex(Cells):
 
 def _made_again(given: Mesh | LengthMesh, options: dict[str, Any]) -> Complex:
     return discretize(given, **options)
-
-
-class Merging:
-    """The simplices in each cell of a `Complex`, and the maps between cells and simplices.
-
-    Forms on simplices live on ``complex.input``. `lift` and `diamond` refer to the pieces, which
-    equal the input simplices unless edges were flipped.
-    """
-
-    def __init__(self, complex: Complex) -> None:
-        self._complex = complex
-        self._mesh = complex._mesh
-
-    @property
-    def is_identity(self) -> bool:
-        """Whether nothing was merged."""
-        return self._mesh.is_identity
-
-    def diamond(self, k: int) -> Any:
-        """Orientation, 1 or -1, of each k-piece in its cell: a view of type int8.
-
-        It maps primal k-forms from pieces to cells, and commutes with d.
-        """
-        return self._mesh.diamond(k)
-
-    def carriers(self, k: int) -> tuple[Integers, Integers]:
-        """For each k-piece, the cell that contains it in its interior: dimensions and numbers."""
-        return self._mesh.carriers(k)
-
-    def lift(self, k: int) -> Any:
-        """Lift of primal k-forms from cells to pieces: ``diamond(k) @ lift(k)`` is the identity. It
-        commutes with d."""
-        return self._mesh.lift(k)
-
-    def to_merged(self, form: Form, degree: int | None = None, side: str = "primal") -> Cochain:
-        """Maps a form from input simplices to merged cells: by sums, or by means of dual values."""
-        return self._form(_core.transfer(self._mesh, "to_merged", *as_form(self._complex, form, degree, side)),
-                          self._complex)
-
-    def to_input(self, form: Form, degree: int | None = None, side: str = "primal") -> Cochain:
-        """Maps a form from merged cells to input simplices: by shares of volume, or by copies.
-
-        Use `lifted` before taking derivatives.
-        """
-        return self._form(_core.transfer(self._mesh, "to_input", *as_form(self._complex, form, degree, side)),
-                          self._complex.input)
-
-    def lifted(self, form: Form, degree: int | None = None) -> Cochain:
-        """Maps a primal form from merged cells to input simplices; commutes with d."""
-        return self._form(_core.transfer(self._mesh, "lifted", *as_form(self._complex, form, degree)),
-                          self._complex.input)
-
-    def consistency(self, form: Form, degree: int | None = None,
-                    side: str = "dual") -> dict[str, Any]:
-        """Deviation of a dual form on simplices from a form on merged cells.
-
-        Returns a dict: ``worst`` is the largest deviation; ``cell``, ``found``, ``expected`` and
-        ``description`` describe its place.
-        """
-        return _core.consistency(self._mesh, *as_form(self._complex, form, degree, side))
-
-    @staticmethod
-    def _form(parts: tuple[str, int, Floats], cells: Cells) -> Cochain:
-        side, degree, values = parts
-        return Cochain(values, degree, side, cells)
 
 
 def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
@@ -377,14 +326,6 @@ def _without_options(mesh: MeshLike, in_units: bool, star: str = "automatic") ->
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "the lengths of the mesh are far from 1", PolydecWarning)
         return discretize(mesh, star=star)
-
-
-def mesh_of(complex: Complex) -> _core.Discretization:
-    """The C++ discretization of a Complex. Raises InvalidInput for other types."""
-    if not isinstance(complex, Complex):
-        raise InvalidInput(f"an object of type {type(complex).__name__} is given: expected the "
-                           "Complex that discretize returns for a mesh")
-    return complex._mesh
 
 
 def as_cells(given: CellsLike, in_units: bool = False) -> Cells:

@@ -8,8 +8,8 @@ import numpy as np
 
 from . import _core
 from ._arrays import Floats, Values, floats
-from ._cells import Cells, Form, as_form
-from ._cochain import Cochain
+from ._cells import Cells
+from ._cochain import Cochain, Form, as_form
 from ._complex import CellsLike, as_cells
 from ._conditions import conditions_or_none
 from ._errors import InvalidInput

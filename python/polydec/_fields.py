@@ -10,11 +10,10 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, floats
-from ._cells import Form, as_form
-from ._cochain import Cochain
-from ._complex import Complex, mesh_of
+from ._cochain import Cochain, Form, as_form, product
+from ._complex import Complex
 from ._errors import InvalidInput
-from ._vertices import at_cells, at_vertices
+from ._vertices import at_cells, at_vertices, mesh_of
 
 
 def _vectors(complex: Complex, field: npt.ArrayLike) -> Floats:
@@ -139,8 +138,7 @@ def wedge(complex: Complex, a: Form, b: Form, *, degrees: tuple[int, int] | None
     """
     k, l = degrees if degrees is not None else (None, None)
     left, right = as_form(complex, a, k, side), as_form(complex, b, l, side)
-    kind = weights if left[0] == "primal" else "dual"
-    return _given_back(complex, _core.product(mesh_of(complex), kind, *left, *right), a, b)
+    return _given_back(complex, product(complex, left, right, weights), a, b)
 
 
 def primal_dual_wedge(complex: Complex, a: Form, b: Form, *, degree: int | None = None) -> Floats:

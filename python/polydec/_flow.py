@@ -10,10 +10,10 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, Values, at_places, floats
 from ._cochain import Cochain
-from ._complex import CellsLike, Complex, as_complex, mesh_of
+from ._complex import CellsLike, Complex, as_complex
 from ._conditions import facet_marks
 from ._run import Run
-from ._vertices import at_cells
+from ._vertices import at_cells, mesh_of
 
 
 def _fluxes(w: npt.ArrayLike) -> Floats:

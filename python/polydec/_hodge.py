@@ -7,8 +7,7 @@ from typing import Any
 
 from . import _core
 from ._arrays import Floats
-from ._cells import Form, as_form
-from ._cochain import Cochain
+from ._cochain import Cochain, Form, as_form
 from ._complex import CellsLike, as_cells
 from ._conditions import conditions_or_none
 

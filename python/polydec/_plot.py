@@ -10,8 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, Integers, floats
-from ._cells import Form, as_form
-from ._cochain import Cochain
+from ._cochain import Cochain, Form, as_form
 from ._complex import CellsLike, Complex, as_complex
 from ._errors import InvalidInput
 from ._fields import flux_sharp, sharp_pd

@@ -11,12 +11,12 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, Values, at_places, floats
 from ._cell_data import CellNumbers
-from ._cells import Cells, Form, as_form
-from ._cochain import Cochain
-from ._complex import CellsLike, Complex, as_cells, mesh_of
+from ._cells import Cells
+from ._cochain import Cochain, Form, as_form
+from ._complex import CellsLike, Complex, as_cells
 from ._conditions import conditions_of, facet_marks
 from ._errors import InvalidInput
-from ._vertices import at_cells, form_at_vertices
+from ._vertices import at_cells, form_at_vertices, mesh_of
 
 
 def _made(parts: tuple[str, int, Floats], cells: Cells) -> Cochain:

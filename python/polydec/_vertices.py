@@ -2,19 +2,36 @@
 """Conversion between input vertices and 0-cells, the vertices that cells use."""
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, Integers
-from ._cells import Cells
+from ._errors import InvalidInput
+
+if TYPE_CHECKING:
+    from ._cells import Cells
+
+
+def _mesh_or_none(cells: Any) -> _core.Discretization | None:
+    mesh = getattr(cells, "_mesh", None)
+    return mesh if isinstance(mesh, _core.Discretization) else None
+
+
+def mesh_of(complex: Any) -> _core.Discretization:
+    """The C++ discretization of a Complex. Raises InvalidInput for other types."""
+    mesh = _mesh_or_none(complex)
+    if mesh is None:
+        raise InvalidInput(f"an object of type {type(complex).__name__} is given: expected the "
+                           "Complex that discretize returns for a mesh")
+    return mesh
 
 
 def _unused(cells: Cells) -> _core.Discretization | None:
     """The mesh of these cells if it has unused vertices, else None."""
-    mesh: _core.Discretization | None = getattr(cells, "_mesh", None)
+    mesh = _mesh_or_none(cells)
     return mesh if mesh is not None and mesh.vertex_count != cells.size(0) else None
 
 
@@ -66,5 +83,5 @@ def points_of(mesh: _core.Discretization) -> Floats:
 
 def numbers_of(cells: Cells, chosen: Integers, name: str) -> Integers:
     """The 0-cells of vertices, given by vertex numbers."""
-    mesh: _core.Discretization | None = getattr(cells, "_mesh", None)
+    mesh = _mesh_or_none(cells)
     return chosen if mesh is None else mesh.cells_of_vertices(name, chosen)

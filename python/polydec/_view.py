@@ -12,8 +12,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, floats
-from ._cells import Form
-from ._cochain import Cochain
+from ._cochain import Cochain, Form
 from ._complex import CellsLike, Complex, as_complex
 from ._errors import InvalidInput, IoError
 from ._spectra import Spectrum

@@ -10,12 +10,12 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, floats
-from ._cells import Form, as_form
-from ._complex import CellsLike, Complex, as_cells, mesh_of
+from ._cochain import Form, as_form
+from ._complex import CellsLike, Complex, as_cells
 from ._conditions import conditions_or_none
 from ._errors import InvalidInput
 from ._run import Run
-from ._vertices import form_at_cells
+from ._vertices import form_at_cells, mesh_of
 
 #: A source of a wave: takes the time, returns rates.
 Source = Callable[[float], Any]

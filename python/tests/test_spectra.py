@@ -6,7 +6,7 @@ import scipy.sparse as sp
 import scipy.sparse.linalg
 
 import polydec
-from conftest import complex_of, said
+from conftest import complex_of, near, said
 
 
 @pytest.mark.parametrize("name", ["well_centered", "goldberg", "flange", "kuhn"])
@@ -145,3 +145,15 @@ def test_shapes_are_enclosed():
     merged = polydec.discretize(grid)
     twice = polydec.shape_spectrum(merged, conductivity=2.0, count=3)
     assert np.allclose(twice.upper, 2 * polydec.shape_spectrum(grid, count=3).upper, rtol=1e-9)
+
+
+def test_materials_divide_eigenvalues():
+    box = complex_of("kuhn")
+
+    def curl(box):
+        return polydec.spectrum(box, degree=1, count=4, coexact=True, essential=True).eigenvalues
+    filled = box.with_electric_material(4, lambda x: 2 + 0 * x[:, 0])
+    assert near(curl(filled), curl(box) / 8, 1e-8)
+    assert near(curl(box.with_electric_material(4)), curl(box) / 4, 1e-8)
+    with pytest.raises(polydec.InvalidInput, match="permittivity"):
+        box.with_electric_material(np.ones(3))
