@@ -57,12 +57,16 @@ void set_memory_limit(std::uint64_t bytes) {
     limit() = bytes;
 }
 
-void check_memory(double bytes, std::string_view what) {
+std::string lack_of_memory(double bytes, std::string_view what) {
     const auto most = static_cast<double>(memory_limit());
-    if (!(bytes <= most))
-        throw IoError(fmt::format("{} needs about {} of memory, but the limit is {}: use fewer or "
-                                  "simpler cells, or raise the limit (set_memory_limit)",
-                                  what, size_text(bytes), size_text(most)));
+    return bytes <= most ? ""
+                         : fmt::format("{} needs about {} of memory, but the limit is {}", what,
+                                       size_text(bytes), size_text(most));
+}
+
+void check_memory(double bytes, std::string_view what) {
+    if (const auto lack = lack_of_memory(bytes, what); !lack.empty())
+        throw IoError(lack + ": use fewer or simpler cells, or raise the limit (set_memory_limit)");
 }
 
 void keep_freed_memory() {

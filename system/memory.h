@@ -4,6 +4,7 @@
 #include "base/errors.h"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace polydec {
@@ -27,6 +28,9 @@ class OutOfMemory : public SolverFailure {
 public:
     using SolverFailure::SolverFailure;
 };
+
+/// "`what` needs about .. of memory, but the limit is .." if a size exceeds the limit; else empty.
+std::string lack_of_memory(double bytes, std::string_view what);
 
 /// Call before an allocation whose size follows from a few numbers of the input. Throws IoError,
 /// naming `what` ("a complex of ..") and both amounts, if the size exceeds the limit.

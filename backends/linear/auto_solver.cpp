@@ -203,7 +203,8 @@ void AutoSolver::fail() const {
     SolveReport report = SolveReport::failed("auto");
     report.tried = failures_;
     if (lacks_memory_)
-        throw OutOfMemory(story + "Allow more memory.", report);
+        throw OutOfMemory(story + "Raise the limit (set_memory_limit), or use fewer cells.",
+                          report);
     throw SolverFailure(story + "The matrix is singular, or its facts are wrong; if it has a "
                                 "kernel, give it in the facts.",
                         report);

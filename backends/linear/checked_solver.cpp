@@ -73,6 +73,15 @@ void CheckedSolver::fail(const std::string& reason, SolveReport report) const {
     throw SolverFailure(fmt::format("{}: {}", name_, reason), std::move(report));
 }
 
+void CheckedSolver::check_factor(double bytes, Eigen::Index size) const {
+    const auto lack =
+        lack_of_memory(bytes, fmt::format("{0}: the factor of a {1} x {1} matrix", name_, size));
+    if (!lack.empty())
+        throw OutOfMemory(lack +
+                              "\nUse an iterative engine, or raise the limit (set_memory_limit).",
+                          SolveReport::failed(name_));
+}
+
 template <typename Work>
 auto CheckedSolver::within_memory(const char* purpose, Eigen::Index size, Work work) const {
     try {

@@ -124,6 +124,10 @@ void Cholmod::analyze(cholmod_sparse& A, bool by_nested_dissection) {
         work_.factor = cholmod_analyze(&A, &work_.common);
     }
     require_success("analysis");
+    const auto& factor = *work_.factor; // values, and in single columns their rows too
+    const double bytes = factor.is_super ? sizeof(double) * double(factor.xsize)
+                                         : (sizeof(double) + sizeof(Index)) * work_.common.lnz;
+    check_factor(bytes, static_cast<Eigen::Index>(factor.n));
 }
 
 void Cholmod::require_pivots(bool is_definite) const {

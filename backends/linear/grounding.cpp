@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/linear/grounding.h"
-
+#include "backends/linear/checked_solver.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 

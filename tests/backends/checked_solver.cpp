@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <new>
 
 namespace polydec::test::in_checked_solver {
@@ -92,6 +93,24 @@ TEST(checked_solver, want_of_memory_names_the_engine_and_what_it_was_for) {
     iterative.factorize(grid_laplacian(4), positive());
     EXPECT_TRUE(says(message_of<OutOfMemory>([&] { iterative.solve(Vector::Ones(16)); }),
                      {"greedy", "memory", "solve", "16 x 16"}));
+}
+
+TEST(checked_solver, factors_are_held_against_memory_before_they_are_made) {
+    const auto names = linear_engine_names();
+    if (std::find(names.begin(), names.end(), "cholmod") == names.end())
+        GTEST_SKIP() << "the component cholmod is not there";
+    const SparseMatrix A = grid_laplacian(100);
+    for (const auto& facts : {positive(), MatrixFacts{.symmetry = Symmetry::symmetric}}) {
+        const auto direct = make_linear_solver("cholmod"), any = make_linear_solver("auto");
+        set_memory_limit(1000000);
+        const auto told = message_of<OutOfMemory>([&] { direct->factorize(A, facts); });
+        any->factorize(A, positive());
+        EXPECT_NO_THROW(any->solve(Vector::Ones(A.rows())));
+        set_memory_limit(machine_memory());
+        EXPECT_TRUE(says(told, {"cholmod", "10000 x 10000", "1 MB", "iterative"}));
+        EXPECT_NE(any->report().engine, "cholmod");
+        EXPECT_NO_THROW(direct->factorize(A, facts));
+    }
 }
 
 /// Any sparse matrix: rows and columns may be empty, entries repeat, scales differ.
