@@ -2,7 +2,7 @@
 #pragma once
 
 #include "complex/simplicial_complex.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/forms/cochain.h"
 #include "dec/merging/merge.h"
 #include "meshes/mesh.h"

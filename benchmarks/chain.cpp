@@ -2,7 +2,7 @@
 #include "benchmarks/chain.h"
 
 #include "dec/forms/laplacian.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/geometry.h"
 
 namespace polydec::benchmarks {
 

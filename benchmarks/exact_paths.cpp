@@ -3,8 +3,8 @@
 // Exact distances from one vertex of a mesh, of polydec and of CGAL, in turn.
 //   polydec_benchmark_paths MESH [PAIRS]
 #include "complex/simplicial_complex.h"
-#include "io/meshes/read_mesh.h"
-#include "shape/exact_distance.h"
+#include "io/meshes/mesh_files.h"
+#include "shape/geodesics.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/chain.h"
 #include "benchmarks/rows.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/forms/laplacian.h"
-#include "io/meshes/read_mesh.h"
-#include "io/meshes/write_mesh.h"
+#include "io/meshes/mesh_files.h"
 #include "io/pictures/draw_cells.h"
 #include "meshes/generate.h"
 #include "solvers/sources/poisson.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/chain.h"
 #include "benchmarks/rows.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "meshes/generate.h"
 
 #include <algorithm>

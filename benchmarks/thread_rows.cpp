@@ -3,7 +3,7 @@
 #include "benchmarks/rows.h"
 #include "benchmarks/threads.h"
 #include "dec/forms/laplacian.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/geometry.h"
 #include "meshes/generate.h"
 
 #include <cstring>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "complex/corners.h"
-
 #include "base/checks.h"
 #include "base/errors.h"
+#include "complex/merging.h"
 
 #include <fmt/format.h>
 

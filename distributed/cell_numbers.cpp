@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/cell_numbers.h"
 
-#include "dec/merging/merged_volumes.h"
+#include "dec/merging/merged_cells.h"
 #include "distributed/in_order.h"
 #include "distributed/number_places.h"
 #include "distributed/piece_rows.h"

@@ -2,10 +2,10 @@
 #include "distributed/discretize.h"
 
 #include "base/errors.h"
+#include "dec/discretization/mesh_warnings.h"
 #include "dec/merging/flat_simplices.h"
-#include "dec/mesh_warnings.h"
-#include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/circumsphere.h"
+#include "dec/metric/geometry.h"
 #include "dec/stars/star.h"
 #include "distributed/facet_classes.h"
 #include "meshes/unit_of_length.h"

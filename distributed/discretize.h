@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/stars/star_kind.h"
+#include "dec/stars/star.h"
 #include "distributed/cell_numbers.h"
 
 #include <functional>

@@ -5,7 +5,7 @@
 #include "complex/blocks.h"
 #include "dec/merging/facet_links.h"
 #include "dec/merging/straightness.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/geometry.h"
 #include "distributed/facet_classes.h"
 #include "distributed/labels.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/forms/side.h"
+#include "dec/forms/cochain.h"
 #include "distributed/cell_numbers.h"
 
 #include <memory>

@@ -2,7 +2,7 @@
 #include "distributed/shared_flat.h"
 
 #include "dec/merging/absorb_flat.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/geometry.h"
 #include "distributed/labels.h"
 #include "distributed/number_places.h"
 

@@ -5,7 +5,7 @@
 #include "distributed/piece_rows.h"
 #include "distributed/shared_folder.h"
 #include "io/pictures/draw_cells.h"
-#include "io/pictures/pvtu.h"
+#include "io/pictures/vtu.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
-#include "dec/fingerprint.h"
+#include "dec/discretization/fingerprint.h"
 #include "io/byte_reader.h"
 #include "io/source_file.h"
 #include "system/atomic_file.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/diagnosis/diagnosis.h"
+#include "dec/discretization/diagnosis.h"
 #include "io/json_writer.h"
 
 #include <array>

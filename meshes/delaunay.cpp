@@ -4,7 +4,7 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
-#include "meshes/generate_boxes.h"
+#include "meshes/generate.h"
 
 #include <algorithm>
 #include <array>

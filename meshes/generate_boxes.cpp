@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate_boxes.h"
-
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
+#include "meshes/generate.h"
 #include "meshes/generate_parts.h"
 #include "meshes/split_cells.h"
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate_clusters.h"
-
 #include "base/errors.h"
 #include "base/random.h"
 #include "meshes/delaunay.h"
-#include "meshes/generate_boxes.h"
+#include "meshes/generate.h"
 #include "meshes/generate_parts.h"
 
 #include <fmt/format.h>

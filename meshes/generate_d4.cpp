@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate_d4.h"
-
 #include "base/decompositions.h"
+#include "meshes/generate.h"
 #include "meshes/generate_parts.h"
 
 #include <array>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate_goldberg.h"
-
 #include "backends/registry.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "meshes/generate.h"
 #include "meshes/generate_parts.h"
-#include "meshes/generate_spheres.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate_lattices.h"
-
+#include "meshes/generate.h"
 #include "meshes/generate_parts.h"
 
 #include <array>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate_planar.h"
-
-#include "meshes/generate_boxes.h"
+#include "meshes/generate.h"
 #include "meshes/generate_parts.h"
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate_spheres.h"
-
+#include "meshes/generate.h"
 #include "meshes/generate_parts.h"
 
 #include <Eigen/Geometry>

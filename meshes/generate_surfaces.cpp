@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate_surfaces.h"
-
 #include "base/errors.h"
+#include "meshes/generate.h"
 #include "meshes/generate_parts.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/peel.h"
-
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "complex/simplicial_complex.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/unjoined_boundary.h"
-
 #include "base/checks.h"
 #include "meshes/boundary_contacts.h"
 #include "meshes/point_tree.h"

@@ -61,7 +61,7 @@ def precompile(build, work):
     headers = work / "headers.h"
     headers.write_text("#include <Eigen/Dense>\n#include <Eigen/Sparse>\n#include <fmt/format.h>\n"
                        '#include "polydec.h"\n')
-    command, where = flags(build, work, "dec/discretization.cpp")
+    command, where = flags(build, work, "dec/discretization/discretization.cpp")
     command[command.index(headers) - 1:command.index(headers)] = "-x", "c++-header"
     subprocess.run([*command, "-o", f"{headers}.gch"], cwd=where, check=True)
 

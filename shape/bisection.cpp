@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "shape/bisection.h"
-
 #include "shape/measured_simplex.h"
+#include "shape/shape.h"
 
 #include <algorithm>
 #include <array>

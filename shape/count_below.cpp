@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "shape/count_below.h"
-
 #include "base/errors.h"
+#include "shape/family_counter.h"
 #include "shape/one_forms.h"
-#include "shape/trusted_count.h"
+#include "shape/shape_spectrum.h"
 
 #include <fmt/format.h>
 

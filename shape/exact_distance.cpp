@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shape/exact_distance.h"
-
+#include "shape/geodesics.h"
 #include "shape/sources.h"
 #include "shape/windows.h"
 

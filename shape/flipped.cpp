@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "shape/flipped.h"
-
 #include "complex/surfaces/ordered_surface.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
 #include "shape/measured_simplex.h"
+#include "shape/shape.h"
 
 #include <limits>
 #include <numeric>

@@ -3,8 +3,10 @@
 
 #include "complex/pieces.h"
 #include "dec/boundary/boundary_conditions.h"
-#include "dec/cell_data.h"
-#include "dec/discretization.h"
+#include "dec/discretization/cell_data.h"
+#include "dec/discretization/discretization.h"
+
+#include <vector>
 
 namespace polydec {
 
@@ -54,5 +56,25 @@ void check(const Shape& shape);
 /// The number of zero eigenvalues: components, connected through facets, without essential or Robin
 /// facet; for twisted functions only the orientable ones.
 Index zero_eigenvalues(const Shape& shape);
+
+/// A shape with Delaunay triangles, and the number of edges flipped to make them.
+struct FlippedShape {
+    Shape shape;
+    Index flips = 0;
+};
+
+/// The intrinsic Delaunay triangulation of a surface. Its larger angles make eigenvalue enclosures
+/// narrower. Vertices and edges of the boundary keep their numbers and conditions. Returns a shape
+/// unchanged if its dimension is not 2, edges branch, or weights are not uniform. Throws like
+/// intrinsic_delaunay.
+FlippedShape flipped(const Shape& shape);
+
+/// The same shape, in any dimension n >= 1, with these n-simplices bisected twice at the midpoints
+/// of longest edges, and neighbors bisected as far as conformity requires. On surfaces, angles stay
+/// above half of the smallest initial angle. Vertices keep their numbers; new ones follow. Facets
+/// and simplices inherit conditions and weights. Branching facets and simplices glued to themselves
+/// are allowed. Uses lengths alone: the median of a triangle is l^2 = (2 b^2 + 2 c^2 - a^2) / 4.
+/// Source: Rivara 1984.
+Shape bisected(const Shape& shape, const std::vector<Index>& simplices);
 
 } // namespace polydec

@@ -5,11 +5,10 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/metric/simplex_geometry.h"
-#include "shape/bisection.h"
-#include "shape/flipped.h"
+#include "shape/family_counter.h"
 #include "shape/lower_guesses.h"
 #include "shape/one_forms.h"
-#include "shape/trusted_count.h"
+#include "shape/shape.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "shape/shortest_paths.h"
-
 #include "base/checks.h"
-#include "shape/exact_distance.h"
+#include "shape/geodesics.h"
 #include "shape/sources.h"
 #include "shape/windows.h"
 

@@ -2,12 +2,12 @@
 #include "tools/common.h"
 
 #include "base/errors.h"
-#include "dec/advice.h"
-#include "dec/stars/star_kind.h"
+#include "dec/discretization/advice.h"
+#include "dec/stars/star.h"
 #include "examples/paper/console.h"
-#include "io/meshes/length_file.h"
-#include "meshes/peel.h"
+#include "io/meshes/mesh_files.h"
 #include "meshes/periodic.h"
+#include "meshes/tidy.h"
 #include "tools/component_values.h"
 #include "tools/messages.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
-#include "dec/forms/side.h"
+#include "dec/discretization/discretization.h"
+#include "dec/forms/cochain.h"
 #include "tools/answer.h"
 #include "tools/joining.h"
 #include "tools/options.h"

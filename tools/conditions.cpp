@@ -2,8 +2,8 @@
 #include "tools/conditions.h"
 
 #include "base/errors.h"
-#include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/fields/chosen_cells.h"
 #include "tools/options.h"
 
 #include <fmt/format.h>

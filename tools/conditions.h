@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/boundary/form_space.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "tools/expression.h"
 
 #include <CLI/CLI.hpp>

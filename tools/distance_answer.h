@@ -2,7 +2,6 @@
 #pragma once
 
 #include "solvers/surfaces/geodesic_distance.h"
-#include "solvers/surfaces/surface_paths.h"
 #include "tools/answer.h"
 
 #include <vector>

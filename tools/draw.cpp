@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/printable.h"
-#include "io/pictures/draw_lesson.h"
-#include "io/pictures/write_drawing.h"
+#include "io/pictures/draw_structure.h"
+#include "io/pictures/svg_drawing.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/messages.h"

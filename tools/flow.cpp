@@ -2,9 +2,9 @@
 #include "solvers/flow/flow.h"
 
 #include "base/errors.h"
-#include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/fields/proxy_vectors.h"
+#include "dec/fields/chosen_cells.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "io/diagnosis_json.h"
 #include "solvers/flow/flow_data.h"
 #include "tools/commands.h"

@@ -2,9 +2,9 @@
 #include "tools/form_values.h"
 
 #include "base/errors.h"
+#include "dec/discretization/cell_data.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/input_vertices.h"
 #include "solvers/sources/boundary_forms.h"
 #include "tools/common.h"
 #include "tools/component_values.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/cell_data.h"
+#include "dec/discretization/cell_data.h"
 #include "dec/forms/cochain.h"
 #include "tools/expression.h"
 

@@ -2,7 +2,7 @@
 #include "tools/generate.h"
 
 #include "base/printable.h"
-#include "io/meshes/write_mesh.h"
+#include "io/meshes/mesh_files.h"
 #include "meshes/generate.h"
 #include "tools/commands.h"
 #include "tools/options.h"

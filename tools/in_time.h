@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
-#include "io/pages/draw_page.h"
+#include "dec/discretization/discretization.h"
+#include "io/pages/page.h"
 #include "solvers/time/run.h"
 #include "tools/answer.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/printable.h"
-#include "dec/diagnosis/diagnosis.h"
+#include "dec/discretization/diagnosis.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
 #include "io/diagnosis_json.h"
 #include "tools/commands.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/joining.h"
 
-#include "io/meshes/read_mesh.h"
+#include "io/meshes/mesh_files.h"
 #include "meshes/weld.h"
 #include "tools/options.h"
 

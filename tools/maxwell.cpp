@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "dec/material_stars.h"
+#include "dec/discretization/material_stars.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/conditions.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "base/printable.h"
-#include "io/meshes/write_mesh.h"
+#include "io/meshes/mesh_files.h"
 #include "io/pictures/draw_cells.h"
-#include "io/pictures/draw_overlay.h"
 #include "io/source_file.h"
 #include "tools/commands.h"
 #include "tools/common.h"

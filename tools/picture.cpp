@@ -3,9 +3,9 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
-#include "io/meshes/write_mesh.h"
+#include "io/meshes/mesh_files.h"
+#include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_fields.h"
-#include "io/pictures/draw_levels.h"
 #include "io/source_file.h"
 #include "tools/options.h"
 #include "tools/outputs.h"

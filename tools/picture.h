@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/pages/draw_page.h"
+#include "io/pages/page.h"
 #include "tools/answer.h"
 
 #include <CLI/CLI.hpp>

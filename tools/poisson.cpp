@@ -2,8 +2,8 @@
 #include "solvers/sources/poisson.h"
 
 #include "base/errors.h"
+#include "dec/discretization/material_stars.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/material_stars.h"
 #include "meshes/unit_of_length.h"
 #include "system/memory.h"
 #include "tools/commands.h"

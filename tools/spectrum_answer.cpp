@@ -2,7 +2,7 @@
 #include "tools/spectrum_answer.h"
 
 #include "io/diagnosis_json.h"
-#include "io/pages/draw_page.h"
+#include "io/pages/page.h"
 #include "meshes/unit_of_length.h"
 #include "tools/common.h"
 #include "tools/messages.h"

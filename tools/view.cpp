@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "base/printable.h"
-#include "io/pages/album.h"
 #include "io/pages/film.h"
-#include "io/pages/read_grid.h"
+#include "io/pages/page.h"
 #include "io/source_file.h"
 #include "tools/commands.h"
 #include "tools/common.h"

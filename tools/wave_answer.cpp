@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/wave_answer.h"
 
-#include "dec/fields/proxy_vectors.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "io/diagnosis_json.h"
 #include "tools/messages.h"
 #include "tools/picture.h"

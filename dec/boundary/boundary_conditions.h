@@ -2,7 +2,7 @@
 #pragma once
 
 #include "complex/relative.h"
-#include "dec/forms/side.h"
+#include "dec/forms/cochain.h"
 #include "dec/stars/star.h"
 
 #include <cstdint>

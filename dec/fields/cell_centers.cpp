@@ -2,9 +2,9 @@
 #include "dec/fields/cell_centers.h"
 
 #include "base/decompositions.h"
+#include "dec/discretization/glued_box.h"
 #include "dec/fields/developed_cells.h"
 #include "dec/forms/cochain.h"
-#include "dec/glued_box.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/surfaces/places.h"

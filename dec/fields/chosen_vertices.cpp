@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/chosen_vertices.h"
-
 #include "base/errors.h"
 #include "complex/components.h"
-#include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/fields/chosen_cells.h"
 #include "dec/metric/simplex_metric.h"
 
 #include <fmt/format.h>

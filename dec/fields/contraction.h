@@ -2,7 +2,7 @@
 #pragma once
 
 #include "complex/components.h"
-#include "dec/fields/interior_product.h"
+#include "dec/fields/lie_derivative.h"
 #include "dec/metric/simplex_faces.h"
 
 #include <algorithm>

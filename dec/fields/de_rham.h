@@ -1,11 +1,48 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
-#include "dec/fields/smooth_form.h"
+#include "base/types.h"
+#include "dec/discretization/discretization.h"
 #include "dec/forms/cochain.h"
 
+#include <functional>
+
 namespace polydec {
+
+/// Points and weights of a quadrature rule on a k-simplex: the integral of f is approximately the
+/// volume times the sum of weights[q] f(point q).
+struct SimplexQuadrature {
+    DenseMatrix points; ///< one row of k+1 barycentric coordinates per point
+    Vector weights;     ///< sum 1; some are negative
+};
+
+/// The rule of Grundmann and Moeller on a simplex of any dimension k >= 0, exact for polynomials up
+/// to the given degree, rounded up to the next odd degree 2s+1. It has (s+k+1 over k+1) points, all
+/// inside the simplex. The sum of absolute weights grows with the degree, so degrees beyond about
+/// 15 lose digits.
+/// Source: Grundmann, Moeller 1978, Theorem 4. Throws InvalidInput if k or degree is negative.
+SimplexQuadrature grundmann_moeller(int k, int degree);
+
+/// A k-form on R^N: maps a point to its N over k coefficients at dx_I, for the k-subsets I of
+/// 0..N-1 in lexicographic order. For k = 1 these are the components of the vector field whose
+/// circulation the form is.
+using SmoothForm = std::function<Vector(const Vector& point)>;
+
+/// A function as a 0-form; on R^N also the density f dx_1 ^ .. ^ dx_N, which has one coefficient as
+/// well.
+SmoothForm function_form(std::function<double(const Vector& point)> function);
+
+/// The 1-form whose integrals along curves are the circulation of a vector field of N components.
+SmoothForm circulation_form(std::function<Vector(const Vector& point)> field);
+
+/// The (N-1)-form i_X vol. Its integral over an oriented hypersurface is the flux of the field X:
+/// the outward flux on boundary facets that are oriented as the boundary of cells of positive
+/// determinant. Its derivative is div X vol.
+SmoothForm flux_form(std::function<Vector(const Vector& point)> field);
+
+/// Value of a form, or of another callable called `what`, at a point. Throws InvalidInput, naming
+/// the point, unless the value has `size` finite numbers.
+Vector checked_value(const SmoothForm& form, const Vector& point, Index size, const char* what);
 
 /// The de Rham map: integrals of a k-form over the oriented k-simplices. Size size(k). Exact for
 /// polynomial coefficients up to the quadrature degree (default 5, see grundmann_moeller). Source:

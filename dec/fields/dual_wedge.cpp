@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/dual_wedge.h"
-
 #include "base/decompositions.h"
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
+#include "dec/fields/wedge.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/permutation_sign.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/flat.h"
-
 #include "base/errors.h"
+#include "dec/discretization/glued_box.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/input_units.h"
-#include "dec/glued_box.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/inverse_star.h"

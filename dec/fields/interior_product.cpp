@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/interior_product.h"
-
 #include "dec/fields/contraction.h"
-#include "dec/forms/derivative.h"
+#include "dec/fields/lie_derivative.h"
+#include "dec/forms/cochain.h"
 
 namespace polydec {
 

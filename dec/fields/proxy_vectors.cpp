@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/proxy_vectors.h"
-
 #include "base/checks.h"
-#include "dec/fields/sharp.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "dec/stars/star.h"
 #include "meshes/unit_of_length.h"
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/sharp.h"
-
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "dec/discretization/glued_box.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/input_units.h"
-#include "dec/glued_box.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/stars/star.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/smooth_form.h"
-
 #include "base/errors.h"
+#include "dec/fields/de_rham.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,7 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/glued_box.h"
+#include "dec/discretization/glued_box.h"
 #include "dec/metric/simplex_geometry.h"
 
 #include <fmt/format.h>

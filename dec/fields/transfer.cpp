@@ -2,11 +2,11 @@
 #include "dec/fields/transfer.h"
 
 #include "base/errors.h"
-#include "dec/glued_box.h"
+#include "dec/discretization/glued_box.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/stars/star.h"
-#include "dec/surfaces/overlay.h"
+#include "dec/surfaces/passage.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "complex/pieces.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/forms/cochain.h"
 
 namespace polydec {

@@ -3,7 +3,7 @@
 
 #include "base/lazy.h"
 #include "complex/cell_complex.h"
-#include "dec/stars/star_kind.h"
+#include "dec/stars/star.h"
 
 #include <functional>
 #include <memory>

@@ -3,9 +3,23 @@
 
 #include "complex/cell_complex.h"
 #include "dec/forms/cells.h"
-#include "dec/forms/side.h"
 
 namespace polydec {
+
+/// Primal k-forms live on the k-cells, dual k-forms on the duals of the (n-k)-cells.
+enum class Side { primal, dual };
+
+inline const char* name(Side side) {
+    return side == Side::primal ? "primal" : "dual";
+}
+
+/// Exterior derivative of primal k-forms: the coboundary d_k as a real matrix, size(k+1) x size(k).
+/// Needs no metric; d_(k+1) d_k = 0 exactly. k = -1..n, with empty matrices at both ends.
+SparseMatrix derivative(const CellComplex& complex, int k);
+
+/// Exterior derivative of dual j-forms, which live on the (n-j)-cells, to dual (j+1)-forms:
+/// (-1)^(k+1) d_k^T with k = n-j-1, size(k) x size(k+1).
+SparseMatrix dual_derivative(const CellComplex& complex, int j);
 
 /// A discrete k-form: its integral over each oriented k-cell, primal or dual. The dual k-cells are
 /// the duals of the (n-k)-cells and are numbered like them.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 
 namespace polydec {
 

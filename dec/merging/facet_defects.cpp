@@ -4,9 +4,9 @@
 #include "base/parallel.h"
 #include "dec/merging/facet_links.h"
 #include "dec/merging/flat_simplices.h"
-#include "dec/metric/circumcenters.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/rounding.h"
+#include "dec/metric/simplex_metric.h"
 
 #include <algorithm>
 #include <cmath>

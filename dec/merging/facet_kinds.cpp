@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/merging/facet_kinds.h"
-
 #include "dec/merging/facet_defects.h"
+#include "dec/merging/merge.h"
 #include "dec/metric/rounding.h"
 
 #include <algorithm>

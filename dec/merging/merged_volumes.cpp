@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/merging/merged_volumes.h"
+#include "dec/merging/merged_cells.h"
 
 #include <utility>
 #include <vector>

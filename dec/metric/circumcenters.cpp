@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "dec/metric/circumcenters.h"
-
 #include "base/checks.h"
 #include "base/parallel.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/simplex_geometry.h"
+#include "dec/metric/simplex_metric.h"
 
 namespace polydec {
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "dec/metric/circumcentric_volumes.h"
-
 #include "base/checks.h"
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "base/prefetch.h"
 #include "dec/metric/center_heights.h"
 #include "dec/metric/circumsphere.h"
+#include "dec/metric/geometry.h"
 #include "dec/metric/rounding.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 #include "dec/metric/geometry.h"
 
 #include "base/checks.h"
-#include "dec/metric/circumcentric_volumes.h"
 
 #include <utility>
 

@@ -3,8 +3,8 @@
 
 #include "base/errors.h"
 #include "complex/surfaces/glued_surface.h"
-#include "dec/merging/merged_volumes.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/merging/merged_cells.h"
+#include "dec/metric/geometry.h"
 #include "dec/stars/galerkin_mass.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/merging/merged_cells.h"
-#include "dec/stars/star_kind.h"
+#include "dec/stars/star.h"
 
 namespace polydec {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/stars/star_kind.h"
-
 #include "complex/surfaces/glued_surface.h"
+#include "dec/stars/star.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/surfaces/flip_history.h"
-
 #include "base/errors.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/surfaces/overlay.h"
-
 #include "base/checks.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
+#include "dec/surfaces/passage.h"
 #include "dec/surfaces/strand_places.h"
 
 #include <algorithm>

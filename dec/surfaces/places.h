@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/metric/simplex_layout.h"
-#include "dec/surfaces/overlay.h"
+#include "dec/surfaces/passage.h"
 
 #include <optional>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/meshes/length_file.h"
-
 #include "base/errors.h"
+#include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
 #include "io/number_text.h"
 #include "io/scanner.h"

@@ -3,8 +3,8 @@
 
 #include "base/errors.h"
 #include "io/byte_reader.h"
+#include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
-#include "io/meshes/write_mesh.h"
 #include "system/atomic_file.h"
 
 #include <fmt/format.h>

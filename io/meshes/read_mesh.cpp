@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/meshes/read_mesh.h"
-
 #include "base/errors.h"
 #include "io/meshes/foreign_format.h"
-#include "io/meshes/length_file.h"
+#include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
 #include "io/source_file.h"
 

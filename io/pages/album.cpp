@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/pages/album.h"
-
 #include "base/errors.h"
 #include "base/printable.h"
+#include "io/pages/page.h"
 #include "io/pages/page_template.h"
 #include "io/pages/page_text.h"
 #include "io/source_file.h"

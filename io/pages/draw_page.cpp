@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "io/pages/draw_page.h"
-
 #include "base/errors.h"
-#include "dec/fields/proxy_vectors.h"
-#include "dec/glued_box.h"
+#include "dec/discretization/glued_box.h"
+#include "dec/fields/flat_and_sharp.h"
+#include "io/pages/page.h"
 #include "io/pictures/draw_cells.h"
-#include "io/pictures/draw_modes.h"
-#include "io/pictures/draw_overlay.h"
+#include "io/pictures/draw_fields.h"
 #include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/first_view.h"
 
-#include "io/meshes/read_mesh.h"
+#include "io/meshes/mesh_files.h"
 #include "io/pictures/upright_view.h"
 
 namespace polydec {

@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/fields/proxy_vectors.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "dec/fields/streamlines.h"
 #include "io/base64.h"
 #include "io/pages/film.h"

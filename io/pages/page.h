@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/forms/cochain.h"
+#include "io/pictures/draw_fields.h"
 #include "io/pictures/vtu.h"
+#include "solvers/spectra/spectrum.h"
 
 #include <filesystem>
 #include <optional>
@@ -88,5 +90,49 @@ std::string to_html(const Page& page);
 /// program ffmpeg; else the page itself. Throws like to_html; InvalidInput for a film without steps
 /// and a picture without lines or faces; IoError if writing fails or ffmpeg is missing.
 void write_page(const std::filesystem::path& path, const Page& page);
+
+/// The cells and all arrays of a .vtu file, unchanged; arrays of 4 to 9 components are split into
+/// single components. Voxels, wedges and pyramids become polyhedra; other VTK types that VtuGrid
+/// lacks are errors. Reads what read_mesh reads of such files, and polyhedra. A .pvtu file is the
+/// .vtu files of its pieces, one after the other. Throws InvalidInput, naming the file; IoError if
+/// it cannot be read.
+VtuGrid read_grid(const std::filesystem::path& path);
+
+/// The grids of a .pvd file, which lists .vtu files with times: cells and points of the first one,
+/// and a step for each. Throws like read_grid, and if the files have different arrays, or more than
+/// one part.
+Page read_series(const std::filesystem::path& path);
+
+/// Combines several pages into one HTML file that shows one page at a time; hidden pages are not
+/// drawn. The album itself needs no script. `pages` are results of to_html, in order, and keep
+/// their titles. Throws InvalidInput for no pages; with its number, for a text that is not a page;
+/// and above 64 MB.
+std::string album_html(const std::string& title, const std::vector<std::string>& pages);
+
+/// The album of these files; it appears whole or not at all. Throws like album_html, naming the
+/// file; IoError if a page cannot be read or the album cannot be written.
+void write_album(const std::filesystem::path& path, const std::string& title,
+                 const std::vector<std::filesystem::path>& pages);
+
+/// A page of the merged cells, with selectable tags, volumes and numbers of corners; after
+/// intrinsic flips, the cells are drawn over the input's triangles. Throws like draw_cells.
+Page draw_page(const Discretization& mesh, std::string title = {});
+
+/// A page of any number of fields together, which shows the first one first. Vectors have arrows,
+/// and so have 1-forms and (n-1)-forms, see add_arrows. Throws InvalidInput without fields, and
+/// like draw_fields.
+Page draw_page(const Discretization& mesh, const std::vector<NamedForm>& fields,
+               std::string title = {});
+
+/// The same fields at another time, for the steps of a page that draw_page made of fields with
+/// these names and of these kinds. Throws like draw_fields.
+PageStep draw_step(const Page& page, std::string time, const std::vector<NamedForm>& fields);
+
+/// A page of modes, named as in draw_modes, with the table of eigenvalues, radii and residuals, and
+/// the certificate. Throws like draw_cells.
+Page draw_page(const Discretization& mesh, const Spectrum& spectrum, std::string title = {});
+
+/// A certificate's statement in words.
+std::string in_words(const Certificate& certificate);
 
 } // namespace polydec

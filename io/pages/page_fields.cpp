@@ -3,7 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/glued_box.h"
+#include "dec/discretization/glued_box.h"
 #include "io/pictures/color_map.h"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 #include "io/pages/page_header.h"
 
 #include "base/errors.h"
+#include "dec/discretization/glued_box.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/glued_box.h"
 #include "io/pages/first_view.h"
 #include "io/pages/page_content.h"
 #include "io/pages/page_data.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "io/pages/read_grid.h"
-
 #include "base/errors.h"
 #include "io/meshes/readers.h"
 #include "io/meshes/vtu_file.h"
+#include "io/pages/page.h"
 #include "io/scanner.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/pages/draw_page.h"
 #include "io/pages/page.h"
 
 #include <cstdint>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/pictures/draw_boundary.h"
-
 #include "base/errors.h"
+#include "io/pictures/draw_structure.h"
 #include "io/pictures/structure_style.h"
 
 #include <fmt/format.h>

@@ -3,13 +3,13 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "complex/corners.h"
-#include "dec/fields/proxy_vectors.h"
+#include "complex/merging.h"
+#include "dec/discretization/glued_box.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "dec/fields/transfer.h"
-#include "dec/glued_box.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/stars/star.h"
-#include "dec/surfaces/overlay.h"
+#include "dec/surfaces/passage.h"
 #include "io/pictures/vtu_solids.h"
 
 #include <Eigen/Geometry>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/forms/cochain.h"
 #include "io/pictures/vtu.h"
+#include "meshes/level_sets.h"
 #include "meshes/polygons.h"
 
 #include <string>
@@ -55,5 +56,24 @@ Merging drawn_cells(const Discretization& discretization);
 /// the input, and after intrinsic flips from draw_overlay.
 PolygonMesh polygon_mesh(const Merging& merging, const Points& points);
 PolygonMesh polygon_mesh(const Discretization& discretization);
+
+/// The input's triangles cut along the flipped edges, as polygons. For each piece the array `cell`
+/// holds the merged cell, `triangle` the input triangle, numbered as in the complex. Points are the
+/// vertices, then the crossings of edges. Throws like overlay and check_drawable.
+VtuGrid draw_overlay(const Discretization& discretization);
+
+/// The merged cells of largest dimension, with the array `tag` if they have tags; after intrinsic
+/// flips the pieces of draw_overlay, each with the tag of its cell. Throws like both.
+VtuGrid draw_mesh(const Discretization& discretization);
+
+/// The level sets of a primal 0-form, linear on the input's simplices, with their numbers and at
+/// the places of the input; without orientation. Throws like level_sets, and InvalidInput for other
+/// forms, which have no values at vertices.
+LevelSets level_sets(const Discretization& discretization, const Cochain& form,
+                     const Vector& levels);
+
+/// Draws level sets as points, lines, triangles or tetrahedra. Cell data are the levels, under this
+/// name, and `simplex`, the simplex that contains each. Throws InvalidInput above three dimensions.
+VtuGrid draw_levels(const LevelSets& sets, const Vector& levels, std::string name);
 
 } // namespace polydec

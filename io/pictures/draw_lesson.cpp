@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/pictures/draw_lesson.h"
-
 #include "base/errors.h"
-#include "io/pictures/draw_boundary.h"
+#include "io/pictures/draw_structure.h"
 #include "io/pictures/structure_style.h"
 #include "io/pictures/svg_layout.h"
 

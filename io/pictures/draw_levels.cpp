@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/pictures/draw_levels.h"
-
 #include "base/errors.h"
+#include "dec/discretization/glued_box.h"
 #include "dec/fields/transfer.h"
-#include "dec/glued_box.h"
 #include "io/pictures/draw_cells.h"
 
 #include <fmt/format.h>

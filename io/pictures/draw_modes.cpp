@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "io/pictures/draw_modes.h"
-
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_fields.h"
 #include "meshes/unit_of_length.h"

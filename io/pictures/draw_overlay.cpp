@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/pictures/draw_overlay.h"
-
-#include "dec/glued_box.h"
-#include "dec/surfaces/overlay.h"
+#include "dec/discretization/glued_box.h"
+#include "dec/surfaces/passage.h"
 #include "io/pictures/draw_cells.h"
 
 #include <utility>

@@ -2,9 +2,9 @@
 #include "io/pictures/draw_solid.h"
 
 #include "base/errors.h"
-#include "complex/corners.h"
+#include "complex/merging.h"
+#include "dec/discretization/glued_box.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/glued_box.h"
 #include "io/pictures/lighting.h"
 
 #include <Eigen/Geometry>

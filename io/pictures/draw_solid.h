@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "io/pictures/color_map.h"
 #include "io/pictures/svg_drawing.h"
 #include "meshes/polygons.h"

@@ -2,10 +2,10 @@
 #include "io/pictures/draw_structure.h"
 
 #include "base/errors.h"
-#include "complex/corners.h"
+#include "complex/merging.h"
+#include "dec/discretization/cell_data.h"
+#include "dec/discretization/glued_box.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/glued_box.h"
-#include "dec/input_vertices.h"
 #include "dec/metric/rounding.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/structure_drawing.h"

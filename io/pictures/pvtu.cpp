@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/pictures/pvtu.h"
-
+#include "io/pictures/vtu.h"
 #include "io/xml_text.h"
 #include "system/atomic_file.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/pictures/write_drawing.h"
-
 #include "base/errors.h"
+#include "io/pictures/svg_drawing.h"
 #include "system/atomic_file.h"
 #include "system/child_process.h"
 #include "system/held_signals.h"

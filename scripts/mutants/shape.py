@@ -20,7 +20,7 @@ MUTANTS = {
                                   "ShapeSpectrum.of_plane_domains_is_enclosed_as_closely_as_was_measured"),
     "guess_taken_for_a_bound": ("shape/shape_spectrum.cpp", "i = *count; i < options_.count", "i = j; i < options_.count",
                                 "ShapeSpectrum.encloses_every_eigenvalue_of_random_shapes"),
-    "too_large_simplices_counted": ("shape/trusted_count.cpp", "above * (1 + 1e-6) < limit", "above > 0",
+    "too_large_simplices_counted": ("shape/family_counter.cpp", "above * (1 + 1e-6) < limit", "above > 0",
                                     "CountBelow.encloses_the_number_of_eigenvalues"),
     "errors_of_lengths_forgotten": ("shape/measured_simplex.cpp", "shape.length_error + 8", "8",
                                     "CountBelow.is_safe_where_lengths_are_not_known_exactly"),

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solvers/flow/incompressible_flow.h"
-#include "solvers/time/fixed_steps.h"
+#include "solvers/time/diffusion.h"
 
 namespace polydec {
 

@@ -3,7 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/fields/interior_product.h"
+#include "dec/fields/lie_derivative.h"
 #include "dec/forms/input_units.h"
 #include "dec/forms/operator.h"
 #include "dec/metric/simplex_geometry.h"

@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
+#include "base/types.h"
+#include "dec/discretization/discretization.h"
+
+#include <memory>
 
 namespace polydec {
+
+/// What is known of a flow at a facet of the boundary: the flux through it or the pressure, and the
+/// velocity along it or that it has no vorticity.
+enum class FlowBoundary {
+    free_slip, ///< the flux, and no vorticity: a wall that holds nothing back
+    no_slip,   ///< the flux, and the velocity along the wall
+    open,      ///< the pressure, and no vorticity: the fluid enters and leaves as it likes
+    pressure,  ///< the pressure, and the velocity along the facet
+};
 
 // All is in the units of the input.
 
@@ -23,5 +35,41 @@ Vector flow_of_velocity(const Discretization& mesh, const Points& velocity);
 /// FlowOptions::boundary_flux. Throws InvalidInput for another number of rows or columns, and where
 /// only lengths are known or edges were flipped.
 Vector flux_through_boundary(const Discretization& mesh, const Points& velocity);
+
+struct FlowOperators;
+
+/// Projects momenta to flows without divergence, with implicit friction. Made by
+/// IncompressibleFlow. A handle; use it from one thread at a time. In the units of the input.
+class FlowProjection {
+public:
+    /// `theta` is a time that multiplies the friction. Throws InvalidInput for theta * viscosity <
+    /// 0, and like LinearSolver.
+    FlowProjection(std::shared_ptr<const FlowOperators> operators, double theta);
+
+    double theta() const { return theta_; }
+
+    struct Flow {
+        Vector flux;       ///< w: size(n-1)
+        Vector multiplier; ///< c: size(n), in the unit of the mesh; may be rounding only
+    };
+
+    /// The flow w without divergence that has the boundary data and satisfies star w - theta
+    /// friction(w) + d^T c = momentum at all facets without a known flux.
+    Flow solve(const Vector& momentum) const;
+
+    /// The same with boundary data 0 and without friction, for rates of change. Throws InvalidInput
+    /// unless theta is 0.
+    Flow solve_at_rest(const Vector& momentum) const;
+
+private:
+    struct Solver;
+
+    /// Takes data in the unit of the mesh.
+    Flow solve(const Vector& momentum, const Vector& boundary) const;
+
+    std::shared_ptr<const FlowOperators> operators_;
+    double theta_;
+    std::shared_ptr<const Solver> solver_;
+};
 
 } // namespace polydec

@@ -3,8 +3,8 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "dec/discretization/positive_mass.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/positive_mass.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/flow/flow_projection.h"
-
 #include "base/errors.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
+#include "solvers/flow/flow_data.h"
 #include "solvers/flow/flow_operators.h"
 #include "solvers/sources/constrained_system.h"
 #include "solvers/sources/saddle_solver.h"

@@ -3,7 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 
 #include <fmt/format.h>
 

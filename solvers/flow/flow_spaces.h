@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/boundary/form_space.h"
-#include "solvers/flow/flow_boundary.h"
+#include "solvers/flow/flow_data.h"
 #include "solvers/sources/constrained_system.h"
 
 #include <vector>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/flow/flux_transport.h"
-
 #include "base/checks.h"
 #include "dec/boundary/two_sided.h"
 #include "meshes/unit_of_length.h"
+#include "solvers/flow/advection.h"
 
 #include <algorithm>
 #include <limits>

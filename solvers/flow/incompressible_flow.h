@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "solvers/flow/advection.h"
-#include "solvers/flow/flow_boundary.h"
-#include "solvers/flow/flow_projection.h"
+#include "solvers/flow/flow_data.h"
 
 #include <memory>
 #include <string>

@@ -4,8 +4,8 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "dec/boundary/form_space.h"
-#include "dec/forms/derivative.h"
-#include "dec/positive_mass.h"
+#include "dec/discretization/positive_mass.h"
+#include "dec/forms/cochain.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/flow/advection.h"
 

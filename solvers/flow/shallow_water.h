@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/forms/cochain.h"
 
 #include <memory>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/solve_report.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/forms/cochain.h"
-#include "solvers/flow/flow_boundary.h"
+#include "solvers/flow/flow_data.h"
 
 #include <memory>
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/boundary/form_space.h"
-#include "dec/forms/side.h"
+#include "dec/forms/cochain.h"
 
 #include <vector>
 

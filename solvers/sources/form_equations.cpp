@@ -5,7 +5,6 @@
 #include "base/errors.h"
 #include "dec/boundary/boundary_conditions.h"
 #include "dec/forms/cochain.h"
-#include "dec/forms/derivative.h"
 #include "dec/forms/gram.h"
 
 #include <fmt/format.h>

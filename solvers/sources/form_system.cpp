@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/checks.h"
 #include "complex/homology.h"
-#include "dec/positive_mass.h"
+#include "dec/discretization/positive_mass.h"
 #include "solvers/sources/form_equations.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/sources/poisson_system.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "dec/forms/gram.h"
 #include "solvers/sources/form_equations.h"
 #include "solvers/sources/poisson_system.h"

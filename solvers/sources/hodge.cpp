@@ -4,9 +4,9 @@
 #include "backends/blas.h"
 #include "backends/registry.h"
 #include "complex/homology.h"
-#include "dec/forms/derivative.h"
+#include "dec/discretization/positive_mass.h"
+#include "dec/forms/cochain.h"
 #include "dec/forms/operator.h"
-#include "dec/positive_mass.h"
 #include "solvers/sources/saddle_solver.h"
 
 #include <algorithm>

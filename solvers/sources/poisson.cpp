@@ -3,8 +3,8 @@
 
 #include "backends/linear/auto_solver.h"
 #include "base/errors.h"
-#include "dec/advice.h"
 #include "dec/boundary/two_sided.h"
+#include "dec/discretization/advice.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/sources/poisson_system.h"
 

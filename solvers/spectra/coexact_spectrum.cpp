@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectra/coexact_spectrum.h"
-
 #include "backends/spectra/found_pairs.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "complex/homology.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "dec/stars/star.h"
 #include "solvers/spectra/laplacian_pencil.h"
+#include "solvers/spectra/spectrum.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/spectra/laplacian_pencil.h"
 
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "dec/stars/star.h"
 
 #include <algorithm>

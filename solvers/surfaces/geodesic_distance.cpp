@@ -2,10 +2,10 @@
 #include "solvers/surfaces/geodesic_distance.h"
 
 #include "base/errors.h"
-#include "dec/advice.h"
+#include "dec/discretization/advice.h"
 #include "dec/metric/side_lengths.h"
 #include "meshes/unit_of_length.h"
-#include "shape/exact_distance.h"
+#include "shape/geodesics.h"
 #include "solvers/surfaces/heat_distance.h"
 
 #include <fmt/format.h>

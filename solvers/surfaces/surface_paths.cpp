@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/surfaces/surface_paths.h"
-
 #include "base/checks.h"
 #include "base/parallel.h"
-#include "dec/input_vertices.h"
+#include "dec/discretization/cell_data.h"
 #include "meshes/unit_of_length.h"
-#include "shape/shortest_paths.h"
+#include "shape/geodesics.h"
+#include "solvers/surfaces/geodesic_distance.h"
 
 namespace polydec {
 

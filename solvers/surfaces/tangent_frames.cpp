@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/surfaces/tangent_frames.h"
-
 #include "base/errors.h"
 #include "complex/disjoint_sets.h"
 #include "dec/metric/triangle.h"
+#include "solvers/surfaces/parallel_transport.h"
 #include "solvers/surfaces/surface_metric.h"
 
 #include <fmt/format.h>

@@ -5,9 +5,9 @@
 #include "base/block_matrix.h"
 #include "base/errors.h"
 #include "base/lazy.h"
-#include "dec/advice.h"
+#include "dec/discretization/advice.h"
+#include "dec/discretization/positive_mass.h"
 #include "dec/forms/laplacian.h"
-#include "dec/positive_mass.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/sources/form_equations.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/time/fixed_steps.h"
-
 #include "base/errors.h"
+#include "solvers/time/diffusion.h"
 
 #include <fmt/format.h>
 

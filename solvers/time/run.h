@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backends/integrator.h"
-#include "dec/fingerprint.h"
+#include "dec/discretization/fingerprint.h"
 #include "dec/forms/cochain.h"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solvers/time/absorbing_layer.h"
-#include "solvers/time/fixed_steps.h"
+#include "solvers/time/diffusion.h"
 
 #include <functional>
 #include <memory>

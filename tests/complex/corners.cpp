@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex/corners.h"
-
+#include "complex/merging.h"
 #include "complex/surfaces/glued_surface.h"
 #include "tests/support/glued.h"
 #include "tests/support/hand_made.h"

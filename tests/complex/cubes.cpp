@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "complex/blocks.h"
-#include "complex/corners.h"
 #include "complex/merging.h"
 #include "meshes/generate.h"
 #include "tests/support/matrices.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/advice.h"
+#include "dec/discretization/advice.h"
 
-#include "dec/diagnosis/diagnosis.h"
+#include "dec/discretization/diagnosis.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/circumcentric.h"

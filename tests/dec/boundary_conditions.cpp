@@ -2,10 +2,10 @@
 #include "dec/boundary/boundary_conditions.h"
 
 #include "dec/boundary/form_space.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "dec/cell_data.h"
+#include "dec/discretization/cell_data.h"
 
-#include "dec/material_stars.h"
+#include "dec/discretization/material_stars.h"
 #include "meshes/generate.h"
-#include "meshes/peel.h"
 #include "meshes/polygons.h"
 #include "meshes/rearrange.h"
 #include "meshes/split_cells.h"
+#include "meshes/tidy.h"
 #include "meshes/weld.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"

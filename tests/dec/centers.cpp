@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/centers.h"
 
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/forms/laplacian.h"
-#include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/dual_parts.h"
+#include "dec/metric/geometry.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "tests/support/families.h"

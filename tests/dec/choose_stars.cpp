@@ -3,7 +3,7 @@
 #include "base/decompositions.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/laplacian.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/geometry.h"
 #include "meshes/generate.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/dense_laplacian.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/chosen_vertices.h"
-
+#include "dec/fields/chosen_cells.h"
 #include "meshes/generate.h"
 #include "meshes/periodic.h"
 #include "tests/support/refusal.h"

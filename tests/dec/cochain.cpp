@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/cochain.h"
 
-#include "dec/forms/derivative.h"
 #include "dec/forms/laplacian.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/stars/star.h"

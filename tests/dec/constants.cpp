@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "complex/components.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "dec/stars/star.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/de_rham.h"
 
-#include "dec/forms/derivative.h"
-#include "dec/metric/circumcenters.h"
+#include "dec/forms/cochain.h"
 #include "dec/metric/circumsphere.h"
+#include "dec/metric/simplex_metric.h"
 #include "dec/metric/subsets.h"
 #include "dec/stars/star.h"
 #include "tests/dec/discretized.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/diagnosis/diagnosis.h"
+#include "dec/discretization/diagnosis.h"
 
 #include "base/decompositions.h"
 #include "dec/stars/star.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/decompositions.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/merged.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization.h"
-#include "dec/facet_groups.h"
+#include "dec/discretization/discretization.h"
+#include "dec/fields/chosen_cells.h"
 #include "dec/merging/merged_tags.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"

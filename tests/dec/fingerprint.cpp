@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fingerprint.h"
+#include "dec/discretization/fingerprint.h"
 
-#include "dec/discretization.h"
-#include "dec/material_stars.h"
+#include "dec/discretization/discretization.h"
+#include "dec/discretization/material_stars.h"
 #include "meshes/generate.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/flat.h"
-
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "dec/forms/laplacian.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/stars/star.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/boundary/form_space.h"
 
-#include "dec/discretization.h"
-#include "dec/fingerprint.h"
+#include "dec/discretization/discretization.h"
+#include "dec/discretization/fingerprint.h"
 #include "dec/forms/laplacian.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 #include "complex/relative.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "dec/merging/lift.h"
 #include "dec/stars/star.h"
 #include "tests/support/golden_forms.h"

@@ -2,7 +2,7 @@
 #include "complex/blocks.h"
 #include "complex/homology.h"
 #include "dec/merging/facet_defects.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/geometry.h"
 #include "meshes/generate.h"
 #include "tests/support/over_meshes.h"
 

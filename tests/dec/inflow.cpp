@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/components.h"
-#include "dec/fields/interior_product.h"
-#include "dec/forms/derivative.h"
+#include "dec/fields/lie_derivative.h"
+#include "dec/forms/cochain.h"
 #include "tests/dec/discretized.h"
 #include "tests/dec/products.h"
 #include "tests/support/matrices.h"

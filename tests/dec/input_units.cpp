@@ -3,10 +3,8 @@
 
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/fields/flat.h"
-#include "dec/fields/interior_product.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "dec/fields/lie_derivative.h"
-#include "dec/fields/sharp.h"
 #include "dec/fields/streamlines.h"
 #include "dec/fields/whitney_interpolation.h"
 #include "dec/forms/laplacian.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/input_vertices.h"
-
+#include "dec/discretization/cell_data.h"
 #include "meshes/length_mesh.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"

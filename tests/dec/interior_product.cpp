@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/interior_product.h"
-
 #include "complex/components.h"
+#include "dec/fields/lie_derivative.h"
 #include "dec/fields/wedge.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "tests/dec/discretized.h"
 #include "tests/dec/products.h"
 #include "tests/support/forms.h"

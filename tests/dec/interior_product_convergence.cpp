@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "complex/components.h"
-#include "dec/fields/interior_product.h"
+#include "dec/fields/lie_derivative.h"
 #include "dec/fields/transfer.h"
 #include "meshes/generate.h"
 #include "tests/dec/products.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 #include "complex/surfaces/ordered_surface.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/laplacian.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/geometry.h"
 #include "dec/metric/side_lengths.h"
 #include "dec/stars/star.h"
 #include "dec/surfaces/intrinsic_delaunay.h"

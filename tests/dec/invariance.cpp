@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/merging/facet_kinds.h"
+#include "dec/merging/merge.h"
 #include "dec/metric/plane.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"

@@ -2,7 +2,7 @@
 #include "dec/merging/lift.h"
 
 #include "base/decompositions.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "system/memory.h"
 #include "tests/dec/products.h"
 #include "tests/support/forms.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/material_stars.h"
+#include "dec/discretization/material_stars.h"
 
 #include "meshes/generate.h"
 #include "tests/support/circumcentric.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
-#include "dec/discretization.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/discretization/discretization.h"
+#include "dec/metric/geometry.h"
 #include "meshes/generate.h"
 #include "tests/support/families.h"
 #include "tests/support/over_meshes.h"

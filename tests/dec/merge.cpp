@@ -3,7 +3,7 @@
 
 #include "complex/homology.h"
 #include "dec/merging/facet_defects.h"
-#include "dec/metric/circumcenters.h"
+#include "dec/metric/simplex_metric.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"

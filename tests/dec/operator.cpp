@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/operator.h"
 
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "dec/forms/laplacian.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"

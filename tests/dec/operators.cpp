@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "complex/components.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "dec/forms/laplacian.h"
 #include "dec/stars/star.h"
 #include "tests/support/matrices.h"

@@ -2,7 +2,7 @@
 #include "dec/metric/overlaps.h"
 
 #include "base/decompositions.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/circumcentric.h"

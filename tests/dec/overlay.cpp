@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/surfaces/overlay.h"
-
 #include "dec/fields/transfer.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
+#include "dec/surfaces/passage.h"
 #include "dec/surfaces/strand_places.h"
 #include "meshes/generate.h"
 #include "tests/support/families.h"

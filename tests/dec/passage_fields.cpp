@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/fields/flat.h"
-#include "dec/fields/sharp.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "dec/forms/laplacian.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/overlaps.h"

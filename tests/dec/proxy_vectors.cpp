@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/proxy_vectors.h"
-
 #include "dec/fields/de_rham.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "tests/support/matrices.h"

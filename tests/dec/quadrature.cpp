@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/metric/quadrature.h"
-
+#include "dec/fields/de_rham.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 

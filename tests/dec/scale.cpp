@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/boundary/form_space.h"
-#include "dec/diagnosis/diagnosis.h"
-#include "dec/discretization.h"
+#include "dec/discretization/diagnosis.h"
+#include "dec/discretization/discretization.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"

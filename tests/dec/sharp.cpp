@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/sharp.h"
-
 #include "base/decompositions.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/fields/flat.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "dec/fields/whitney_interpolation.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/stars/star.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/fields/sharp.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 

@@ -2,7 +2,7 @@
 //
 // Laplacians of every degree on cubes that slivers are pieces of: those of a grid whose eigenvalues
 // are known.
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "tests/support/dense_laplacian.h"
 #include "tests/support/slivers.h"
 

@@ -3,8 +3,8 @@
 #include "complex/simplicial_complex.h"
 #include "dec/forms/laplacian.h"
 #include "dec/merging/merge.h"
-#include "dec/merging/merged_volumes.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/merging/merged_cells.h"
+#include "dec/metric/geometry.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 

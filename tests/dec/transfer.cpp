@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/transfer.h"
 
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "dec/forms/laplacian.h"
 #include "dec/merging/lift.h"
 #include "dec/stars/star.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/decompositions.h"
 #include "dec/metric/cell_volumes.h"
-#include "dec/metric/circumcenters.h"
-#include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/circumsphere.h"
+#include "dec/metric/geometry.h"
 #include "dec/metric/rounding.h"
+#include "dec/metric/simplex_metric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/wedge.h"
 
-#include "complex/corners.h"
+#include "complex/merging.h"
 #include "dec/merging/lift.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/geometry.h"
 #include "meshes/generate.h"
 #include "tests/dec/discretized.h"
 #include "tests/dec/products.h"

@@ -2,7 +2,7 @@
 #include "dec/fields/whitney_interpolation.h"
 
 #include "base/decompositions.h"
-#include "dec/metric/quadrature.h"
+#include "dec/fields/de_rham.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"

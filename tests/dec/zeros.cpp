@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "dec/discretization.h"
-#include "dec/metric/circumcenters.h"
+#include "dec/discretization/discretization.h"
 #include "dec/metric/circumsphere.h"
+#include "dec/metric/simplex_metric.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"

@@ -2,7 +2,7 @@
 #include "distributed/local_complex.h"
 
 #include "base/errors.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/geometry.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/distributed/compare.h"

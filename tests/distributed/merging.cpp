@@ -2,9 +2,9 @@
 #include "distributed/merging.h"
 
 #include "base/errors.h"
-#include "dec/discretization.h"
-#include "dec/merging/merged_volumes.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/discretization/discretization.h"
+#include "dec/merging/merged_cells.h"
+#include "dec/metric/geometry.h"
 #include "distributed/cell_numbers.h"
 #include "distributed/facet_classes.h"
 #include "meshes/generate.h"

@@ -2,7 +2,7 @@
 #include "distributed/mesh_file.h"
 
 #include "base/errors.h"
-#include "io/meshes/write_mesh.h"
+#include "io/meshes/mesh_files.h"
 #include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/forms/laplacian.h"
-#include "dec/merging/merged_volumes.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/merging/merged_cells.h"
+#include "dec/metric/geometry.h"
 #include "distributed/operator_files.h"
 #include "distributed/petsc.h"
 #include "tests/distributed/common_folder.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/own_cells.h"
 
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "tests/distributed/compare.h"
 
 #include <algorithm>

@@ -3,8 +3,7 @@
 
 #include "base/errors.h"
 #include "distributed/mesh_file.h"
-#include "io/meshes/read_mesh.h"
-#include "io/meshes/write_mesh.h"
+#include "io/meshes/mesh_files.h"
 #include "meshes/generate.h"
 #include "meshes/tidy.h"
 #include "tests/distributed/binary_files.h"

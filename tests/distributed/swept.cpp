@@ -2,8 +2,8 @@
 #include "tests/distributed/swept.h"
 
 #include "base/errors.h"
-#include "dec/discretization.h"
-#include "io/meshes/read_mesh.h"
+#include "dec/discretization/discretization.h"
+#include "io/meshes/mesh_files.h"
 #include "meshes/tidy.h"
 #include "tests/io/support.h"
 

@@ -2,7 +2,7 @@
 //
 // What would be wrong if one of the rules that results rest on were another, and that this is seen.
 #include "dec/merging/facet_links.h"
-#include "dec/merging/merged_volumes.h"
+#include "dec/merging/merged_cells.h"
 #include "tests/distributed/compare.h"
 #include "tests/support/merged.h"
 

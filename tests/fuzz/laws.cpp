@@ -2,7 +2,7 @@
 #include "tests/fuzz/laws.h"
 
 #include "complex/homology.h"
-#include "dec/diagnosis/diagnosis.h"
+#include "dec/discretization/diagnosis.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/stars/star.h"
 #include "solvers/sources/poisson.h"

@@ -4,7 +4,7 @@
 // not answer, not throw something else.
 #include "tests/io/doors.h"
 
-#include "dec/metric/circumcenters.h"
+#include "dec/metric/simplex_metric.h"
 
 #include <gtest/gtest.h>
 

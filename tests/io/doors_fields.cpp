@@ -2,7 +2,7 @@
 //
 // Every function of fields, products, solvers and pictures, asked of every kind of sample with
 // right inputs and with flawed ones: see expect_answers.
-#include "dec/metric/circumcenters.h"
+#include "dec/metric/simplex_metric.h"
 #include "tests/io/doors.h"
 
 #include <gtest/gtest.h>

@@ -4,9 +4,8 @@
 #include "io/pictures/draw_fields.h"
 
 #include "dec/fields/de_rham.h"
-#include "io/pages/draw_page.h"
+#include "io/pages/page.h"
 #include "io/pages/page_fields.h"
-#include "io/pages/read_grid.h"
 #include "io/pages/series.h"
 #include "meshes/generate.h"
 #include "tests/io/support.h"

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/pictures/draw_lesson.h"
-
 #include "dec/fields/cell_centers.h"
-#include "dec/forms/derivative.h"
-#include "io/pictures/draw_boundary.h"
+#include "dec/forms/cochain.h"
+#include "io/pictures/draw_structure.h"
 #include "io/pictures/svg_canvas.h"
 #include "io/pictures/svg_layout.h"
 #include "meshes/generate.h"

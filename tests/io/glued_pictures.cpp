@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "dec/discretization/glued_box.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/fields/transfer.h"
-#include "dec/glued_box.h"
-#include "io/pages/draw_page.h"
+#include "io/pages/page.h"
 #include "io/pictures/draw_cells.h"
-#include "io/pictures/draw_levels.h"
 #include "io/pictures/draw_solid.h"
 #include "io/pictures/draw_structure.h"
 #include "meshes/generate.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/meshes/length_file.h"
-
+#include "io/meshes/mesh_files.h"
 #include "io/pictures/draw_cells.h"
 #include "tests/io/support.h"
 #include "tests/support/families.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/march.h"
 
-#include "dec/material_stars.h"
+#include "dec/discretization/material_stars.h"
 #include "io/checkpoint.h"
 #include "meshes/generate.h"
 #include "solvers/flow/flow.h"

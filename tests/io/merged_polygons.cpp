@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "io/pictures/draw_cells.h"
 #include "meshes/generate.h"
 #include "tests/dec/discretized.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/matrices/parse_matrix_market.h"
+#include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
-#include "io/meshes/write_mesh.h"
 #include "io/pictures/vtu.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"

@@ -2,8 +2,8 @@
 #include "io/pages/page_content.h"
 
 #include "dec/fields/cell_centers.h"
-#include "dec/forms/derivative.h"
-#include "io/pages/draw_page.h"
+#include "dec/forms/cochain.h"
+#include "io/pages/page.h"
 #include "io/pages/still_scene.h"
 #include "meshes/generate.h"
 #include "tests/support/circumcentric.h"

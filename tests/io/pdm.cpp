@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/pdm.h"
 
-#include "io/meshes/read_mesh.h"
-#include "io/meshes/write_mesh.h"
+#include "io/meshes/mesh_files.h"
 #include "tests/io/support.h"
 #include "tests/support/says.h"
 

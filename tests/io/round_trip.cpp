@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/meshes/write_mesh.h"
+#include "io/meshes/mesh_files.h"
 #include "tests/io/support.h"
 #include "tests/support/says.h"
 

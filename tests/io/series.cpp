@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/series.h"
 
-#include "io/pages/read_grid.h"
+#include "io/pages/page.h"
 #include "meshes/generate.h"
 #include "tests/io/support.h"
 #include "tests/support/says.h"

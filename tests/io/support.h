@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/meshes/read_mesh.h"
+#include "io/meshes/mesh_files.h"
 
 #include <cstdint>
 #include <filesystem>

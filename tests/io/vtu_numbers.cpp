@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/derivative.h"
-#include "io/pages/read_grid.h"
+#include "dec/forms/cochain.h"
+#include "io/pages/page.h"
 #include "io/pictures/draw_cells.h"
-#include "io/pictures/draw_modes.h"
-#include "meshes/generate_planar.h"
+#include "io/pictures/draw_fields.h"
+#include "meshes/generate.h"
 #include "tests/io/support.h"
 #include "tests/support/says.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/pictures/vtu_solids.h"
 
-#include "io/pages/read_grid.h"
+#include "io/pages/page.h"
 #include "tests/io/support.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/errors.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "tests/support/hostile.h"
 
 #include <rapidcheck.h>

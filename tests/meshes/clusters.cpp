@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "tests/meshes/propositions.h"

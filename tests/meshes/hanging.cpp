@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "meshes/unjoined_boundary.h"
 #include "meshes/weld.h"
 #include "tests/meshes/propositions.h"
 #include "tests/support/says.h"

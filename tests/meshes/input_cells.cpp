@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate.h"
-#include "meshes/peel.h"
 #include "meshes/rearrange.h"
 #include "meshes/split_cells.h"
 #include "meshes/tidy.h"

@@ -2,9 +2,6 @@
 #include "meshes/level_sets.h"
 
 #include "meshes/generate.h"
-#include "meshes/generate_lattices.h"
-#include "meshes/generate_planar.h"
-#include "meshes/generate_spheres.h"
 #include "tests/meshes/propositions.h"
 #include "tests/support/says.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/peel.h"
-
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "meshes/tidy.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 

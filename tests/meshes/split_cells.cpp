@@ -2,7 +2,7 @@
 #include "meshes/split_cells.h"
 
 #include "base/random.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
 #include "tests/support/says.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/paper/rival_surfaces.h"
 
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "examples/paper/rivals/alexa_wardetzky.h"
 #include "examples/paper/rivals/bunge_diamond.h"
 #include "examples/paper/rivals/bunge_virtual_vertex.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/decompositions.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/forms/laplacian.h"
 #include "examples/paper/rivals/alexa_wardetzky.h"
 #include "examples/paper/rivals/bunge_diamond.h"

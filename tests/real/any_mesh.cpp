@@ -5,8 +5,8 @@
 // circumcentric stars refuse on most of them.
 #include "base/errors.h"
 #include "complex/homology.h"
-#include "dec/diagnosis/well_defined.h"
-#include "io/meshes/read_mesh.h"
+#include "dec/discretization/diagnosis.h"
+#include "io/meshes/mesh_files.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/spectra/spectrum.h"
 #include "solvers/time/evolution.h"

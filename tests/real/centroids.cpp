@@ -2,8 +2,8 @@
 //
 // Duals between centroids on meshes that are made with negative duals between circumcenters, and on
 // every one below the folder of test data.
-#include "dec/discretization.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/discretization/discretization.h"
+#include "dec/metric/geometry.h"
 #include "dec/stars/star.h"
 #include "tests/io/support.h"
 #include "tests/real/samples.h"

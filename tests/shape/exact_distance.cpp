@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "shape/exact_distance.h"
-
 #include "dec/surfaces/intrinsic_delaunay.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "shape/geodesics.h"
 #include "tests/shape/known_shapes.h"
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"

@@ -4,7 +4,7 @@
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "shape/exact_distance.h"
+#include "shape/geodesics.h"
 #include "tests/shape/shapes.h"
 #include "tests/support/families.h"
 

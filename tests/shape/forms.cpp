@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate.h"
-#include "shape/flipped.h"
+#include "shape/shape.h"
 #include "shape/shape_spectrum.h"
 #include "tests/shape/known_shapes.h"
 #include "tests/support/refusal.h"

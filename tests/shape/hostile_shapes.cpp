@@ -4,7 +4,7 @@
 // refused, and agree with those of the same surface in 64 times as many triangles.
 // POLYDEC_HOSTILE_SHAPES=100000 takes so many.
 #include "base/errors.h"
-#include "shape/exact_distance.h"
+#include "shape/geodesics.h"
 #include "shape/poisson_error.h"
 #include "shape/poisson_pair.h"
 #include "shape/shape_spectrum.h"

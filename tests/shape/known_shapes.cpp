@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/shape/known_shapes.h"
 
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "meshes/generate.h"
 
 #include <algorithm>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "shape/shortest_paths.h"
-
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "shape/exact_distance.h"
+#include "shape/geodesics.h"
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"
 #include "tests/support/families.h"

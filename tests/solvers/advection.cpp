@@ -4,7 +4,7 @@
 #include "complex/components.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "dec/metric/exterior_product.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/circumcentric.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/boundary/boundary_conditions.h"
-#include "dec/stars/star_kind.h"
+#include "dec/stars/star.h"
 #include "tests/solvers/smooth_waves.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/boundary/form_space.h"
-#include "dec/diagnosis/well_defined.h"
+#include "dec/discretization/diagnosis.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/random.h"
+#include "dec/discretization/material_stars.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/forms/derivative.h"
-#include "dec/material_stars.h"
+#include "dec/forms/cochain.h"
 #include "dec/metric/cell_volumes.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/geometry.h"
 #include "dec/stars/star.h"
 #include "meshes/delaunay.h"
 #include "meshes/generate.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "base/decompositions.h"
+#include "dec/discretization/material_stars.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/derivative.h"
-#include "dec/material_stars.h"
+#include "dec/forms/cochain.h"
 #include "meshes/generate.h"
 #include "solvers/sources/poisson.h"
 #include "tests/solvers/cases.h"

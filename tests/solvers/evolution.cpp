@@ -4,7 +4,7 @@
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "dec/forms/laplacian.h"
 #include "dec/metric/subsets.h"
 #include "io/march.h"

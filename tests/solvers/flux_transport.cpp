@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/flow/flux_transport.h"
-
 #include "dec/fields/cell_centers.h"
+#include "solvers/flow/advection.h"
 #include "solvers/sources/poisson.h"
 #include "tests/solvers/cases.h"
 #include "tests/solvers/flow_samples.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "complex/relative.h"
+#include "dec/discretization/material_stars.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/laplacian.h"
-#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "solvers/sources/poisson.h"
 #include "tests/solvers/cases.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "shape/exact_distance.h"
+#include "shape/geodesics.h"
 #include "solvers/surfaces/geodesic_distance.h"
 #include "tests/solvers/glued_samples.h"
 #include "tests/solvers/heat_distance.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/boundary/form_space.h"
-#include "dec/fields/flat.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"

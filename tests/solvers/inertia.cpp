@@ -3,9 +3,8 @@
 
 #include "backends/spectra/certified_eigensolver.h"
 #include "backends/spectra/scaled_pencil.h"
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "meshes/generate.h"
-#include "solvers/spectra/coexact_spectrum.h"
 #include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/support/circumcentric.h"

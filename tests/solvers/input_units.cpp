@@ -2,7 +2,6 @@
 #include "dec/fields/cell_centers.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/sources/poisson.h"
-#include "solvers/spectra/coexact_spectrum.h"
 #include "solvers/spectra/spectrum.h"
 #include "solvers/time/evolution.h"
 #include "solvers/time/waves.h"

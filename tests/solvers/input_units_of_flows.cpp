@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "solvers/flow/advection.h"
 #include "solvers/flow/flow.h"
 #include "solvers/flow/flow_data.h"
-#include "solvers/flow/flux_transport.h"
 #include "solvers/flow/shallow_water.h"
 #include "solvers/flow/stokes.h"
 #include "solvers/sources/poisson.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
+#include "dec/discretization/material_stars.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/forms/derivative.h"
-#include "dec/material_stars.h"
+#include "dec/forms/cochain.h"
 #include "dec/stars/star.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
 #include "meshes/generate.h"

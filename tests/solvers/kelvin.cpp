@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Kelvin's theorem: without viscosity the circulation around a loop that the flow carries is kept.
 #include "dec/fields/cell_centers.h"
-#include "dec/fields/sharp.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "tests/solvers/flow_samples.h"
 #include "tests/support/circumcentric.h"
 

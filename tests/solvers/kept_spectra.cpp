@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate.h"
-#include "solvers/spectra/coexact_spectrum.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "dec/discretization/material_stars.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/sources/poisson.h"

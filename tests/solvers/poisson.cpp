@@ -3,8 +3,8 @@
 
 #include "base/errors.h"
 #include "complex/components.h"
+#include "dec/discretization/material_stars.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/side.h"
+#include "dec/forms/cochain.h"
 #include "solvers/sources/poisson.h"
 
 namespace polydec::test {

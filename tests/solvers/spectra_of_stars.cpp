@@ -7,7 +7,6 @@
 #include "dec/boundary/form_space.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
-#include "solvers/spectra/coexact_spectrum.h"
 #include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/support/branches.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/surfaces/surface_paths.h"
-
-#include "dec/discretization.h"
+#include "dec/discretization/discretization.h"
 #include "meshes/generate.h"
+#include "solvers/surfaces/geodesic_distance.h"
 #include "tests/support/circumcentric.h"
 
 #include <gtest/gtest.h>

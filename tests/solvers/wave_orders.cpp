@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "solvers/time/waves.h"
 #include "tests/solvers/cases.h"
 

@@ -2,8 +2,8 @@
 #include "solvers/time/waves.h"
 
 #include "dec/boundary/boundary_conditions.h"
+#include "dec/discretization/material_stars.h"
 #include "dec/fields/de_rham.h"
-#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"

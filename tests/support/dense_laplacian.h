@@ -3,7 +3,7 @@
 
 #include "base/decompositions.h"
 #include "complex/cell_complex.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/cochain.h"
 #include "dec/stars/star.h"
 
 namespace polydec::test {

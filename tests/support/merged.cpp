@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/merged.h"
 
-#include "dec/merging/merged_volumes.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/merging/merged_cells.h"
+#include "dec/metric/geometry.h"
 #include "tests/support/families.h"
 
 #include <map>

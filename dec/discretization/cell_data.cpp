@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "dec/discretization/cell_data.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+/// Relative difference between two computations of the same number.
+constexpr double rounding = 1e-12;
+
+void check_range(std::string_view what, const Vector& values, std::string_view cells, Range range,
+                 int n) {
+    for (Index cell = 0; cell < values.size(); ++cell)
+        if (!std::isfinite(values[cell]) || values[cell] < 0 ||
+            (range == Range::positive && values[cell] == 0))
+            throw InvalidInput(fmt::format("the {} of {} {} is {}: expected {}", what, cells, cell,
+                                           values[cell],
+                                           range == Range::positive ? "a positive number"
+                                                                    : "a number of at least 0"),
+                               {.degree = n, .cells = {cell}});
+}
+
+/// For each simplex of the input, the number of its cell.
+std::vector<Index> numbers_of_simplices(const Discretization& mesh) {
+    const SimplicialComplex& input = mesh.input();
+    const auto& numbers = mesh.input_cells().of_simplices;
+    std::vector<Index> result(static_cast<std::size_t>(input.size(input.dimension())));
+    for (Index t = 0; t < std::ssize(result); ++t) {
+        const Index row = input.input_row(t);
+        result[t] = numbers.empty() ? row : numbers[row];
+    }
+    return result;
+}
+
+[[noreturn]] void refuse_joined(const Discretization& mesh, std::string_view what, Index first,
+                                Index other) {
+    const bool flips = !mesh.passage().is_identity();
+    throw InvalidInput(
+        fmt::format("the {} of the input's {}-cells {} and {} differ, but {}: {}", what,
+                    mesh.dimension(), first, other,
+                    flips ? "flipped triangles join parts of different cells"
+                          : "they are parts of one merged cell",
+                    flips ? "omit the flips, or give a number for each n-cell (CellData::on_cells)"
+                          : "keep them apart by their tags (Materials::keep_apart), merge no cells "
+                            "(MergeCriterion::none), or give a number for each merged cell "
+                            "(CellData::on_cells)"),
+        {.degree = mesh.dimension(), .cells = {first, other}});
+}
+
+} // namespace
+
+Index count_input_cells(const Discretization& mesh) {
+    const auto& [numbers, count] = mesh.input_cells();
+    return numbers.empty() ? mesh.input().size(mesh.dimension()) : count;
+}
+
+std::vector<Index> cells_of_input(const Discretization& mesh, std::string_view what,
+                                  const std::function<bool(Index, Index)>& differ) {
+    const int n = mesh.dimension();
+    const std::vector<Index> numbers = numbers_of_simplices(mesh);
+    std::vector<Index> result(static_cast<std::size_t>(mesh.complex().size(n)), -1);
+    if (!mesh.passage().is_identity()) {
+        const Index first = *std::min_element(numbers.begin(), numbers.end());
+        for (const Index number : numbers)
+            if (differ(first, number))
+                refuse_joined(mesh, what, first, number);
+        std::fill(result.begin(), result.end(), first);
+        return result;
+    }
+    const IncidenceMatrix& pieces = mesh.merging().diamond(n);
+    for (Index cell = 0; cell < pieces.rows(); ++cell) {
+        // a piece without volume has no share in a cell with other pieces
+        for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece)
+            if (!mesh.geometry().is_flat(static_cast<Index>(piece.col())) &&
+                (result[cell] < 0 || numbers[piece.col()] < result[cell]))
+                result[cell] = numbers[piece.col()];
+        for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece)
+            if (!mesh.geometry().is_flat(static_cast<Index>(piece.col())) &&
+                differ(result[cell], numbers[piece.col()]))
+                refuse_joined(mesh, what, result[cell], numbers[piece.col()]);
+    }
+    return result;
+}
+
+CellData CellData::on_cells(Vector values) {
+    CellData result;
+    result.values_ = std::move(values);
+    result.are_on_cells_ = true;
+    return result;
+}
+
+Vector CellData::on(const Discretization& mesh, std::string_view what, Range range) const {
+    const int n = mesh.dimension();
+    const auto cells = fmt::format("{}{}-cell", are_on_cells_ ? "" : "the input's ", n);
+    check_as_many(fmt::format("values ({}) of {}s", what, cells), values_.size(),
+                  are_on_cells_ ? mesh.complex().size(n) : count_input_cells(mesh));
+    check_range(what, values_, cells, range, n);
+    if (are_on_cells_)
+        return values_;
+    const auto differ = [this](Index a, Index b) {
+        return std::abs(values_[a] - values_[b]) > rounding * std::max(values_[a], values_[b]);
+    };
+    const auto numbers = cells_of_input(mesh, what, differ);
+    return values_(numbers);
+}
+
+} // namespace polydec

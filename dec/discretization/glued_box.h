@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization/discretization.h"
+#include "meshes/periodic.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace polydec {
+
+/// The box from which a mesh was glued, with the places of its simplices. Every n-simplex of the
+/// glued mesh is one of the box; a face on a seam corresponds to several simplices of the box.
+class GluedBox {
+public:
+    /// `mesh` is discretize(glued.quotient), without flips. Linear time.
+    GluedBox(const PeriodicMesh& glued, const Discretization& mesh);
+
+    /// The box as a mesh of its own, in the unit of the glued mesh and with the same orientation of
+    /// n-simplices. Its cells are the cells of the glued mesh, cut along the seams.
+    const Discretization& mesh() const { return mesh_; }
+
+    /// The n-simplices of the glued mesh, between the points of the box.
+    PlacedSimplices places() const { return {mesh_.measured_input_points(), corners_}; }
+
+    /// The first place of each vertex of the glued mesh: one row per vertex.
+    const Points& vertices() const { return vertices_; }
+
+    /// For each k-simplex of the box, the k-simplex of the glued mesh that it becomes.
+    const std::vector<Index>& onto(int k) const;
+
+    /// The pull-back of primal k-cochains (columns) from the simplices of the glued mesh to the
+    /// simplices of the box; commutes with d.
+    DenseMatrix back(int k, const DenseMatrix& values) const;
+
+    /// The way back for cochains with equal values on both sides of every seam: the value on the
+    /// first simplex of the box.
+    DenseMatrix forth(int k, const DenseMatrix& values) const;
+
+    /// Sums over the simplices of the box that become one simplex: the transpose of the pull-back,
+    /// which maps dual forms.
+    DenseMatrix sums(int k, const DenseMatrix& values) const;
+
+private:
+    struct Map {
+        std::vector<Index> onto;        ///< of each simplex of the box
+        std::vector<std::int8_t> signs; ///< 1 where both are oriented alike, else -1
+        Index size = 0;                 ///< number of simplices of the glued mesh
+    };
+    struct Found;
+    explicit GluedBox(Found found);
+    static Found found(const PeriodicMesh& glued, const Discretization& mesh);
+
+    Discretization mesh_;
+    std::vector<Map> maps_; // by degree
+    Simplices corners_;
+    Points vertices_;
+};
+
+/// The mesh whose simplices lie between the points of their vertices: the box of a glued mesh, or
+/// any other mesh itself. Returns a reference into the mesh.
+const Discretization& placed(const Discretization& mesh);
+const Discretization& placed(const Discretization&&) = delete;
+
+/// GluedBox::back, forth and sums, between the simplices of a mesh and of placed(mesh). If the mesh
+/// is not glued, they return the values unchanged.
+DenseMatrix to_places(const Discretization& mesh, int k, const DenseMatrix& values);
+DenseMatrix from_places(const Discretization& mesh, int k, const DenseMatrix& values);
+DenseMatrix sums_from_places(const Discretization& mesh, int k, const DenseMatrix& values);
+
+/// For each k-cell of placed(mesh), the k-cell of the mesh that contains it; -1 for cells inside
+/// larger cells of the mesh that a seam has cut.
+std::vector<Index> cells_of_places(const Discretization& mesh, int k);
+
+} // namespace polydec
