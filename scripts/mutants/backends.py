@@ -8,7 +8,7 @@ MUTANTS = {
     "zeros_searched": ("backends/spectra/found_pairs.cpp", "    pairs.take(Y, pencil.enclose(Y));", "",
                        "SpectraOfManyPieces.have_a_zero_for_each_and_for_each_hole"),
     "factor_whatever_its_size": ("backends/linear/checked_solver.cpp", "if (!lack.empty())", "if (false)",
-                                 "checked_solver.factors_are_held_against_memory_before_they_are_made"),
+                                 "checked_solver.factors_that_exceed_the_limit_are_refused"),
     "midpoint_out_of_the_middle": ("backends/integrators/additive_table.cpp",
                                    "one_stage(2, 0.5)", "one_stage(2, 0.45)",
                                    "Robin.lets_heat_fade_as_its_closed_form"),

@@ -95,6 +95,28 @@ TEST(checked_solver, want_of_memory_names_the_engine_and_what_it_was_for) {
                      {"greedy", "memory", "solve", "16 x 16"}));
 }
 
+/// Knows that its factor takes 3 MB.
+class Foresighted final : public CheckedSolver {
+public:
+    Foresighted() : CheckedSolver("foresighted", {}, {}) {}
+
+protected:
+    void compute(const SparseMatrix& A, const MatrixFacts&, Pattern) override {
+        check_factor(3e6, A.rows());
+    }
+    Solution apply_inverse(const DenseMatrix& B) override { return {B}; }
+};
+
+TEST(checked_solver, factors_that_exceed_the_limit_are_refused) {
+    Foresighted solver;
+    solver.factorize(grid_laplacian(4), positive());
+    set_memory_limit(2000000);
+    const auto told =
+        message_of<OutOfMemory>([&] { solver.factorize(grid_laplacian(4), positive()); });
+    set_memory_limit(machine_memory());
+    EXPECT_TRUE(says(told, {"foresighted", "16 x 16", "3 MB", "2 MB", "iterative"}));
+}
+
 TEST(checked_solver, factors_are_held_against_memory_before_they_are_made) {
     const auto names = linear_engine_names();
     if (std::find(names.begin(), names.end(), "cholmod") == names.end())

@@ -67,7 +67,7 @@ TEST(registry, missing_engines_are_listed_with_how_to_get_them) {
             continue;
         const auto message = message_of<BackendUnavailable>(
             [&, called = std::string(name)] { make(info.kind, called); });
-        EXPECT_TRUE(says(message, {name, "program", package}));
+        EXPECT_TRUE(says(message, {"program", name, package}));
     }
 }
 
