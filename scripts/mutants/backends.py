@@ -14,7 +14,7 @@ MUTANTS = {
                                    "Robin.lets_heat_fade_as_its_closed_form"),
     "plan_forgotten_between_frames": ("backends/integrators/runge_kutta.cpp",
                                       "if (until != end_ || !is_fixed())", "if (true)",
-                                      "slepc.shift_and_invert_goes_through_engines_of_all_kinds"),
+                                      "engines/StepsOfOneLength.go_on_in_the_same_bits_from_between_two_times/runge_kutta"),
     "last_stage_is_no_end": ("backends/integrators/runge_kutta.cpp",
                              "Vector next = is_end ? stage_ : state()",
                              "Vector next = state()",
