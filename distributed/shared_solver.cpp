@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/shared_solver.h"
 
-#include "backends/linear/checked_solver.h"
+#include "backends/linear/solution_quality.h"
 #include "base/errors.h"
 #include "distributed/ksp.h"
 #include "distributed/petsc_calls.h"

@@ -1,55 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "backends/linear/grounding.h"
+#include "backends/linear/solution_quality.h"
 #include "backends/linear_solver.h"
-#include "base/types.h"
-
-#include <string>
-#include <vector>
 
 namespace polydec {
-
-/// Regularizes a symmetric matrix A with known kernel: as many unknowns as the kernel's dimension
-/// are set to zero (grounded). The choice leaves A regular, with its inertia: the omitted rows
-/// depend on the others.
-class Kernel {
-public:
-    /// basis: n rows, columns spanning the kernel. Throws InvalidInput if it does not fit A, is not
-    /// finite, has dependent columns, or if A times a column is not zero (to 1e-8 |A|).
-    Kernel(const SparseMatrix& A, const DenseMatrix& basis);
-
-    /// A without the rows and columns of the grounded unknowns.
-    SparseMatrix grounded(const SparseMatrix& A) const;
-
-    /// The rows of B that are not grounded; the reverse, with zeros in the others.
-    DenseMatrix restrict(const DenseMatrix& B) const;
-    DenseMatrix extend(const DenseMatrix& X) const;
-
-    /// B without its part in the kernel.
-    DenseMatrix project_out(const DenseMatrix& B) const;
-
-    Eigen::Index dimension() const { return basis_.cols(); }
-
-private:
-    void choose_grounded_rows();
-
-    DenseMatrix basis_;        // orthonormal columns
-    std::vector<Index> kept_;  // ascending
-    std::vector<Index> place_; // of an unknown in kept_; -1 if grounded
-};
-
-/// The residual and backward error of x in A x = b, in one process or over ranks; 0 for b = x = 0.
-struct SolutionQuality {
-    double residual = 0;       ///< |b - A x| / |b|, 2-norm
-    double backward_error = 0; ///< |b - A x| / (|A| |x| + |b|), maximum norm
-
-    /// True for a residual of at most 1e-6 and a backward error of at most 1e-10, or at most
-    /// `wished` if that is larger.
-    bool is_good(double wished = 0) const;
-
-    /// The message for a solution that is not good.
-    std::string failure() const;
-};
 
 /// The common base of all engines: derive from it and write compute() and apply_inverse(). It
 /// rejects bad input, removes known kernels, and checks the true residual of every solve, with one
@@ -93,8 +49,8 @@ protected:
     }
     [[noreturn]] void fail(const std::string& reason, SolveReport report) const;
 
-    /// For engines that know the size of a factor before they compute it: throws OutOfMemory if it
-    /// exceeds memory_limit().
+    /// For engines that know the size of a factor, in bytes, before they compute it: throws
+    /// OutOfMemory, naming both, if it exceeds memory_limit().
     void check_factor(double bytes, Eigen::Index size) const;
 
 private:

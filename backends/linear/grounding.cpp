@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "backends/linear/checked_solver.h"
+#include "backends/linear/grounding.h"
+
 #include "base/decompositions.h"
 #include "base/errors.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/linear/checked_solver.h"
+#include "backends/linear/solution_quality.h"
 
 #include <fmt/format.h>
 
