@@ -15,6 +15,7 @@ Flaws in templates and inline functions cannot be preloaded and are not listed.
 """
 import argparse
 import concurrent.futures
+import fnmatch
 import itertools
 import json
 import os
@@ -37,7 +38,7 @@ PROGRAMS["dec"] = ("dec/test_dec", "solvers/test_solvers")
 PROGRAMS["backends"] = ("backends/test_backends", "solvers/test_solvers")
 PROGRAMS["solvers"] = ("solvers/test_solvers", "io/test_io")
 SECONDS = 600
-WITH_COMPONENTS = "slepc.*:*UninstantiatedParameterizedTestSuite*" # there are none beside a flaw
+WITH_COMPONENTS = "cholmod.*:slepc.*:*UninstantiatedParameterizedTestSuite*" # there are none beside a flaw
 
 
 def flags(build, work, path):
@@ -79,7 +80,9 @@ def open_library(build, folder):
 
 def stale(name):
     """Why the flaw cannot be planted; "" if it can."""
-    path, old = MUTANTS[name][:2]
+    path, old, _, *known = MUTANTS[name]
+    if any(fnmatch.fnmatch(test, only) for test in known for only in WITH_COMPONENTS.split(":")):
+        return "the test that it names needs a component, so it always fails here"
     count = (ROOT / path).read_text().count(old)
     return "" if count == 1 else f"text occurs {count} times in {path}, expected once"
 

@@ -189,6 +189,8 @@ void AutoSolver::advance() {
                 // An engine that is there already keeps its analysis.
                 if (!engine_ || engine_->name() != candidate)
                     engine_ = make_linear_solver(candidate, options_);
+                if (lacks_memory_ && engine_->traits().method == Method::direct)
+                    throw OutOfMemory(candidate + ": another factor would not fit either");
                 engine_->factorize(matrix_, facts_);
             }))
             return;

@@ -13,15 +13,17 @@ namespace polydec {
 template <class Factorization>
 class CountingFactor : public Factorization {
 public:
-    /// Whether the number of entries fits; known after analyzePattern().
-    bool fits() const {
+    /// The number of entries below the diagonal; known after analyzePattern().
+    std::int64_t entries() const {
         const auto* starts = this->m_matrix.outerIndexPtr(); // in each version of Eigen
-        std::int64_t entries = 0;
+        std::int64_t count = 0;
         for (Eigen::Index column = 0; column < this->m_matrix.cols(); ++column)
-            entries += static_cast<std::uint32_t>(starts[column + 1]) -
-                       static_cast<std::uint32_t>(starts[column]);
-        return entries <= std::numeric_limits<Index>::max();
+            count += static_cast<std::uint32_t>(starts[column + 1]) -
+                     static_cast<std::uint32_t>(starts[column]);
+        return count;
     }
+
+    bool fits() const { return entries() <= std::numeric_limits<Index>::max(); }
 };
 
 } // namespace polydec

@@ -46,6 +46,7 @@ void EigenLdlt::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern
         fail(fmt::format("the factor of this {} x {} matrix has more than 2^31 - 1 entries\n"
                          "Use cholmod or eigen.cg.",
                          A.rows(), A.cols()));
+    check_factor((sizeof(double) + sizeof(Index)) * double(ldlt_.entries()), A.rows());
     ldlt_.factorize(columns);
     if (ldlt_.info() != Eigen::Success || !ldlt_.vectorD().allFinite())
         fail("zero pivot: the matrix, or a leading block of it, is singular\n"

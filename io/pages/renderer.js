@@ -132,8 +132,7 @@ class Renderer {
 
     /** A texture of as many entries, each four numbers, put where they belong. */
     keep(name, kind, count, put) {
-        const rows = Math.max(1, Math.ceil(count / textureWidth));
-        const texels = new kinds[kind][4](4 * textureWidth * rows);
+        const texels = new kinds[kind][4](4 * count);
         for (let i = 0; i < count; ++i)
             put(texels, 4 * i, i);
         this.keepTexels(name, texels, kind);
@@ -144,11 +143,8 @@ class Renderer {
         const rows = Math.max(1, Math.ceil(numbers.length / width / textureWidth));
         if (rows > gl.getParameter(gl.MAX_TEXTURE_SIZE) && !gl.isContextLost())
             throw new Error("this mesh is larger than the graphics card can hold");
-        let texels = numbers; // in whole rows
-        if (numbers.length !== width * textureWidth * rows) {
-            texels = new Numbers(width * textureWidth * rows);
-            texels.set(numbers);
-        }
+        const texels = new Numbers(width * textureWidth * rows);
+        texels.set(numbers);
         if (this.textures[name])
             gl.deleteTexture(this.textures[name].texture);
         const texture = gl.createTexture();

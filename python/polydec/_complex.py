@@ -220,7 +220,8 @@ class Complex(Cells):
     def with_electric_material(self, permittivity: CellNumbers, permeability: CellNumbers = 1.0, *,
                                degree: int = 1, side: str = "primal") -> Complex:
         """A copy on which forms of this degree and side are electric fields E, with energies
-        ``permittivity |E|^2`` and ``|B|^2 / permeability``, both positive; see `with_material`.
+        ``permittivity |E|^2`` and ``|B|^2 / permeability``; see `with_material`. Raises
+        InvalidInput, naming the cell, unless both are positive.
 
         >>> import numpy as np, polydec
         >>> box = polydec.discretize(polydec.meshes.kuhn([2, 2, 2]))

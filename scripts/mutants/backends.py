@@ -9,6 +9,8 @@ MUTANTS = {
                        "SpectraOfManyPieces.have_a_zero_for_each_and_for_each_hole"),
     "factor_whatever_its_size": ("backends/linear/checked_solver.cpp", "if (!lack.empty())", "if (false)",
                                  "checked_solver.factors_that_exceed_the_limit_are_refused"),
+    "factor_after_factor": ("backends/linear/auto_solver.cpp", "if (lacks_memory_ && engine_", "if (false && engine_",
+                            "auto_solver.factors_beyond_the_memory_limit_leave_the_work_to_an_iterative_engine"),
     "midpoint_out_of_the_middle": ("backends/integrators/additive_table.cpp",
                                    "one_stage(2, 0.5)", "one_stage(2, 0.45)",
                                    "Robin.lets_heat_fade_as_its_closed_form"),

@@ -2,6 +2,7 @@
 #include "backends/linear/auto_solver.h"
 
 #include "base/errors.h"
+#include "system/memory.h"
 #include "tests/backends/matrices.h"
 #include "tests/support/says.h"
 
@@ -80,6 +81,20 @@ TEST(auto_solver, surfaces_go_to_multigrid_once_they_are_very_large_or_memory_is
     EXPECT_EQ(place(2000000, often), 1);
     EXPECT_EQ(place(1000000, positive()), 1);
     EXPECT_GT(place(1000, positive()), 1); // is not among them
+}
+
+TEST(auto_solver, factors_beyond_the_memory_limit_leave_the_work_to_an_iterative_engine) {
+    const SparseMatrix A = grid_laplacian(100);
+    const auto any = make_linear_solver("auto"), ldlt = make_linear_solver("eigen.ldlt");
+    set_memory_limit(1000000);
+    const auto told = message_of<OutOfMemory>([&] { ldlt->factorize(A, positive()); });
+    any->factorize(A, positive());
+    const Vector x = any->solve(Vector::Ones(A.rows()));
+    set_memory_limit(machine_memory());
+    EXPECT_TRUE(says(told, {"eigen.ldlt", "10000 x 10000", "1 MB"}));
+    const auto engine = any->report().engine;
+    EXPECT_EQ(make_linear_solver(engine)->traits().method, Method::iterative) << engine;
+    EXPECT_LT((A * x - Vector::Ones(A.rows())).norm(), 1e-6 * x.norm());
 }
 
 TEST(auto_solver, it_names_better_engines_that_are_missing_where_work_is_large) {

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
 #include <new>
 
 namespace polydec::test::in_checked_solver {
@@ -109,30 +108,12 @@ protected:
 
 TEST(checked_solver, factors_that_exceed_the_limit_are_refused) {
     Foresighted solver;
-    solver.factorize(grid_laplacian(4), positive());
+    EXPECT_NO_THROW(solver.factorize(grid_laplacian(4), positive()));
     set_memory_limit(2000000);
     const auto told =
         message_of<OutOfMemory>([&] { solver.factorize(grid_laplacian(4), positive()); });
     set_memory_limit(machine_memory());
     EXPECT_TRUE(says(told, {"foresighted", "16 x 16", "3 MB", "2 MB", "iterative"}));
-}
-
-TEST(checked_solver, factors_are_held_against_memory_before_they_are_made) {
-    const auto names = linear_engine_names();
-    if (std::find(names.begin(), names.end(), "cholmod") == names.end())
-        GTEST_SKIP() << "the component cholmod is not there";
-    const SparseMatrix A = grid_laplacian(100);
-    for (const auto& facts : {positive(), MatrixFacts{.symmetry = Symmetry::symmetric}}) {
-        const auto direct = make_linear_solver("cholmod"), any = make_linear_solver("auto");
-        set_memory_limit(1000000);
-        const auto told = message_of<OutOfMemory>([&] { direct->factorize(A, facts); });
-        any->factorize(A, positive());
-        EXPECT_NO_THROW(any->solve(Vector::Ones(A.rows())));
-        set_memory_limit(machine_memory());
-        EXPECT_TRUE(says(told, {"cholmod", "10000 x 10000", "1 MB", "iterative"}));
-        EXPECT_NE(any->report().engine, "cholmod");
-        EXPECT_NO_THROW(direct->factorize(A, facts));
-    }
 }
 
 /// Any sparse matrix: rows and columns may be empty, entries repeat, scales differ.
