@@ -25,7 +25,7 @@ FIRST_HITS = {
     "ParaView": "docs/answers/results_for_paraview.html",
     "geodesic distance": "docs/answers/geodesic_distance.html",
     "cite": "cite.html",
-    "Discretization": "cpp/dec.html#_CPPv4N7polydec14DiscretizationE",
+    "Discretization": "cpp/dec-discretization.html#_CPPv4N7polydec14DiscretizationE",
     "march": "cpp/io.html#_CPPv4N7polydec5march",
     "merge_cospherical": "cpp/dec-merging.html#_CPPv4N7polydec17merge_cospherical",
     "polydec::FormSpace": "cpp/dec-boundary.html#_CPPv4N7polydec9FormSpaceE",
