@@ -23,7 +23,7 @@ function wordsOf(bytes, at, count) {
     return words;
 }
 
-/** As many numbers, each by its place; several times as fast as `from`. */
+/** As many numbers, each by its place, without the iterator of `from`. */
 function made(Numbers, count, number) {
     const result = new Numbers(count);
     for (let i = 0; i < count; ++i)
