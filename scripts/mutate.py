@@ -20,6 +20,7 @@ import itertools
 import json
 import os
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -38,6 +39,7 @@ PROGRAMS["dec"] = ("dec/test_dec", "solvers/test_solvers")
 PROGRAMS["backends"] = ("backends/test_backends", "solvers/test_solvers")
 PROGRAMS["solvers"] = ("solvers/test_solvers", "io/test_io")
 SECONDS = 600
+CLANG = shutil.which("clang++")
 WITH_COMPONENTS = "cholmod.*:slepc.*:*UninstantiatedParameterizedTestSuite*" # there are none beside a flaw
 
 
@@ -54,6 +56,8 @@ def flags(build, work, path):
     words = words[:words.index("-o")]
     if "-include" in words:
         words[words.index("-include") + 1] = work / "headers.h"
+    if CLANG: # takes half the time, and has no OpenMP of g++
+        words = [CLANG, *(word for word in words[1:] if word != "-fopenmp")]
     return [*words, "-O0", "-w"], entry["directory"]
 
 

@@ -182,11 +182,12 @@ void Descent::measure(int k, Index first, Index last, Sum* share, double* number
 
 /// Measures many simplices in parallel, and adds their contributions sequentially.
 void Descent::hand_down(int k) {
-    constexpr Index at_once = 1 << 14, part_size = 1 << 11;
+    constexpr Index part_size = 1 << 11;
+    const Index at_once = std::min(8 * part_size, complex_.size(k));
     make_room(k);
     const FaceTable faces = complex_.faces(k);
     std::vector<Sum> below(static_cast<std::size_t>(complex_.size(k - 1)));
-    std::vector<Sum> shares(at_once);
+    std::vector<Sum> shares(static_cast<std::size_t>(at_once));
     std::vector<double> numbers(std::size_t(at_once) * (k + 1));
     for (Index first = 0; first < complex_.size(k); first += at_once) {
         const Index count = std::min(at_once, complex_.size(k) - first);

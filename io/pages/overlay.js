@@ -92,10 +92,15 @@ class Overlay {
         return {length, pixels: right - left};
     }
 
-    /** A ring and words at an extreme value; thin behind the mesh. Returns where it is. */
-    mark({name, value, place, isHidden}, camera) {
-        const {draw} = this, [x, y] = camera.seen(place);
-        const at = [this.width / 2 + x * this.height / 2, this.height / 2 * (1 - y)];
+    /** Where a place of space is on the canvas. */
+    at(place, camera) {
+        const [x, y] = camera.seen(place);
+        return [this.width / 2 + x * this.height / 2, this.height / 2 * (1 - y)];
+    }
+
+    /** A ring and words at an extreme value; thin behind the mesh. The words leave the other rings free. */
+    mark({name, value, at, isHidden}, others) {
+        const {draw} = this, words = `${name} ${numberText(value, 4)}${isHidden ? " (behind)" : ""}`;
         draw.beginPath();
         draw.arc(...at, 6, 0, 7);
         draw.setLineDash(isHidden ? [2, 4] : []);
@@ -106,10 +111,10 @@ class Overlay {
                 draw.stroke();
         }
         draw.setLineDash([]);
-        const isLeft = at[0] > 0.7 * this.width;
-        this.text(`${name} ${numberText(value, 4)}${isHidden ? " (behind)" : ""}`,
-            at[0] + (isLeft ? -12 : 12), at[1], isLeft ? "right" : "left");
-        return at;
+        const reach = 22 + draw.measureText(words).width;
+        const isLeft = at[0] + reach > this.width || others.some(
+            other => Math.abs(other[1] - at[1]) < 18 && other[0] >= at[0] && other[0] < at[0] + reach);
+        this.text(words, at[0] + (isLeft ? -12 : 12), at[1], isLeft ? "right" : "left");
     }
 }
 

@@ -264,10 +264,15 @@ class Renderer {
         if (look.dual && this.textures.dual)
             lines("dual", {owned: true, width: 1.6, nearer: 0.0015, valued: false,
                 ink: look.dual_color});
-        const flow = this.scene.hasPaths ? {width: 4, ink: "dual_color"} : {width: 1.4, ink: "arrow_color"};
-        if (look.flow && this.hasFlow)
-            lines("flow", {owned: false, width: flow.width, nearer: 0.003, valued: false,
-                ink: look[flow.ink]});
+        const flow = (width, ink) => lines("flow", {owned: false, width, nearer: 0.003, valued: false, ink});
+        if (look.flow && this.hasFlow && this.scene.hasPaths) {
+            gl.disable(gl.DEPTH_TEST);
+            flow(1, look.dual_color); // what is behind the mesh
+            gl.enable(gl.DEPTH_TEST);
+            flow(4, look.dual_color);
+        } else if (look.flow && this.hasFlow) {
+            flow(1.4, look.arrow_color);
+        }
         if (look.arrows && this.hasArrows)
             this.drawArrows(all, look);
     }

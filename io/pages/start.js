@@ -195,8 +195,10 @@ class Viewer {
         Object.assign(canvas.dataset, overlay.bar(scene, camera, scene.header.unit));
         if (!look.marks)
             return;
-        canvas.dataset.marks = JSON.stringify(this.extremes.map(
-            extreme => ({...extreme, at: overlay.mark(extreme, camera)})));
+        const marks = this.extremes.map(each => ({...each, at: overlay.at(each.place, camera)}));
+        for (const mark of marks)
+            overlay.mark(mark, marks.filter(other => other !== mark).map(other => other.at));
+        canvas.dataset.marks = JSON.stringify(marks);
     }
 
     /** The picture as it is seen, with its legend, as a PNG file. */

@@ -161,8 +161,8 @@ private:
             for (Index i = 0; i < lines.simplices.rows(); ++i) {
                 const Place a = projection_(points.row(lines.simplices(i, 0)).transpose());
                 const Place b = projection_(points.row(lines.simplices(i, 1)).transpose());
-                if (painter.shows((a + b) / 2))
-                    result.strokes.push_back({{on_paper(a), on_paper(b)}, 3, ink});
+                const double width = painter.shows((a + b) / 2) ? 3 : 0.8; // thin behind the mesh
+                result.strokes.push_back({{on_paper(a), on_paper(b)}, width, ink});
             }
         }
     }
