@@ -21,7 +21,7 @@ class Camera {
     /** All of the mesh, from the front and above; flat ones from straight above. */
     reset() {
         this.isMoved = false;
-        this.aspect = 0;
+        this.filled = "";
         this.zoom = 0.94;
         this.x = this.y = 0;
         this.axes = this.isFlat ? [[1, 0, 0], [0, 1, 0], [0, 0, 1]] : this.above();
@@ -34,11 +34,14 @@ class Camera {
         return [right, cross(eye, right), eye];
     }
 
-    /** Until somebody moves it, what is seen fills the view, as wide as `aspect` times its height. */
-    fill(points, aspect) {
-        if (this.isMoved || this.aspect === aspect)
+    /** Until somebody moves it, what a cut leaves of the scene fills the view, as wide as `aspect` times
+     * its height. */
+    fill(scene, cut, aspect) {
+        const filled = `${cut} ${aspect}`;
+        if (this.isMoved || this.filled === filled)
             return;
-        this.aspect = aspect;
+        this.filled = filled;
+        const points = scene.seenPoints(cut);
         const range = axis => {
             let low = Infinity, high = -Infinity;
             for (let i = 0; i < points.length; i += 3) {

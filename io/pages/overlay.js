@@ -8,23 +8,27 @@ function roundLength(most) {
     return [5, 2, 1].find(n => n * power <= most * (1 + 1e-9)) * power;
 }
 
-/** Where values of a step are extreme: the largest, and of signed ones the smallest; with the place
- * of the vertex, or the middle of the cell. */
-function extremesOf(scene, field, step) {
-    const values = field.values[step], found = [];
+/** Where values of a step are extreme: the largest, and the smallest if it is below 0 by more than
+ * rounding; with the place of the vertex, or the middle of the cell. Of equal ones, that nearest to
+ * the eye which the cut leaves. */
+function extremesOf(scene, field, step, eye, cut) {
+    const values = field.values[step], found = [], isCell = field.place === "cell";
     if (field.scale.constant || scene.isCurve || !["vertex", "cell"].includes(field.place))
         return found;
-    const mark = (name, better) => {
-        let best = 0;
-        for (let i = 1; i < values.length; ++i)
-            if (better(values[i], values[best]))
+    const placeOf = i => isCell ? scene.center(i) : scene.point(i);
+    const nearness = i => isCell && !scene.isKept(i, cut) ? -Infinity : dot(eye, placeOf(i));
+    for (const [name, sign] of [["max", 1], ["min", -1]]) {
+        const far = values.reduce((most, x) => sign * x > most ? sign * x : most, -Infinity); // not NaN
+        const least = far - 1e-6 * Math.abs(far);
+        let best = -1, nearest = -Infinity;
+        for (let i = 0; i < values.length; ++i)
+            if (sign * values[i] >= least && (best < 0 || nearness(i) > nearest)) {
                 best = i;
-        found.push({name, value: values[best],
-            place: field.place === "vertex" ? scene.point(best) : scene.center(best)});
-    };
-    mark("max", (a, b) => a > b);
-    if (field.low < 0)
-        mark("min", (a, b) => a < b);
+                nearest = nearness(i);
+            }
+        if (best >= 0 && (sign > 0 || far > -1e-9 * field.low))
+            found.push({name, value: values[best], place: placeOf(best), cell: isCell ? best : -1});
+    }
     return found;
 }
 

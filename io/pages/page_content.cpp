@@ -41,6 +41,8 @@ Vector heights_of_cells(const PageFaces& faces, const Points& points, int side) 
 
 class Opener {
 public:
+    static constexpr double nearly = 0.95; // as large as the largest
+
     explicit Opener(const PageContent& content)
         : page_(content.page),
           points_(content.points),
@@ -59,8 +61,10 @@ public:
                            [](const PageArrows& arrows) { return arrows.is_path(); });
     }
 
-    /// How many places are seen on paths or, without any, where the field is nearly largest.
-    std::ptrdiff_t count_seen(const SolidView& view, const PageFaces& surface) const {
+    /// How many places are seen on paths or, without any, where the field has this part of its
+    /// largest value.
+    std::ptrdiff_t count_seen(const SolidView& view, const PageFaces& surface,
+                              double part = nearly) const {
         constexpr int width = 320, height = 200;
         const Projection project(view, points_, surface.corners, {0, 0, width, height});
         SurfacePainter painter(width, height, {}, {});
@@ -75,7 +79,7 @@ public:
             }
             painter.paint(seen);
             for (std::size_t i = 0; i < 3 && !has_paths(); ++i)
-                if (is_large(surface.entry(shown_.place, 3 * t + static_cast<Index>(i))))
+                if (is_large(surface.entry(shown_.place, 3 * t + static_cast<Index>(i)), part))
                     places.push_back(shown_.place == "vertex" ? seen.corners[i]
                                      : shown_.place == "edge"
                                          ? Place((seen.corners[i] + seen.corners[(i + 1) % 3]) / 2)
@@ -107,9 +111,8 @@ public:
     }
 
 private:
-    bool is_large(Index entry) const {
-        constexpr double nearly = 0.95;
-        return entry >= 0 && numbers_[entry] >= nearly * largest_;
+    bool is_large(Index entry, double part = nearly) const {
+        return entry >= 0 && numbers_[entry] >= part * largest_;
     }
 
     const Page& page_;
@@ -136,13 +139,15 @@ Opening opening_of(const PageContent& content) {
     const bool is_inside = is_solid && content.shown.has_vectors(); // most of them are
     const PageFaces whole = faces.visible(opening.kept(faces, points));
     SolidView view = opening.view;
-    std::ptrdiff_t most = 0; // of paths; of a field one place will do
-    for (int turns = 0; turns < 4 && !is_inside; ++turns, view = turned(view))
-        if (const auto seen = most == 0 || opener.has_paths() ? opener.count_seen(view, whole) : 0;
-            seen > most) {
-            opening.view = view;
-            most = seen;
-        }
+    std::ptrdiff_t most = 0; // of paths; of a field one place will do, best its largest
+    for (const double part : {1.0, Opener::nearly})
+        for (int turns = 0; turns < 4 && !is_inside; ++turns, view = turned(view))
+            if (const auto seen =
+                    most == 0 || opener.has_paths() ? opener.count_seen(view, whole, part) : 0;
+                seen > most) {
+                opening.view = view;
+                most = seen;
+            }
     if (!is_solid || most > 0)
         return opening;
     opening.percent = 50;

@@ -26,9 +26,8 @@ Points in_space(const Points& points);
 
 /// What a page shows: the faces of its mesh or else of its grid, and all its fields; and how it
 /// opens. Of four views around the axis it takes the one that shows most of its paths; without any,
-/// the first that shows a place where the field is nearly as large as anywhere. If none does, a
-/// solid is cut in half, or through such a place; solids with vectors always are, in their middle
-/// part.
+/// the first that shows where the field is largest, or else nearly as large. If none does, a solid
+/// is cut in half, or through such a place; solids with vectors always are, in their middle part.
 struct PageContent {
     /// Throws InvalidInput like check_grid, page_faces and page_fields. The page must outlive this.
     explicit PageContent(const Page& page);

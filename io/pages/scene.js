@@ -105,6 +105,14 @@ class Scene {
         return seen.subarray(0, size);
     }
 
+    /** The coordinates of points that are seen. */
+    seenPoints(cut) {
+        if (!this.isSolid)
+            return this.points;
+        const seen = this.seenCorners(cut), {points, arrays: {corners}} = this;
+        return made(Float32Array, 3 * seen.length, i => points[3 * corners[seen[Math.floor(i / 3)]] + i % 3]);
+    }
+
     /** The vertices at the true edges of a cell, ascending; linear time. */
     vertices(cell) {
         const found = new Set();

@@ -95,7 +95,7 @@ class Viewer {
             this.drawAs(false);
         const look = this.look();
         for (const extreme of this.extremes)
-            extreme.isHidden = this.isHidden(extreme.place, look);
+            extreme.isHidden = this.isHidden(extreme, look);
         this.write(look);
         element("overlay").dataset.settled = "";
     }
@@ -119,15 +119,16 @@ class Viewer {
             this.canvas.height = height;
         }
         const look = this.look(), seen = `${look.field} ${look.step} ${look.own_values} ${look.height}`;
+        this.camera.stand(this.scene.isFlat && !look.height, look.height ? 2 : look.up);
         if (seen !== this.seen) {
             this.seen = seen;
             this.raise(look);
             this.renderer.show(this.field, look.step);
-            this.extremes = this.field ? extremesOf(this.scene, this.field, look.step) : [];
+            this.extremes = this.field ? extremesOf(this.scene, this.field, look.step,
+                this.camera.axes[2], look.cut) : [];
             this.pickedText();
         }
-        this.camera.stand(this.scene.isFlat && !look.height, look.height ? 2 : look.up);
-        this.camera.fill(this.scene.points, width / height);
+        this.camera.fill(this.scene, look.cut, width / height);
         const time = this.renderer.draw(this.camera, look, isCoarse);
         if (!isCoarse)
             this.isSlow = time > slowDrawing;
@@ -168,12 +169,12 @@ class Viewer {
             `${numbers.at(-1)}. ${this.label}`);
     }
 
-    /** Whether something is nearer to the eye than a place, by more than a little. */
-    isHidden(place, look) {
+    /** Whether something is nearer to the eye than a place, by more than a little, and not of its cell. */
+    isHidden({place, cell}, look) {
         const {camera, canvas: {width, height}} = this, [x, y] = camera.seen(place);
         const at = this.renderer.triangleAt(Math.floor((width + x * height) / 2),
             Math.floor((1 + y) * height / 2), width, height, camera, look);
-        if (at < 0)
+        if (at < 0 || (cell >= 0 && this.scene.owners(at).includes(cell)))
             return false;
         const corners = [...this.scene.corners(at)].map(v => this.scene.point(v));
         const weights = coordinatesIn([x, y], corners.map(p => camera.seen(p)));

@@ -59,6 +59,14 @@ TEST(Openings, AreFromASideWhereTheLargestValueIsSeen) {
     }
 }
 
+TEST(Openings, PreferTheLargestValueToOneNearlyAsLarge) {
+    const auto sphere = circumcentric(icosphere(3));
+    const auto front = hump({0, -1, 0}), back = hump({0, 1, 0});
+    const auto found =
+        opened(sphere, Side::primal, [&](const Place& x) { return 0.97 * front(x) + back(x); });
+    EXPECT_GT(found.opening.view.eye[1], 0);
+}
+
 /// Wherever its field is largest: the path is the answer.
 TEST(Openings, AreFromTheSideThatShowsMostOfAPath) {
     const auto sphere = circumcentric(icosphere(3));

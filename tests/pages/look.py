@@ -292,6 +292,34 @@ class Look(TestCase):
         found = tab.click(*map(round, mark["at"]))
         self.assertAlmostEqual(found["value"], max(values), delta=1e-6 * max(values))
 
+    def parts_filled(self):
+        """Of the picture's width and height, by what is drawn."""
+        return self.browser.run("""
+            const canvas = document.getElementById("canvas"), gl = canvas.getContext("webgl2");
+            const {width, height} = canvas, bytes = new Uint8Array(4 * width * height);
+            gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+            let [left, right, low, high] = [width, 0, height, 0];
+            for (let i = 0; i < width * height; ++i)
+                if (bytes[4 * i] !== bytes[0] || bytes[4 * i + 2] !== bytes[2]) {
+                    const x = i % width, y = Math.floor(i / width);
+                    [left, right] = [Math.min(left, x), Math.max(right, x)];
+                    [low, high] = [Math.min(low, y), Math.max(high, y)];
+                }
+            return [(right - left) / width, (high - low) / height];""")
+
+    def test_what_a_cut_leaves_fills_the_view(self):
+        self.page("spectrum", golden("kuhn3.nsc"), "--degree", 1, "--count", 1)
+        tab = self.browser
+        tab.plain()
+        for cut in (50, 20, 100):
+            tab.set(cut=cut)
+            self.assertAlmostEqual(max(self.parts_filled()), 0.94, delta=0.02, msg=str(cut))
+        tab.run("document.getElementById('canvas').focus()")
+        tab.keys("-")
+        before = self.parts_filled()
+        tab.set(cut=20)
+        self.assertLess(max(self.parts_filled()), max(before), "it stays as somebody moved it")
+
     # Cells
 
     def test_edges_of_many_cells_are_off(self):
