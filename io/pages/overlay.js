@@ -10,13 +10,14 @@ function roundLength(most) {
 
 /** Where values of a step are extreme: the largest, and the smallest if it is below 0 by more than
  * rounding; with the place of the vertex, or the middle of the cell. Of equal ones, that nearest to
- * the eye which the cut leaves. */
+ * the eye of what the cut leaves. */
 function extremesOf(scene, field, step, eye, cut) {
     const values = field.values[step], found = [], isCell = field.place === "cell";
     if (field.scale.constant || scene.isCurve || !["vertex", "cell"].includes(field.place))
         return found;
     const placeOf = i => isCell ? scene.center(i) : scene.point(i);
-    const nearness = i => isCell && !scene.isKept(i, cut) ? -Infinity : dot(eye, placeOf(i));
+    const isSeen = isCell ? i => scene.isKept(i, cut) : scene.seenVertices(cut);
+    const nearness = i => isSeen(i) ? dot(eye, placeOf(i)) : -Infinity;
     for (const [name, sign] of [["max", 1], ["min", -1]]) {
         const far = values.reduce((most, x) => sign * x > most ? sign * x : most, -Infinity); // not NaN
         const least = far - 1e-6 * Math.abs(far);

@@ -105,6 +105,14 @@ class Scene {
         return seen.subarray(0, size);
     }
 
+    /** Tells whether a vertex is at a triangle that the cut leaves to be seen. */
+    seenVertices(cut) {
+        const isSeen = new Uint8Array(this.points.length / 3);
+        for (const corner of this.seenCorners(cut))
+            isSeen[this.arrays.corners[corner]] = 1;
+        return vertex => isSeen[vertex] === 1;
+    }
+
     /** The coordinates of points that are seen. */
     seenPoints(cut) {
         if (!this.isSolid)

@@ -124,9 +124,12 @@ class Viewer {
             this.seen = seen;
             this.raise(look);
             this.renderer.show(this.field, look.step);
+            this.pickedText();
+        }
+        if (`${seen} ${look.cut}` !== this.marked) {
+            this.marked = `${seen} ${look.cut}`;
             this.extremes = this.field ? extremesOf(this.scene, this.field, look.step,
                 this.camera.axes[2], look.cut) : [];
-            this.pickedText();
         }
         this.camera.fill(this.scene, look.cut, width / height);
         const time = this.renderer.draw(this.camera, look, isCoarse);
