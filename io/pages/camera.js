@@ -41,10 +41,12 @@ class Camera {
         if (this.isMoved || this.filled === filled)
             return;
         this.filled = filled;
-        const points = scene.seenPoints(cut);
+        const {points} = scene, isSeen = scene.seenVertices(cut);
         const range = axis => {
             let low = Infinity, high = -Infinity;
             for (let i = 0; i < points.length; i += 3) {
+                if (!isSeen(i / 3))
+                    continue;
                 const x = axis[0] * points[i] + axis[1] * points[i + 1] + axis[2] * points[i + 2];
                 low = Math.min(low, x);
                 high = Math.max(high, x);

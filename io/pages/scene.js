@@ -105,20 +105,14 @@ class Scene {
         return seen.subarray(0, size);
     }
 
-    /** Tells whether a vertex is at a triangle that the cut leaves to be seen. */
+    /** Tells whether a vertex is at something that the cut leaves to be seen. */
     seenVertices(cut) {
+        if (!this.isSolid)
+            return () => true;
         const isSeen = new Uint8Array(this.points.length / 3);
         for (const corner of this.seenCorners(cut))
             isSeen[this.arrays.corners[corner]] = 1;
         return vertex => isSeen[vertex] === 1;
-    }
-
-    /** The coordinates of points that are seen. */
-    seenPoints(cut) {
-        if (!this.isSolid)
-            return this.points;
-        const seen = this.seenCorners(cut), {points, arrays: {corners}} = this;
-        return made(Float32Array, 3 * seen.length, i => points[3 * corners[seen[Math.floor(i / 3)]] + i % 3]);
     }
 
     /** The vertices at the true edges of a cell, ascending; linear time. */
