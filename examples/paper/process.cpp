@@ -154,14 +154,16 @@ int finish_output(int code) noexcept {
     return resource_failure;
 }
 
-/// Resident memory of the program in bytes; 0 if unknown. Allocates no memory.
-std::uint64_t resident() noexcept {
+/// Memory of the program in bytes, without the pages of files, such as code that is loaded when it
+/// is first used; 0 if unknown. Allocates no memory.
+std::uint64_t memory_in_use() noexcept {
     static const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
     char text[64] = "";
-    unsigned long long pages = 0;
-    if (::pread(file, text, sizeof text - 1, 0) <= 0 || std::sscanf(text, "%*u %llu", &pages) != 1)
+    unsigned long long resident = 0, of_files = 0;
+    if (::pread(file, text, sizeof text - 1, 0) <= 0 ||
+        std::sscanf(text, "%*u %llu %llu", &resident, &of_files) != 2 || resident < of_files)
         return 0;
-    return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+    return (resident - of_files) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
 /// Threads that wait by spinning take the time of other programs. OpenMP asks for this once, when
@@ -177,7 +179,7 @@ void wait_passively(char** argv) noexcept {
 } // namespace
 
 void hold_memory_limit() {
-    const std::uint64_t most = memory_limit(), before = resident();
+    const std::uint64_t most = memory_limit(), before = memory_in_use();
     *fmt::format_to_n(
          over_limit, sizeof over_limit - 1,
          "more than the {:.3g} MB of memory that may be used are needed: take fewer or "
@@ -189,7 +191,7 @@ void hold_memory_limit() {
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &held);
     std::thread([=] {
-        while (resident() <= before + most)
+        while (memory_in_use() <= before + most)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         is_over_limit = true;
         ::pthread_kill(main_thread, SIGXCPU);

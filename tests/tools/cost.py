@@ -58,9 +58,9 @@ class Cost(TestCase):
                         "--dimension 25", "1 .. 12")
 
     def test_reading_is_bounded(self):
-        self.write("long.off", "OFF\n3 1 0\n" + "#" * 2000000)
-        self.assertSays(self.refuse("info", "long.off", "--max-memory", "1M"), "long.off", "4 MB",
-                        "1 MB", "--max-memory")
+        self.write("long.off", "OFF\n3 1 0\n" + "#" * 20000000)
+        self.assertSays(self.refuse("info", "long.off", "--max-memory", "10M"), "long.off", "40 MB",
+                        "10 MB", "--max-memory")
 
     def test_a_spectrum_with_a_giant_count_is_refused(self):
         self.succeed("generate", "grid", "--nx", "200", "--ny", "200", "-o", "grid.nsc")
