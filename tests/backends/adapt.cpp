@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "backends/linear/adapt.h"
 
-#include "base/decompositions.h"
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
 #include "tests/support/says.h"
@@ -11,13 +10,6 @@
 
 namespace polydec::test::in_adapt {
 namespace {
-
-/// As little as an engine can be: no info(), no matrix type.
-struct DenseLu {
-    void compute(const SparseMatrix& A) { lu.compute(DenseMatrix(A)); }
-    DenseMatrix solve(const DenseMatrix& B) const { return lu.solve(B); }
-    Eigen::PartialPivLU<DenseMatrix> lu;
-};
 
 /// The broken twin: every solution is wrong in the fourth digit.
 struct WrongLu : DenseLu {

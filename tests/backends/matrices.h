@@ -3,6 +3,7 @@
 
 #include "backends/linear_solver.h"
 #include "backends/registry.h"
+#include "base/decompositions.h"
 #include "tests/support/refusal.h"
 
 #include <memory>
@@ -44,6 +45,13 @@ MatrixFacts general();
 
 /// Whether X solves A X = B: finite, |b - A x| <= 1e-9 |b| for each column.
 bool solves(const SparseMatrix& A, const DenseMatrix& X, const DenseMatrix& B);
+
+/// As little as an engine can be: no info(), no matrix type.
+struct DenseLu {
+    void compute(const SparseMatrix& A) { lu.compute(DenseMatrix(A)); }
+    DenseMatrix solve(const DenseMatrix& B) const { return lu.solve(B); }
+    Eigen::PartialPivLU<DenseMatrix> lu;
+};
 
 /// Number of negative eigenvalues by a dense eigensolver.
 Index negative_eigenvalues(const SparseMatrix& A);

@@ -6,7 +6,6 @@
 #include "tests/backends/matrices.h"
 #include "tests/support/says.h"
 
-#include <Eigen/SparseLU>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,8 +15,6 @@
 
 namespace polydec::test::in_registry {
 namespace {
-
-using ColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 
 EngineInfo info_of(const std::string& name) {
     for (const auto& engine : engines())
@@ -80,7 +77,7 @@ TEST(registry, unknown_names_are_answered_with_the_known_ones) {
 }
 
 TEST(registry, names_are_taken_once) {
-    const auto factory = adapt<Eigen::SparseLU<ColumnMatrix>>("registry.lu");
+    const auto factory = adapt<DenseLu>("registry.lu");
     register_linear_solver("registry.lu", factory);
     EXPECT_TRUE(
         says(message_of<InvalidInput>([&] { register_linear_solver("registry.lu", factory); }),
@@ -104,7 +101,7 @@ TEST(registry, threads_may_register_and_make_at_once) {
     for (int t = 0; t < 4; ++t)
         threads.emplace_back([t] {
             const std::string name = "registry.thread" + std::to_string(t);
-            register_linear_solver(name, adapt<Eigen::SparseLU<ColumnMatrix>>(name));
+            register_linear_solver(name, adapt<DenseLu>(name));
             for (int i = 0; i < 50; ++i)
                 make_linear_solver(name);
         });

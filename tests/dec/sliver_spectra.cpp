@@ -40,7 +40,7 @@ Vector exact_eigenvalues(int k) {
 
 /// All of them, in units of the edges; dual (3-k)-forms that vanish on the boundary have the same.
 Vector eigenvalues(const Discretization& mesh, int k) {
-    return dense_eigenvalues(mesh.complex(), mesh.stars(), k) / (m * m);
+    return extended_eigenvalues(mesh.complex(), mesh.stars(), k).cast<double>() / (m * m);
 }
 
 double relative_error(const Vector& found, const Vector& exact) {

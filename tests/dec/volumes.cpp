@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/geometry.h"
 #include "dec/metric/rounding.h"
 #include "dec/metric/simplex_metric.h"
+#include "tests/support/extended.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -192,8 +192,6 @@ TEST(Circumradii, of_more_vertices_than_a_simplex_can_have_are_refused) {
     EXPECT_FALSE(Circumsphere(plane).look_at(std::vector<Index>{0, 1, 2, 3}));
 }
 
-using Long = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-
 /// How many times its bound the worst circumcenter of random simplices is off over a facet. The
 /// reference solves with the Gram matrix and eleven bits more.
 double worst_rounding(int k, int N) {
@@ -210,11 +208,11 @@ double worst_rounding(int k, int N) {
         constexpr double double_digits = 2; // of what is done with more, growth is nearly 1
         if (!sphere.look_at(corners) || sphere.rounding().growth < double_digits)
             continue;
-        const Long edges =
+        const Extended edges =
             points.bottomRows(k).cast<long double>().rowwise() - points.row(0).cast<long double>();
-        const Long gram = edges * edges.transpose();
-        const Long inverse = gram.fullPivLu().inverse();
-        const Long exact = inverse * gram.diagonal() / 2;
+        const Extended gram = edges * edges.transpose();
+        const Extended inverse = solve_extended(gram, Extended::Identity(k, k)).X;
+        const Extended exact = inverse * gram.diagonal() / 2;
         for (int i = 0; i < k; ++i) {
             const long double altitude = 1 / std::sqrt(inverse(i, i));
             const auto height = static_cast<double>(exact(i) * altitude);

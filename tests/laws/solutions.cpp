@@ -3,11 +3,10 @@
 #include "solvers/sources/poisson.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/laws/over_hostile_meshes.h"
+#include "tests/support/extended.h"
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,10 +15,6 @@
 
 namespace polydec::test::in_solutions {
 namespace {
-
-/// Dense, with eleven bits more than what is tested.
-using Extended = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-using ExtendedVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
 constexpr long double extended_rounding = std::numeric_limits<long double>::epsilon();
 
@@ -55,10 +50,9 @@ struct DenseSpectrum {
 DenseSpectrum dense_spectrum(const Discretization& mesh, int k) {
     const ExtendedVector scaling = extended_star(mesh.volumes(), k).cwiseSqrt().cwiseInverse();
     const Extended B = scaling.asDiagonal() * dense_laplacian(mesh, k) * scaling.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Extended> solver((B + B.transpose()) / 2,
-                                                         Eigen::EigenvaluesOnly);
-    return {solver.eigenvalues(), static_cast<long double>(B.rows() * mesh.dimension()) * 16 *
-                                      extended_rounding * B.norm()};
+    return {extended_eigenvalues(Extended((B + B.transpose()) / 2)),
+            static_cast<long double>(B.rows() * mesh.dimension()) * 16 * extended_rounding *
+                B.norm()};
 }
 
 /// Whether each of the smallest eigenvalues lies within its radius, shrunk by the factor.
@@ -124,9 +118,9 @@ DensePoisson dense_poisson(const Discretization& mesh, const Vector& f) {
     DensePoisson result{ExtendedVector::Zero(complex.size(0)), 1};
     if (inside.empty())
         return result;
-    const Eigen::FullPivLU<Extended> lu(interior);
-    result.condition = 1 / std::max(lu.rcond(), extended_rounding);
-    result.solution(inside) = lu.solve(load(inside));
+    const auto found = solve_extended(interior, load(inside));
+    result.condition = 1 / std::max(found.reciprocal_condition, extended_rounding);
+    result.solution(inside) = found.X;
     return result;
 }
 

@@ -47,7 +47,7 @@ Distances distances(const Points& points, const std::vector<Index>& polygon) {
     DenseMatrix A(p, 3);
     A << 2.0 * in_plane, Vector::Ones(p);
     const Vector squares = in_plane.rowwise().squaredNorm();
-    const Vector circle = A.colPivHouseholderQr().solve(squares);
+    const Vector circle = least_squares(A, squares).shortest;
     return {points.cols() == 2 ? 0.0 : (X * axes.eigenvectors().col(0)).norm() / std::sqrt(p),
             (A * circle - squares).cwiseAbs().maxCoeff() / (2.0 * std::sqrt(squares.mean()))};
 }

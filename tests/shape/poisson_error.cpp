@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shape/poisson_error.h"
 
+#include "base/decompositions.h"
 #include "dec/fields/cell_centers.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"

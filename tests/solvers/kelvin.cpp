@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Kelvin's theorem: without viscosity the circulation around a loop that the flow carries is kept.
+#include "base/decompositions.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/flat_and_sharp.h"
 #include "tests/solvers/flow_samples.h"
 #include "tests/support/circumcentric.h"
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ public:
                     M += weight * terms * terms.transpose();
                     b += weight * terms * values.row(i).leftCols<2>();
                 }
-        return M.ldlt().solve(b).row(0);
+        return Eigen::LLT<DenseMatrix>(M).solve(DenseMatrix(b)).row(0);
     }
 
 private:

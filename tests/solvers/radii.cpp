@@ -22,8 +22,6 @@
 namespace polydec::test::in_radii {
 namespace {
 
-using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
-
 struct Complex {
     SimplicialComplex complex;
     CellVolumes volumes;
@@ -59,7 +57,7 @@ std::vector<Mesh> hostile_meshes() {
 
 struct Found {
     Spectrum spectrum;
-    LongVector exact;     ///< all eigenvalues, in more digits than a double has
+    ExtendedVector exact; ///< all eigenvalues, in more digits than a double has
     long double rounding; ///< of these
 };
 
@@ -73,7 +71,7 @@ const std::vector<Found>& hostile_spectra() {
             for (int k = 0; k <= n; ++k) {
                 if (!cells.has_spectrum(k))
                     continue;
-                const auto exact = dense_eigenvalues<long double>(cells.complex, cells.volumes, k);
+                const auto exact = extended_eigenvalues(cells.complex, cells.volumes, k);
                 for (const Side side : {Side::primal, Side::dual}) {
                     if (side == Side::dual && k == n && branches(cells.complex))
                         continue;
@@ -148,8 +146,7 @@ TEST(StarOfEdges, with_one_too_short_is_refused_or_right) {
         try {
             const auto found =
                 spectrum({{cells.complex, cells.volumes}, Side::primal, k}, {.count = 4});
-            const LongVector exact =
-                dense_eigenvalues<long double>(cells.complex, cells.volumes, k);
+            const ExtendedVector exact = extended_eigenvalues(cells.complex, cells.volumes, k);
             for (Index i = 0; i < 4; ++i) {
                 EXPECT_LE(std::abs(found.eigenvalues[i] - exact[i]),
                           found.radii[i] + 1e-17L * exact.maxCoeff());

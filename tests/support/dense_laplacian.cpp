@@ -2,6 +2,30 @@
 #include "tests/support/dense_laplacian.h"
 
 namespace polydec::test {
+namespace {
+
+DenseMatrix dense_star(const HodgeStars& stars, int k) {
+    return DenseMatrix(stars[k].matrix());
+}
+
+/// star_k Delta_k with every star a dense matrix.
+Extended dense_laplacian(const CellComplex& complex, const HodgeStars& stars, int k) {
+    using Incidence = Eigen::SparseMatrix<long double>;
+    const auto star = [&](int j) { return Extended(dense_star(stars, j).cast<long double>()); };
+    Extended A = Extended::Zero(complex.size(k), complex.size(k));
+    if (k < complex.dimension()) {
+        const Incidence d = derivative(complex, k).cast<long double>();
+        A += d.transpose() * Extended(star(k + 1) * d);
+    }
+    if (k > 0) {
+        const Incidence d = derivative(complex, k - 1).cast<long double>();
+        const Extended B = star(k) * d;
+        A += B * solve_extended(star(k - 1), B.transpose()).X; // also where it is not positive
+    }
+    return A;
+}
+
+} // namespace
 
 Vector dense_laplacian_of(const CellComplex& complex, const HodgeStars& stars, int k,
                           const Vector& form) {
@@ -29,12 +53,9 @@ Vector dense_values(const DenseMatrix& A, const DenseMatrix& M) {
         .eigenvalues();
 }
 
-template DenseOf<double> dense_laplacian<double>(const CellComplex&, const HodgeStars&, int);
-template DenseOf<long double> dense_laplacian<long double>(const CellComplex&, const HodgeStars&,
-                                                           int);
-template Eigen::Matrix<double, Eigen::Dynamic, 1> dense_eigenvalues<double>(const CellComplex&,
-                                                                            const HodgeStars&, int);
-template Eigen::Matrix<long double, Eigen::Dynamic, 1>
-dense_eigenvalues<long double>(const CellComplex&, const HodgeStars&, int);
+ExtendedVector extended_eigenvalues(const CellComplex& complex, const HodgeStars& stars, int k) {
+    return extended_eigenvalues(dense_laplacian(complex, stars, k),
+                                dense_star(stars, k).cast<long double>());
+}
 
 } // namespace polydec::test
