@@ -97,13 +97,13 @@ def complaints_about(html):
     on_telephone = functools.partial(
         wide_pages, pages=[page for page in pages if not page.startswith("_static/")])
     complaints = []
+    wide, narrow = (1200, (wrong_hits, lost_formulas)), (NARROW, (on_telephone,))
     with served(html) as address:
-        for base in (f"file://{html}", address):
-            for width, checks in ((1200, (wrong_hits, lost_formulas)), (NARROW, (on_telephone,))):
-                with Browser(width=width) as browser:
-                    complaints += [f"{base}: {each}" for check in checks
-                                   for each in check(browser, base)]
-                    complaints += [
-                        f"{base}: asks for {url}" for url in sorted(set(browser.requests()))
-                        if not url.startswith((base, "data:", "blob:", "about:"))]
+        for base, width, checks in ((f"file://{html}", *wide), (address, *wide),
+                                    (f"file://{html}", *narrow)):
+            with Browser(width=width) as browser:
+                complaints += [f"{base}: {each}" for check in checks
+                               for each in check(browser, base)]
+                complaints += [f"{base}: asks for {url}" for url in sorted(set(browser.requests()))
+                               if not url.startswith((base, "data:", "blob:", "about:"))]
     return complaints
