@@ -114,11 +114,12 @@ function arrowSpots(scene, sites) {
     return {chosen, places, ...roomsAt(scene, places, distance)};
 }
 
-/** Each from tail to tip by its vector: as long as its room at the longest vector, or shorter. */
+/** Each from tail to tip by its vector: as long as its room at the longest vector, or shorter, by
+    the square root as in still.cpp, so that one long vector does not hide all others. */
 function arrowsAt(spots, vectors, most) {
     return spots.chosen.map((row, i) => {
         const vector = [0, 1, 2].map(c => vectors[3 * row + c]), size = Math.hypot(...vector);
-        const length = Math.min(spots.length * size / (most || 1), spots.rooms[i]);
+        const length = Math.min(spots.length * Math.sqrt(size / (most || 1)), spots.rooms[i]);
         return [spots.places[i], vector.map(x => size ? x / size * length : 0)];
     });
 }

@@ -8,6 +8,10 @@ function roundLength(most) {
     return [5, 2, 1].find(n => n * power <= most * (1 + 1e-9)) * power;
 }
 
+/** Parts of the largest value: values within the first are equal, since a page has 7 digits of them;
+ * below the second, a value is what rounding leaves of 0. */
+const equalWithin = 1e-6, nothingBelow = 1e-9;
+
 /** Where values of a step are extreme: the largest, and the smallest if it is below 0 by more than
  * rounding; with the place of the vertex, or the middle of the cell. Of equal ones, that nearest to
  * the eye of what the cut leaves. */
@@ -20,18 +24,21 @@ function extremesOf(scene, field, step, eye, cut) {
     const nearness = i => isSeen(i) ? dot(eye, placeOf(i)) : -Infinity;
     for (const [name, sign] of [["max", 1], ["min", -1]]) {
         const far = values.reduce((most, x) => sign * x > most ? sign * x : most, -Infinity); // not NaN
-        const least = far - 1e-6 * Math.abs(far);
+        const least = far - equalWithin * Math.abs(far);
         let best = -1, nearest = -Infinity;
         for (let i = 0; i < values.length; ++i)
             if (sign * values[i] >= least && (best < 0 || nearness(i) > nearest)) {
                 best = i;
                 nearest = nearness(i);
             }
-        if (best >= 0 && (sign > 0 || far > -1e-9 * field.low))
+        if (best >= 0 && (sign > 0 || far > -nothingBelow * field.low))
             found.push({name, value: values[best], place: placeOf(best), cell: isCell ? best : -1});
     }
     return found;
 }
+
+/** Of a mark, in the page's pixels: its ring, where its words begin, and how high a line of them is. */
+const ringRadius = 6, wordsFrom = 2 * ringRadius, lineHeight = 18;
 
 class Overlay {
     /** On a 2D canvas of as many of its pixels as the picture, each of this part of the page's. */
@@ -107,7 +114,7 @@ class Overlay {
     mark({name, value, at, isHidden}, others) {
         const {draw} = this, words = `${name} ${numberText(value, 4)}${isHidden ? " (behind)" : ""}`;
         draw.beginPath();
-        draw.arc(...at, 6, 0, 7);
+        draw.arc(...at, ringRadius, 0, 7);
         draw.setLineDash(isHidden ? [2, 4] : []);
         for (const [style, wide] of [[this.colors.ground, isHidden ? 0 : 5], [this.colors.text, 2]]) {
             draw.strokeStyle = style;
@@ -116,10 +123,10 @@ class Overlay {
                 draw.stroke();
         }
         draw.setLineDash([]);
-        const reach = 22 + draw.measureText(words).width;
+        const reach = wordsFrom + draw.measureText(words).width + ringRadius;
         const isLeft = at[0] + reach > this.width || others.some(
-            other => Math.abs(other[1] - at[1]) < 18 && other[0] >= at[0] && other[0] < at[0] + reach);
-        this.text(words, at[0] + (isLeft ? -12 : 12), at[1], isLeft ? "right" : "left");
+            other => Math.abs(other[1] - at[1]) < lineHeight && other[0] >= at[0] && other[0] < at[0] + reach);
+        this.text(words, at[0] + (isLeft ? -wordsFrom : wordsFrom), at[1], isLeft ? "right" : "left");
     }
 }
 

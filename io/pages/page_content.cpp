@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace polydec {
 
@@ -22,6 +24,12 @@ using Place = Eigen::Vector3d;
 SolidView turned(SolidView view) {
     const Place up = view.up, eye = view.eye;
     view.eye = up.dot(eye) * up + up.cross(eye);
+    return view;
+}
+
+SolidView from_below(SolidView view) {
+    const Place up = view.up, eye = view.eye;
+    view.eye = eye - 2 * up.dot(eye) * up;
     return view;
 }
 
@@ -41,7 +49,8 @@ Vector heights_of_cells(const PageFaces& faces, const Points& points, int side) 
 
 class Opener {
 public:
-    static constexpr double nearly = 0.95; // as large as the largest
+    static constexpr double nearly = 0.95;  // as large as the largest
+    static constexpr double clearly = 1.25; // wider, so that rounding decides nothing
 
     explicit Opener(const PageContent& content)
         : page_(content.page),
@@ -63,8 +72,7 @@ public:
 
     /// How many places are seen on paths or, without any, where the field has this part of its
     /// largest value.
-    std::ptrdiff_t count_seen(const SolidView& view, const PageFaces& surface,
-                              double part = nearly) const {
+    std::ptrdiff_t count_seen(const SolidView& view, const PageFaces& surface, double part) const {
         constexpr int width = 320, height = 200;
         const Projection project(view, points_, surface.corners, {0, 0, width, height});
         SurfacePainter painter(width, height, {}, {});
@@ -110,7 +118,70 @@ public:
         return part < 1 ? static_cast<int>(std::ceil(100 * part)) : 100;
     }
 
+    /// Of views from all sides, the first that shows most of the paths or the field's largest
+    /// value, or else one that is nearly as large; from below if none from above does. Nothing:
+    /// none does.
+    std::optional<SolidView> view_around(const SolidView& front) const {
+        const PageFaces whole = faces_.visible(std::vector(faces_.count_cells(), true));
+        std::optional<SolidView> best;
+        std::ptrdiff_t most = 0;
+        for (const SolidView& first : {front, from_below(front)})
+            for (const double part : {1.0, nearly}) {
+                SolidView view = first;
+                for (int turns = 0; turns < 4 && (most == 0 || has_paths()); ++turns) {
+                    if (const auto seen = count_seen(view, whole, part); seen > most) {
+                        best = view;
+                        most = seen;
+                    }
+                    view = turned(view);
+                }
+                if (best)
+                    return best;
+            }
+        return best;
+    }
+
+    struct Cut {
+        Opening opening;
+        bool shows_largest;
+        double area; ///< opened, as the eye sees it
+    };
+
+    /// A cut in half across an axis, towards the eye, or, if the field's largest value is not seen
+    /// there, through it; of a field with vectors always in the middle part.
+    Cut cut(Opening opening, int axis) const {
+        opening.side = opening.view.eye[axis] < 0 ? axis + 3 : axis;
+        opening.percent = 50;
+        bool shows_largest = sees_largest(opening);
+        if (!shows_largest) {
+            opening.percent = percent_of_largest(opening.side);
+            if (shown_.has_vectors())
+                opening.percent = std::clamp(opening.percent, 30, 70);
+            shows_largest = sees_largest(opening);
+        }
+        return {opening, shows_largest, area_opened_by(opening)};
+    }
+
 private:
+    bool sees_largest(const Opening& opening) const {
+        return count_seen(opening.view, faces_.visible(opening.kept(faces_, points_)), nearly) > 0;
+    }
+
+    /// How much of the faces that only a cut shows the eye sees.
+    double area_opened_by(const Opening& cut) const {
+        const auto kept = cut.kept(faces_, points_);
+        const auto corner = [&](Index i) { return Place(points_.row(faces_.corners[i])); };
+        double sum = 0;
+        for (Index t = 0; t < faces_.size(); ++t) {
+            const auto [cell, other] = faces_.owners[t];
+            if (cell < 0 || other < 0 || kept[cell] == kept[other])
+                continue;
+            const Place p = corner(3 * t), q = corner(3 * t + 1) - p, r = corner(3 * t + 2) - p;
+            sum += std::abs(q.cross(r).dot(Place(cut.view.eye))) / 2;
+        }
+        return sum;
+    }
+
     bool is_large(Index entry, double part = nearly) const {
         return entry >= 0 && numbers_[entry] >= part * largest_;
     }
@@ -136,26 +207,20 @@ Opening opening_of(const PageContent& content) {
     const Opener opener(content);
     if (!opener.has_numbers())
         return opening;
-    const bool is_inside = is_solid && content.shown.has_vectors(); // most of them are
-    const PageFaces whole = faces.visible(opening.kept(faces, points));
-    SolidView view = opening.view;
-    std::ptrdiff_t most = 0; // of paths; of a field one place will do, best its largest
-    for (const double part : {1.0, Opener::nearly})
-        for (int turns = 0; turns < 4 && !is_inside; ++turns, view = turned(view))
-            if (const auto seen =
-                    most == 0 || opener.has_paths() ? opener.count_seen(view, whole, part) : 0;
-                seen > most) {
-                opening.view = view;
-                most = seen;
-            }
-    if (!is_solid || most > 0)
-        return opening;
-    opening.percent = 50;
-    if (opener.count_seen(opening.view, faces.visible(opening.kept(faces, points))) == 0)
-        opening.percent = opener.percent_of_largest(opening.side);
-    if (is_inside)
-        opening.percent = std::clamp(opening.percent, 30, 70);
-    return opening;
+    if (!is_solid || !content.shown.has_vectors()) { // vectors of solids are inside, most of them
+        const auto view = opener.view_around(opening.view);
+        if (view)
+            opening.view = *view;
+        if (view || !is_solid)
+            return opening;
+    }
+    Opener::Cut best = opener.cut(opening, opening.side % 3);
+    for (const int turn : {1, 2}) {
+        const auto other = opener.cut(opening, (opening.side + turn) % 3);
+        if (other.shows_largest >= best.shows_largest && other.area > Opener::clearly * best.area)
+            best = other;
+    }
+    return best.opening;
 }
 
 } // namespace

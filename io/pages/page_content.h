@@ -26,8 +26,10 @@ Points in_space(const Points& points);
 
 /// What a page shows: the faces of its mesh or else of its grid, and all its fields; and how it
 /// opens. Of four views around the axis it takes the one that shows most of its paths; without any,
-/// the first that shows where the field is largest, or else nearly as large. If none does, a solid
-/// is cut in half, or through such a place; solids with vectors always are, in their middle part.
+/// the first that shows where the field is largest, or else nearly as large; from below if none
+/// from above does. If none does at all, a solid is cut in half, or through such a place; solids
+/// with vectors always are, in their middle part. Of the cuts that the eye sees, it is the one in
+/// front or else one that opens clearly more.
 struct PageContent {
     /// Throws InvalidInput like check_grid, page_faces and page_fields. The page must outlive this.
     explicit PageContent(const Page& page);

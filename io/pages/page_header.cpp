@@ -194,10 +194,14 @@ private:
     void add_values(const std::string& name, const VtuArray& array) {
         if (const auto* whole = std::get_if<std::vector<Index>>(&array.values))
             return data_.add(name, *whole, array.components);
+        add_reals(name, rows_of(array));
+    }
+
+    void add_reals(const std::string& name, const DenseMatrix& rows) {
         if (is_rounded_)
-            data_.add_rounded(name, rows_of(array), 16);
+            data_.add_rounded(name, rows, 16);
         else
-            data_.add_floats(name, rows_of(array));
+            data_.add_floats(name, rows);
     }
 
     std::string steps() const {
@@ -216,11 +220,11 @@ private:
                              centered(some_vectors(arrows, arrows.sites, stride)));
             const bool moves = has_moving_arrows(page_);
             if (!moves)
-                data_.add_floats(fmt::format("vectors{}", i),
-                                 some_vectors(arrows, arrows.vectors, stride));
+                add_reals(fmt::format("vectors{}", i),
+                          some_vectors(arrows, arrows.vectors, stride));
             for (std::size_t s = 0; s < page_.steps.size() && moves; ++s)
-                data_.add_floats(fmt::format("vectors{}.{}", i, s),
-                                 some_vectors(arrows, page_.steps[s].vectors[i], stride));
+                add_reals(fmt::format("vectors{}.{}", i, s),
+                          some_vectors(arrows, page_.steps[s].vectors[i], stride));
             arrows_.push_back(fmt::format("{{\"field\":{},\"stride\":{}{}{}}}",
                                           json_text(arrows.field), stride, add_sizes(i),
                                           arrows.is_path() ? ",\"lines_alone\":true" : ""));

@@ -59,6 +59,11 @@ TEST(Openings, AreFromASideWhereTheLargestValueIsSeen) {
     }
 }
 
+TEST(Openings, AreFromBelowWhereNothingElseShowsTheLargestValue) {
+    const auto sphere = circumcentric(icosphere(3));
+    EXPECT_LT(opened(sphere, Side::primal, hump({0, 0, -1})).opening.view.eye[2], 0);
+}
+
 TEST(Openings, PreferTheLargestValueToOneNearlyAsLarge) {
     const auto sphere = circumcentric(icosphere(3));
     const auto front = hump({0, -1, 0}), back = hump({0, 1, 0});
@@ -130,6 +135,18 @@ TEST(Openings, CutSolidsWithVectorsInTheirMiddlePart) {
         const Opened found(draw_page(cube, {NamedForm{"v", Side::primal, vectors}}));
         EXPECT_GE(found.opening.percent, 30);
         EXPECT_LE(found.opening.percent, 70);
+    }
+}
+
+/// A plate that lies down is cut from above, one that stands from the front.
+TEST(Openings, CutSolidsWhereThatShowsClearlyMost) {
+    for (const bool lies : {true, false}) {
+        Mesh plate = kuhn(3, 4);
+        plate.points.col(lies ? 2 : 1) *= 0.2;
+        const auto mesh = circumcentric(plate);
+        const DenseMatrix vectors = DenseMatrix::Ones(mesh.complex().size(0), 3);
+        const Opened found(draw_page(mesh, {NamedForm{"v", Side::primal, vectors}}));
+        EXPECT_EQ(found.opening.side, lies ? 2 : 4);
     }
 }
 
