@@ -196,10 +196,12 @@ class Viewer {
         const {width, height} = this.canvas, {camera, scene} = this, canvas = element("overlay");
         const overlay = new Overlay(canvas, width, height, this.pixel, this.inks);
         overlay.cross(camera, ["x", "y", "z"]);
-        Object.assign(canvas.dataset, overlay.bar(scene, camera, scene.header.unit));
+        const marks = look.marks
+            ? this.extremes.map(each => ({...each, at: overlay.at(each.place, camera)})) : [];
+        const places = marks.map(mark => mark.at);
+        Object.assign(canvas.dataset, overlay.bar(scene, camera, scene.header.unit, places));
         if (!look.marks)
             return;
-        const marks = this.extremes.map(each => ({...each, at: overlay.at(each.place, camera)}));
         for (const mark of marks)
             overlay.mark(mark, marks.filter(other => other !== mark).map(other => other.at));
         canvas.dataset.marks = JSON.stringify(marks);
