@@ -31,7 +31,7 @@ function extremesOf(scene, field, step, eye, cut) {
                 best = i;
                 nearest = nearness(i);
             }
-        if (best >= 0 && (sign > 0 || far > -nothingBelow * field.low))
+        if (best >= 0 && (sign > 0 || far > nothingBelow * Math.max(field.high, -field.low)))
             found.push({name, value: values[best], place: placeOf(best), cell: isCell ? best : -1});
     }
     return found;

@@ -292,6 +292,13 @@ class Look(TestCase):
         found = tab.click(*map(round, mark["at"]))
         self.assertAlmostEqual(found["value"], max(values), delta=1e-6 * max(values))
 
+    def test_a_smallest_value_that_is_rounding_has_no_mark(self):
+        for least, names in (("1e-18", ["max"]), ("1e-2", ["max", "min"])):
+            self.page("heat", golden("grid4.nsc"), "--side", "primal", "--until", "1e-9",
+                      "--initial", f"x-{least}*(x<0.1)")
+            self.browser.set(step=0)
+            self.assertEqual([mark["name"] for mark in self.marks()], names)
+
     def parts_filled(self):
         """Of the picture's width and height, by what is drawn."""
         return self.browser.run("""
