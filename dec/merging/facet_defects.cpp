@@ -46,7 +46,7 @@ class FacetSizes {
 public:
     explicit FacetSizes(const Geometry& geometry)
         : k_(geometry.pieces().dimension() - 1),
-          spheres_(geometry.pieces(), geometry.metric(), k_),
+          layout_(geometry.pieces(), geometry.metric()),
           facets_(geometry.volumes().primal(k_)),
           sides_(geometry.volumes().primal(k_ - 1)),
           edges_(geometry.volumes().primal(1)) {
@@ -54,7 +54,10 @@ public:
             faces_.push_back(geometry.pieces().faces(k));
     }
 
-    double operator[](Index f) { return 2 * spheres_[f].radius(); }
+    double operator[](Index f) {
+        sphere_.look_at(layout_, k_, f);
+        return 2 * sphere_.radius();
+    }
 
     /// An upper bound, faster. Seen from a corner, the center is the sum over the others of half
     /// their squared distance times the gradient of their barycentric coordinate, the inverse
@@ -86,7 +89,8 @@ private:
     }
 
     int k_;
-    Circumspheres spheres_;
+    SimplexLayout layout_;
+    Circumsphere sphere_;
     const Vector &facets_, &sides_, &edges_; // volumes
     std::vector<FaceTable> faces_;           // of degrees 1, ..
     std::vector<Index> within_, below_;

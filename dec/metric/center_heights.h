@@ -14,6 +14,10 @@ public:
     /// Whether the centers of k-simplices are known without a sphere; such simplices may be flat.
     bool know(int k) const { return kind_ == Kind::of_cells && k == given_->front().cols() - 1; }
 
+    bool are_circumcenters(int k) const {
+        return kind_ == Kind::circumcenters || (kind_ == Kind::of_cells && !know(k));
+    }
+
     /// Signed distance from the facet without corner i to the center of k-simplex s, positive
     /// towards that corner, times the volume of the facet. The sphere must have looked at s.
     double moment(int k, Index s, int i, const Circumsphere& sphere) const {
@@ -30,7 +34,7 @@ public:
         if (know(k))
             return {&given_->front()(s, 0), 1};
         const double factor = k * sphere.volume();
-        return kind_ == Kind::circumcenters || kind_ == Kind::of_cells
+        return are_circumcenters(k)
                    ? Moments{sphere.barycentric(), factor}
                    : Moments{&(*given_)[k](kind_ == Kind::centroids ? 0 : s, 0), factor};
     }
@@ -63,8 +67,7 @@ private:
     HeightTerms terms(int k, Index s, const HeightTerms& of_sphere, int column) const {
         if (know(k))
             return {given_->back()(s, column), given_->back()(s, column + 1)};
-        const bool moves = kind_ == Kind::circumcenters || kind_ == Kind::of_cells;
-        return moves ? of_sphere : HeightTerms{of_sphere.growth, 0};
+        return are_circumcenters(k) ? of_sphere : HeightTerms{of_sphere.growth, 0};
     }
     double shared_coordinate(Index s, int i) const;
 

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "base/checks.h"
-#include "base/errors.h"
 #include "base/parallel.h"
 #include "base/prefetch.h"
 #include "dec/metric/center_heights.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/geometry.h"
 #include "dec/metric/rounding.h"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include "dec/metric/usable_volumes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -21,92 +19,70 @@ namespace polydec {
 
 namespace {
 
-void check_points(const Pieces& complex, const Points& points) {
-    require_straight(complex, points, "a volume");
-    if (points.cols() < complex.dimension())
-        throw InvalidInput(fmt::format("simplices of dimension {} do not fit into {} coordinates",
-                                       complex.dimension(), points.cols()));
-    for (Index v = 0; v < points.rows(); ++v)
-        if (!points.row(v).allFinite())
-            throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite",
-                                           complex.vertex_number(v)),
-                               {.vertices = {complex.vertex_number(v)}});
-}
-
-void check_metric(const Pieces& complex, const SimplexMetric& metric) {
-    if (metric.points() != nullptr)
-        check_points(complex, *metric.points());
-    else if (metric.lengths()->size() != complex.size(1))
-        throw InvalidInput(fmt::format("a metric of {} lengths is given: expected one for each of "
-                                       "the {} edges of the complex",
-                                       metric.lengths()->size(), complex.size(1)));
-}
-
-/// Products of a few volumes must neither overflow nor underflow.
-bool is_moderate(double volume) {
-    constexpr double largest = 1e100;
-    return volume < largest && volume > 1 / largest;
-}
-
-/// The largest coordinate difference between two corners.
-double largest_extent(const Corners& corners) {
-    double extent = 0;
-    for (Eigen::Index c = 0; c < corners.points.cols(); ++c) {
-        double least = corners.points(corners.vertices[0], c), most = least;
-        for (const Index v : corners.vertices) {
-            least = std::min(least, corners.points(v, c));
-            most = std::max(most, corners.points(v, c));
-        }
-        extent = std::max(extent, most - least);
-    }
-    return extent;
-}
-
-/// Names the simplex of least dimension, among t and its faces, whose volume is unusable.
-[[noreturn]] void refuse(const Pieces& complex, const SimplexMetric& metric, int k, Index t) {
-    SimplexLayout layout(complex, metric);
-    Circumsphere sphere;
-    for (int m = 1; m < k; ++m)
-        for (Index s = 0; s < complex.size(m); ++s)
-            if (!sphere.look_at(layout.at(m, s)) || !is_moderate(sphere.volume()))
-                refuse(complex, metric, m, s);
-    const auto list = complex.vertex_numbers(k, t);
-    const Error::Place place{.degree = k, .cells = {t}, .vertices = list};
-    const bool has_volume = sphere.look_at(layout.at(k, t));
-    const double length = k > 0 ? largest_extent(layout.at(k, t)) : 1;
-    if (has_volume || (length > 0 && !is_moderate(length)))
-        throw InvalidInput(
-            fmt::format("the {}-simplex with vertices {} has edges of about {:.3g} and volume "
-                        "{:.3g}: products of such numbers overflow or underflow; scale the mesh to "
-                        "a size nearer to 1, or remove its extremely small cells",
-                        k, fmt::join(list, ", "), length, sphere.volume()),
-            place);
-    if (metric.lengths() != nullptr)
-        throw InvalidInput(flaw_of_lengths(complex, metric, k, t), place);
-    throw InvalidInput(
-        fmt::format("the {}-simplex with vertices {} has no volume: remove it or move a vertex", k,
-                    fmt::join(list, ", ")),
-        place);
-}
-
 /// Sum that a simplex collects from its cofaces, or passes to its faces: its dual volume, and the
 /// scale of the volume's errors, from uncertain input and from rounding. Terms still to be divided
 /// by the simplex's own volume are separate from other terms.
-struct Sum {
-    double dual = 0;
-    Pack products = 0, shifts = 0;
+template <class Number>
+struct SumOf {
+    Number dual = 0;
+    std::array<Number, 2> products{}, shifts{};
 
     /// For a simplex with this volume, a fraction of the sum handed to it.
-    Sum divided(double volume, double part) const {
-        const double quotient = part / volume;
-        return {quotient * dual, quotient * products + part * shifts, 0};
+    SumOf divided(const Number& volume, double part) const {
+        const Number quotient = part / volume;
+        return {
+            quotient * dual,
+            {quotient * products[0] + part * shifts[0], quotient * products[1] + part * shifts[1]},
+            {}};
     }
+};
+using Sum = SumOf<double>;
+
+/// The sums of two simplices, one in each lane.
+SumOf<Pack> packed(const Sum& a, const Sum& b) {
+    return {{a.dual, b.dual},
+            {Pack(a.products[0], b.products[0]), Pack(a.products[1], b.products[1])},
+            {Pack(a.shifts[0], b.shifts[0]), Pack(a.shifts[1], b.shifts[1])}};
+}
+
+Sum lane_of(const SumOf<Pack>& sums, int l) {
+    return {sums.dual[l],
+            {sums.products[0][l], sums.products[1][l]},
+            {sums.shifts[0][l], sums.shifts[1][l]}};
+}
+
+void increase(std::array<double, 2>& sums, const Pack& more) {
+    put(Pack::from(sums.data()) + more, sums.data());
+}
+
+/// Consecutive k-simplices and what they hand to their faces: a sum each, and for each corner the
+/// factor of its dual and products.
+struct Batch {
+    Batch(int k, Index most)
+        : shares(static_cast<std::size_t>(most)), numbers(std::size_t(most) * (k + 1)) {}
+
+    Index first = 0, count = 0;
+    std::vector<Sum> shares;
+    std::vector<double> numbers;
+};
+
+/// How certain a simplex's heights and volume are.
+template <class Number>
+struct Terms {
+    HeightTermsOf<Number> uncertain, rounded;
+    Number volume_growth;
 };
 
 /// A volume below everything that rounding leaves of the last digits of the corners.
 double least_volume(const Corners& corners) {
     const auto k = static_cast<double>(corners.vertices.size()) - 1;
     return std::numeric_limits<double>::epsilon() / 64 * std::pow(largest_extent(corners), k);
+}
+
+int exponent_of_lengths(const SimplexMetric& metric) {
+    const double largest = metric.points() ? metric.points()->lpNorm<Eigen::Infinity>()
+                                           : metric.lengths()->lpNorm<Eigen::Infinity>();
+    return largest > 0 ? std::ilogb(largest) : 0;
 }
 
 /// Descends by degree: a k-simplex t hands h(s, t) V(t) to its face s, with h(s, t) = barycentric
@@ -116,15 +92,31 @@ class Descent {
 public:
     Descent(const Pieces& complex, const SimplexMetric& metric, const Centers& centers,
             FlatSimplices flat)
-        : complex_(complex), metric_(metric), centers_(centers), flat_(flat) {}
+        : complex_(complex),
+          metric_(metric),
+          centers_(centers),
+          flat_(flat),
+          exponent_(exponent_of_lengths(metric)) {}
 
     CellVolumes run();
 
 private:
-    /// Computes the volumes of k-simplices first .. last - 1, and what they hand to their faces:
-    /// one sum each, and per corner the factors of its dual and products.
-    void measure(int k, Index first, Index last, Sum* share, double* numbers);
+    template <int k_fixed, int N_fixed>
     void hand_down(int k);
+
+    template <int k_fixed>
+    void add(int k, const Batch& batch, std::vector<Sum>& below);
+
+    /// Computes the volumes of the simplices begin .. end - 1 of a batch, and their shares.
+    template <int k_fixed, int N_fixed>
+    void measure(int k, Batch& batch, Index begin, Index end);
+    void measure_one(int k, Index t, const Circumsphere& sphere, Sum* share, double* numbers);
+    template <int k_fixed, int N_fixed>
+    bool measure_two(int k, Index t, Pack* room, Sum* share, double* numbers);
+    template <class Number>
+    SumOf<Number> settle(int k, Index t, const Number& volume, const SumOf<Number>& own,
+                         const Terms<Number>& terms, const Number& factor);
+    double part(int k) const { return 1.0 / (complex_.dimension() - k); }
     void make_room(int k);
     void keep(int k);
 
@@ -134,96 +126,184 @@ private:
     FlatSimplices flat_;
     std::vector<Values> primal_, dual_;
     std::vector<Bounds> terms_, rounding_;
-    Vector volumes_, duals_, sizes_, lost_; // of the simplices being visited
+    int exponent_; // of lengths
+    // of the simplices being visited
+    Vector volumes_, duals_;
+    Column<Bounds::Part> sizes_, lost_;
+    Bounds::Scale scale_{0};
     std::vector<Sum> sums_; // of the simplices being visited; none of highest degree
 };
 
-void Descent::measure(int k, Index first, Index last, Sum* share, double* numbers) {
-    const int n = complex_.dimension();
-    const bool is_top = k == n, know = centers_.know(k);
-    const bool may_be_flat = is_top && (know || flat_ == FlatSimplices::passed_over);
-    Circumspheres spheres(complex_, metric_, k);
-    double *const volumes = volumes_.data(), *const duals = duals_.data();
-    double *const sizes = sizes_.data(), *const roundings = lost_.data();
-    const double part = is_top ? 1 : 1.0 / (n - k);
-    for (Index t = first; t < last; ++t, ++share, numbers += k + 1) {
-        const Circumsphere& sphere = spheres[t];
-        const bool has_volume = sphere.volume() > 0;
-        const double volume = has_volume || !may_be_flat
-                                  ? sphere.volume()
-                                  : least_volume(SimplexLayout(complex_, metric_).at(k, t));
-        if (!is_moderate(volume))
-            refuse(complex_, metric_, k, t);
-        const Sum own = is_top ? Sum{1, 0, 0} : sums_[t].divided(volume, part);
-        const double size = std::abs(own.dual);
-        const double lost = own.products[1] + (has_volume ? sphere.rounding().growth : 1) * size;
-        volumes[t] = volume;
-        duals[t] = own.dual;
-        sizes[t] = is_top ? 1 : own.products[0];
-        roundings[t] = rounding_of(lost);
-        if (!has_volume && !know) {
-            *share = {};
-            std::fill_n(numbers, k + 1, 0);
-            continue;
-        }
+/// Stores what is found of k-simplex t, or of one in each lane, and returns what it hands down.
+template <class Number>
+[[gnu::always_inline]] inline SumOf<Number>
+Descent::settle(int k, Index t, const Number& volume, const SumOf<Number>& own,
+                const Terms<Number>& terms, const Number& factor) {
+    using std::abs;
+    const auto& [uncertain, rounded, volume_growth] = terms;
+    const Number size = abs(own.dual), lost = own.products[1] + volume_growth * size;
+    put(volume, &volumes_[t]);
+    put(own.dual, &duals_[t]);
+    const Number size_of_terms = k == complex_.dimension() ? Number(1) : own.products[0];
+    const Number rounding = rounding_of(1) * lost;
+    for (int l = 0; l < sphere_kernel::lanes<Number>; ++l) {
+        sizes_[t + l] = scale_.part(sphere_kernel::lane(size_of_terms, l));
+        lost_[t + l] = scale_.part(sphere_kernel::lane(rounding, l));
+    }
+    // errors of h(s, t) and of V(t) both count
+    const Number products[] = {uncertain.growth * size + own.products[0],
+                               rounded.growth * size + (centers_.know(k) ? 0 : lost)};
+    return {factor * own.dual,
+            {factor * products[0], factor * products[1]},
+            {size * uncertain.shift, size * rounded.shift}};
+}
 
-        // errors of h(s, t) and of V(t) both count
-        const auto uncertain = centers_.uncertainty(k, t, sphere);
-        const auto rounded = centers_.rounding(k, t, sphere);
-        const auto moments = centers_.moments(k, t, sphere);
-        const Pack products(uncertain.growth * size + own.products[0],
-                            rounded.growth * size + (know ? 0 : lost));
-        *share = {moments.factor * own.dual, moments.factor * products,
-                  size * Pack(uncertain.shift, rounded.shift)};
+/// One simplex with any center, which may be flat.
+void Descent::measure_one(int k, Index t, const Circumsphere& sphere, Sum* share, double* numbers) {
+    const bool is_top = k == complex_.dimension(), know = centers_.know(k);
+    const bool may_be_flat = is_top && (know || flat_ == FlatSimplices::passed_over);
+    const bool has_volume = sphere.volume() > 0;
+    const double volume = has_volume || !may_be_flat
+                              ? sphere.volume()
+                              : least_volume(SimplexLayout(complex_, metric_).at(k, t));
+    if (!is_moderate(volume))
+        refuse_volume(complex_, metric_, k, t);
+    const Sum own = is_top ? Sum{1, {}, {}} : sums_[t].divided(volume, part(k));
+    const double growth = has_volume ? sphere.rounding().growth : 1;
+    if (!has_volume && !know) {
+        settle<double>(k, t, volume, own, {{}, {}, growth}, 0);
+        *share = {};
+        std::fill_n(numbers, k + 1, 0);
+        return;
+    }
+    const auto moments = centers_.moments(k, t, sphere);
+    *share = settle<double>(
+        k, t, volume, own,
+        {centers_.uncertainty(k, t, sphere), centers_.rounding(k, t, sphere), growth},
+        moments.factor);
+    std::copy_n(moments.numbers, k + 1, numbers);
+}
+
+/// Two simplices of usual size with their circumcenters; returns false for others.
+template <int k_fixed, int N_fixed>
+[[gnu::always_inline]] inline bool Descent::measure_two(int k_given, Index t, Pack* room,
+                                                        Sum* share, double* numbers) {
+    const int k = k_fixed >= 0 ? k_fixed : k_given;
+    constexpr int most = k_fixed >= 0 ? k_fixed + 1 : most_vertices;
+    const Points& points = *metric_.points();
+    const int N = N_fixed >= 0 ? N_fixed : static_cast<int>(points.cols());
+    const Simplices& simplices = complex_.simplices(k);
+    const auto place = [&](Index s, int i) {
+        return points.data() + std::ptrdiff_t{simplices(s, i)} * N;
+    };
+    constexpr Index ahead = 16;
+    const Index soon = std::min(t + ahead, complex_.size(k) - Pack::size);
+    std::array<const double*, most * Pack::size> corners;
+    for (int i = 0; i <= k; ++i)
+        for (int l = 0; l < Pack::size; ++l) {
+            corners[i * Pack::size + l] = place(t + l, i);
+            if (i > 0) // the first corner of several is the same
+                prefetch(place(soon + l, i));
+        }
+    SphereOf<Pack, most> sphere;
+    sphere_kernel::look<Pack, k_fixed, N_fixed>(sphere, k, N, corners.data(), room);
+    if (!is_moderate(sphere.volume[0]) || !is_moderate(sphere.volume[1]))
+        return false;
+    const auto own = k == complex_.dimension()
+                         ? SumOf<Pack>{1, {0, 0}, {0, 0}}
+                         : packed(sums_[t], sums_[t + 1]).divided(sphere.volume, part(k));
+    const auto shares = settle<Pack>(k, t, sphere.volume, own,
+                                     {sphere.uncertainty, sphere.rounding, sphere.rounding.growth},
+                                     k * sphere.volume);
+    for (int l = 0; l < Pack::size; ++l, numbers += k + 1) {
+        share[l] = lane_of(shares, l);
         for (int i = 0; i <= k; ++i)
-            numbers[i] = moments.numbers[i];
+            numbers[i] = sphere.barycentric[i][l];
+    }
+    return true;
+}
+
+template <int k_fixed, int N_fixed>
+void Descent::measure(int k, Batch& batch, Index begin, Index end) {
+    const bool in_lanes = metric_.points() != nullptr && centers_.are_circumcenters(k);
+    const auto N = in_lanes ? metric_.points()->cols() : 0;
+    std::vector<Pack> room(k_fixed >= 0 ? 0 : static_cast<std::size_t>(k * (N + k + 4)));
+    SimplexLayout layout(complex_, metric_);
+    Circumsphere sphere;
+    Sum* share = &batch.shares[begin];
+    double* numbers = &batch.numbers[std::size_t(begin) * (k + 1)];
+    for (Index t = batch.first + begin; t < batch.first + end;) {
+        int count = Pack::size;
+        if (!in_lanes || batch.first + end - t < count ||
+            !measure_two<k_fixed, N_fixed>(k, t, room.data(), share, numbers)) {
+            std::ignore = sphere.look_at(layout.at(k, t));
+            measure_one(k, t, sphere, share, numbers);
+            count = 1;
+        }
+        t += count;
+        share += count;
+        numbers += count * (k + 1);
     }
 }
 
-/// Measures many simplices in parallel, and adds their contributions sequentially.
+template <int k_fixed>
+void Descent::add(int k_given, const Batch& batch, std::vector<Sum>& below) {
+    const int k = k_fixed >= 0 ? k_fixed : k_given;
+    const FaceTable faces = complex_.faces(k);
+    const double* number = batch.numbers.data();
+    for (Index t = 0; t < batch.count; ++t) {
+        const Sum& share = batch.shares[t];
+        const Pack products = Pack::from(share.products.data()),
+                   shifts = Pack::from(share.shifts.data());
+        constexpr Index ahead = 8;
+        const Index soon = std::min(batch.first + t + ahead, complex_.size(k) - 1);
+        prefetch(&below[faces(soon, 0)]); // the others share a corner, so are nearby
+        for (int i = 0; i <= k; ++i, ++number) {
+            Sum& face = below[faces(batch.first + t, i)];
+            face.dual += *number * share.dual;
+            increase(face.products, std::abs(*number) * products);
+            increase(face.shifts, shifts);
+        }
+    }
+}
+
+/// One thread adds, in order, what others have measured, while these measure the simplices behind.
+template <int k_fixed, int N_fixed>
 void Descent::hand_down(int k) {
     constexpr Index part_size = 1 << 11;
     const Index at_once = std::min(8 * part_size, complex_.size(k));
     make_room(k);
-    const FaceTable faces = complex_.faces(k);
     std::vector<Sum> below(static_cast<std::size_t>(complex_.size(k - 1)));
-    std::vector<Sum> shares(static_cast<std::size_t>(at_once));
-    std::vector<double> numbers(std::size_t(at_once) * (k + 1));
-    for (Index first = 0; first < complex_.size(k); first += at_once) {
-        const Index count = std::min(at_once, complex_.size(k) - first);
-        for_each_part(count, part_size, [&](Index begin, Index end) {
-            measure(k, first + begin, first + end, &shares[begin],
-                    &numbers[std::size_t(begin) * (k + 1)]);
+    Batch measured(k, at_once), next(k, at_once);
+    do {
+        next.first = measured.first + measured.count;
+        next.count = std::min(at_once, complex_.size(k) - next.first);
+        for_each_part(1 + (next.count + part_size - 1) / part_size, 1, [&](Index part, Index) {
+            if (part == 0)
+                return add<k_fixed>(k, measured, below);
+            const Index begin = (part - 1) * part_size;
+            measure<k_fixed, N_fixed>(k, next, begin, std::min(begin + part_size, next.count));
         });
-        const double* number = numbers.data();
-        for (Index t = 0; t < count; ++t) {
-            const Sum share = shares[t];
-            constexpr Index ahead = 8;
-            const Index soon = std::min(first + t + ahead, complex_.size(k) - 1);
-            prefetch(&below[faces(soon, 0)]); // the others share a corner, so are nearby
-            for (int i = 0; i <= k; ++i, ++number) {
-                Sum& face = below[faces(first + t, i)];
-                face.dual += *number * share.dual;
-                face.products = face.products + std::abs(*number) * share.products;
-                face.shifts = face.shifts + share.shifts;
-            }
-        }
-    }
+        std::swap(measured, next);
+    } while (measured.count > 0);
     sums_ = std::move(below);
     keep(k);
 }
 
 void Descent::make_room(int k) {
-    for (Vector* values : {&volumes_, &duals_, &sizes_, &lost_})
+    for (Vector* values : {&volumes_, &duals_})
         values->resize(complex_.size(k));
+    for (auto* bounds : {&sizes_, &lost_})
+        bounds->resize(complex_.size(k));
+    scale_ = Bounds::Scale((complex_.dimension() - k) * exponent_);
 }
 
 /// Stores the results on the k-simplices compactly.
 void Descent::keep(int k) {
     primal_[k] = std::exchange(volumes_, {});
     dual_[k] = std::exchange(duals_, {});
-    terms_[k] = std::exchange(sizes_, {});
-    rounding_[k] = std::exchange(lost_, {});
+    terms_[k] = Bounds(std::exchange(sizes_, {}), scale_);
+    rounding_[k] = Bounds(std::exchange(lost_, {}), scale_);
 }
 
 CellVolumes Descent::run() {
@@ -232,15 +312,18 @@ CellVolumes Descent::run() {
         values->resize(n + 1);
     for (auto* bounds : {&terms_, &rounding_})
         bounds->resize(n + 1);
-    for (int k = n; k >= 1; --k)
-        hand_down(k);
+    for (int k = n; k >= 1; --k) {
+        const int N = metric_.points() ? static_cast<int>(metric_.points()->cols()) : k;
+        sphere_kernel::for_dimensions(
+            k, N, [&]<int k_fixed, int N_fixed> { hand_down<k_fixed, N_fixed>(k); });
+    }
     make_room(0);
     volumes_.setOnes();
     for (Index v = 0; v < complex_.size(0); ++v) {
-        const Sum own = sums_[v].divided(1, 1.0 / n);
+        const Sum own = sums_[v].divided(1, part(0));
         duals_[v] = own.dual;
-        sizes_[v] = own.products[0];
-        lost_[v] = rounding_of(own.products[1]);
+        sizes_[v] = scale_.part(own.products[0]);
+        lost_[v] = scale_.part(rounding_of(own.products[1]));
     }
     keep(0);
     return {std::move(primal_), std::move(dual_), std::move(terms_), std::move(rounding_)};

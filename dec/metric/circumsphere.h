@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/metric/pack.h"
 #include "dec/metric/simplex_layout.h"
-#include "dec/metric/two_doubles.h"
+#include "dec/metric/sphere_kernel.h"
 
-#include <array>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
 
 namespace polydec {
-
-/// Scale of the rounding error of a signed circumcentric distance h.
-struct HeightTerms {
-    double growth = 1, shift = 0;
-
-    double of(double height) const { return growth * std::abs(height) + shift; }
-};
 
 /// Volume and circumsphere of one simplex at a time, of any dimension k in R^N. Orthogonalizes the
 /// edge vectors, for flat simplices with twice the digits of a double. So volume, radius and all
@@ -45,31 +35,31 @@ public:
     void look_at(SimplexLayout& layout, int k, Index s);
 
     /// k-dimensional volume, length^k; 1 for a vertex.
-    double volume() const { return volume_; }
+    double volume() const { return sphere_.volume; }
 
     /// Circumradius; 0 for a vertex.
     double radius() const {
         check_sphere();
-        return std::sqrt(squared_radius_);
+        return std::sqrt(sphere_.squared_radius);
     }
 
     /// Barycentric coordinate of the circumcenter at the i-th vertex; negative where the center
     /// lies beyond the opposite facet.
     double barycentric(int i) const {
         check_sphere();
-        return barycentric_[i];
+        return sphere_.barycentric[i];
     }
 
     /// The coordinates at all vertices; valid until the next look_at.
     const double* barycentric() const {
         check_sphere();
-        return barycentric_.data();
+        return sphere_.barycentric.data();
     }
 
     /// Signed distance from the circumcenter of the facet opposite to the i-th vertex to the
     /// simplex's circumcenter, positive towards that vertex: barycentric coordinate times height.
     double height(int i, double facet_volume) const {
-        return barycentric(i) * dimension_ * volume_ / facet_volume;
+        return barycentric(i) * dimension_ * volume() / facet_volume;
     }
 
     /// Scale of the error of such a height (see rounding_of) if the last digits of the input are
@@ -77,69 +67,28 @@ public:
     /// by its largest coordinate x: 2 R x / a, with 1/a^2 the sum of the inverse squared heights of
     /// the corners. For given distances d, the shift is the sum of d_ij^2 |b_j| / a_i, with b the
     /// barycentric coordinates of the center, and heights grow by 1 + sum of d_ij^2 / (2 a_i a_j).
-    const HeightTerms& uncertainty() const { return uncertainty_; }
+    const HeightTerms& uncertainty() const { return sphere_.uncertainty; }
 
     /// The same for exact points: rounding errors of the computation. Edges of length l shift the
     /// center by R l / a; volumes and heights grow by 1 + l / a. Random simplices of dimensions 1
     /// to 5 had errors of at most .4 times rounding_of this. With twice the digits, (l / a)^2 eps
     /// replaces l / a.
-    const HeightTerms& rounding() const { return rounding_; }
+    const HeightTerms& rounding() const { return sphere_.rounding; }
 
 private:
-    friend class Circumspheres;
-
     template <class Number, int k_fixed, int N_fixed>
-    static void look(Circumsphere* spheres, int k, int N, const double* const* corners);
-    template <class Number>
-    static void look(Circumsphere* spheres, int k, int N, const double* const* corners);
-    template <class Number, int N_fixed>
-    static void look_at_edges(Circumsphere* spheres, int N, const double* const* corners);
+    void look(int k, int N, const double* const* corners);
     void measure_distances(const Corners& corners);
     void check_sphere() const {
-        if (!(volume_ > 0))
+        if (!(volume() > 0))
             refuse_flat();
     }
     [[noreturn]] static void refuse_flat();
 
     const Points* points_ = nullptr;
-    static constexpr int most_vertices = 32; // of a simplex of a complex, too
-    std::array<double, most_vertices> barycentric_{};
-    std::array<double, most_vertices> squared_slopes_{}; // of the coordinates: 1 / height^2
-    std::tuple<std::vector<double>, std::vector<Pack>, std::vector<TwoDoubles>> scratch_;
     int dimension_ = 0;
-    double volume_ = 0;
-    double squared_radius_ = 0;
-    HeightTerms uncertainty_, rounding_;
-};
-
-/// Circumspheres of simplices requested in ascending order; computes several at once. Not
-/// thread-safe.
-class Circumspheres {
-public:
-    /// Of the k-simplices of a complex, or of simplices between points. Keeps references.
-    Circumspheres(const Pieces& complex, const SimplexMetric& metric, int k)
-        : points_(metric.points()), simplices_(complex.simplices(k)) {
-        if (!points_)
-            layout_.emplace(complex, metric);
-    }
-    Circumspheres(const Points& points, const Simplices& simplices)
-        : points_(&points), simplices_(simplices) {}
-
-    /// The sphere of simplex s, valid until the next call; its volume is 0 if there is no sphere.
-    const Circumsphere& operator[](Index s) {
-        if (s < first_ || s >= first_ + count_)
-            look_from(s);
-        return spheres_[s - first_];
-    }
-
-private:
-    void look_from(Index s);
-
-    const Points* points_; // null: by the layout
-    const Simplices& simplices_;
-    std::optional<SimplexLayout> layout_;
-    std::array<Circumsphere, Pack::size> spheres_;
-    Index first_ = 0, count_ = 0;
+    SphereOf<double> sphere_;
+    std::tuple<std::vector<double>, std::vector<TwoDoubles>> rooms_;
 };
 
 /// Throws InvalidInput: a simplex with these vertices has no circumsphere.

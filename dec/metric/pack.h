@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 namespace polydec {
 
@@ -18,6 +19,16 @@ public:
 
     double operator[](int lane) const { return lanes_[lane]; }
 
+    /// Doubles that lie side by side.
+    static Pack from(const double* doubles) {
+        Pack pack;
+        std::memcpy(&pack.lanes_, doubles, sizeof pack.lanes_);
+        return pack;
+    }
+    friend void put(const Pack& pack, double* doubles) {
+        std::memcpy(doubles, &pack.lanes_, sizeof pack.lanes_);
+    }
+
     friend Pack operator+(const Pack& a, const Pack& b) { return Pack(a.lanes_ + b.lanes_); }
     friend Pack operator-(const Pack& a, const Pack& b) { return Pack(a.lanes_ - b.lanes_); }
     friend Pack operator*(const Pack& a, const Pack& b) { return Pack(a.lanes_ * b.lanes_); }
@@ -32,6 +43,9 @@ public:
         constexpr auto all_but_sign = std::int64_t(~std::uint64_t(0) >> 1);
         return Pack(Lanes(Bits(a.lanes_) & (Bits{} + all_but_sign)));
     }
+    friend Pack where_positive(const Pack& a, const Pack& b) {
+        return Pack(a.lanes_ > Lanes{} ? b.lanes_ : Lanes{});
+    }
     friend Pack sqrt(const Pack& a) { return {std::sqrt(a[0]), std::sqrt(a[1])}; }
 
 private:
@@ -42,5 +56,14 @@ private:
 
     Lanes lanes_;
 };
+
+/// b where a is positive, else 0.
+inline double where_positive(double a, double b) {
+    return a > 0 ? b : 0;
+}
+
+inline void put(double number, double* at) {
+    *at = number;
+}
 
 } // namespace polydec

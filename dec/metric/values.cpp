@@ -2,9 +2,8 @@
 #include "dec/metric/values.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -12,21 +11,10 @@ namespace polydec {
 
 namespace {
 
-bool are_equal(const Vector& values) {
-    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-    return std::all_of(values.data(), values.data() + values.size(),
-                       [&](double value) { return bits(value) == bits(values[0]); });
-}
-
-/// The upper half of the smallest float that is not less.
-std::uint16_t upper_half(double value) {
-    const auto near = static_cast<float>(value);
-    const std::uint32_t above = std::bit_cast<std::uint32_t>(near) + (near < value ? 1 : 0);
-    return static_cast<std::uint16_t>((above + 0xffff) >> 16);
-}
-
-double from_upper_half(std::uint16_t part) {
-    return std::bit_cast<float>(std::uint32_t{part} << 16);
+/// Whether all have the same bits.
+bool are_equal(const auto& values) {
+    return values.size() < 2 || std::memcmp(values.data(), values.data() + 1,
+                                            (values.size() - 1) * sizeof values[0]) == 0;
 }
 
 } // namespace
@@ -54,29 +42,20 @@ bool Values::are_above(double least) const {
     return are;
 }
 
-Bounds::Bounds(const Vector& values) : size_(static_cast<Index>(values.size())) {
-    if (size_ == 0)
-        return;
-    // a power of two, so scaling does not round
-    constexpr double most = 1e300;
-    const double largest = values.maxCoeff();
-    unit_ = largest > 1 / most && largest < most ? std::ldexp(1, std::ilogb(largest)) : 1;
-    const double inverse = 1 / unit_;
-    if (are_equal(values)) { // rounded like any other, so no bound depends on other cells
-        unit_ *= from_upper_half(upper_half(inverse * largest));
-        return;
-    }
-    parts_.resize(static_cast<std::size_t>(size_));
-    std::transform(values.data(), values.data() + size_, parts_.begin(),
-                   [=](double value) { return upper_half(inverse * value); });
+Bounds::Bounds(const Vector& values) {
+    const double largest = values.size() > 0 ? values.maxCoeff() : 0;
+    const Scale scale(largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0);
+    *this = Bounds(values.unaryExpr([&](double value) { return scale.part(value); }), scale);
+}
+
+Bounds::Bounds(Column<Part> parts, Scale scale)
+    : size_(static_cast<Index>(parts.size())), scale_(scale), parts_(std::move(parts)) {
+    if (are_equal(parts_))
+        parts_.conservativeResize(std::min<Eigen::Index>(size_, 1));
 }
 
 bool Bounds::are_finite() const {
-    constexpr std::uint16_t infinite = 0x7f80;
-    bool are = std::isfinite(unit_);
-    for (const std::uint16_t part : parts_)
-        are &= (part & infinite) != infinite;
-    return are;
+    return std::find(parts_.begin(), parts_.end(), Scale::infinite) == parts_.end();
 }
 
 Vector Bounds::vector() const {

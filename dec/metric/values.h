@@ -4,10 +4,12 @@
 #include "base/lazy.h"
 #include "base/types.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
-#include <vector>
 
 namespace polydec {
 
@@ -33,26 +35,54 @@ private:
     std::shared_ptr<const Lazy<Vector>> vector_;
 };
 
-/// An upper bound per cell, not negative, to a few digits. Two bytes each; rounded up by less than
-/// 1 % if above 1e-38 of the largest.
+/// An upper bound per cell, not negative, to a few digits, in two bytes: nine bits of a double's
+/// exponent and seven places. Rounded up by less than 1 %, if within 1e77 times the scale.
 class Bounds {
 public:
+    using Part = std::uint16_t;
+
+    /// Which exponents are kept: those near this one.
+    class Scale {
+    public:
+        explicit Scale(int exponent)
+            : least_(std::int64_t{std::clamp(1023 - 255 + exponent, 0, 2047 - 511)} << places) {}
+
+        /// What is kept of a bound; infinite for a NaN.
+        [[gnu::always_inline]] Part part(double bound) const {
+            constexpr std::int64_t up = (std::int64_t{1} << dropped) - 1;
+            const auto bits = std::bit_cast<std::int64_t>(std::abs(bound)); // of a NaN, too
+            const auto part =
+                std::clamp<std::int64_t>(((bits + up) >> dropped) - least_, 1, infinite);
+            return static_cast<Part>(bound == 0 ? 0 : part);
+        }
+        double bound(Part part) const {
+            return part == 0          ? 0
+                   : part == infinite ? std::numeric_limits<double>::infinity()
+                                      : std::bit_cast<double>((part + least_) << dropped);
+        }
+
+        static constexpr Part infinite = 511 << 7;
+
+    private:
+        static constexpr int places = 7, dropped = 52 - places;
+        std::int64_t least_;
+    };
+
     Bounds() = default;
     Bounds(const Vector& values);
+    Bounds(Column<Part> parts, Scale scale);
 
     Index size() const { return size_; }
     double operator[](Index cell) const {
-        return parts_.empty()
-                   ? unit_
-                   : unit_ * double{std::bit_cast<float>(std::uint32_t{parts_[cell]} << 16)};
+        return scale_.bound(parts_[parts_.size() == 1 ? 0 : cell]);
     }
     Vector vector() const;
     bool are_finite() const;
 
 private:
     Index size_ = 0;
-    double unit_ = 0;
-    std::vector<std::uint16_t> parts_; // upper halves of floats, in units; empty: all are 1
+    Scale scale_{0};
+    Column<Part> parts_; // a single one if all are equal
 };
 
 } // namespace polydec

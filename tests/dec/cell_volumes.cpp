@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -58,6 +59,31 @@ TEST(CellVolumesErrors, name_the_degrees_that_there_are) {
     }
     EXPECT_EQ(CellVolumes().dimension(), -1);
     EXPECT_TRUE(says(refusal([] { CellVolumes().dual(0); }), {"0-cells", "no cells"}));
+}
+
+TEST(BoundsOf, numbers_are_at_most_a_hundredth_above) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double scale : {1e-300, 1e-200, 1.0, 1e200, 1e300}) {
+        Vector values(1001);
+        for (int i = 0; i <= 1000; ++i)
+            values[i] = scale * std::pow(10, -0.07 * i);
+        values = values.cwiseMax(1e-307);
+        const Vector bounds = Bounds(values).vector();
+        EXPECT_GE((bounds - values).minCoeff(), 0);
+        EXPECT_LT((bounds.cwiseQuotient(values).array() - 1).maxCoeff(), 0.01);
+        EXPECT_TRUE(Bounds(values).are_finite());
+        const Vector alike = Vector::Constant(3, 0.75 * scale);
+        EXPECT_LE(Bounds(alike)[2], 1.01 * alike[2]);
+        EXPECT_GE(Bounds(alike)[2], alike[2]);
+        values[17] = 0;
+        EXPECT_EQ(Bounds(values)[17], 0);
+    }
+    for (const double value : {infinity, nan, -nan}) {
+        EXPECT_EQ(Bounds(Vector::Constant(1, value))[0], infinity);
+        EXPECT_FALSE(Bounds(Vector::Constant(3, value)).are_finite());
+    }
+    EXPECT_EQ(Bounds(Vector::Zero(3)).vector(), Vector::Zero(3));
 }
 
 TEST(CellVolumes, that_a_user_gives_are_their_own_terms) {
