@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/angle_sums.h"
 
-#include "base/decompositions.h"
 #include "dec/metric/simplex_faces.h"
 
 #include <algorithm>
@@ -13,25 +12,82 @@ namespace polydec {
 
 namespace {
 
-/// Inward normals of the facets of a simplex, one per row; no rows if it is flat.
-DenseMatrix normals(const Corners& corners) {
-    const auto n = static_cast<Eigen::Index>(corners.vertices.size()) - 1;
-    DenseMatrix edges(n, corners.points.cols());
-    for (Eigen::Index j = 0; j < n; ++j)
-        edges.row(j) =
-            corners.points.row(corners.vertices[j + 1]) - corners.points.row(corners.vertices[0]);
-    const Vector lengths = edges.rowwise().norm();
-    edges = lengths.cwiseInverse().asDiagonal() * edges; // independent of scale
-    const double rounding = 64 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
-    if (std::abs(triangular_factor(edges.transpose()).diagonal().prod()) <= rounding)
-        return {};
-    DenseMatrix result(n + 1, edges.cols());
-    result.bottomRows(n) = (lengths.minCoeff() * lengths.cwiseInverse()).asDiagonal() *
-                           pseudo_inverse(edges).transpose();
-    result.row(0) = -result.bottomRows(n).colwise().sum();
-    result.rowwise().normalize();
-    return result;
-}
+/// Angles between the facets of one simplex at a time.
+class Dihedral {
+public:
+    /// n-simplices in R^N.
+    Dihedral(int n, Eigen::Index N) : rows_(n, N) {}
+
+    /// Whether the volume is that of rounding, beside the product of the edges from one corner.
+    bool is_flat(const Corners& corners) {
+        double share = 1;
+        for (int i = 0; i < rows_.rows(); ++i) {
+            const double length = place(corners, 0, i + 1, i);
+            share *= length > 0 ? orthogonalize(i, i) / length : 0;
+        }
+        const auto n = static_cast<double>(rows_.rows());
+        return share <= 64 * n * std::numeric_limits<double>::epsilon();
+    }
+
+    /// The angle at the face of these corners between the facets that have another corner each:
+    /// between the heights of these over the face.
+    double angle(const Corners& corners, const std::vector<int>& face, int a, int b) {
+        const auto k = static_cast<int>(face.size()) - 1;
+        for (int i = 0; i < k; ++i) {
+            place(corners, face[0], face[i + 1], i);
+            orthogonalize(i, i);
+        }
+        for (int i = 0; i < 2; ++i) {
+            place(corners, face[0], i == 0 ? a : b, k + i);
+            orthogonalize(k + i, k);
+        }
+        double difference = 0, sum = 0; // squared
+        for (int c = 0; c < rows_.cols(); ++c) {
+            const double x = rows_(k, c), y = rows_(k + 1, c);
+            difference += (x - y) * (x - y);
+            sum += (x + y) * (x + y);
+        }
+        return 2 * std::atan2(std::sqrt(difference), std::sqrt(sum));
+    }
+
+private:
+    /// Makes the edge between two corners a row, and returns its length.
+    double place(const Corners& corners, int from, int to, int row) {
+        const auto N = rows_.cols();
+        const double* const tail = corners.points.data() + corners.vertices[from] * N;
+        const double* const head = corners.points.data() + corners.vertices[to] * N;
+        double squared = 0;
+        for (int c = 0; c < N; ++c) {
+            const double x = head[c] - tail[c];
+            rows_(row, c) = x;
+            squared += x * x;
+        }
+        return std::sqrt(squared);
+    }
+
+    /// Makes a row a unit vector orthogonal to the first `before`, and returns what it had of it.
+    double orthogonalize(int row, int before) {
+        double* const x = &rows_(row, 0);
+        const auto N = rows_.cols();
+        for (int j = 0; j < before; ++j) {
+            const double* const y = &rows_(j, 0);
+            double product = 0;
+            for (int c = 0; c < N; ++c)
+                product += x[c] * y[c];
+            for (int c = 0; c < N; ++c)
+                x[c] -= product * y[c];
+        }
+        double squared = 0;
+        for (int c = 0; c < N; ++c)
+            squared += x[c] * x[c];
+        const double rest = std::sqrt(squared);
+        for (int c = 0; c < N; ++c)
+            x[c] /= rest;
+        return rest;
+    }
+
+    Points rows_;
+};
 
 } // namespace
 
@@ -47,16 +103,16 @@ Vector angle_sums(const Pieces& complex, const SimplexMetric& metric) {
         omitted.emplace_back(corners[0], corners[1]);
     }
     SimplexLayout layout(complex, metric);
+    Dihedral dihedral(n, metric.points() ? metric.points()->cols() : n);
     Vector sums = Vector::Zero(complex.size(n - 2));
     for (Index t = 0; t < complex.size(n); ++t) {
-        const DenseMatrix inwards = normals(layout.at(n, t));
-        if (inwards.rows() == 0)
+        const Corners corners = layout.at(n, t);
+        if (dihedral.is_flat(corners))
             continue;
         const auto& list = faces.of(t);
-        for (std::size_t s = 0; s < list.size(); ++s) {
-            const auto a = inwards.row(omitted[s].first), b = inwards.row(omitted[s].second);
-            sums[list[s]] += 2 * std::atan2((a + b).norm(), (a - b).norm());
-        }
+        for (std::size_t s = 0; s < list.size(); ++s)
+            sums[list[s]] +=
+                dihedral.angle(corners, faces.positions()[s], omitted[s].first, omitted[s].second);
     }
     return sums;
 }
