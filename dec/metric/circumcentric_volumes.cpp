@@ -36,23 +36,31 @@ struct SumOf {
             {}};
     }
 };
-using Sum = SumOf<double>;
+
+/// A sum as it is stored: first products, then shifts, each from uncertain input and from rounding.
+struct Sum {
+    double dual = 0;
+    UpperHalves errors;
+
+    SumOf<double> numbers() const {
+        const Pack products = errors.first(), shifts = errors.second();
+        return {dual, {products[0], products[1]}, {shifts[0], shifts[1]}};
+    }
+};
 
 /// The sums of two simplices, one in each lane.
-SumOf<Pack> packed(const Sum& a, const Sum& b) {
+SumOf<Pack> packed(const SumOf<double>& a, const SumOf<double>& b) {
     return {{a.dual, b.dual},
             {Pack(a.products[0], b.products[0]), Pack(a.products[1], b.products[1])},
             {Pack(a.shifts[0], b.shifts[0]), Pack(a.shifts[1], b.shifts[1])}};
 }
 
-Sum lane_of(const SumOf<Pack>& sums, int l) {
-    return {sums.dual[l],
-            {sums.products[0][l], sums.products[1][l]},
-            {sums.shifts[0][l], sums.shifts[1][l]}};
-}
-
-void increase(std::array<double, 2>& sums, const Pack& more) {
-    put(Pack::from(sums.data()) + more, sums.data());
+template <class Number>
+Sum stored(const SumOf<Number>& sums, int l) {
+    using sphere_kernel::lane;
+    return {lane(sums.dual, l),
+            {{lane(sums.products[0], l), lane(sums.products[1], l)},
+             {lane(sums.shifts[0], l), lane(sums.shifts[1], l)}}};
 }
 
 /// Consecutive k-simplices and what they hand to their faces: a sum each, and for each corner the
@@ -168,7 +176,8 @@ void Descent::measure_one(int k, Index t, const Circumsphere& sphere, Sum* share
                               : least_volume(SimplexLayout(complex_, metric_).at(k, t));
     if (!is_moderate(volume))
         refuse_volume(complex_, metric_, k, t);
-    const Sum own = is_top ? Sum{1, {}, {}} : sums_[t].divided(volume, part(k));
+    const auto own =
+        is_top ? SumOf<double>{1, {}, {}} : sums_[t].numbers().divided(volume, part(k));
     const double growth = has_volume ? sphere.rounding().growth : 1;
     if (!has_volume && !know) {
         settle<double>(k, t, volume, own, {{}, {}, growth}, 0);
@@ -177,10 +186,11 @@ void Descent::measure_one(int k, Index t, const Circumsphere& sphere, Sum* share
         return;
     }
     const auto moments = centers_.moments(k, t, sphere);
-    *share = settle<double>(
-        k, t, volume, own,
-        {centers_.uncertainty(k, t, sphere), centers_.rounding(k, t, sphere), growth},
-        moments.factor);
+    *share = stored(settle<double>(k, t, volume, own,
+                                   {centers_.uncertainty(k, t, sphere),
+                                    centers_.rounding(k, t, sphere), growth},
+                                   moments.factor),
+                    0);
     std::copy_n(moments.numbers, k + 1, numbers);
 }
 
@@ -209,14 +219,15 @@ template <int k_fixed, int N_fixed>
     sphere_kernel::look<Pack, k_fixed, N_fixed>(sphere, k, N, corners.data(), room);
     if (!is_moderate(sphere.volume[0]) || !is_moderate(sphere.volume[1]))
         return false;
-    const auto own = k == complex_.dimension()
-                         ? SumOf<Pack>{1, {0, 0}, {0, 0}}
-                         : packed(sums_[t], sums_[t + 1]).divided(sphere.volume, part(k));
+    const auto own =
+        k == complex_.dimension()
+            ? SumOf<Pack>{1, {0, 0}, {0, 0}}
+            : packed(sums_[t].numbers(), sums_[t + 1].numbers()).divided(sphere.volume, part(k));
     const auto shares = settle<Pack>(k, t, sphere.volume, own,
                                      {sphere.uncertainty, sphere.rounding, sphere.rounding.growth},
                                      k * sphere.volume);
     for (int l = 0; l < Pack::size; ++l, numbers += k + 1) {
-        share[l] = lane_of(shares, l);
+        share[l] = stored(shares, l);
         for (int i = 0; i <= k; ++i)
             numbers[i] = sphere.barycentric[i][l];
     }
@@ -253,16 +264,15 @@ void Descent::add(int k_given, const Batch& batch, std::vector<Sum>& below) {
     const double* number = batch.numbers.data();
     for (Index t = 0; t < batch.count; ++t) {
         const Sum& share = batch.shares[t];
-        const Pack products = Pack::from(share.products.data()),
-                   shifts = Pack::from(share.shifts.data());
+        const Pack products = share.errors.first(), shifts = share.errors.second();
         constexpr Index ahead = 8;
         const Index soon = std::min(batch.first + t + ahead, complex_.size(k) - 1);
         prefetch(&below[faces(soon, 0)]); // the others share a corner, so are nearby
         for (int i = 0; i <= k; ++i, ++number) {
             Sum& face = below[faces(batch.first + t, i)];
             face.dual += *number * share.dual;
-            increase(face.products, std::abs(*number) * products);
-            increase(face.shifts, shifts);
+            face.errors = {face.errors.first() + std::abs(*number) * products,
+                           face.errors.second() + shifts};
         }
     }
 }
@@ -320,7 +330,7 @@ CellVolumes Descent::run() {
     make_room(0);
     volumes_.setOnes();
     for (Index v = 0; v < complex_.size(0); ++v) {
-        const Sum own = sums_[v].divided(1, part(0));
+        const auto own = sums_[v].numbers().divided(1, part(0));
         duals_[v] = own.dual;
         sizes_[v] = scale_.part(own.products[0]);
         lost_[v] = scale_.part(rounding_of(own.products[1]));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -19,12 +20,6 @@ public:
 
     double operator[](int lane) const { return lanes_[lane]; }
 
-    /// Doubles that lie side by side.
-    static Pack from(const double* doubles) {
-        Pack pack;
-        std::memcpy(&pack.lanes_, doubles, sizeof pack.lanes_);
-        return pack;
-    }
     friend void put(const Pack& pack, double* doubles) {
         std::memcpy(doubles, &pack.lanes_, sizeof pack.lanes_);
     }
@@ -49,12 +44,40 @@ public:
     friend Pack sqrt(const Pack& a) { return {std::sqrt(a[0]), std::sqrt(a[1])}; }
 
 private:
+    friend class UpperHalves;
     using Lanes = double __attribute__((vector_size(size * sizeof(double))));
     using Bits = std::int64_t __attribute__((vector_size(size * sizeof(double))));
 
     explicit Pack(const Lanes& lanes) : lanes_(lanes) {}
 
     Lanes lanes_;
+};
+
+/// Two packs of numbers that are not negative, in the room of one: upper halves of the doubles,
+/// rounded up.
+class UpperHalves {
+public:
+    UpperHalves() = default;
+    UpperHalves(const Pack& first, const Pack& second) {
+        const Words words = (up(first) & upper) | (up(second) >> 32);
+        std::memcpy(words_.data(), &words, sizeof words);
+    }
+
+    Pack first() const { return Pack(Pack::Lanes(words() & upper)); }
+    Pack second() const { return Pack(Pack::Lanes(words() << 32)); }
+
+private:
+    using Words = std::uint64_t __attribute__((vector_size(Pack::size * sizeof(std::uint64_t))));
+    static constexpr std::uint64_t lower = 0xffffffff, upper = ~lower;
+
+    static Words up(const Pack& pack) { return Words(pack.lanes_) + lower; }
+    Words words() const {
+        Words words;
+        std::memcpy(&words, words_.data(), sizeof words);
+        return words;
+    }
+
+    std::array<std::uint64_t, Pack::size> words_{};
 };
 
 /// b where a is positive, else 0.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/cell_volumes.h"
 
+#include "dec/metric/pack.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -59,6 +60,20 @@ TEST(CellVolumesErrors, name_the_degrees_that_there_are) {
     }
     EXPECT_EQ(CellVolumes().dimension(), -1);
     EXPECT_TRUE(says(refusal([] { CellVolumes().dual(0); }), {"0-cells", "no cells"}));
+}
+
+TEST(UpperHalvesOf, numbers_are_at_most_a_millionth_above) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (int i = -300; i <= 300; ++i) {
+        const double value = 1.23456789 * std::pow(10, i);
+        const UpperHalves halves({value, 0}, {infinity, value});
+        for (const double above : {halves.first()[0], halves.second()[1]}) {
+            EXPECT_GE(above, value);
+            EXPECT_LE(above, value * (1 + 1e-6));
+        }
+        EXPECT_EQ(halves.first()[1], 0);
+        EXPECT_EQ(halves.second()[0], infinity);
+    }
 }
 
 TEST(BoundsOf, numbers_are_at_most_a_hundredth_above) {
