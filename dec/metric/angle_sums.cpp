@@ -26,7 +26,7 @@ public:
             share *= length > 0 ? orthogonalize(i, i) / length : 0;
         }
         const auto n = static_cast<double>(rows_.rows());
-        return share <= 64 * n * std::numeric_limits<double>::epsilon();
+        return !(share > 64 * n * std::numeric_limits<double>::epsilon()); // not a number, too
     }
 
     /// The angle at the face of these corners between the facets that have another corner each:
