@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/cell_volumes.h"
 
+#include "complex/simplicial_complex.h"
+#include "dec/metric/angle_sums.h"
 #include "dec/metric/pack.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
@@ -60,6 +62,17 @@ TEST(CellVolumesErrors, name_the_degrees_that_there_are) {
     }
     EXPECT_EQ(CellVolumes().dimension(), -1);
     EXPECT_TRUE(says(refusal([] { CellVolumes().dual(0); }), {"0-cells", "no cells"}));
+}
+
+TEST(AngleSums, leave_out_a_simplex_with_three_corners_on_a_line) {
+    Points points(5, 3);
+    points << 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 1;
+    Simplices simplices(2, 4);
+    simplices << 0, 1, 2, 3, 0, 2, 3, 4;
+    const SimplicialComplex K(simplices);
+    const Vector sums = angle_sums(K, points);
+    EXPECT_TRUE(sums.allFinite());
+    EXPECT_EQ(sums[0], 0); // of the edge 0 1
 }
 
 TEST(UpperHalvesOf, numbers_are_at_most_a_millionth_above) {
