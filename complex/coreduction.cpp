@@ -16,9 +16,11 @@ using Row = IncidenceMatrix::InnerIterator;
 Coreduction::Coreduction(const CellComplex& complex) : complex_(complex) {
     const int n = complex.dimension();
     pairs_.resize(n + 2);
+    cofaces_.resize(n + 1);
     for (int k = 0; k <= n; ++k) {
         alive_.emplace_back(complex.size(k), true);
-        cofaces_.push_back(k < n ? complex.boundary(k + 1) : IncidenceMatrix());
+        if (k < n)
+            complex.boundary(k + 1).swap(cofaces_[k]); // Eigen's matrices cannot be moved
         auto& count = faces_left_.emplace_back(complex.size(k), 0);
         for (Index t = 0; k > 0 && t < complex.size(k); ++t)
             count[t] = complex.incidences(k - 1)[t].size();

@@ -120,13 +120,17 @@ Merging Merging::of_blocks(Pieces pieces, Blocks blocks) {
 }
 
 std::vector<Index> Merging::vertices(int k, Index cell) const {
-    const IncidenceMatrix& pieces = diamond(k);
-    check_number(fmt::format("{}-cell", k), cell, 0, pieces.rows() - 1);
+    check_number(fmt::format("{}-cell", k), cell, 0, merged_.size(k) - 1);
     std::vector<Index> list;
-    for (Row s(pieces, cell); s; ++s) {
-        const auto simplex = pieces_.simplices(k).row(s.col());
+    const auto add = [&](Index piece) {
+        const auto simplex = pieces_.simplices(k).row(piece);
         list.insert(list.end(), simplex.begin(), simplex.end());
-    }
+    };
+    if (is_identity_) // its maps are not needed for this
+        add(cell);
+    else
+        for (Row s(diamond(k), cell); s; ++s)
+            add(static_cast<Index>(s.col()));
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
     return list;

@@ -115,22 +115,26 @@ RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& cl
     check_closed(complex, closed);
     check_open(complex, open);
     const int n = complex.dimension();
-    const bool whole = marks_none(closed) && marks_none(open);
     std::vector<std::vector<Index>> cells(n + 1), numbers(n + 1), counts(n);
     std::vector<Index> sizes;
     for (int k = 0; k <= n; ++k) {
         sizes.push_back(complex.size(k));
-        numbers[k].assign(complex.size(k), -1);
+        cells[k].reserve(static_cast<std::size_t>(complex.size(k)));
         for (Index s = 0; s < complex.size(k); ++s)
-            if (!closed[k][s] && !open[k][s]) {
-                numbers[k][s] = static_cast<Index>(cells[k].size());
+            if (!closed[k][s] && !open[k][s])
                 cells[k].push_back(s);
-                if (k < n)
-                    counts[k].push_back(complex.coface_counts(k)[s]);
-            }
     }
-    if (whole) // which shares its memory
+    if (marks_none(closed) && marks_none(open)) // the whole, which shares its memory
         return {complex, std::move(cells), std::move(sizes)};
+    for (int k = 0; k <= n; ++k) {
+        numbers[k].assign(complex.size(k), -1);
+        for (std::size_t i = 0; i < cells[k].size(); ++i) {
+            const Index s = cells[k][i];
+            numbers[k][s] = static_cast<Index>(i);
+            if (k < n)
+                counts[k].push_back(complex.coface_counts(k)[s]);
+        }
+    }
     std::vector<IncidenceMatrix> coboundaries;
     std::vector<std::vector<Incidence>> canceled(n);
     for (int k = 0; k < n; ++k) {

@@ -63,6 +63,43 @@ Sum stored(const SumOf<Number>& sums, int l) {
              {lane(sums.shifts[0], l), lane(sums.shifts[1], l)}}};
 }
 
+/// Finds the corners of consecutive k-simplices, one in each lane.
+class PackedPlaces {
+public:
+    PackedPlaces(const Pieces& complex, const SimplexMetric& metric, int k)
+        : points_(metric.points() ? metric.points()->data() : nullptr),
+          simplices_(complex.simplices(k)),
+          layouts_{SimplexLayout(complex, metric), SimplexLayout(complex, metric)} {}
+
+    /// Stores the place of corner i of simplex t + l at corners[i * Pack::size + l].
+    [[gnu::always_inline]] void find(int k, int N, Index t, const double** corners) {
+        constexpr Index ahead = 16;
+        const auto soon = std::min(t + ahead, static_cast<Index>(simplices_.rows()) - Pack::size);
+        for (int l = 0; l < Pack::size && points_ == nullptr; ++l) {
+            const Corners own = layouts_[l].at(k, t + l);
+            for (int i = 0; i <= k; ++i)
+                corners[i * Pack::size + l] = own.place(own.vertices[i]);
+        }
+        for (int i = 0; i <= k && points_ != nullptr; ++i)
+            for (int l = 0; l < Pack::size; ++l) {
+                corners[i * Pack::size + l] = place(t + l, i, N);
+                if (i > 0) // the first corner of several is the same
+                    prefetch(place(soon + l, i, N));
+            }
+    }
+
+    SimplexLayout& layout() { return layouts_.front(); }
+
+private:
+    const double* place(Index t, int i, int N) const {
+        return points_ + std::ptrdiff_t{simplices_(t, i)} * N;
+    }
+
+    const double* points_; // null if only lengths are known
+    const Simplices& simplices_;
+    std::array<SimplexLayout, Pack::size> layouts_;
+};
+
 /// Consecutive k-simplices and what they hand to their faces: a sum each, and for each corner the
 /// factor of its dual and products.
 struct Batch {
@@ -120,10 +157,13 @@ private:
     void measure(int k, Batch& batch, Index begin, Index end);
     void measure_one(int k, Index t, const Circumsphere& sphere, Sum* share, double* numbers);
     template <int k_fixed, int N_fixed>
-    bool measure_two(int k, Index t, Pack* room, Sum* share, double* numbers);
+    bool measure_two(int k, Index t, PackedPlaces& places, Pack* room, Sum* share, double* numbers);
     template <class Number>
     SumOf<Number> settle(int k, Index t, const Number& volume, const SumOf<Number>& own,
                          const Terms<Number>& terms, const Number& factor);
+    int coordinates(int k) const { // of corners
+        return metric_.points() ? static_cast<int>(metric_.points()->cols()) : k;
+    }
     double part(int k) const { return 1.0 / (complex_.dimension() - k); }
     void make_room(int k);
     void keep(int k);
@@ -196,29 +236,19 @@ void Descent::measure_one(int k, Index t, const Circumsphere& sphere, Sum* share
 
 /// Two simplices of usual size with their circumcenters; returns false for others.
 template <int k_fixed, int N_fixed>
-[[gnu::always_inline]] inline bool Descent::measure_two(int k_given, Index t, Pack* room,
-                                                        Sum* share, double* numbers) {
+[[gnu::always_inline]] inline bool Descent::measure_two(int k_given, Index t, PackedPlaces& places,
+                                                        Pack* room, Sum* share, double* numbers) {
     const int k = k_fixed >= 0 ? k_fixed : k_given;
     constexpr int most = k_fixed >= 0 ? k_fixed + 1 : most_vertices;
-    const Points& points = *metric_.points();
-    const int N = N_fixed >= 0 ? N_fixed : static_cast<int>(points.cols());
-    const Simplices& simplices = complex_.simplices(k);
-    const auto place = [&](Index s, int i) {
-        return points.data() + std::ptrdiff_t{simplices(s, i)} * N;
-    };
-    constexpr Index ahead = 16;
-    const Index soon = std::min(t + ahead, complex_.size(k) - Pack::size);
+    const int N = N_fixed >= 0 ? N_fixed : coordinates(k);
     std::array<const double*, most * Pack::size> corners;
-    for (int i = 0; i <= k; ++i)
-        for (int l = 0; l < Pack::size; ++l) {
-            corners[i * Pack::size + l] = place(t + l, i);
-            if (i > 0) // the first corner of several is the same
-                prefetch(place(soon + l, i));
-        }
+    places.find(k, N, t, corners.data());
     SphereOf<Pack, most> sphere;
     sphere_kernel::look<Pack, k_fixed, N_fixed>(sphere, k, N, corners.data(), room);
     if (!is_moderate(sphere.volume[0]) || !is_moderate(sphere.volume[1]))
         return false;
+    if (metric_.lengths() != nullptr)
+        sphere_kernel::measure_distances<Pack>(sphere, k, N, corners.data());
     const auto own =
         k == complex_.dimension()
             ? SumOf<Pack>{1, {0, 0}, {0, 0}}
@@ -236,18 +266,18 @@ template <int k_fixed, int N_fixed>
 
 template <int k_fixed, int N_fixed>
 void Descent::measure(int k, Batch& batch, Index begin, Index end) {
-    const bool in_lanes = metric_.points() != nullptr && centers_.are_circumcenters(k);
-    const auto N = in_lanes ? metric_.points()->cols() : 0;
-    std::vector<Pack> room(k_fixed >= 0 ? 0 : static_cast<std::size_t>(k * (N + k + 4)));
-    SimplexLayout layout(complex_, metric_);
+    const bool in_lanes = centers_.are_circumcenters(k);
+    std::vector<Pack> room(k_fixed >= 0 ? 0
+                                        : static_cast<std::size_t>(k * (coordinates(k) + k + 4)));
+    PackedPlaces places(complex_, metric_, k);
     Circumsphere sphere;
     Sum* share = &batch.shares[begin];
     double* numbers = &batch.numbers[std::size_t(begin) * (k + 1)];
     for (Index t = batch.first + begin; t < batch.first + end;) {
         int count = Pack::size;
         if (!in_lanes || batch.first + end - t < count ||
-            !measure_two<k_fixed, N_fixed>(k, t, room.data(), share, numbers)) {
-            std::ignore = sphere.look_at(layout.at(k, t));
+            !measure_two<k_fixed, N_fixed>(k, t, places, room.data(), share, numbers)) {
+            std::ignore = sphere.look_at(places.layout().at(k, t));
             measure_one(k, t, sphere, share, numbers);
             count = 1;
         }
@@ -323,9 +353,8 @@ CellVolumes Descent::run() {
     for (auto* bounds : {&terms_, &rounding_})
         bounds->resize(n + 1);
     for (int k = n; k >= 1; --k) {
-        const int N = metric_.points() ? static_cast<int>(metric_.points()->cols()) : k;
         sphere_kernel::for_dimensions(
-            k, N, [&]<int k_fixed, int N_fixed> { hand_down<k_fixed, N_fixed>(k); });
+            k, coordinates(k), [&]<int k_fixed, int N_fixed> { hand_down<k_fixed, N_fixed>(k); });
     }
     make_room(0);
     volumes_.setOnes();

@@ -34,7 +34,7 @@ bool Circumsphere::look_at(const Corners& corners) {
         return false;
     std::array<const double*, most_vertices> places;
     for (int i = 0; i <= k; ++i)
-        places[i] = corners.points.data() + std::ptrdiff_t{corners.vertices[i]} * N;
+        places[i] = corners.place(corners.vertices[i]);
     sphere_kernel::for_dimensions(k, N, [&]<int k_fixed, int N_fixed> {
         look<double, k_fixed, N_fixed>(k, N, places.data());
     });
@@ -42,30 +42,13 @@ bool Circumsphere::look_at(const Corners& corners) {
         !(volume() < largest && volume() > 1 / largest))
         look<TwoDoubles, -1, -1>(k, N, places.data());
     if (corners.by_lengths && volume() > 0)
-        measure_distances(corners);
+        sphere_kernel::measure_distances<double>(sphere_, k, N, places.data());
     return volume() > 0;
 }
 
 void Circumsphere::look_at(SimplexLayout& layout, int k, Index s) {
     if (!look_at(layout.at(k, s)))
         refuse_circumsphere(layout.complex().vertex_numbers(k, s));
-}
-
-void Circumsphere::measure_distances(const Corners& corners) {
-    HeightTerms terms;
-    std::array<double, most_vertices> slopes;
-    for (int i = 0; i <= dimension_; ++i)
-        slopes[i] = std::sqrt(sphere_.squared_slopes[i]);
-    for (int i = 0; i <= dimension_; ++i)
-        for (int j = i + 1; j <= dimension_; ++j) {
-            const double squared =
-                (corners.points.row(corners.vertices[i]) - corners.points.row(corners.vertices[j]))
-                    .squaredNorm();
-            terms.shift += squared * (slopes[i] * std::abs(sphere_.barycentric[j]) +
-                                      slopes[j] * std::abs(sphere_.barycentric[i]));
-            terms.growth += squared * slopes[i] * slopes[j];
-        }
-    sphere_.uncertainty = sphere_.rounding = terms;
 }
 
 void Circumsphere::refuse_flat() {

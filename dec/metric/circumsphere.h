@@ -78,7 +78,6 @@ public:
 private:
     template <class Number, int k_fixed, int N_fixed>
     void look(int k, int N, const double* const* corners);
-    void measure_distances(const Corners& corners);
     void check_sphere() const {
         if (!(volume() > 0))
             refuse_flat();

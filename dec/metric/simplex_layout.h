@@ -14,6 +14,10 @@ struct Corners {
     const Points& points;
     std::span<const Index> vertices; ///< the rows, in ascending order of the simplex's vertices
     bool by_lengths = false;         ///< the points were computed from known distances, not given
+
+    const double* place(Index row) const {
+        return points.data() + std::ptrdiff_t{row} * points.cols();
+    }
 };
 
 /// Places the corners of one simplex of a complex at a time. Not thread-safe.

@@ -229,9 +229,37 @@ template <class Number, int k_fixed, int N_fixed, int most>
     sphere.rounding = {1 + loss, radius * loss};
 }
 
+/// Scales of errors for corners placed by their distances: relative errors of the squared distances
+/// move the center by these slopes.
+template <class Number, int most>
+[[gnu::always_inline]] inline void measure_distances(SphereOf<Number, most>& sphere, int k, int N,
+                                                     const double* const* corners) {
+    using std::abs, std::sqrt;
+    constexpr int width = lanes<Number>;
+    HeightTermsOf<Number> terms;
+    std::array<Number, most> slopes;
+    for (int i = 0; i <= k; ++i)
+        slopes[i] = sqrt(sphere.squared_slopes[i]);
+    for (int i = 0; i <= k; ++i)
+        for (int j = i + 1; j <= k; ++j) {
+            Number squared = 0;
+            for (int c = 0; c < N; ++c) {
+                const Number edge = coordinate<Number>(corners + i * width, c) -
+                                    coordinate<Number>(corners + j * width, c);
+                squared = squared + edge * edge;
+            }
+            terms.shift = terms.shift + squared * (slopes[i] * abs(sphere.barycentric[j]) +
+                                                   slopes[j] * abs(sphere.barycentric[i]));
+            terms.growth = terms.growth + squared * slopes[i] * slopes[j];
+        }
+    sphere.uncertainty = sphere.rounding = terms;
+}
+
 /// Calls with_dimensions.operator()<k, N>() for those that occur often, else <1, -1> or <-1, -1>.
 void for_dimensions(int k, int N, auto with_dimensions) {
     switch (10 * N + k) {
+    case 11:
+        return with_dimensions.template operator()<1, 1>();
     case 21:
         return with_dimensions.template operator()<1, 2>();
     case 31:

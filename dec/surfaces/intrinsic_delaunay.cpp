@@ -57,6 +57,7 @@ public:
         for (const double l : lengths_)
             mean_length_ += l / static_cast<double>(lengths_.size());
         areas_.resize(static_cast<std::size_t>(surface_.triangles()));
+        cotangents_.resize(3 * areas_.size());
         if (const double missing = measure_all(); missing > 0)
             give_needles_some_area(missing);
     }
@@ -110,6 +111,7 @@ private:
     }
     double length(Index halfedge) const { return lengths_[surface_.edge(halfedge)]; }
 
+    void set_area(Index triangle, double area);
     double measure_all();
     void give_needles_some_area(double missing);
     double negative_mean(Index edge) const;
@@ -133,6 +135,7 @@ private:
 
     GluedSurface surface_;
     std::vector<double> lengths_, areas_;
+    std::vector<double> cotangents_; // of the corners opposite to half-edges
     FlipHistory history_;
     NormalCoordinates crossings_;
     IntrinsicDelaunayOptions options_;
@@ -146,6 +149,12 @@ private:
     Index boundary_edges_ = 0;
 };
 
+void Flipping::set_area(Index triangle, double area) {
+    areas_[triangle] = area;
+    for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
+        cotangents_[h] = beside(h).cotangent();
+}
+
 /// Computes all areas; returns by how much sides must exceed so that every triangle has area.
 double Flipping::measure_all() {
     double missing = 0;
@@ -156,7 +165,7 @@ double Flipping::measure_all() {
         const double a = length(3 * t), b = length(3 * t + 1), c = length(3 * t + 2);
         const double longest = std::max({a, b, c});
         missing = std::max(missing, least_slack * longest - (a + b + c - 2 * longest));
-        areas_[t] = triangle_area(a, b, c);
+        set_area(t, triangle_area(a, b, c));
     }
     return missing;
 }
@@ -180,7 +189,7 @@ void Flipping::give_needles_some_area(double missing) {
 double Flipping::negative_mean(Index edge) const {
     double sum = 0, rounding = 0;
     for (const Index h : surface_.halfedges(edge))
-        sum += h < 0 ? 0 : beside(h).cotangent();
+        sum += h < 0 ? 0 : cotangents_[h];
     if (!(sum < 0))
         return 0;
     for (const Index h : surface_.halfedges(edge))
@@ -214,6 +223,7 @@ void Flipping::flip(Index edge) {
     if (!surface_.is_coherent(edge)) {
         const Index turned = GluedSurface::triangle(surface_.halfedges(edge)[1]);
         surface_.reverse(turned);
+        set_area(turned, areas_[turned]);
         history_.reverse(turned);
     }
     // both triangles laid flat: i at the origin, j on the first axis, k above and l below
@@ -230,8 +240,8 @@ void Flipping::flip(Index edge) {
     crossings_.flip(surface_, edge);
     surface_.flip(edge);
     lengths_[edge] = diagonal;
-    areas_[GluedSurface::triangle(h)] = klj;
-    areas_[GluedSurface::triangle(g)] = lki;
+    set_area(GluedSurface::triangle(h), klj);
+    set_area(GluedSurface::triangle(g), lki);
     ++statistics_.flips;
     for (const Index side : surface_.halfedges(edge)) {
         look_at(surface_.edge(GluedSurface::next(side)));
@@ -325,8 +335,10 @@ void Flipping::split(Index edge, double fraction) {
     lengths_[edge] = fraction * whole.a;
     lengths_.push_back((1 - fraction) * whole.a);
     lengths_.push_back(std::hypot(whole.foot() - fraction * whole.a, whole.height()));
-    areas_.push_back((1 - fraction) * whole.area);
-    areas_[GluedSurface::triangle(h)] = fraction * whole.area;
+    areas_.resize(areas_.size() + 1);
+    cotangents_.resize(3 * areas_.size());
+    set_area(surface_.triangles() - 1, (1 - fraction) * whole.area);
+    set_area(GluedSurface::triangle(h), fraction * whole.area);
     ++statistics_.splits;
     for (const Index t : {GluedSurface::triangle(h), surface_.triangles() - 1})
         for (Index i = 0; i < 3; ++i)
