@@ -144,13 +144,13 @@ Merging::Merging(Pieces pieces)
 
 Merging::Maps Merging::identity() const {
     Maps maps;
+    maps.diamonds.resize(pieces_.dimension() + 1);
     for (int k = 0; k <= pieces_.dimension(); ++k) {
         auto& own = maps.carriers.emplace_back(static_cast<std::size_t>(pieces_.size(k)));
         for (Index s = 0; s < pieces_.size(k); ++s)
             own[s] = {k, s};
-        IncidenceMatrix identity(pieces_.size(k), pieces_.size(k));
-        identity.setIdentity();
-        maps.diamonds.emplace_back().swap(identity);
+        maps.diamonds[k].resize(pieces_.size(k), pieces_.size(k));
+        maps.diamonds[k].setIdentity();
     }
     return maps;
 }

@@ -80,7 +80,8 @@ void examine_topology(const Discretization& mesh, Diagnosis& found) {
     const auto& P = mesh.complex();
     found.cells = {cell_counts(K), cell_counts(P)};
     found.euler = {euler_characteristic(K), euler_characteristic(P)};
-    found.betti = {betti_numbers(K), betti_numbers(P)};
+    const auto betti = betti_numbers(K);
+    found.betti = {betti, mesh.merging().is_identity() ? betti : betti_numbers(P)};
     found.components = components(K).count;
     found.boundary_components = boundary_components(K).count;
     found.orientable = K.orientable();

@@ -66,6 +66,8 @@ std::optional<LooserTolerance> looser_tolerance(const Geometry& geometry,
 }
 
 MergedPairs merged_pairs(const Merging& merging) {
+    if (merging.is_identity())
+        return {};
     const auto& K = merging.pieces();
     const int n = K.dimension();
     const auto& carriers = merging.carriers(n - 1);
