@@ -7,71 +7,49 @@ namespace polydec {
 
 namespace {
 
-/// left d^T star d right for the d that leaves degree k; 0 for k = n, in which case left and right
-/// (each star^-1 or nothing) are not evaluated.
-template <class Weighted>
-Operator upper_half(const Cells& cells, int k, Weighted weighted) {
-    const CellComplex& complex = cells.complex();
-    if (k == complex.dimension())
-        return Operator::zero(complex.size(k), complex.size(k));
-    const Operator d = Operator::derivative(complex, k);
-    return weighted(d.transposed() * Operator::star(cells.input_stars()[k + 1]) * d);
-}
-
-/// d star^-1 d^T for the d that maps to degree k, with weights; 0 for k = 0.
-template <class Weighted>
-Operator lower_half(const Cells& cells, int k, Weighted weighted) {
-    const CellComplex& complex = cells.complex();
-    if (k == 0)
-        return Operator::zero(complex.size(k), complex.size(k));
-    const Operator d = Operator::derivative(complex, k - 1);
-    return weighted(d * Operator::inverse_star(cells.input_stars()[k - 1]) * d.transposed());
+/// The adjoint of d_(k-1), k = 0..n+1; zero at both ends, where no star is inverted.
+Operator adjoint_of_derivative(const Cells& cells, int k) {
+    const Operator d = Operator::derivative(cells.complex(), k - 1);
+    if (k == 0 || k > cells.dimension())
+        return Operator::zero(d.cols(), d.rows());
+    const HodgeStars& stars = cells.input_stars();
+    return Operator::inverse_star(stars[k - 1]) * d.transposed() * Operator::star(stars[k]);
 }
 
 } // namespace
 
 Operator codifferential(const Cells& cells, int k) {
-    const CellComplex& complex = cells.complex();
-    cell_degree(complex, Side::primal, k); // throws for an invalid degree
-    if (k == 0)
-        return Operator::zero(0, complex.size(0));
-    const HodgeStars& stars = cells.input_stars();
-    return Operator::inverse_star(stars[k - 1]) *
-           Operator::derivative(complex, k - 1).transposed() * Operator::star(stars[k]);
+    cell_degree(cells.complex(), Side::primal, k); // throws for an invalid degree
+    return adjoint_of_derivative(cells, k);
 }
 
 Operator dual_codifferential(const Cells& cells, int j) {
-    const CellComplex& complex = cells.complex();
-    const int k = cell_degree(complex, Side::dual, j);
-    if (k == complex.dimension())
-        return Operator::zero(0, complex.size(k));
-    const HodgeStars& stars = cells.input_stars();
+    const int k = cell_degree(cells.complex(), Side::dual, j);
     const double sign = k % 2 == 0 ? -1 : 1;
-    return sign * (Operator::star(stars[k + 1]) * Operator::derivative(complex, k) *
-                   Operator::inverse_star(stars[k]));
+    return sign * adjoint_of_derivative(cells, k + 1).transposed();
 }
 
 Operator laplacian(const Cells& cells, int k) {
-    cell_degree(cells.complex(), Side::primal, k); // throws for an invalid degree
-    const HodgeStar star = cells.input_stars()[k];
-    return upper_half(cells, k,
-                      [&](const Operator& A) { return Operator::inverse_star(star) * A; }) +
-           lower_half(cells, k, [&](const Operator& A) { return A * Operator::star(star); });
+    const CellComplex& complex = cells.complex();
+    cell_degree(complex, Side::primal, k); // throws for an invalid degree
+    return adjoint_of_derivative(cells, k + 1) * Operator::derivative(complex, k) +
+           Operator::derivative(complex, k - 1) * adjoint_of_derivative(cells, k);
 }
 
 Operator dual_laplacian(const Cells& cells, int j) {
-    const HodgeStar star = cells.input_stars()[cell_degree(cells.complex(), Side::dual, j)];
-    const int k = star.degree();
-    return upper_half(cells, k,
-                      [&](const Operator& A) { return A * Operator::inverse_star(star); }) +
-           lower_half(cells, k, [&](const Operator& A) { return Operator::star(star) * A; });
+    return laplacian(cells, cell_degree(cells.complex(), Side::dual, j)).transposed();
 }
 
 Operator symmetric_laplacian(const Cells& cells, int k) {
-    cell_degree(cells.complex(), Side::primal, k); // throws for an invalid degree
-    const Operator star = Operator::star(cells.input_stars()[k]);
-    return upper_half(cells, k, [](const Operator& A) { return A; }) +
-           lower_half(cells, k, [&](const Operator& A) { return star * A * star; });
+    const CellComplex& complex = cells.complex();
+    cell_degree(complex, Side::primal, k); // throws for an invalid degree
+    const HodgeStars& stars = cells.input_stars();
+    const Operator lower = Operator::star(stars[k]) * Operator::derivative(complex, k - 1) *
+                           adjoint_of_derivative(cells, k);
+    if (k == complex.dimension())
+        return lower;
+    const Operator d = Operator::derivative(complex, k);
+    return d.transposed() * Operator::star(stars[k + 1]) * d + lower;
 }
 
 } // namespace polydec
