@@ -43,6 +43,13 @@ Components graph_components(const CellComplex& complex, Vertex has_vertex, Edge 
 
 } // namespace
 
+CellMarks no_marks(const CellComplex& complex) {
+    CellMarks marks;
+    for (int k = 0; k <= complex.dimension(); ++k)
+        marks.emplace_back(complex.size(k), false);
+    return marks;
+}
+
 void check_marks(const CellComplex& complex, const CellMarks& marks) {
     check_as_many("lists of marked cells", std::ssize(marks), complex.dimension() + 1);
     for (int k = 0; k <= complex.dimension(); ++k)
@@ -81,9 +88,7 @@ std::vector<BoundaryFacet> boundary_facets(const CellComplex& complex) {
 
 CellMarks boundary_cells(const CellComplex& complex) {
     const int n = complex.dimension();
-    CellMarks marks;
-    for (int k = 0; k <= n; ++k)
-        marks.emplace_back(complex.size(k), false);
+    CellMarks marks = no_marks(complex);
     const CofaceCounts& counts = complex.coface_counts(n - 1);
     for (std::size_t f = 0; f < counts.size(); ++f)
         marks[n - 1][f] = counts[f] == 1;

@@ -8,6 +8,9 @@ namespace polydec {
 /// Marks some cells of each degree 0..n: marks[k][s].
 using CellMarks = std::vector<std::vector<bool>>;
 
+/// Marks none of the cells of a complex.
+CellMarks no_marks(const CellComplex& complex);
+
 /// Throws InvalidInput, naming the degree, unless there is one mark per cell.
 void check_marks(const CellComplex& complex, const CellMarks& marks);
 

@@ -58,13 +58,6 @@ void check_open(const CellComplex& complex, const CellMarks& dropped) {
     });
 }
 
-CellMarks no_cells(const CellComplex& complex) {
-    CellMarks marks;
-    for (int k = 0; k <= complex.dimension(); ++k)
-        marks.emplace_back(complex.size(k), false);
-    return marks;
-}
-
 /// d_k between the kept cells, whose numbers are `cells`; number[s] is the new one of k-cell s.
 IncidenceMatrix kept_part(const Incidences& d, const std::vector<Index>& rows,
                           const std::vector<Index>& number, Index columns) {
@@ -107,7 +100,7 @@ SparseMatrix inclusion(const std::vector<Index>& cells, Index size) {
 }
 
 RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& dropped) {
-    return relative_complex(complex, dropped, no_cells(complex));
+    return relative_complex(complex, dropped, no_marks(complex));
 }
 
 RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& closed,

@@ -195,9 +195,7 @@ CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& 
         throw InvalidInput("values are given at vertices, which only primal 0-forms support: give "
                            "values of other forms on boundary facets");
     const int n = complex.dimension();
-    CellMarks marks;
-    for (int k = 0; k <= n; ++k)
-        marks.emplace_back(complex.size(k), false);
+    CellMarks marks = no_marks(complex);
     for (const BoundaryFacet& on : boundary_facets(complex))
         marks[n - 1][on.facet] = conditions.at(on.facet) == BoundaryCondition::essential;
     mark_faces(complex, marks);

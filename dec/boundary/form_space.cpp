@@ -21,9 +21,7 @@ namespace {
 CellMarks on_the_boundary(const CellComplex& complex, std::vector<bool> without_dual,
                           const CellMarks& left_out) {
     const int n = complex.dimension();
-    CellMarks marks;
-    for (int k = 0; k <= n; ++k)
-        marks.emplace_back(complex.size(k), false);
+    CellMarks marks = no_marks(complex);
     marks[n - 1] = std::move(without_dual);
     for (Index f = 0; f < complex.size(n - 1); ++f)
         if (left_out[n - 1][f])
@@ -105,9 +103,7 @@ FormSpace FormSpace::vanishing_on(const Cells& cells, Side side, int degree,
                                   const CellMarks& closed) {
     const CellComplex& complex = cells.complex();
     const int k = polydec::cell_degree(complex, side, degree);
-    CellMarks fixed = closed;
-    for (int j = static_cast<int>(closed.size()); closed.empty() && j <= cells.dimension(); ++j)
-        fixed.emplace_back(complex.size(j), false);
+    CellMarks fixed = closed.empty() ? no_marks(complex) : closed;
     return FormSpace(std::shared_ptr<Parts>(
         new Parts{cells, side, degree, k, {BoundaryCondition::natural}, std::move(fixed)}));
 }

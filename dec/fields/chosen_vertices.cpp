@@ -23,9 +23,7 @@ std::vector<Index> numbers_of(const std::vector<bool>& marks) {
 
 /// The vertices of the marked k-cells.
 std::vector<Index> vertices_of(const CellComplex& complex, int k, const std::vector<bool>& cells) {
-    CellMarks marks;
-    for (int j = 0; j <= complex.dimension(); ++j)
-        marks.emplace_back(complex.size(j), false);
+    CellMarks marks = no_marks(complex);
     marks[k] = cells;
     mark_faces(complex, marks);
     return numbers_of(marks[0]);

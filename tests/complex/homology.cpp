@@ -176,9 +176,7 @@ TEST(RelativeComplexes, refuse_a_set_that_is_not_closed) {
 
 /// Everything that touches a vertex.
 CellMarks star_of_vertex(const CellComplex& complex, Index vertex) {
-    CellMarks marks;
-    for (int k = 0; k <= complex.dimension(); ++k)
-        marks.emplace_back(complex.size(k), false);
+    CellMarks marks = no_marks(complex);
     marks[0][vertex] = true;
     for (int k = 0; k < complex.dimension(); ++k)
         for (Index t = 0; t < complex.size(k + 1); ++t)

@@ -23,13 +23,8 @@ struct Door {
 
 std::vector<Door> doors_of_complexes(const Sample& s) {
     const int n = s.n();
-    const CellMarks none = [&] {
-        CellMarks marks;
-        for (int k = 0; k <= n; ++k)
-            marks.emplace_back(s.P().size(k), false);
-        return marks;
-    }();
-    const auto relative = std::make_shared<RelativeComplex>(relative_complex(s.P(), none));
+    const auto relative =
+        std::make_shared<RelativeComplex>(relative_complex(s.P(), no_marks(s.P())));
     return {
         {"coboundary", -1, n, [&](int k) { s.P().coboundary(k); }},
         {"CellComplex::boundary", 0, n + 1, [&](int k) { s.P().boundary(k); }},

@@ -274,9 +274,7 @@ TEST(ConditionedErrors, know_the_mesh_through_several_relative_complexes) {
     const auto mesh = circumcentric(grid(4, 4), {.criterion = MergeCriterion::none});
     const auto inside = relative_to_boundary(mesh.complex());
     const auto volumes = relative_volumes(inside, mesh.volumes());
-    CellMarks marks;
-    for (int k = 0; k <= 2; ++k)
-        marks.emplace_back(inside.complex.size(k), false);
+    CellMarks marks = no_marks(inside.complex);
     marks[0][0] = true;
     const auto rest = relative_complex(inside.complex, marks);
     const auto rest_volumes = relative_volumes(rest, volumes).with_dual(2, Vector::Ones(32));
