@@ -89,7 +89,8 @@ SparseMatrix of_own(const Cells& cells, int k, const Vector& of_facets) {
                                        "without a mesh; give a mesh",
                                        k),
                            {.degree = k});
-    return diagonal(cells.shares_of_vertices() * of_facets);
+    const Vector& areas = cells.stars().volumes().primal(cells.dimension() - 1);
+    return diagonal(equal_shares(cells.complex(), areas) * of_facets);
 }
 
 } // namespace
@@ -101,16 +102,6 @@ SparseMatrix Cells::boundary_star(int k, const Vector& weights) const {
     const Vector of_pieces = pieces_of(*merged_, dimension() - 1).transpose() * of_facets;
     return stars()[k + 1].is_diagonal() ? by_duals(*merged_, k, of_pieces)
                                         : by_whitney_forms(*merged_, k, of_pieces);
-}
-
-SparseMatrix Cells::shares_of_vertices() const {
-    const int facets = dimension() - 1;
-    if (!merged_)
-        return equal_shares(complex_, stars().volumes().primal(facets));
-    const Geometry& geometry = merged_->geometry();
-    const SparseMatrix parts = dual_parts(
-        geometry, stars()[1].is_diagonal() ? geometry.centers() : Centers::centroids(), 0, facets);
-    return SparseMatrix(pieces_of(*merged_, facets) * parts).transpose();
 }
 
 } // namespace polydec

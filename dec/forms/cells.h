@@ -67,10 +67,6 @@ public:
     /// Throws InvalidInput for 0 < k < n-1 on cells of your own, and for a wrong number of weights.
     SparseMatrix boundary_star(int k, const Vector& weights) const;
 
-    /// Shares of the vertices in the areas of the (n-1)-cells, by the duals of the vertices; equal
-    /// shares for finite elements and for cells of your own. size(0) x size(n-1), in unit().
-    SparseMatrix shares_of_vertices() const;
-
     /// Marks the (n-1)-cells on the boundary whose dual has length zero up to rounding (see
     /// HodgeStar::zeros). The dual is the half edge from the circumcenter of the adjacent n-cell;
     /// this center then lies on the boundary, as for a facet opposite a right angle, and a dual
