@@ -5,7 +5,6 @@
 #include "dec/forms/cells.h"
 #include "dec/merging/merged_cells.h"
 #include "dec/metric/dual_parts.h"
-#include "dec/metric/simplex_faces.h"
 #include "dec/metric/whitney.h"
 
 #include <fmt/format.h>
@@ -44,23 +43,9 @@ SparseMatrix by_duals(const MergedCells& cells, int k, const Vector& of_pieces) 
 }
 
 SparseMatrix by_whitney_forms(const MergedCells& cells, int k, const Vector& of_pieces) {
-    const Pieces& K = cells.geometry().pieces();
-    const int m = cells.dimension() - 1;
-    SimplexFaces faces(K, m, k);
-    SimplexLayout layout(K, cells.geometry().metric());
-    std::vector<Eigen::Triplet<double, Index>> entries;
-    for (Index f = 0; f < K.size(m); ++f) {
-        if (of_pieces[f] == 0)
-            continue;
-        const Corners corners = layout.at(m, f);
-        const DenseMatrix mass = whitney_mass(corners.points, corners.vertices, k);
-        const auto& list = faces.of(f);
-        for (Index a = 0; a < mass.rows(); ++a)
-            for (Index b = 0; b < mass.cols(); ++b)
-                entries.emplace_back(list[a], list[b], of_pieces[f] * mass(a, b));
-    }
-    SparseMatrix W(K.size(k), K.size(k));
-    W.setFromTriplets(entries.begin(), entries.end());
+    const Geometry& geometry = cells.geometry();
+    const SparseMatrix W =
+        whitney_mass(geometry.pieces(), geometry.metric(), cells.dimension() - 1, k, of_pieces);
     const SparseMatrix& S = cells.lift()[k];
     return S.transpose() * W * S;
 }

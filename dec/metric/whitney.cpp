@@ -79,19 +79,18 @@ DenseMatrix whitney_mass(const Points& points, std::span<const Index> vertices, 
     return WhitneyMass(m, j)(points, vertices);
 }
 
-SparseMatrix whitney_mass(const Pieces& complex, const SimplexMetric& metric, int k,
+SparseMatrix whitney_mass(const Pieces& complex, const SimplexMetric& metric, int m, int k,
                           const Vector& weights) {
-    const int n = complex.dimension();
-    check_number("the mass of Whitney forms of degree", k, 0, n);
-    check_as_many("weights of simplices", weights.size(), complex.size(n));
+    check_number("the mass of Whitney forms of degree", k, 0, m);
+    check_as_many("weights of simplices", weights.size(), complex.size(m));
     std::vector<Eigen::Triplet<double, Index>> entries;
-    SimplexFaces faces(complex, n, k);
+    SimplexFaces faces(complex, m, k);
     SimplexLayout layout(complex, metric);
-    const WhitneyMass of_simplex(n, k);
-    for (Index t = 0; t < complex.size(n); ++t) {
+    const WhitneyMass of_simplex(m, k);
+    for (Index t = 0; t < complex.size(m); ++t) {
         if (weights[t] == 0)
             continue;
-        const Corners corners = layout.at(n, t);
+        const Corners corners = layout.at(m, t);
         const DenseMatrix mass = weights[t] * of_simplex(corners.points, corners.vertices);
         const auto& of_t = faces.of(t);
         for (std::size_t a = 0; a < of_t.size(); ++a)

@@ -16,10 +16,10 @@ namespace polydec {
 /// lengths. Source: Whitney 1957, integrated in closed form.
 DenseMatrix whitney_mass(const Points& points, std::span<const Index> vertices, int j);
 
-/// Sum of the mass matrices of the n-simplices, each times its weight (one per n-simplex); with
-/// weights 1, the inner products of the Whitney k-forms. size(k) x size(k).
-/// Throws InvalidInput for a wrong number of weights, and if there is no degree k.
-SparseMatrix whitney_mass(const Pieces& complex, const SimplexMetric& metric, int k,
+/// Sum of the mass matrices of the m-simplices, each times its weight (one per m-simplex); with
+/// weights 1, the inner products of the Whitney k-forms on them. size(k) x size(k).
+/// Throws InvalidInput for a wrong number of weights, and unless k <= m <= n.
+SparseMatrix whitney_mass(const Pieces& complex, const SimplexMetric& metric, int m, int k,
                           const Vector& weights);
 
 } // namespace polydec

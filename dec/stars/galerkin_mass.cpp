@@ -49,7 +49,7 @@ SparseMatrix GalerkinMass::operator()(int k, const Vector& weights) const {
     Vector of_pieces(pieces().size(pieces().dimension()));
     for (Index t = 0; t < of_pieces.size(); ++t)
         of_pieces[t] = weights[cell(t)];
-    return lifted(k, whitney_mass(pieces(), metric(), k, of_pieces));
+    return lifted(k, whitney_mass(pieces(), metric(), pieces().dimension(), k, of_pieces));
 }
 
 SparseMatrix GalerkinMass::lifted(int k, const SparseMatrix& of_pieces) const {
