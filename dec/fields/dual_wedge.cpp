@@ -27,15 +27,6 @@ Axes joined(const Axes& a, const Axes& b) {
     return result;
 }
 
-/// The axes 0..n-1 missing in the ascending list.
-Axes complement(int n, const Axes& axes) {
-    Axes result;
-    for (int axis = 0; axis < n; ++axis)
-        if (!std::binary_search(axes.begin(), axes.end(), axis))
-            result.push_back(axis);
-    return result;
-}
-
 /// star^-1 (star v ^ star w) of a p-covector v and a q-covector w of R^n, of degree p + q - n.
 class Meet {
 public:

@@ -3,10 +3,8 @@
 
 #include "dec/metric/simplex_faces.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace polydec {
 
@@ -29,16 +27,17 @@ public:
         return !(share > 64 * n * std::numeric_limits<double>::epsilon()); // not a number, too
     }
 
-    /// The angle at the face of these corners between the facets that have another corner each:
-    /// between the heights of these over the face.
-    double angle(const Corners& corners, const std::vector<int>& face, int a, int b) {
+    /// The angle at a face between the facets that have one of the two other corners each: between
+    /// the heights of these over the face.
+    double angle(const Corners& corners, const std::vector<int>& face,
+                 const std::vector<int>& others) {
         const auto k = static_cast<int>(face.size()) - 1;
         for (int i = 0; i < k; ++i) {
             place(corners, face[0], face[i + 1], i);
             orthogonalize(i, i);
         }
         for (int i = 0; i < 2; ++i) {
-            place(corners, face[0], i == 0 ? a : b, k + i);
+            place(corners, face[0], others[i], k + i);
             orthogonalize(k + i, k);
         }
         double difference = 0, sum = 0; // squared
@@ -94,14 +93,6 @@ private:
 Vector angle_sums(const Pieces& complex, const SimplexMetric& metric) {
     const int n = complex.dimension();
     SimplexFaces faces(complex, n, n - 2);
-    std::vector<std::pair<int, int>> omitted; // for each face
-    for (const auto& kept : faces.positions()) {
-        std::vector<int> corners;
-        for (int i = 0; i <= n; ++i)
-            if (!std::binary_search(kept.begin(), kept.end(), i))
-                corners.push_back(i);
-        omitted.emplace_back(corners[0], corners[1]);
-    }
     SimplexLayout layout(complex, metric);
     Dihedral dihedral(n, metric.points() ? metric.points()->cols() : n);
     Vector sums = Vector::Zero(complex.size(n - 2));
@@ -111,8 +102,7 @@ Vector angle_sums(const Pieces& complex, const SimplexMetric& metric) {
             continue;
         const auto& list = faces.of(t);
         for (std::size_t s = 0; s < list.size(); ++s)
-            sums[list[s]] +=
-                dihedral.angle(corners, faces.positions()[s], omitted[s].first, omitted[s].second);
+            sums[list[s]] += dihedral.angle(corners, faces.positions()[s], faces.omitted()[s]);
     }
     return sums;
 }

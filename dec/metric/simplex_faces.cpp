@@ -3,19 +3,12 @@
 
 #include "dec/metric/subsets.h"
 
-#include <algorithm>
-
 namespace polydec {
 
 SimplexFaces::SimplexFaces(const Pieces& complex, int m, int k)
     : complex_(complex), m_(m), positions_(subsets(m + 1, k + 1)), faces_(positions_.size()) {
-    for (const auto& kept : positions_) {
-        std::vector<int> omitted;
-        for (int v = m; v >= 0; --v)
-            if (!std::binary_search(kept.begin(), kept.end(), v))
-                omitted.push_back(v);
-        omitted_.push_back(std::move(omitted));
-    }
+    for (const auto& kept : positions_)
+        omitted_.push_back(complement(m + 1, kept));
 }
 
 const std::vector<Index>& SimplexFaces::of(Index s) {
@@ -23,8 +16,8 @@ const std::vector<Index>& SimplexFaces::of(Index s) {
     for (std::size_t i = 0; i < faces_.size(); ++i) {
         Index face = s;
         int degree = m_;
-        for (const int v : omitted_[i])
-            face = complex_.face(degree--, face, v);
+        for (auto v = omitted_[i].rbegin(); v != omitted_[i].rend(); ++v)
+            face = complex_.face(degree--, face, *v);
         faces_[i] = face;
     }
     return faces_;

@@ -21,11 +21,13 @@ public:
     /// The vertices of the m-simplex that each face has: subsets(m+1, k+1).
     const std::vector<std::vector<int>>& positions() const { return positions_; }
 
+    /// The other vertices, ascending too.
+    const std::vector<std::vector<int>>& omitted() const { return omitted_; }
+
 private:
     const Pieces& complex_;
     int m_;
-    std::vector<std::vector<int>> positions_;
-    std::vector<std::vector<int>> omitted_; // descending
+    std::vector<std::vector<int>> positions_, omitted_;
     std::vector<Index> faces_;
 };
 

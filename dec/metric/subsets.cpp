@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace polydec {
@@ -25,6 +26,14 @@ std::vector<std::vector<int>> subsets(int count, int size) {
         }
     };
     extend(extend, 0);
+    return result;
+}
+
+std::vector<int> complement(int count, const std::vector<int>& list) {
+    std::vector<int> result;
+    for (int i = 0; i < count; ++i)
+        if (!std::binary_search(list.begin(), list.end(), i))
+            result.push_back(i);
     return result;
 }
 
