@@ -66,41 +66,30 @@ private:
 /// the duals' parts within the boundary, from each boundary facet.
 class DualIntegrals {
 public:
-    /// centers_of(i): the centers of the i-simplices in space.
+    /// For duals that end at simplices of degree `top`; centers_of(i): the centers of the
+    /// i-simplices in space.
     template <class CentersOf>
-    DualIntegrals(const Pieces& complex, Eigen::Index N, int k, const Integral& integral,
+    DualIntegrals(const Pieces& complex, int k, int top, const Integral& integral,
                   CentersOf centers_of)
-        : DualIntegrals(complex, N, k, integral, centers_of, complex.dimension()) {}
-
-    /// For duals that end at cells of dimension `top`.
-    template <class CentersOf>
-    DualIntegrals(const Pieces& complex, Eigen::Index N, int k, const Integral& integral,
-                  CentersOf centers_of, int top)
         : complex_(complex),
           integral_(integral),
           k_(k),
-          corners_(top - k + 1, N),
+          top_(top),
           result_(Vector::Zero(complex.size(k))) {
         for (int i = 0; i <= top; ++i)
             centers_.push_back(i < k ? Points() : centers_of(i));
+        corners_.resize(top - k + 1, centers_.back().cols());
     }
 
     Vector all() {
-        const int n = complex_.dimension();
-        for (Index t = 0; t < complex_.size(n); ++t)
-            descend(n, t, 1);
+        for (Index t = 0; t < complex_.size(top_); ++t)
+            descend(top_, t, 1);
         return std::move(result_);
     }
 
-    /// Facets are oriented as the boundary.
-    Vector on_the_boundary(const std::vector<bool>& boundary) {
-        const int n = complex_.dimension();
-        for (Index t = 0; t < complex_.size(n); ++t)
-            for (int omitted = 0; omitted <= n; ++omitted) {
-                const Index f = complex_.face(n, t, omitted);
-                if (boundary[f])
-                    descend(n - 1, f, complex_.sign(n, t, omitted));
-            }
+    Vector on_the_boundary(const std::vector<SignedFace>& facets) {
+        for (const auto& [f, sign] : facets)
+            descend(top_, f, sign);
         return std::move(result_);
     }
 
@@ -120,7 +109,7 @@ private:
 
     const Pieces& complex_;
     const Integral& integral_;
-    int k_;
+    int k_, top_;
     DenseMatrix corners_;
     Vector result_;
     std::vector<Points> centers_; // per degree
@@ -155,12 +144,9 @@ public:
           faces_(pieces, m_, k_),
           result_(Vector::Zero(pieces.size(k_))) {}
 
-    Vector on_the_boundary(const std::vector<bool>& boundary) {
-        const int n = pieces_.dimension();
-        for (Index t = 0; t < pieces_.size(n); ++t)
-            for (int omitted = 0; omitted <= n; ++omitted)
-                if (const Index f = pieces_.face(n, t, omitted); boundary[f])
-                    add(f, pieces_.sign(n, t, omitted));
+    Vector on_the_boundary(const std::vector<SignedFace>& facets) {
+        for (const auto& [f, sign] : facets)
+            add(f, sign);
         return std::move(result_);
     }
 
@@ -214,10 +200,9 @@ Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothF
     require_straight(complex, points, "the de Rham map");
     const Integral integral(form, static_cast<Index>(points.cols()), k, quadrature_degree);
     Vector result(complex.size(k));
-    DenseMatrix corners(k + 1, points.cols());
+    DenseMatrix corners;
     for (Index s = 0; s < complex.size(k); ++s) {
-        for (int i = 0; i <= k; ++i)
-            corners.row(i) = points.row(complex.simplices(k)(s, i));
+        corners = points(vertices(complex.simplices(k), s), Eigen::indexing::all);
         result[s] = orientation(complex, k, s) * integral(corners);
     }
     return result;
@@ -260,7 +245,7 @@ Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const Sm
     const auto centers_of = [&](int i) {
         return combinations(complex, i, center_coordinates(complex, points, centers, i), points);
     };
-    return DualIntegrals(complex, points.cols(), k, integral, centers_of).all();
+    return DualIntegrals(complex, k, complex.dimension(), integral, centers_of).all();
 }
 
 Vector inverse_star_de_rham(const Pieces& complex, const Points& points, int j,
@@ -280,25 +265,20 @@ namespace {
 /// The same over the simplices of the input.
 Vector inverse_star_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                             int quadrature_degree) {
-    const Discretization& at = placed(mesh);
-    if (!mesh.box())
-        return inverse_star_de_rham(at.input(), at.measured_input_points(), j, form,
-                                    quadrature_degree);
-    require_form(form);
     const int k = mesh.dimension() - j;
     const auto [points, corners] = mesh.places();
     const Index size = ExteriorProduct(mesh.ambient_dimension(), j).size();
-    const DenseMatrix in_box = means_over(at.input(), points, k, form, size, quadrature_degree);
+    const DenseMatrix at_places =
+        means_over(placed(mesh).input(), points, k, form, size, quadrature_degree);
     // coefficients have no orientation, unlike simplices
-    const Vector signs = from_places(mesh, k, Vector::Ones(in_box.rows()));
-    const DenseMatrix means = signs.asDiagonal() * from_places(mesh, k, in_box);
+    const Vector signs = from_places(mesh, k, Vector::Ones(at_places.rows()));
+    const DenseMatrix means = signs.asDiagonal() * from_places(mesh, k, at_places);
     return inverse_star_means(mesh.input(), points, corners, j,
                               [&](Index, Index s) { return means.row(s); });
 }
 
 /// Values at dual_sites, averaged by volume over the pieces of a cell.
 Cochain values_at_sites(const Discretization& mesh, const SmoothForm& form) {
-    require_form(form);
     Points rows = sites_of_pieces(mesh);
     fill_flat_pieces(mesh, rows);
     Vector values(rows.rows());
@@ -307,13 +287,18 @@ Cochain values_at_sites(const Discretization& mesh, const SmoothForm& form) {
     return on_cells(mesh, {Side::dual, 0, values});
 }
 
-/// The facets of the simplices of placed(mesh) on the boundary of the mesh, without the seams.
-std::vector<bool> boundary_facets(const Discretization& mesh) {
-    const int m = mesh.dimension() - 1;
-    const auto& counts = mesh.pieces().coface_counts(m);
-    std::vector<bool> result;
-    for (Index f = 0; f < placed(mesh).pieces().size(m); ++f)
-        result.push_back(counts[mesh.box() ? mesh.box()->onto(m)[f] : f] == 1);
+/// The facets of the simplices of placed(mesh) on the boundary of the mesh, without the seams, with
+/// their signs in the n-simplices beside them.
+std::vector<SignedFace> boundary_facets(const Discretization& mesh) {
+    const Pieces& pieces = placed(mesh).pieces();
+    const int n = mesh.dimension();
+    const auto& counts = mesh.pieces().coface_counts(n - 1);
+    std::vector<SignedFace> result;
+    for (Index t = 0; t < pieces.size(n); ++t)
+        for (int omitted = 0; omitted <= n; ++omitted)
+            if (const Index f = pieces.face(n, t, omitted);
+                counts[mesh.box() ? mesh.box()->onto(n - 1)[f] : f] == 1)
+                result.push_back({f, pieces.sign(n, t, omitted)});
     return result;
 }
 
@@ -333,15 +318,8 @@ Cochain dual_integrals(const Discretization& mesh, int j, const SmoothForm& form
     const Discretization& at = placed(mesh);
     const Integral integral(form, N, j, quadrature_degree);
     const Places places(at.passage(), at.measured_points());
-    const auto centers_of = [&](int i) {
-        Points rows = places.at(
-            i, center_coordinates(at.pieces(), at.geometry().metric(), at.geometry().centers(), i),
-            at.measured_points());
-        if (i == at.dimension())
-            fill_flat_pieces(at, rows);
-        return rows;
-    };
-    const Vector values = DualIntegrals(at.pieces(), N, k, integral, centers_of).all();
+    const auto centers_of = [&](int i) { return at_centers(at, places, at.measured_points(), i); };
+    const Vector values = DualIntegrals(at.pieces(), k, at.dimension(), integral, centers_of).all();
     return on_cells(mesh, {Side::dual, j, sums_from_places(mesh, k, values)});
 }
 
@@ -367,7 +345,7 @@ Vector boundary_integrals(const Discretization& mesh, int j, const SmoothForm& f
         return places.at(i, center_coordinates(at.pieces(), at.geometry().metric(), of_facets, i),
                          at.measured_points());
     };
-    DualIntegrals duals(at.pieces(), N, k, integral, centers_of, n - 1);
+    DualIntegrals duals(at.pieces(), k, n - 1, integral, centers_of);
     const Vector of_pieces = sums_from_places(mesh, k, duals.on_the_boundary(boundary));
     const Vector result = on_cells(mesh, {Side::dual, j + 1, of_pieces}).values;
     if (j > 0)

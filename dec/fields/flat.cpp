@@ -51,16 +51,6 @@ Points means(const Pieces& complex, const Points& field, int k) {
     return combinations(complex, k, Points::Constant(complex.size(k), k + 1, 1.0 / (k + 1)), field);
 }
 
-/// Vectors at vertices, interpolated linearly at the centers of the k-pieces.
-Points at_centers(const Discretization& mesh, const Places& places, const Points& field, int k) {
-    const Points coordinates =
-        center_coordinates(mesh.pieces(), mesh.geometry().metric(), mesh.geometry().centers(), k);
-    Points rows = places.at(k, coordinates, field);
-    if (k == mesh.dimension())
-        fill_flat_pieces(mesh, rows);
-    return rows;
-}
-
 /// Copies the vectors of the merged n-cells to their pieces.
 Points copied_to_pieces(const Discretization& mesh, const DenseMatrix& field) {
     const auto& carriers = mesh.merging().carriers(mesh.dimension());

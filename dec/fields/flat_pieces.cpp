@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "dec/metric/centers.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,6 +45,15 @@ void fill_flat_pieces(const Discretization& mesh, Points& rows) {
         }
         rows.row(t) = sum / volume;
     }
+}
+
+Points at_centers(const Discretization& mesh, const Places& places, const Points& values, int k) {
+    const Points coordinates =
+        center_coordinates(mesh.pieces(), mesh.geometry().metric(), mesh.geometry().centers(), k);
+    Points rows = places.at(k, coordinates, values);
+    if (k == mesh.dimension())
+        fill_flat_pieces(mesh, rows);
+    return rows;
 }
 
 } // namespace polydec

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dec/discretization/discretization.h"
+#include "dec/surfaces/places.h"
 
 #include <string_view>
 
@@ -15,5 +16,9 @@ void refuse_flat_pieces(const Discretization& mesh, std::string_view what);
 /// their cells, weighted by volume: corners of flat pieces do not determine the component across
 /// them. `rows` has one row per n-piece.
 void fill_flat_pieces(const Discretization& mesh, Points& rows);
+
+/// Values at vertices, interpolated linearly at the centers of the k-pieces; filled likewise for
+/// k = n.
+Points at_centers(const Discretization& mesh, const Places& places, const Points& values, int k);
 
 } // namespace polydec
