@@ -3,13 +3,13 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "complex/sides.h"
 #include "dec/discretization/glued_box.h"
 #include "dec/metric/simplex_geometry.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -41,7 +41,6 @@ public:
     Mesh lines();
 
 private:
-    void find_neighbors();
     void find_rates(const DenseMatrix& vectors);
     void find_bins();
     Vector rate(const Spot& spot, double sign) const {
@@ -59,8 +58,8 @@ private:
     const Pieces& pieces_;
     const Discretization& mesh_;
     int n_;
+    Sides sides_;
     double spacing_, longest_, shortest_;
-    std::vector<std::array<Index, 2>> cofaces_; // of facets; -1: none, or more than two cofaces
     std::vector<DenseMatrix> rates_; // of barycentric coordinates along the field, per n-simplex
     std::vector<Index> bins_;        // of each n-simplex
     std::vector<Index> taken_;       // the last line in each bin, from 1
@@ -76,6 +75,7 @@ Tracer::Tracer(const Discretization& mesh, const DenseMatrix& vectors,
     : pieces_(mesh.pieces()),
       mesh_(mesh),
       n_(mesh.dimension()),
+      sides_(pieces_),
       spacing_(options.spacing),
       longest_(options.longest),
       shortest_(options.shortest) {
@@ -101,21 +101,8 @@ Tracer::Tracer(const Discretization& mesh, const DenseMatrix& vectors,
         throw InvalidInput(fmt::format(
             "streamlines of {} to {} spacings: expected ascending numbers of at least 0", shortest_,
             longest_));
-    find_neighbors();
     find_rates(vectors);
     find_bins();
-}
-
-void Tracer::find_neighbors() {
-    cofaces_.assign(static_cast<std::size_t>(pieces_.size(n_ - 1)), {-1, -1});
-    const CofaceCounts& counts = pieces_.coface_counts(n_ - 1);
-    const FaceTable faces = pieces_.faces(n_);
-    for (Index t = 0; t < pieces_.size(n_); ++t)
-        for (int i = 0; i <= n_; ++i) {
-            const Index facet = faces(t, i);
-            if (counts[facet] <= 2)
-                cofaces_[facet][cofaces_[facet][0] < 0 ? 0 : 1] = t;
-        }
 }
 
 /// Rates of change of barycentric coordinates along each corner's vector.
@@ -134,11 +121,9 @@ void Tracer::find_rates(const DenseMatrix& vectors) {
     at_vertices.array().colwise() /= weights.array();
     slowest_ = 1e-6 * at_vertices.rowwise().norm().maxCoeff();
     for (Index t = 0; t < pieces_.size(n_); ++t) {
-        DenseMatrix corners(n_ + 1, points.cols());
-        for (int i = 0; i <= n_; ++i)
-            corners.row(i) = at_vertices.row(simplices(t, i));
-        rates_.push_back(barycentric_gradients(points, vertices(simplices, t)) *
-                         corners.transpose());
+        const auto corners = vertices(simplices, t);
+        const DenseMatrix field = at_vertices(corners, Eigen::indexing::all);
+        rates_.push_back(barycentric_gradients(points, corners) * field.transpose());
     }
 }
 
@@ -179,9 +164,12 @@ Vector Tracer::place(const Spot& spot) const {
 
 /// The same place in the simplex across the facet without this corner, if there is one.
 std::optional<Spot> Tracer::beyond(const Spot& spot, int corner) const {
-    const auto [first, second] = cofaces_[pieces_.face(n_, spot.simplex, corner)];
-    const Index other = first == spot.simplex ? second : first;
-    if (other < 0 || other == spot.simplex)
+    const Index facet = pieces_.face(n_, spot.simplex, corner);
+    if (!sides_.exist(facet))
+        return {};
+    const Index first = sides_.first(facet);
+    const Index other = first == spot.simplex ? sides_.second(facet) : first;
+    if (other == spot.simplex)
         return {};
     const auto& simplices = pieces_.simplices(n_);
     Spot found{other, Vector::Zero(n_ + 1)};
