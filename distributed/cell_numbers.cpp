@@ -127,15 +127,9 @@ std::vector<PieceSum> sums_of_volumes(const Ranks& ranks, const LocalComplex& lo
 /// Of simplices that are cells as they are.
 CellVolumes own_volumes(const CellVolumes& all,
                         const std::vector<DistributedCells::Degree>& cells) {
-    std::vector<Vector> primal, dual, terms, rounding;
-    for (int k = 0; k <= all.dimension(); ++k) {
-        const std::vector<Index>& own = cells[static_cast<std::size_t>(k)].first;
-        primal.emplace_back(all.primal(k)(own));
-        dual.emplace_back(all.dual(k)(own));
-        terms.emplace_back(all.terms(k).vector()(own));
-        rounding.emplace_back(all.rounding(k).vector()(own));
-    }
-    return {std::move(primal), std::move(dual), std::move(terms), std::move(rounding)};
+    return all.mapped([&](int k, int, const Vector& numbers) -> Vector {
+        return numbers(cells[static_cast<std::size_t>(k)].first);
+    });
 }
 
 /// By which messages name cells; none if they do not fit.

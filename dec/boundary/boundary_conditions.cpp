@@ -227,18 +227,12 @@ CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes&
         check_fit(relative.complex, volumes);
         return volumes;
     }
-    std::vector<Vector> primal, dual, terms, rounding;
+    const CellVolumes kept = volumes.mapped(
+        [&](int k, int, const Vector& numbers) { return relative.restrict(k, numbers); });
     auto numbers = relative.cells;
-    for (int k = 0; k <= relative.complex.dimension(); ++k) {
-        primal.push_back(relative.restrict(k, volumes.primal(k)));
-        dual.push_back(relative.restrict(k, volumes.dual(k)));
-        terms.push_back(relative.restrict(k, volumes.terms(k).vector()));
-        rounding.push_back(relative.restrict(k, volumes.rounding(k).vector()));
-        for (Index& cell : numbers[k])
-            cell = volumes.number(k, cell);
-    }
-    return CellVolumes(std::move(primal), std::move(dual), std::move(terms), std::move(rounding))
-        .numbered(std::move(numbers));
+    for (int k = 0; k <= relative.complex.dimension(); ++k)
+        numbers[k] = volumes.numbers(k, std::move(numbers[k]));
+    return kept.numbered(std::move(numbers));
 }
 
 HodgeStars relative_stars(const RelativeComplex& relative, const HodgeStars& stars) {

@@ -8,18 +8,9 @@ namespace polydec {
 CellVolumes in_input_units(const CellVolumes& volumes, double unit) {
     if (unit == 1)
         return volumes;
-    const int n = volumes.dimension();
-    std::vector<Vector> primal, dual, terms, rounding;
-    for (int k = 0; k <= n; ++k) {
-        const auto scaled = [&](const Vector& values, int power) {
-            return in_input_units(values, unit, power, fmt::format("volumes of degree {}", k));
-        };
-        primal.push_back(scaled(volumes.primal(k), k));
-        dual.push_back(scaled(volumes.dual(k), n - k));
-        terms.push_back(scaled(volumes.terms(k).vector(), n - k));
-        rounding.push_back(scaled(volumes.rounding(k).vector(), n - k));
-    }
-    return {std::move(primal), std::move(dual), std::move(terms), std::move(rounding)};
+    return volumes.mapped([&](int k, int power, const Vector& numbers) {
+        return in_input_units(numbers, unit, power, fmt::format("volumes of degree {}", k));
+    });
 }
 
 HodgeStars in_input_units(const HodgeStars& stars, double unit) {

@@ -115,6 +115,18 @@ CellVolumes CellVolumes::with_dual(int k, Vector dual, Vector terms, Vector roun
     return result;
 }
 
+CellVolumes CellVolumes::mapped(const Map& of) const {
+    const int n = dimension();
+    std::vector<Vector> primals, duals, all_terms, roundings;
+    for (int k = 0; k <= n; ++k) {
+        primals.push_back(of(k, k, primal(k)));
+        duals.push_back(of(k, n - k, dual(k)));
+        all_terms.push_back(of(k, n - k, terms(k).vector()));
+        roundings.push_back(of(k, n - k, rounding(k).vector()));
+    }
+    return {std::move(primals), std::move(duals), std::move(all_terms), std::move(roundings)};
+}
+
 CellVolumes CellVolumes::numbered(std::vector<std::vector<Index>> numbers) const {
     check_as_many("degrees of numbers", static_cast<Index>(numbers.size()), dimension() + 1);
     for (int k = 0; k <= dimension(); ++k)

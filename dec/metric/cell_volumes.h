@@ -3,6 +3,7 @@
 
 #include "dec/metric/values.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -62,6 +63,11 @@ public:
     /// rounding are given. Throws like the constructor.
     CellVolumes with_dual(int k, Vector dual) const;
     CellVolumes with_dual(int k, Vector dual, Vector terms, Vector rounding) const;
+
+    /// Volumes of other cells, or in another unit: of(k, power, numbers) maps one list of numbers
+    /// of the k-cells, whose units are length^power. Throws like the constructor.
+    using Map = std::function<Vector(int k, int power, const Vector& numbers)>;
+    CellVolumes mapped(const Map& of) const;
 
     /// The same with other numbers for the cells in messages: cells of a relative complex are named
     /// by their numbers in the whole complex. One list per degree. Throws InvalidInput unless there
