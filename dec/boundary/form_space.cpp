@@ -2,7 +2,6 @@
 #include "dec/boundary/form_space.h"
 
 #include "base/errors.h"
-#include "base/lazy.h"
 #include "dec/boundary/two_sided.h"
 #include "dec/forms/laplacian.h"
 
@@ -56,28 +55,6 @@ Vector coefficients_on(const Cells& cells, BoundaryConditions conditions) {
 
 } // namespace
 
-struct FormSpace::Parts {
-    Cells cells;
-    Side side;
-    int degree, k;
-    BoundaryConditions conditions;
-    CellMarks fixed;
-    Vector robin = {};                   // coefficients at facets
-    std::vector<bool> without_dual = {}; // facets where values are given, if they matter
-    Lazy<CellMarks> on_boundary = {}, left_out = {};
-    Lazy<RelativeComplex> relative = {};
-
-    /// See on_the_boundary.
-    const CellMarks& open() const {
-        return on_boundary.get(
-            [&] { return on_the_boundary(cells.complex(), without_dual, fixed); });
-    }
-    Lazy<SparseMatrix> weights = {}, layer = {};
-    Lazy<Cells> inside = {};
-};
-
-FormSpace::FormSpace(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
-
 FormSpace::FormSpace(const Cells& cells, Side side, int degree)
     : FormSpace(cells, side, degree, built_in_conditions(side)) {}
 
@@ -108,26 +85,6 @@ FormSpace FormSpace::vanishing_on(const Cells& cells, Side side, int degree,
         new Parts{cells, side, degree, k, {BoundaryCondition::natural}, std::move(fixed)}));
 }
 
-Cells FormSpace::cells() const {
-    return parts_->cells;
-}
-
-Side FormSpace::side() const {
-    return parts_->side;
-}
-
-int FormSpace::degree() const {
-    return parts_->degree;
-}
-
-int FormSpace::cell_degree() const {
-    return parts_->k;
-}
-
-const BoundaryConditions& FormSpace::conditions() const& {
-    return parts_->conditions;
-}
-
 std::string FormSpace::in_words() const {
     return polydec::in_words(conditions(), parts_->cells.complex(), degree());
 }
@@ -149,8 +106,10 @@ void FormSpace::refuse_robin(const char* what) const {
     polydec::refuse_robin(parts_->cells.complex(), conditions(), what);
 }
 
-const CellMarks& FormSpace::fixed() const& {
-    return parts_->fixed;
+const CellMarks& FormSpace::on_the_boundary() const {
+    return parts_->on_boundary.get([&] {
+        return polydec::on_the_boundary(parts_->cells.complex(), parts_->without_dual, fixed());
+    });
 }
 
 const CellMarks& FormSpace::left_out() const& {
@@ -159,7 +118,7 @@ const CellMarks& FormSpace::left_out() const& {
     return parts_->left_out.get([&] {
         CellMarks marks = fixed();
         for (std::size_t k = 0; k < marks.size(); ++k)
-            std::transform(marks[k].begin(), marks[k].end(), parts_->open()[k].begin(),
+            std::transform(marks[k].begin(), marks[k].end(), on_the_boundary()[k].begin(),
                            marks[k].begin(), std::logical_or<>());
         return marks;
     });
@@ -170,7 +129,7 @@ const RelativeComplex& FormSpace::relative() const& {
         const CellComplex& complex = parts_->cells.complex();
         if (parts_->without_dual.empty())
             return relative_complex(complex, fixed());
-        return relative_complex(complex, fixed(), parts_->open());
+        return relative_complex(complex, fixed(), on_the_boundary());
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/lazy.h"
 #include "dec/boundary/boundary_conditions.h"
 #include "dec/forms/cells.h"
 #include "dec/forms/cochain.h"
@@ -8,6 +9,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace polydec {
@@ -40,11 +42,12 @@ public:
     static FormSpace vanishing_on(const Cells& cells, Side side, int degree,
                                   const CellMarks& closed = {});
 
-    Cells cells() const;
-    Side side() const;
-    int degree() const;
-    int cell_degree() const; ///< degree k of the cells that carry the values: degree or n - degree
-    const BoundaryConditions& conditions() const&;
+    Cells cells() const { return parts_->cells; }
+    Side side() const { return parts_->side; }
+    int degree() const { return parts_->degree; }
+    /// Degree k of the cells that carry the values: degree or n - degree.
+    int cell_degree() const { return parts_->k; }
+    const BoundaryConditions& conditions() const& { return parts_->conditions; }
     BoundaryConditions conditions() && { return conditions(); }
 
     /// The conditions in words, like polydec::in_words.
@@ -62,7 +65,7 @@ public:
 
     /// Marks the cells, in every degree, at which essential data fix the primal forms, or the
     /// primal forms whose stars the dual forms are. Facets without dual add no marks here.
-    const CellMarks& fixed() const&;
+    const CellMarks& fixed() const& { return parts_->fixed; }
     CellMarks fixed() && { return fixed(); }
 
     /// Marks the cells without free values: fixed() and the cells fixed because a facet has no
@@ -111,8 +114,22 @@ public:
     Operator stiffness() const;
 
 private:
-    struct Parts;
-    explicit FormSpace(std::shared_ptr<const Parts> parts);
+    struct Parts {
+        Cells cells;
+        Side side;
+        int degree, k;
+        BoundaryConditions conditions;
+        CellMarks fixed;
+        Vector robin = {};                   // coefficients at facets
+        std::vector<bool> without_dual = {}; // facets where values are given, if they matter
+        Lazy<CellMarks> on_boundary = {}, left_out = {};
+        Lazy<RelativeComplex> relative = {};
+        Lazy<SparseMatrix> weights = {}, layer = {};
+        Lazy<Cells> inside = {};
+    };
+    explicit FormSpace(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+
+    const CellMarks& on_the_boundary() const;
     SparseMatrix free_part(int k, const SparseMatrix& of_all) const;
 
     std::shared_ptr<const Parts> parts_;
