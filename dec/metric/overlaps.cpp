@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "complex/disjoint_sets.h"
 #include "dec/metric/angle_sums.h"
+#include "dec/metric/plane.h"
 #include "dec/metric/simplex_geometry.h"
 
 #include <algorithm>
@@ -21,15 +22,6 @@ namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 31, 31>;
-
-/// The coordinates that are not constant.
-std::vector<Eigen::Index> varying_coordinates(const Points& points) {
-    std::vector<Eigen::Index> axes;
-    for (Eigen::Index c = 0; c < points.cols(); ++c)
-        if ((points.col(c).array() != points(0, c)).any())
-            axes.push_back(c);
-    return axes;
-}
 
 /// The sign of the determinant of an n-simplex, 0 if within rounding.
 std::int8_t sign_of(const Points& points, std::span<const Index> corners) {

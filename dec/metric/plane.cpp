@@ -2,17 +2,21 @@
 #include "dec/metric/plane.h"
 
 #include <limits>
-#include <vector>
 
 namespace polydec {
 
-Points plane_points(const Points& points, int n) {
-    if (points.cols() <= n || points.rows() <= n)
-        return {};
+std::vector<Eigen::Index> varying_coordinates(const Points& points) {
     std::vector<Eigen::Index> axes;
     for (Eigen::Index c = 0; c < points.cols(); ++c)
         if ((points.col(c).array() != points(0, c)).any())
             axes.push_back(c);
+    return axes;
+}
+
+Points plane_points(const Points& points, int n) {
+    if (points.cols() <= n || points.rows() <= n)
+        return {};
+    const auto axes = varying_coordinates(points);
     if (static_cast<int>(axes.size()) == n)
         return points(Eigen::indexing::all, axes);
 
