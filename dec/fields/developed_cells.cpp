@@ -3,29 +3,11 @@
 
 #include "base/decompositions.h"
 #include "dec/metric/simplex_geometry.h"
-#include "dec/metric/simplex_layout.h"
+#include "dec/metric/subsets.h"
 
 namespace polydec {
 
 namespace {
-
-/// Rows of coordinates in the plane of the simplex, relative to its first corner.
-DenseMatrix in_own_plane(const Corners& corners) {
-    const auto n = static_cast<Index>(corners.vertices.size()) - 1;
-    DenseMatrix edges(n, corners.points.cols());
-    for (Index i = 0; i < n; ++i)
-        edges.row(i) =
-            corners.points.row(corners.vertices[i + 1]) - corners.points.row(corners.vertices[0]);
-    DenseMatrix result = DenseMatrix::Zero(n + 1, n);
-    result.bottomRows(n) = triangular_factor(edges.transpose()).transpose();
-    return result;
-}
-
-DenseMatrix without_row(const DenseMatrix& rows, int omitted) {
-    DenseMatrix result(rows.rows() - 1, rows.cols());
-    result << rows.topRows(omitted), rows.bottomRows(rows.rows() - 1 - omitted);
-    return result;
-}
 
 /// The edges of a facet from its first corner, and the unit normal that points to a place beside
 /// the facet; 0 for a place on it.
@@ -92,7 +74,8 @@ private:
     void place_beside(Index t, int i, Index other, int omitted) {
         const DenseMatrix here = corners_.middleRows(Eigen::Index{t} * (n_ + 1), n_ + 1);
         const DenseMatrix own = in_own_plane(layout_.at(n_, other));
-        const DenseMatrix facet = without_row(here, i), own_facet = without_row(own, omitted);
+        const DenseMatrix facet = here(complement(n_ + 1, {i}), Eigen::indexing::all);
+        const DenseMatrix own_facet = own(complement(n_ + 1, {omitted}), Eigen::indexing::all);
         DenseMatrix basis = basis_at(facet, here.row(i));
         basis.row(n_ - 1) *= -1; // on the other side
         const DenseMatrix turn =
@@ -114,6 +97,15 @@ private:
 
 } // namespace
 
+DenseMatrix in_own_plane(const Corners& corners) {
+    const auto n = static_cast<Index>(corners.vertices.size()) - 1;
+    const Points rows = corners.points(corners.vertices, Eigen::indexing::all);
+    const DenseMatrix edges = rows.bottomRows(n).rowwise() - rows.row(0);
+    DenseMatrix result = DenseMatrix::Zero(n + 1, n);
+    result.bottomRows(n) = triangular_factor(edges.transpose()).transpose();
+    return result;
+}
+
 Points developed_corners(const Discretization& mesh) {
     const int n = mesh.dimension();
     if (mesh.measured_points().cols() != n || !mesh.passage().is_identity())
@@ -121,8 +113,8 @@ Points developed_corners(const Discretization& mesh) {
     const auto& tops = mesh.pieces().simplices(n);
     Points corners(Eigen::Index{tops.rows()} * (n + 1), n);
     for (Index t = 0; t < tops.rows(); ++t)
-        for (int i = 0; i <= n; ++i)
-            corners.row(Eigen::Index{t} * (n + 1) + i) = mesh.measured_points().row(tops(t, i));
+        corners.middleRows(Eigen::Index{t} * (n + 1), n + 1) =
+            mesh.measured_points()(vertices(tops, t), Eigen::indexing::all);
     return corners;
 }
 

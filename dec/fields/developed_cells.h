@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dec/discretization/discretization.h"
+#include "dec/metric/simplex_layout.h"
 
 namespace polydec {
 
@@ -10,5 +11,9 @@ namespace polydec {
 /// be laid flat because merging is intrinsic. Each cell has its own coordinate system; in R^n the
 /// coordinates are the points. Needs only lengths. Linear time.
 Points developed_corners(const Discretization& mesh);
+
+/// Coordinates of the corners of one n-simplex in its own plane, relative to its first corner:
+/// (n+1) x n, lower triangular below the first row.
+DenseMatrix in_own_plane(const Corners& corners);
 
 } // namespace polydec

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
+#include "dec/fields/developed_cells.h"
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/fields/wedge.h"
@@ -75,16 +75,8 @@ struct Chart {
 
     Chart(const Pieces& complex, SimplexLayout& layout, Index t) {
         const int n = complex.dimension();
-        const Corners simplex = layout.at(n, t);
-        const Points& points = simplex.points;
-        const auto row = simplex.vertices;
-        DenseMatrix edges(points.cols(), n);
-        for (int i = 0; i < n; ++i)
-            edges.col(i) = points.row(row[i + 1]) - points.row(row[0]);
-        const DenseMatrix R = triangular_factor(edges);
-        corners = DenseMatrix::Zero(n + 1, n);
-        corners.bottomRows(n) = R.transpose();
-
+        corners = in_own_plane(layout.at(n, t));
+        const DenseMatrix R = corners.bottomRows(n).transpose();
         gradients = DenseMatrix::Zero(n + 1, n);
         gradients.bottomRows(n) =
             R.triangularView<Eigen::Upper>().solve(DenseMatrix::Identity(n, n));
