@@ -100,12 +100,8 @@ public:
         Vector sum = Vector::Zero(product_.size());
         for (std::size_t i = 0; i < faces.size(); ++i) {
             const double value = orientation(complex_, p, faces[i]) * form_.values[faces[i]];
-            for (int omitted = 0; omitted <= p; ++omitted) {
-                auto others = faces_.positions()[i];
-                others.erase(others.begin() + omitted);
-                sum += (omitted % 2 == 0 ? value : -value) *
-                       product_(chart.gradients(others, Eigen::indexing::all));
-            }
+            for (int omitted = 0; omitted <= p; ++omitted)
+                sum += value * product_.without(omitted, faces_.positions()[i], chart.gradients);
         }
         return std::tgamma(p + 1.0) / (complex_.dimension() + 1) * sum;
     }

@@ -6,9 +6,9 @@
 #include "dec/fields/transfer.h"
 #include "dec/forms/input_units.h"
 #include "dec/metric/exterior_product.h"
+#include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/simplex_metric.h"
-#include "dec/metric/subsets.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -48,21 +48,21 @@ public:
         : complex_(complex),
           places_(places),
           form_(form),
-          faces_(subsets(complex.dimension() + 1, form.degree + 1)),
+          faces_(complex, complex.dimension(), form.degree),
           product_(static_cast<int>(places.points.cols()), form.degree) {
         check_primal(complex, form);
         require_points(places.points.cols(), "a Whitney form");
     }
 
-    Vector at(Index top, const Vector& barycentric) const {
-        const int n = complex_.dimension();
+    Vector at(Index top, const Vector& barycentric) {
         const DenseMatrix gradients =
             barycentric_gradients(places_.points, vertices(places_.corners, top));
+        const auto& list = faces_.of(top);
         Vector result = Vector::Zero(product_.size());
-        for (const auto& positions : faces_) {
-            const Index face = face_at(complex_, n, top, positions);
-            const double value = orientation(complex_, form_.degree, face) * form_.values[face];
-            result += value * of_face(gradients, barycentric, positions);
+        for (std::size_t f = 0; f < list.size(); ++f) {
+            const double value =
+                orientation(complex_, form_.degree, list[f]) * form_.values[list[f]];
+            result += value * of_face(gradients, barycentric, faces_.positions()[f]);
         }
         return std::tgamma(form_.degree + 1.0) * result;
     }
@@ -73,38 +73,22 @@ private:
     Vector of_face(const DenseMatrix& gradients, const Vector& barycentric,
                    const std::vector<int>& positions) const {
         Vector sum = Vector::Zero(product_.size());
-        for (int p = 0; p <= form_.degree; ++p) {
-            auto others = positions;
-            others.erase(others.begin() + p);
-            const double sign = p % 2 == 0 ? 1 : -1;
-            sum += sign * barycentric[positions[p]] *
-                   product_(gradients(others, Eigen::indexing::all));
-        }
+        for (int p = 0; p <= form_.degree; ++p)
+            sum += barycentric[positions[p]] * product_.without(p, positions, gradients);
         return sum;
     }
 
     const Pieces& complex_;
     PlacedSimplices places_;
     const Cochain& form_;
-    std::vector<std::vector<int>> faces_;
+    SimplexFaces faces_;
     ExteriorProduct product_;
 };
-
-} // namespace
-
-Vector whitney_form(const Pieces& complex, const Points& points, const Cochain& form, Index top,
-                    const Vector& barycentric) {
-    const WhitneyForms whitney(complex, {points, complex.simplices(complex.dimension())}, form);
-    check_place(complex, top, barycentric);
-    return whitney.at(top, barycentric);
-}
-
-namespace {
 
 DenseMatrix at_centroids(const Pieces& complex, const PlacedSimplices& places,
                          const Cochain& form) {
     const int n = complex.dimension();
-    const WhitneyForms whitney(complex, places, form);
+    WhitneyForms whitney(complex, places, form);
     const Vector centroid = Vector::Constant(n + 1, 1.0 / (n + 1));
     DenseMatrix result(complex.size(n), whitney.size());
     for (Index t = 0; t < complex.size(n); ++t)
@@ -113,6 +97,13 @@ DenseMatrix at_centroids(const Pieces& complex, const PlacedSimplices& places,
 }
 
 } // namespace
+
+Vector whitney_form(const Pieces& complex, const Points& points, const Cochain& form, Index top,
+                    const Vector& barycentric) {
+    WhitneyForms whitney(complex, {points, complex.simplices(complex.dimension())}, form);
+    check_place(complex, top, barycentric);
+    return whitney.at(top, barycentric);
+}
 
 DenseMatrix whitney_at_centroids(const Pieces& complex, const Points& points, const Cochain& form) {
     return at_centroids(complex, {points, complex.simplices(complex.dimension())}, form);
@@ -126,7 +117,7 @@ Vector whitney_form(const Discretization& mesh, const Cochain& form, Index top,
         return whitney_at_centroids(mesh, form).row(top).transpose();
     }
     const Cochain on_input = lifted(mesh, form);
-    const WhitneyForms whitney(mesh.input(), mesh.places(), on_input);
+    WhitneyForms whitney(mesh.input(), mesh.places(), on_input);
     check_place(mesh.input(), top, barycentric);
     return form_in_input_units(whitney.at(top, barycentric), mesh.unit(), -form.degree,
                                "coefficients");

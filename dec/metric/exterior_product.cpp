@@ -36,4 +36,11 @@ Vector ExteriorProduct::operator()(const DenseMatrix& vectors) const {
     return product;
 }
 
+Vector ExteriorProduct::without(int p, std::vector<int> list, const DenseMatrix& rows) const {
+    list.erase(list.begin() + p);
+    Vector product = (*this)(rows(list, Eigen::indexing::all));
+    product *= p % 2 == 0 ? 1 : -1;
+    return product;
+}
+
 } // namespace polydec

@@ -19,6 +19,10 @@ public:
     /// the axes in lexicographic order.
     Vector operator()(const DenseMatrix& vectors) const;
 
+    /// (-1)^p times the product of the listed rows but the p-th. Of the gradients of barycentric
+    /// coordinates at the corners of a face: 1 / k! of the face's Whitney form at its p-th corner.
+    Vector without(int p, std::vector<int> list, const DenseMatrix& rows) const;
+
 private:
     struct Term {
         Index rest; // the subset without this axis

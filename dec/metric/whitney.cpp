@@ -54,11 +54,8 @@ private:
             const auto place = std::find(faces_[a].begin(), faces_[a].end(), v);
             if (place == faces_[a].end())
                 continue;
-            std::vector<int> others = faces_[a];
-            const auto p = place - faces_[a].begin();
-            others.erase(others.begin() + p);
-            values.row(static_cast<Index>(a)) =
-                (p % 2 == 0 ? 1 : -1) * wedge_(gradients(others, Eigen::indexing::all)).transpose();
+            const auto p = static_cast<int>(place - faces_[a].begin());
+            values.row(static_cast<Index>(a)) = wedge_.without(p, faces_[a], gradients).transpose();
         }
         return values;
     }

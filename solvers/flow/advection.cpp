@@ -68,15 +68,9 @@ public:
     DenseMatrix at_facet(int omitted, const DenseMatrix& gradients) const {
         DenseMatrix forms = DenseMatrix::Zero(product_.size(), static_cast<Index>(faces_.size()));
         for (std::size_t f = 0; f < faces_.size(); ++f)
-            for (int p = 0; p <= n_ - 2; ++p) {
-                auto others = faces_[f];
-                if (others[p] == omitted)
-                    continue;
-                others.erase(others.begin() + p);
-                const double sign = p % 2 == 0 ? 1 : -1;
-                forms.col(static_cast<Index>(f)) +=
-                    sign * product_(gradients(others, Eigen::indexing::all));
-            }
+            for (int p = 0; p <= n_ - 2; ++p)
+                if (faces_[f][p] != omitted)
+                    forms.col(static_cast<Index>(f)) += product_.without(p, faces_[f], gradients);
         return std::tgamma(n_ - 1.0) / n_ * forms;
     }
 
