@@ -9,7 +9,6 @@
 #include "dec/metric/plane.h"
 #include "dec/metric/simplex_geometry.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -6,7 +6,6 @@
 #include "dec/metric/simplex_layout.h"
 
 #include <span>
-#include <vector>
 
 namespace polydec {
 
