@@ -115,9 +115,11 @@ private:
     std::vector<Points> centers_; // per degree
 };
 
-/// Mean coefficients of a form over the k-simplices, one row each.
-DenseMatrix means_over(const Pieces& complex, const Points& points, int k, const SmoothForm& form,
-                       Index coefficients, int quadrature_degree) {
+/// Mean coefficients of a j-form over the simplices of degree n-j, one row each.
+DenseMatrix means_over(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
+                       int quadrature_degree) {
+    const int k = complex.dimension() - j;
+    const Index coefficients = ExteriorProduct(static_cast<int>(points.cols()), j).size();
     const auto rule = grundmann_moeller(k, quadrature_degree);
     DenseMatrix result(complex.size(k), coefficients);
     for (Index s = 0; s < complex.size(k); ++s)
@@ -208,6 +210,27 @@ Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothF
     return result;
 }
 
+Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
+                    int quadrature_degree, const Centers& centers) {
+    const int k = cell_degree(complex, Side::dual, j);
+    require_straight(complex, points, "the de Rham map");
+    const Integral integral(form, static_cast<Index>(points.cols()), j, quadrature_degree);
+    const auto centers_of = [&](int i) {
+        return combinations(complex, i, center_coordinates(complex, points, centers, i), points);
+    };
+    return DualIntegrals(complex, k, complex.dimension(), integral, centers_of).all();
+}
+
+Vector inverse_star_de_rham(const Pieces& complex, const Points& points, int j,
+                            const SmoothForm& form, int quadrature_degree) {
+    cell_degree(complex, Side::dual, j);
+    require_straight(complex, points, "the de Rham map");
+    require_form(form);
+    const DenseMatrix means = means_over(complex, points, j, form, quadrature_degree);
+    return inverse_star_means(complex, points, complex.simplices(complex.dimension()), j,
+                              [&](Index, Index s) { return means.row(s); });
+}
+
 namespace {
 
 /// The form as a function of places in the unit of the mesh.
@@ -227,49 +250,13 @@ Vector in_input_units_of(const Discretization& mesh, int j, const Vector& integr
     return form_in_input_units(integrals, mesh.unit(), j, "integrals of a form");
 }
 
-} // namespace
-
-Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form, int quadrature_degree) {
-    const Discretization& at = placed(mesh);
-    const Vector values = in_input_units_of(mesh, k,
-                                            de_rham(at.input(), at.measured_input_points(), k,
-                                                    in_unit_of(mesh, form), quadrature_degree));
-    return to_merged(mesh, {Side::primal, k, from_places(mesh, k, values)});
-}
-
-Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
-                    int quadrature_degree, const Centers& centers) {
-    const int k = cell_degree(complex, Side::dual, j);
-    require_straight(complex, points, "the de Rham map");
-    const Integral integral(form, static_cast<Index>(points.cols()), j, quadrature_degree);
-    const auto centers_of = [&](int i) {
-        return combinations(complex, i, center_coordinates(complex, points, centers, i), points);
-    };
-    return DualIntegrals(complex, k, complex.dimension(), integral, centers_of).all();
-}
-
-Vector inverse_star_de_rham(const Pieces& complex, const Points& points, int j,
-                            const SmoothForm& form, int quadrature_degree) {
-    const int k = cell_degree(complex, Side::dual, j);
-    require_straight(complex, points, "the de Rham map");
-    require_form(form);
-    const auto N = static_cast<int>(points.cols());
-    const DenseMatrix means =
-        means_over(complex, points, k, form, ExteriorProduct(N, j).size(), quadrature_degree);
-    return inverse_star_means(complex, points, complex.simplices(complex.dimension()), j,
-                              [&](Index, Index s) { return means.row(s); });
-}
-
-namespace {
-
-/// The same over the simplices of the input.
+/// Inverse stars over the simplices of the input.
 Vector inverse_star_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                             int quadrature_degree) {
     const int k = mesh.dimension() - j;
     const auto [points, corners] = mesh.places();
-    const Index size = ExteriorProduct(mesh.ambient_dimension(), j).size();
     const DenseMatrix at_places =
-        means_over(placed(mesh).input(), points, k, form, size, quadrature_degree);
+        means_over(placed(mesh).input(), points, j, form, quadrature_degree);
     // coefficients have no orientation, unlike simplices
     const Vector signs = from_places(mesh, k, Vector::Ones(at_places.rows()));
     const DenseMatrix means = signs.asDiagonal() * from_places(mesh, k, at_places);
@@ -357,6 +344,14 @@ Vector boundary_integrals(const Discretization& mesh, int j, const SmoothForm& f
 }
 
 } // namespace
+
+Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form, int quadrature_degree) {
+    const Discretization& at = placed(mesh);
+    const Vector values = in_input_units_of(mesh, k,
+                                            de_rham(at.input(), at.measured_input_points(), k,
+                                                    in_unit_of(mesh, form), quadrature_degree));
+    return to_merged(mesh, {Side::primal, k, from_places(mesh, k, values)});
+}
 
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree) {
