@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "dec/fields/de_rham.h"
+#include "dec/metric/subsets.h"
 
 #include <fmt/format.h>
 
@@ -10,20 +11,16 @@ namespace polydec {
 
 namespace {
 
-/// Appends all lists of `places` numbers >= 0 with the given sum to the rows begun by `list`.
-void compositions(int places, int sum, std::vector<int>& list,
-                  std::vector<std::vector<int>>& result) {
-    if (places == 1) {
-        list.push_back(sum);
-        result.push_back(list);
-        list.pop_back();
-        return;
+/// All lists of `places` numbers >= 0 with the given sum, in lexicographic order: the gaps between
+/// bars that are set among so many stars.
+std::vector<std::vector<int>> compositions(int places, int sum) {
+    auto lists = subsets(sum + places - 1, places - 1);
+    for (auto& list : lists) {
+        list.push_back(sum + places - 1);
+        for (int i = places - 1; i > 0; --i)
+            list[i] -= list[i - 1] + 1;
     }
-    for (int first = 0; first <= sum; ++first) {
-        list.push_back(first);
-        compositions(places - 1, sum - first, list, result);
-        list.pop_back();
-    }
+    return lists;
 }
 
 /// (-1)^i 4^-s (d + k - 2i)^d k! / (i! (d + k - i)!) with d = 2s+1: as many factors in the
@@ -49,9 +46,9 @@ SimplexQuadrature grundmann_moeller(int k, int degree) {
     const int s = k == 0 ? 0 : degree / 2;
     std::vector<std::vector<int>> points;
     std::vector<double> weights;
-    std::vector<int> list;
     for (int i = 0; i <= s; ++i) {
-        compositions(k + 1, s - i, list, points);
+        const auto lists = compositions(k + 1, s - i);
+        points.insert(points.end(), lists.begin(), lists.end());
         weights.resize(points.size(), weight(k, s, i));
     }
 
