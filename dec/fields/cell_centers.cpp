@@ -5,29 +5,12 @@
 #include "dec/discretization/glued_box.h"
 #include "dec/fields/developed_cells.h"
 #include "dec/forms/cochain.h"
-#include "dec/metric/cell_volumes.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/surfaces/places.h"
 
 namespace polydec {
 
 namespace {
-
-/// Averages rows of the simplices over each merged cell, by volume.
-Points mean_over_cells(const Merging& merging, const Points& rows, const CellVolumes& volumes,
-                       int k) {
-    check_fit(merging.pieces(), volumes);
-    Points result = Points::Zero(merging.diamond(k).rows(), rows.cols());
-    for (Index cell = 0; cell < result.rows(); ++cell) {
-        double volume = 0;
-        for (IncidenceMatrix::InnerIterator piece(merging.diamond(k), cell); piece; ++piece) {
-            result.row(cell) += volumes.primal(k)[piece.col()] * rows.row(piece.col());
-            volume += volumes.primal(k)[piece.col()];
-        }
-        result.row(cell) *= 1 / volume;
-    }
-    return result;
-}
 
 /// Places in the cells of a glued mesh. An n-cell is laid flat, and a place in it is expressed by
 /// the corners of one of its pieces, at this piece's position in the box. So means over cells
@@ -118,7 +101,18 @@ Points mean_over_cells(const Discretization& mesh, int k, const Points& coordina
         return k == 0 ? mesh.box()->vertices() : PlacesInBox(mesh, k).means(coordinates);
     const Points places =
         Places(mesh.passage(), mesh.measured_points()).at(k, coordinates, mesh.measured_points());
-    return mean_over_cells(mesh.merging(), places, mesh.geometry().volumes(), k);
+    const IncidenceMatrix& pieces = mesh.merging().diamond(k);
+    const Vector& volumes = mesh.geometry().volumes().primal(k);
+    Points result = Points::Zero(pieces.rows(), places.cols());
+    for (Index cell = 0; cell < result.rows(); ++cell) {
+        double volume = 0;
+        for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece) {
+            result.row(cell) += volumes[piece.col()] * places.row(piece.col());
+            volume += volumes[piece.col()];
+        }
+        result.row(cell) *= 1 / volume;
+    }
+    return result;
 }
 
 /// False if only lengths are known.
@@ -128,15 +122,10 @@ bool has_places(const Discretization& mesh) {
 
 /// Whether a star has an entry between two facets of a cell.
 bool couples_facets_of(const SparseMatrix& M, const IncidenceRow& faces) {
-    for (const SignedFace& f : faces) {
-        SparseMatrix::InnerIterator entry(M, f.face); // both are in ascending order
-        for (const SignedFace& g : faces) {
-            while (entry && entry.col() < g.face)
-                ++entry;
-            if (g.face != f.face && entry && entry.col() == g.face && entry.value() != 0)
+    for (const SignedFace& f : faces)
+        for (const SignedFace& g : faces)
+            if (f.face != g.face && M.coeff(f.face, g.face) != 0)
                 return true;
-        }
-    }
     return false;
 }
 

@@ -5,6 +5,7 @@
 #include "dec/forms/input_units.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/simplex_geometry.h"
+#include "dec/metric/subsets.h"
 
 #include <fmt/format.h>
 
@@ -75,10 +76,8 @@ std::vector<Contraction::Extension>
 Contraction::extensions_of(const std::vector<int>& face,
                            const std::vector<std::vector<int>>& cofaces) const {
     std::vector<Extension> extensions;
-    for (int q = 0; q <= complex_.dimension(); ++q) {
+    for (const int q : complement(complex_.dimension() + 1, face)) {
         const auto place = std::lower_bound(face.begin(), face.end(), q);
-        if (place != face.end() && *place == q)
-            continue;
         auto extended = face;
         extended.insert(extended.begin() + (place - face.begin()), q);
         const auto found = std::lower_bound(cofaces.begin(), cofaces.end(), extended);

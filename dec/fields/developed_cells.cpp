@@ -13,14 +13,13 @@ namespace {
 /// the facet; 0 for a place on it.
 DenseMatrix basis_at(const DenseMatrix& facet, const Eigen::RowVectorXd& beside) {
     const auto n = facet.rows();
-    DenseMatrix basis(n, facet.cols());
-    for (Index i = 1; i < n; ++i)
-        basis.row(i - 1) = facet.row(i) - facet.row(0);
-    const DenseMatrix edges = basis.topRows(n - 1);
+    const DenseMatrix edges = facet.bottomRows(n - 1).rowwise() - facet.row(0);
     Eigen::RowVectorXd normal = beside - facet.row(0);
     if (n > 1)
         normal -= least_squares(edges.transpose(), normal.transpose()).shortest.transpose() * edges;
     const double length = normal.norm();
+    DenseMatrix basis(n, facet.cols());
+    basis.topRows(n - 1) = edges;
     basis.row(n - 1) = length > 0 ? Eigen::RowVectorXd(normal / length) : 0 * normal;
     return basis;
 }

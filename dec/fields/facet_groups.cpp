@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 
 namespace polydec {
@@ -43,28 +42,21 @@ std::string groups_with_facets(const Discretization& mesh) {
                         : fmt::format("there are {}", fmt::join(list, ", "));
 }
 
-std::vector<bool> facets_of(const Discretization& mesh, Index group) {
-    std::vector<bool> marks(mesh.complex().size(mesh.dimension() - 1), false);
-    const auto& tags = mesh.facet_tags();
-    for (std::size_t f = 0; f < tags.size(); ++f) {
-        const auto all = groups_of(mesh, tags[f]);
-        marks[f] = std::find(all.begin(), all.end(), group) != all.end();
-    }
-    return marks;
-}
-
 } // namespace
 
 std::vector<bool> facets_in(const Discretization& mesh, const std::vector<std::string>& groups) {
     std::vector<bool> marks(mesh.complex().size(mesh.dimension() - 1), false);
     const auto tags = group_tags(mesh.groups(), mesh.dimension() - 1, groups);
     for (std::size_t i = 0; i < tags.size(); ++i) {
-        const auto found = facets_of(mesh, tags[i]);
-        if (std::find(found.begin(), found.end(), true) == found.end())
+        bool any = false;
+        for (std::size_t f = 0; f < mesh.facet_tags().size(); ++f) {
+            const auto all = groups_of(mesh, mesh.facet_tags()[f]);
+            if (std::find(all.begin(), all.end(), tags[i]) != all.end())
+                marks[f] = any = true;
+        }
+        if (!any)
             throw InvalidInput(fmt::format("no facet is in the group {}: {}", groups[i],
                                            groups_with_facets(mesh)));
-        std::transform(marks.begin(), marks.end(), found.begin(), marks.begin(),
-                       std::logical_or<>());
     }
     return marks;
 }

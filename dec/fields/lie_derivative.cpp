@@ -38,8 +38,6 @@ struct LieDerivative::Parts {
         return lifted(mesh, form);
     }
 
-    Cochain on_cells(Cochain form) const { return form.degree >= 0 ? to_merged(mesh, form) : form; }
-
     Cochain contract(const Contraction& by, const Points& field, const Cochain& form,
                      Beyond beyond) const {
         Vector values = Vector::Zero(complex.size(by.degree() - 1));
@@ -64,7 +62,7 @@ Cochain LieDerivative::interior_product(const Points& field, const Cochain& form
     const Cochain a = parts_->checked(form);
     if (!parts_->lower)
         return {Side::primal, -1, {}};
-    return parts_->on_cells(parts_->contract(*parts_->lower, X, a, Beyond::the_same));
+    return to_merged(parts_->mesh, parts_->contract(*parts_->lower, X, a, Beyond::the_same));
 }
 
 Cochain LieDerivative::operator()(const Points& field, const Cochain& form) const {
@@ -78,7 +76,7 @@ Cochain LieDerivative::operator()(const Points& field, const Cochain& form) cons
         result.values +=
             d(parts_->complex, parts_->contract(*parts_->lower, X, a, Beyond::nothing)).values;
     parts_->add_inflow(X, a, result.values);
-    return parts_->on_cells(std::move(result));
+    return to_merged(parts_->mesh, result);
 }
 
 Cochain LieDerivative::inflow(const Points& field, const Cochain& outside) const {
@@ -86,7 +84,7 @@ Cochain LieDerivative::inflow(const Points& field, const Cochain& outside) const
     const Cochain g = parts_->checked(outside);
     Cochain result{Side::primal, g.degree, Vector::Zero(g.values.size())};
     parts_->add_inflow(X, g, result.values);
-    return parts_->on_cells(std::move(result));
+    return to_merged(parts_->mesh, result);
 }
 
 } // namespace polydec

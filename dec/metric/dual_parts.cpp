@@ -25,10 +25,8 @@ std::vector<Descent> descents(int k, int m) {
     const auto faces = subsets(m + 1, k + 1), below = subsets(m, k + 1);
     std::vector<Descent> result;
     for (std::size_t i = 0; i < faces.size(); ++i)
-        for (int omitted = 0; omitted <= m; ++omitted) {
+        for (const int omitted : complement(m + 1, faces[i])) {
             auto corners = faces[i];
-            if (std::binary_search(corners.begin(), corners.end(), omitted))
-                continue;
             for (int& corner : corners)
                 corner -= corner > omitted ? 1 : 0;
             const auto place = std::lower_bound(below.begin(), below.end(), corners);

@@ -19,15 +19,6 @@ namespace {
 using Marks = std::vector<bool>;
 using Entry = SparseMatrix::InnerIterator;
 
-/// 1 on some n-cells, 0 on the others.
-Vector ones_on(const Marks& marks) {
-    Vector ones = Vector::Zero(static_cast<Index>(marks.size()));
-    for (std::size_t t = 0; t < marks.size(); ++t)
-        if (marks[t])
-            ones[static_cast<Index>(t)] = 1;
-    return ones;
-}
-
 CellVolumes barycentric_volumes(const MergedCells& cells) {
     const Geometry& pieces = cells.geometry();
     return merged_volumes(cells.merging(),
@@ -141,19 +132,20 @@ ChosenStars hybrid(const MergedCells& cells) {
     SparseMatrix good(cells.complex().size(1), cells.complex().size(1));
     good.setIdentity();
     good = bad.edge_star().asDiagonal() * good;
+    Vector weights(std::ssize(bad.marks()));
+    std::copy(bad.marks().begin(), bad.marks().end(), weights.begin());
     const HodgeStars stars = cells.volumes().with_dual(0, bad.vertex_duals());
-    return {stars.with(1, good + GalerkinMass(cells)(1, ones_on(bad.marks()))), StarKind::hybrid,
-            bad.marks()};
+    return {stars.with(1, good + GalerkinMass(cells)(1, weights)), StarKind::hybrid, bad.marks()};
 }
 
 ChosenStars galerkin(const MergedCells& cells, int lowest) {
-    const Marks all(static_cast<std::size_t>(cells.complex().size(cells.dimension())), true);
+    const Index size = cells.complex().size(cells.dimension());
     HodgeStars stars = lowest > 0 ? cells.volumes().with_dual(0, barycentric_volumes(cells).dual(0))
                                   : cells.volumes();
     const GalerkinMass mass(cells);
     for (int k = lowest; k < cells.dimension(); ++k)
-        stars = stars.with(k, mass(k, ones_on(all)));
-    return {stars, StarKind::galerkin, all};
+        stars = stars.with(k, mass(k, Vector::Ones(size)));
+    return {stars, StarKind::galerkin, Marks(size, true)};
 }
 
 } // namespace
