@@ -11,6 +11,84 @@
 
 namespace polydec {
 
+namespace {
+
+SparseMatrix contraction(const Pieces& complex, const PlacedSimplices& places, const Points& field,
+                         int k, Sampling sampling, Beyond beyond) {
+    check_degree_of_contraction(k, complex.dimension() + 1);
+    SparseMatrix result(complex.size(k - 1), complex.size(k));
+    if (result.rows() == 0 || result.cols() == 0)
+        return result;
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    Contraction(complex, places, k)
+        .visit_entries(field, sampling, beyond, [&](Index s, Index coface, double value) {
+            entries.emplace_back(s, coface, value);
+        });
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+}
+
+SparseMatrix inflow(const Pieces& complex, const PlacedSimplices& places, const Points& field,
+                    int k) {
+    const int n = complex.dimension();
+    check_degree_of_contraction(k, n);
+    SparseMatrix rates(complex.size(k), complex.size(k));
+    if (k == n) // both sides of an n-simplex are interior
+        return rates;
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    Contraction(complex, places, k + 1).visit_inflow(field, [&](Index s, double rate) {
+        entries.emplace_back(s, s, rate);
+    });
+    rates.setFromTriplets(entries.begin(), entries.end());
+    return rates;
+}
+
+/// i_X d + d i_X, plus the inflow.
+SparseMatrix lie_derivative(const Pieces& complex, const PlacedSimplices& places,
+                            const Points& field, int k, Sampling sampling) {
+    check_degree_of_contraction(k, complex.dimension());
+    const auto interior = [&](int degree) {
+        return contraction(complex, places, field, degree, sampling, Beyond::nothing);
+    };
+    const SparseMatrix upper = interior(k + 1) * derivative(complex, k);
+    const SparseMatrix lower = derivative(complex, k - 1) * interior(k);
+    const SparseMatrix L = upper + lower;
+    return sampling == Sampling::upwind ? SparseMatrix(L + inflow(complex, places, field, k)) : L;
+}
+
+/// Maps an operator on the input's simplices, from k-forms to j-forms, to the cells.
+SparseMatrix on_cells(const Discretization& mesh, const SparseMatrix& fine, int k, int j) {
+    if (fine.rows() == 0 || fine.cols() == 0)
+        return SparseMatrix(mesh.complex().size(j), mesh.complex().size(k));
+    const SparseMatrix& lift = mesh.merged().lift()[k];
+    if (mesh.passage().is_identity())
+        return mesh.merging().diamond(j).cast<double>() * SparseMatrix(fine * lift);
+    const SparseMatrix back = mesh.passage().matrix_back(k) * lift;
+    const SparseMatrix there = mesh.passage().matrix(j) * SparseMatrix(fine * back);
+    return mesh.merging().diamond(j).cast<double>() * there;
+}
+
+} // namespace
+
+SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
+                              Sampling sampling) {
+    const Points here = field_on_input(mesh, field);
+    return on_cells(mesh,
+                    contraction(mesh.input(), mesh.places(), here, k, sampling, Beyond::the_same),
+                    k, k - 1);
+}
+
+SparseMatrix lie_derivative(const Discretization& mesh, const Points& field, int k,
+                            Sampling sampling) {
+    const Points here = field_on_input(mesh, field);
+    return on_cells(mesh, lie_derivative(mesh.input(), mesh.places(), here, k, sampling), k, k);
+}
+
+SparseMatrix inflow(const Discretization& mesh, const Points& field, int k) {
+    const Points here = field_on_input(mesh, field);
+    return on_cells(mesh, inflow(mesh.input(), mesh.places(), here, k), k, k);
+}
+
 struct LieDerivative::Parts {
     Discretization mesh;
     SimplicialComplex complex;

@@ -54,6 +54,15 @@ double dual_sign(int k) {
 
 } // namespace
 
+SparseMatrix derivative(const CellComplex& complex, int k) {
+    return complex.incidences(k).real_matrix();
+}
+
+SparseMatrix dual_derivative(const CellComplex& complex, int j) {
+    const int k = complex.dimension() - j - 1;
+    return dual_sign(k) * SparseMatrix(derivative(complex, k).transpose());
+}
+
 int cell_degree(const CellComplex& complex, Side side, int degree) {
     const int n = complex.dimension();
     if (degree < 0 || degree > n)
