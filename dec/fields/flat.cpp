@@ -98,40 +98,34 @@ Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     return result;
 }
 
-/// Integral along the dual edge of each facet f, by its pieces in the n-simplices t around f;
-/// vector(t, f) is the mean of the field over the piece.
-template <class VectorOf>
-Vector along_dual_edges(const Discretization& mesh, const Places& places, VectorOf vector) {
-    const auto& K = mesh.pieces();
-    const int n = mesh.dimension();
-    const Points centers = at_centers(mesh, places, mesh.measured_points(), n);
-    const Points facet_centers = at_centers(mesh, places, mesh.measured_points(), n - 1);
-    const double sign = n % 2 == 0 ? 1 : -1;
-    Vector result = Vector::Zero(K.size(n - 1));
-    for (Index t = 0; t < K.size(n); ++t)
-        for (int i = n; i >= 0; --i) {
-            const Index f = K.face(n, t, i);
-            const auto piece = centers.row(t) - facet_centers.row(f);
-            result[f] += sign * K.sign(n, t, i) * piece.dot(vector(t, f));
-        }
-    return result;
-}
-
+/// Integral along the dual edge of each facet f, by its pieces in the n-simplices t around f.
 Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix& given) {
     const int n = mesh.dimension();
     const Discretization& at = placed(mesh);
+    const Pieces& K = at.pieces();
+    const Places places(at.passage(), at.measured_points());
+    const Points centers = at_centers(at, places, at.measured_points(), n);
+    const Points facet_centers = at_centers(at, places, at.measured_points(), n - 1);
+    const auto integrals = [&](auto mean) { // mean(t, f): of the field over the piece
+        const double sign = n % 2 == 0 ? 1 : -1;
+        Vector result = Vector::Zero(K.size(n - 1));
+        for (Index t = 0; t < K.size(n); ++t)
+            for (int i = n; i >= 0; --i) {
+                const Index f = K.face(n, t, i);
+                const auto piece = centers.row(t) - facet_centers.row(f);
+                result[f] += sign * K.sign(n, t, i) * piece.dot(mean(t, f));
+            }
+        return result;
+    };
     const Points field = is_at_vertices(kind) ? to_places(mesh, 0, given)
                                               : to_places(mesh, n, copied_to_pieces(mesh, given));
-    const Places places(at.passage(), at.measured_points());
     if (kind == Flat::ppd) {
         const Points cells = at_centers(at, places, field, n);
         const Points facets = at_centers(at, places, field, n - 1);
-        return along_dual_edges(
-            at, places, [&](Index t, Index f) { return (cells.row(t) + facets.row(f)) / 2; });
+        return integrals([&](Index t, Index f) { return (cells.row(t) + facets.row(f)) / 2; });
     }
-    const Points vectors = kind == Flat::pdd ? means(at.pieces(), field, n - 1) : field;
-    return along_dual_edges(
-        at, places, [&](Index t, Index f) { return vectors.row(kind == Flat::pdd ? f : t); });
+    const Points vectors = kind == Flat::pdd ? means(K, field, n - 1) : field;
+    return integrals([&](Index t, Index f) { return vectors.row(kind == Flat::pdd ? f : t); });
 }
 
 /// Stars of the fluxes of the vectors, if stars know no duals: on the simplices of the input for a

@@ -300,12 +300,10 @@ Mesh Tracer::lines() {
             add(line);
     }
     Mesh result{Points(std::ssize(points_), mesh_.measured_points().cols()),
-                Simplices(std::ssize(ends_) / 2, 2),
+                Eigen::Map<const Simplices>(ends_.data(), std::ssize(ends_) / 2, 2),
                 {}};
     for (std::size_t i = 0; i < points_.size(); ++i)
         result.points.row(static_cast<Index>(i)) = points_[i].transpose();
-    for (std::size_t i = 0; i < ends_.size(); ++i)
-        result.simplices(static_cast<Index>(i / 2), static_cast<int>(i % 2)) = ends_[i];
     return result;
 }
 
