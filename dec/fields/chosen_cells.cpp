@@ -54,14 +54,6 @@ std::vector<Index> numbers_of(const std::vector<bool>& marks) {
     return numbers;
 }
 
-/// The vertices of the marked k-cells.
-std::vector<Index> vertices_of(const CellComplex& complex, int k, const std::vector<bool>& cells) {
-    CellMarks marks = no_marks(complex);
-    marks[k] = cells;
-    mark_faces(complex, marks);
-    return numbers_of(marks[0]);
-}
-
 } // namespace
 
 std::vector<bool> facets_in(const Discretization& mesh, const std::vector<std::string>& groups) {
@@ -117,19 +109,19 @@ std::vector<Index> vertices_where(const Discretization& mesh,
 
 std::vector<Index> vertices_on(const Discretization& mesh, const std::vector<std::string>& groups) {
     const int n = mesh.dimension();
-    std::vector<bool> marks(mesh.complex().size(0), false);
+    CellMarks marks = no_marks(mesh.complex());
     for (const auto& group : groups) {
-        std::vector<bool> cells;
         const auto tag = group_tag(mesh.groups(), n, group);
-        for (const Index of_cell : mesh.tags())
-            cells.push_back(tag && of_cell == *tag);
-        const bool of_cells = std::find(cells.begin(), cells.end(), true) != cells.end();
-        for (const Index v : of_cells
-                                 ? vertices_of(mesh.complex(), n, cells)
-                                 : vertices_of(mesh.complex(), n - 1, facets_in(mesh, {group})))
-            marks[v] = true;
+        bool any = false;
+        for (std::size_t t = 0; t < mesh.tags().size(); ++t)
+            if (tag && mesh.tags()[t] == *tag)
+                marks[n][t] = any = true;
+        if (!any)
+            for (const Index f : numbers_of(facets_in(mesh, {group})))
+                marks[n - 1][f] = true;
     }
-    return numbers_of(marks);
+    mark_faces(mesh.complex(), marks);
+    return numbers_of(marks[0]);
 }
 
 } // namespace polydec

@@ -85,7 +85,7 @@ MUTANTS = {
     "tolerance_of_all": ("dec/merging/facet_kinds.cpp", "count(cofaces.begin(), cofaces.end(), 2) / 10",
                          "count(cofaces.begin(), cofaces.end(), 2)",
                          "LooserTolerance.is_told_where_coordinates_have_few_digits"),
-    "sources_everywhere": ("dec/fields/chosen_cells.cpp", "tag && of_cell == *tag", "tag && of_cell != 0",
+    "sources_everywhere": ("dec/fields/chosen_cells.cpp", "tag && mesh.tags()[t] == *tag", "tag && mesh.tags()[t] != 0",
                            "ChosenVertices.are_those_of_a_place_a_group_and_the_boundary"),
     "no_duals_beside_flat_cells": ("dec/stars/choose_stars.cpp", "FlatSimplices::passed_over", "FlatSimplices::refused",
                                    "ChosenStars.of_vertices_fill_cubes_with_flat_pieces"),
