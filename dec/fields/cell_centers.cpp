@@ -129,12 +129,6 @@ bool couples_facets_of(const SparseMatrix& M, const IncidenceRow& faces) {
     return false;
 }
 
-/// Coordinates of the centroids of k-simplices.
-Points middles(const Pieces& complex, int k) {
-    cell_degree(complex, Side::primal, k);
-    return Points::Constant(complex.size(k), k + 1, 1.0 / (k + 1));
-}
-
 } // namespace
 
 Points cell_centers(const Discretization& discretization, int k) {
@@ -150,8 +144,10 @@ Points cell_centers(const Discretization& discretization, int k) {
 
 Points cell_centroids(const Discretization& discretization, int k) {
     require_points(discretization.ambient_dimension(), "a cell's centroid");
+    cell_degree(discretization.pieces(), Side::primal, k);
+    const Index count = discretization.pieces().size(k);
     return discretization.unit() *
-           mean_over_cells(discretization, k, middles(discretization.pieces(), k));
+           mean_over_cells(discretization, k, Points::Constant(count, k + 1, 1.0 / (k + 1)));
 }
 
 Points site_coordinates(const Discretization& discretization) {

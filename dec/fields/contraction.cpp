@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace polydec {
 
 void check_degree_of_contraction(int k, int largest) {
@@ -87,20 +89,14 @@ Contraction::extensions_of(const std::vector<int>& face,
     return extensions;
 }
 
-/// How far the opposite of the field points into a simplex from one of its faces.
-double Contraction::upwindness(const std::vector<Term>& terms) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& term : terms)
-        least = std::min(least, -term.slope / term.steepness);
-    return least;
-}
-
 /// For each face the n-simplex into which the opposite of the field points farthest.
 std::vector<Index> Contraction::upwind_simplices(const Points& field) const {
     std::vector<Index> best(complex_.size(k_ - 1), -1);
     Vector most = Vector::Zero(complex_.size(k_ - 1));
     visit_faces(field, [&](Index t, Index s, const std::vector<Term>& terms) {
-        const double here = upwindness(terms);
+        double here = std::numeric_limits<double>::infinity(); // how far it points into t
+        for (const auto& term : terms)
+            here = std::min(here, -term.slope / term.steepness);
         if (best[s] < 0 || here > most[s]) {
             best[s] = t;
             most[s] = here;

@@ -6,7 +6,6 @@
 #include "dec/metric/simplex_faces.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace polydec {
@@ -86,7 +85,6 @@ private:
     std::vector<Extension> extensions_of(const std::vector<int>& face,
                                          const std::vector<std::vector<int>>& cofaces) const;
     std::vector<Index> upwind_simplices(const Points& field) const;
-    static double upwindness(const std::vector<Term>& terms);
 
     Pieces complex_;
     int k_;

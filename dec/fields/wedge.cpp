@@ -63,11 +63,6 @@ std::vector<Pair> pairs_of(const std::vector<Positions>& first,
     return pairs;
 }
 
-/// k! l! / (k+l)!
-double shuffle_weight(int k, int l) {
-    return std::tgamma(k + 1.0) * std::tgamma(l + 1.0) / std::tgamma(k + l + 1.0);
-}
-
 /// Sum over pairs of faces; share(s, v) is the weight of the vertex at position v of s; the weights
 /// of s sum to 1.
 template <class Share>
@@ -75,7 +70,8 @@ Cochain product(const Pieces& complex, const Cochain& a, const Cochain& b, Share
     const int k = a.degree, l = b.degree, m = k + l;
     SimplexFaces first(complex, m, k), second(complex, m, l);
     const auto pairs = pairs_of(first.positions(), second.positions());
-    const double weight = shuffle_weight(k, l);
+    const double weight = // k! l! / (k+l)!
+        std::tgamma(k + 1.0) * std::tgamma(l + 1.0) / std::tgamma(m + 1.0);
 
     Vector values = Vector::Zero(complex.size(m));
     for (Index s = 0; s < complex.size(m); ++s) {
