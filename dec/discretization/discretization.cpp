@@ -8,7 +8,6 @@
 #include "dec/discretization/mesh_warnings.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/merging/flat_simplices.h"
-#include "dec/merging/merged_cells.h"
 #include "dec/merging/merged_tags.h"
 #include "dec/metric/geometry.h"
 #include "dec/metric/plane.h"
@@ -18,8 +17,6 @@
 #include "meshes/refine.h"
 #include "meshes/tidy.h"
 #include "meshes/unit_of_length.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,6 @@
 #include "dec/discretization/glued_box.h"
 
 #include "base/checks.h"
-#include "base/errors.h"
 #include "complex/blocks.h"
 #include "dec/merging/merged_cells.h"
 #include "dec/merging/merged_tags.h"

@@ -4,7 +4,6 @@
 #include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
-#include "dec/forms/cochain.h"
 #include "dec/metric/rounding.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/stars/galerkin_mass.h"

@@ -5,11 +5,9 @@
 #include "dec/merging/facet_links.h"
 #include "dec/merging/flat_simplices.h"
 #include "dec/metric/circumsphere.h"
-#include "dec/metric/rounding.h"
 #include "dec/metric/simplex_metric.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>

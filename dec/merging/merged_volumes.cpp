@@ -2,7 +2,6 @@
 #include "dec/merging/merged_cells.h"
 
 #include <utility>
-#include <vector>
 
 namespace polydec {
 
