@@ -4,6 +4,7 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "complex/blocks.h"
+#include "complex/components.h"
 #include "complex/sides.h"
 #include "dec/merging/absorb_flat.h"
 #include "dec/merging/facet_defects.h"
@@ -22,8 +23,6 @@
 namespace polydec {
 
 namespace {
-
-using Kept = std::vector<std::vector<bool>>; // per degree: simplices that must not be removed
 
 /// The decomposition into cells of highest dimension.
 struct TopCells {
@@ -122,7 +121,7 @@ void FacetChoice::remove(Index f, TopCells& cells) const {
 /// all within a factor of two of the worst, so the choice does not depend on numbering or rounding.
 /// In lower degrees: all.
 void keep_worst(const std::vector<InadmissibleBlock>& blocks, const FacetDefects& defects, int n,
-                Kept& kept) {
+                CellMarks& kept) {
     for (const auto& block : blocks) {
         double worst = 0;
         if (block.dimension == n)
@@ -166,9 +165,7 @@ CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOption
         (defects.degenerate.interior == 0 && defects.flat.empty()))
         return {unmerged(complex), defects.degenerate, 0, geometry};
 
-    Kept kept;
-    for (int k = 0; k < n; ++k)
-        kept.emplace_back(complex.size(k), false);
+    CellMarks kept = no_marks(complex); // simplices that must not be removed
     if (!stays.empty())
         kept[n - 1] = stays;
     const FacetChoice choice(geometry, defects, options.tolerance);
