@@ -60,27 +60,14 @@ void check_canceled(const std::vector<IncidenceMatrix>& d,
 }
 
 /// An incidence that cancels stands for both sides of its face.
-std::vector<CofaceCounts> count_cofaces(const std::vector<IncidenceMatrix>& d,
-                                        const std::vector<std::vector<Incidence>>& canceled) {
-    std::vector<std::vector<Index>> counts;
-    for (const auto& D : d) {
-        auto& count = counts.emplace_back(static_cast<std::size_t>(D.cols()), 0);
-        for (Index t = 0; t < D.rows(); ++t)
-            for (IncidenceMatrix::InnerIterator s(D, t); s; ++s)
-                count[s.col()] += std::abs(s.value());
-    }
-    for (std::size_t k = 0; k < canceled.size(); ++k)
-        for (const auto& incidence : canceled[k])
-            counts[k][incidence.face] += 2;
-    return {counts.begin(), counts.end()};
-}
-
-std::vector<Incidences> as_incidences(std::vector<IncidenceMatrix> coboundaries) {
-    check_shapes(coboundaries);
-    std::vector<Incidences> result;
-    for (IncidenceMatrix& D : coboundaries)
-        result.emplace_back(std::move(D));
-    return result;
+CofaceCounts count_cofaces(const IncidenceMatrix& D, const std::vector<Incidence>& canceled) {
+    std::vector<Index> counts(static_cast<std::size_t>(D.cols()), 0);
+    for (Index t = 0; t < D.rows(); ++t)
+        for (IncidenceMatrix::InnerIterator s(D, t); s; ++s)
+            counts[s.col()] += std::abs(s.value());
+    for (const auto& incidence : canceled)
+        counts[incidence.face] += 2;
+    return counts;
 }
 
 /// Between cells and those of a degree of which there are none.
@@ -98,27 +85,21 @@ CellComplex::CellComplex(std::vector<IncidenceMatrix> coboundaries,
         D.prune([](Index, Index, std::int8_t value) { return value != 0; });
     for (std::size_t k = 0; k + 1 < coboundaries.size(); ++k)
         check_product(coboundaries[k + 1], coboundaries[k], k);
-    auto counts = count_cofaces(coboundaries, canceled);
-    *this =
-        CellComplex(Unchecked{}, std::move(coboundaries), std::move(counts), std::move(canceled));
+    canceled.resize(coboundaries.size());
+    std::vector<Coboundary> tower;
+    for (std::size_t k = 0; k < coboundaries.size(); ++k) {
+        const CofaceCounts counts = count_cofaces(coboundaries[k], canceled[k]);
+        tower.push_back({Incidences(std::move(coboundaries[k])), counts, std::move(canceled[k])});
+    }
+    *this = CellComplex(Unchecked{}, std::move(tower));
 }
 
-CellComplex::CellComplex(Unchecked, std::vector<IncidenceMatrix> coboundaries,
-                         std::vector<CofaceCounts> coface_counts,
-                         std::vector<std::vector<Incidence>> canceled)
-    : CellComplex(Unchecked{}, as_incidences(std::move(coboundaries)), std::move(coface_counts),
-                  std::move(canceled)) {}
-
-CellComplex::CellComplex(Unchecked, std::vector<Incidences> incidences,
-                         std::vector<CofaceCounts> coface_counts,
-                         std::vector<std::vector<Incidence>> canceled) {
-    const Index vertices = incidences.front().cols(), tops = incidences.back().rows();
-    canceled.resize(incidences.size());
-    coface_counts.emplace_back(static_cast<std::size_t>(tops));
-    incidences.insert(incidences.begin(), no_incidences(vertices, 0));
-    incidences.push_back(no_incidences(0, tops));
-    tower_ = std::make_shared<const Tower>(
-        Tower{std::move(incidences), std::move(coface_counts), std::move(canceled)});
+CellComplex::CellComplex(Unchecked, std::vector<Coboundary> coboundaries) {
+    const Index vertices = coboundaries.front().incidences.cols();
+    const Index tops = coboundaries.back().incidences.rows();
+    coboundaries.insert(coboundaries.begin(), Coboundary{no_incidences(vertices, 0), {}});
+    coboundaries.push_back({no_incidences(0, tops), CofaceCounts(std::size_t(tops))});
+    tower_ = std::make_shared<const std::vector<Coboundary>>(std::move(coboundaries));
 }
 
 void CellComplex::refuse_degree(int k) const {

@@ -16,6 +16,13 @@ struct Incidence {
     Index cell, face;
 };
 
+/// The (k+1)-cells of a complex with the k-cells that bound them.
+struct Coboundary {
+    Incidences incidences;                ///< the entries of d_k
+    CofaceCounts coface_counts;           ///< of the k-cells; with multiplicity
+    std::vector<Incidence> canceled = {}; ///< that are missing in d_k, see CellComplex::canceled
+};
+
 /// A finite complex of oriented cells of degrees 0..n (simplices, merged polytopes, cubes or custom
 /// cells), given by its signed incidence matrices; it knows no lengths. An immutable handle: copies
 /// share the data and cost nothing. Every member with a degree throws InvalidInput for a degree out
@@ -32,24 +39,18 @@ public:
     explicit CellComplex(std::vector<IncidenceMatrix> coboundaries,
                          std::vector<std::vector<Incidence>> canceled = {});
 
-    /// As above without the checks. coface_counts[k][s] is the number of (k+1)-cells around cell s
-    /// of degree k < n; a cell glued to itself along s counts with its multiplicity.
-    CellComplex(Unchecked, std::vector<IncidenceMatrix> coboundaries,
-                std::vector<CofaceCounts> coface_counts,
-                std::vector<std::vector<Incidence>> canceled = {});
-    CellComplex(Unchecked, std::vector<Incidences> incidences,
-                std::vector<CofaceCounts> coface_counts,
-                std::vector<std::vector<Incidence>> canceled = {});
+    /// As above without the checks.
+    CellComplex(Unchecked, std::vector<Coboundary> coboundaries);
 
     // no moves, which would leave a handle on nothing
     CellComplex(const CellComplex&) = default;
     CellComplex& operator=(const CellComplex&) = default;
 
-    int dimension() const { return static_cast<int>(tower_->coface_counts.size()) - 1; }
+    int dimension() const { return static_cast<int>(tower_->size()) - 2; }
 
     /// Number of cells of degree k; 0 outside 0..n.
     Index size(int k) const {
-        return k < 0 || k > dimension() ? 0 : static_cast<Index>(tower_->coface_counts[k].size());
+        return k < 0 || k > dimension() ? 0 : static_cast<Index>(at(k).coface_counts.size());
     }
 
     /// The (k+1)-cells with the k-cells that bound them, for k = -1..n: the entries of d_k in their
@@ -57,7 +58,7 @@ public:
     const Incidences& incidences(int k) const& {
         if (k < -1 || k > dimension())
             refuse_degree(k);
-        return tower_->incidences[k + 1];
+        return at(k).incidences;
     }
     Incidences incidences(int k) && { return incidences(k); }
 
@@ -75,7 +76,7 @@ public:
     /// sides of s cancels. All zero for k = n.
     const CofaceCounts& coface_counts(int k) const& {
         check_number("the number of cofaces in degree", k, 0, dimension());
-        return tower_->coface_counts[k];
+        return at(k).coface_counts;
     }
     CofaceCounts coface_counts(int k) && { return coface_counts(k); }
 
@@ -84,19 +85,15 @@ public:
     /// find all faces of a cell, use these in addition to the rows of d_k, 0 <= k < n.
     const std::vector<Incidence>& canceled(int k) const& {
         check_number("the incidences that cancel in the coboundary", k, 0, dimension() - 1);
-        return tower_->canceled[k];
+        return at(k).canceled;
     }
     std::vector<Incidence> canceled(int k) && { return canceled(k); }
 
 private:
-    struct Tower {
-        std::vector<Incidences> incidences;           // at k + 1: for k = -1..n
-        std::vector<CofaceCounts> coface_counts;      // at k: for k = 0..n
-        std::vector<std::vector<Incidence>> canceled; // at k: for k = 0..n-1
-    };
+    const Coboundary& at(int k) const { return (*tower_)[k + 1]; }
     [[noreturn]] void refuse_degree(int k) const;
 
-    std::shared_ptr<const Tower> tower_;
+    std::shared_ptr<const std::vector<Coboundary>> tower_; // d_k at k + 1, for k = -1..n
 };
 
 /// Euler characteristic: the alternating sum of the numbers of cells.

@@ -34,12 +34,9 @@ void IncidenceRows::add_up() {
     are_ascending_ = true;
 }
 
-void IncidenceRows::finish(IncidenceMatrix& coboundary, CofaceCounts& coface_counts,
-                           std::vector<Incidence>& canceled) {
+Coboundary IncidenceRows::finish() {
     rows_.resizeNonZeros(end_);
-    coboundary.swap(rows_);
-    coface_counts = counts_;
-    canceled = std::move(canceled_);
+    return {Incidences(std::move(rows_)), counts_, std::move(canceled_)};
 }
 
 } // namespace polydec

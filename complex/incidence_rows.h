@@ -35,8 +35,7 @@ public:
     }
 
     /// Returns the result, after the last cell.
-    void finish(IncidenceMatrix& coboundary, CofaceCounts& coface_counts,
-                std::vector<Incidence>& canceled);
+    Coboundary finish();
 
 private:
     void add_up();

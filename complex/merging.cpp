@@ -67,8 +67,8 @@ IncidenceMatrix make_diamond(const std::vector<Merging::Carrier>& own,
 
 /// d^P_k. All pieces of a k-cell have the same merged cofaces, so its first piece tells: d^P(E, F)
 /// is the sum over the pieces t of E around it of sign(t) [t : piece] sign(piece).
-IncidenceRows merge_degree(const Pieces& complex, const std::vector<Merging::Carrier>& carriers,
-                           const Numbered& lower, const IncidenceMatrix& upper, int k) {
+Coboundary merge_degree(const Pieces& complex, const std::vector<Merging::Carrier>& carriers,
+                        const Numbered& lower, const IncidenceMatrix& upper, int k) {
     const auto cells = static_cast<Index>(upper.rows());
     IncidenceRows rows(cells, lower.cells, lower.sides);
     const FaceTable faces = complex.faces(k + 1);
@@ -85,7 +85,7 @@ IncidenceRows merge_degree(const Pieces& complex, const std::vector<Merging::Car
         }
         rows.end_cell();
     }
-    return rows;
+    return rows.finish();
 }
 
 } // namespace
@@ -103,19 +103,17 @@ Merging::Merging(Pieces pieces, CellComplex merged, std::vector<std::vector<Carr
 Merging Merging::of_blocks(Pieces pieces, Blocks blocks) {
     const int n = pieces.dimension();
     Carriers carriers = std::move(blocks.carriers);
-    std::vector<IncidenceMatrix> diamonds(carriers.size()), coboundaries(n);
-    std::vector<CofaceCounts> counts(n);
-    std::vector<std::vector<Incidence>> canceled(n);
+    std::vector<IncidenceMatrix> diamonds(carriers.size());
+    std::vector<Coboundary> coboundaries;
     for (int k = n; k >= 0; --k) {
         const Numbered numbered = number_blocks(carriers, blocks.active_cofaces[k], k);
         IncidenceMatrix diamond = make_diamond(carriers[k], blocks.signs[k], numbered.cells, k);
         diamonds[k].swap(diamond);
         if (k < n)
-            merge_degree(pieces, carriers[k], numbered, diamonds[k + 1], k)
-                .finish(coboundaries[k], counts[k], canceled[k]);
+            coboundaries.insert(coboundaries.begin(),
+                                merge_degree(pieces, carriers[k], numbered, diamonds[k + 1], k));
     }
-    const CellComplex merged(CellComplex::Unchecked{}, std::move(coboundaries), std::move(counts),
-                             std::move(canceled));
+    const CellComplex merged(CellComplex::Unchecked{}, std::move(coboundaries));
     return {std::move(pieces), merged, std::move(carriers), std::move(diamonds)};
 }
 

@@ -94,9 +94,7 @@ Pieces::Glued Pieces::glue(std::vector<Simplices> faces, std::vector<std::int8_t
     check_tables(faces, orientations, vertices);
     check_order(faces);
     const auto n = static_cast<int>(faces.size()) - 1;
-    std::vector<IncidenceMatrix> coboundaries(n);
-    std::vector<CofaceCounts> counts(n);
-    std::vector<std::vector<Incidence>> canceled(n);
+    std::vector<Coboundary> coboundaries;
     for (int k = 1; k <= n; ++k) {
         const auto lower =
             k == 1 ? static_cast<Index>(vertices.size()) : static_cast<Index>(faces[k - 1].rows());
@@ -108,24 +106,23 @@ Pieces::Glued Pieces::glue(std::vector<Simplices> faces, std::vector<std::int8_t
                 rows.add(faces[k](s, i), i % 2 == 0 ? own : -own);
             rows.end_cell();
         }
-        rows.finish(coboundaries[k - 1], counts[k - 1], canceled[k - 1]);
+        coboundaries.push_back(rows.finish());
     }
 
-    std::vector<int> sums(counts[n - 1].size(), 0);
+    const CofaceCounts& counts = coboundaries.back().coface_counts;
+    std::vector<int> sums(counts.size(), 0);
     for (Index t = 0; t < faces[n].rows(); ++t)
         for (int i = 0; i <= n; ++i)
             sums[faces[n](t, i)] += i % 2 == 0 ? orientations[t] : -orientations[t];
     auto parts = std::make_shared<Parts>();
     for (std::size_t f = 0; f < sums.size(); ++f)
-        parts->orientable = parts->orientable && (counts[n - 1][f] != 2 || sums[f] == 0);
+        parts->orientable = parts->orientable && (counts[f] != 2 || sums[f] == 0);
     for (Simplices& corners : corners_of(faces, static_cast<Index>(vertices.size())))
         parts->simplices.push_back(std::make_shared<const Simplices>(std::move(corners)));
     parts->vertex_numbers = unless_counting(std::move(vertices));
     parts->faces = std::move(faces);
     parts->orientations = std::make_shared<const Incidences::Signs>(std::move(orientations));
-    return {
-        CellComplex(Unchecked{}, std::move(coboundaries), std::move(counts), std::move(canceled)),
-        std::move(parts)};
+    return {CellComplex(Unchecked{}, std::move(coboundaries)), std::move(parts)};
 }
 
 Pieces::Pieces(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,

@@ -108,7 +108,7 @@ RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& cl
     check_closed(complex, closed);
     check_open(complex, open);
     const int n = complex.dimension();
-    std::vector<std::vector<Index>> cells(n + 1), numbers(n + 1), counts(n);
+    std::vector<std::vector<Index>> cells(n + 1), numbers(n + 1);
     std::vector<Index> sizes;
     for (int k = 0; k <= n; ++k) {
         sizes.push_back(complex.size(k));
@@ -121,25 +121,25 @@ RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& cl
         return {complex, std::move(cells), std::move(sizes)};
     for (int k = 0; k <= n; ++k) {
         numbers[k].assign(complex.size(k), -1);
-        for (std::size_t i = 0; i < cells[k].size(); ++i) {
-            const Index s = cells[k][i];
-            numbers[k][s] = static_cast<Index>(i);
-            if (k < n)
-                counts[k].push_back(complex.coface_counts(k)[s]);
-        }
+        for (std::size_t i = 0; i < cells[k].size(); ++i)
+            numbers[k][cells[k][i]] = static_cast<Index>(i);
     }
-    std::vector<IncidenceMatrix> coboundaries;
-    std::vector<std::vector<Incidence>> canceled(n);
+    std::vector<Coboundary> coboundaries;
     for (int k = 0; k < n; ++k) {
+        std::vector<Index> counts;
+        for (const Index s : cells[k])
+            counts.push_back(complex.coface_counts(k)[s]);
+        std::vector<Incidence> canceled;
         for (const auto& [t, s] : complex.canceled(k))
             if (numbers[k + 1][t] >= 0 && numbers[k][s] >= 0)
-                canceled[k].push_back({numbers[k + 1][t], numbers[k][s]});
-        coboundaries.push_back(kept_part(complex.incidences(k), cells[k + 1], numbers[k],
-                                         static_cast<Index>(cells[k].size())));
+                canceled.push_back({numbers[k + 1][t], numbers[k][s]});
+        coboundaries.push_back(
+            {Incidences(kept_part(complex.incidences(k), cells[k + 1], numbers[k],
+                                  static_cast<Index>(cells[k].size()))),
+             counts, std::move(canceled)});
     }
-    return {CellComplex(CellComplex::Unchecked{}, std::move(coboundaries),
-                        {counts.begin(), counts.end()}, std::move(canceled)),
-            std::move(cells), std::move(sizes)};
+    return {CellComplex(CellComplex::Unchecked{}, std::move(coboundaries)), std::move(cells),
+            std::move(sizes)};
 }
 
 RelativeComplex relative_to_boundary(const CellComplex& complex) {

@@ -181,11 +181,13 @@ SimplicialComplex::Sorted SimplicialComplex::with_faces(SortedRows sorted,
                            : orient(Incidences(faces[n - 1], facets), counts[n - 1], sorted.signs);
     const auto signs =
         std::make_shared<const std::vector<std::int8_t>>(std::move(orientation.signs));
-    std::vector<Incidences> incidences;
+    std::vector<Coboundary> coboundaries;
     for (int k = 0; k < n; ++k)
-        incidences.emplace_back(std::move(faces[k]), static_cast<Index>(simplices[k]->rows()),
-                                k == n - 1 ? signs : nullptr);
-    return {Pieces(Unchecked{}, CellComplex(Unchecked{}, std::move(incidences), std::move(counts)),
+        coboundaries.push_back(
+            {Incidences(std::move(faces[k]), static_cast<Index>(simplices[k]->rows()),
+                        k == n - 1 ? signs : nullptr),
+             std::move(counts[k])});
+    return {Pieces(Unchecked{}, CellComplex(Unchecked{}, std::move(coboundaries)),
                    std::move(simplices), signs, orientation.coherent, std::move(numbers)),
             std::move(sorted.order), orientation.turned};
 }
@@ -200,22 +202,20 @@ SimplicialComplex SimplicialComplex::oriented(std::vector<std::int8_t> orientati
     const int n = dimension();
     check_as_many("orientations", std::ssize(orientations), size(n));
     const auto signs = std::make_shared<const Incidences::Signs>(std::move(orientations));
-    std::vector<Incidences> tower;
-    std::vector<CofaceCounts> counts;
+    std::vector<Coboundary> coboundaries;
     std::vector<std::shared_ptr<const Simplices>> tables;
     std::vector<Index> names;
     for (int k = 0; k <= n; ++k)
         tables.push_back(shared_simplices(k));
-    for (int k = 0; k < n; ++k) {
-        tower.push_back(k == n - 1 ? incidences(k).with_signs(signs) : incidences(k));
-        counts.push_back(coface_counts(k));
-    }
+    for (int k = 0; k < n; ++k)
+        coboundaries.push_back(
+            {k == n - 1 ? incidences(k).with_signs(signs) : incidences(k), coface_counts(k)});
     for (Index v = 0; v < size(0); ++v)
         names.push_back(vertex_number(v));
     SimplicialComplex result = *this;
     static_cast<Pieces&>(result) =
-        Pieces(Unchecked{}, CellComplex(Unchecked{}, std::move(tower), std::move(counts)),
-               std::move(tables), signs, orientable, std::move(names));
+        Pieces(Unchecked{}, CellComplex(Unchecked{}, std::move(coboundaries)), std::move(tables),
+               signs, orientable, std::move(names));
     result.turned_ = 0;
     return result;
 }

@@ -219,24 +219,19 @@ Simplices simplices(const GluedSurface& surface) {
 }
 
 CellComplex cell_complex(const GluedSurface& surface) {
-    std::vector<IncidenceMatrix> d(2);
-    std::vector<CofaceCounts> counts(2);
-    std::vector<std::vector<Incidence>> canceled(2);
     IncidenceRows edges(surface.edges(), surface.vertices(), surface.edges() * 2);
     for (Index e = 0; e < surface.edges(); ++e) {
         edges.add(surface.first_vertex(e), -1);
         edges.add(surface.last_vertex(e), 1);
         edges.end_cell();
     }
-    edges.finish(d[0], counts[0], canceled[0]);
     IncidenceRows triangles(surface.triangles(), surface.edges(), surface.triangles() * 3);
     for (Index h = 0; h < 3 * surface.triangles(); ++h) {
         triangles.add(surface.edge(h), surface.sign(h));
         if (h % 3 == 2)
             triangles.end_cell();
     }
-    triangles.finish(d[1], counts[1], canceled[1]);
-    return {CellComplex::Unchecked{}, std::move(d), std::move(counts), std::move(canceled)};
+    return {CellComplex::Unchecked{}, {edges.finish(), triangles.finish()}};
 }
 
 } // namespace polydec

@@ -188,8 +188,8 @@ TEST(Loops, of_a_projective_plane_of_one_cell_are_no_boundary) {
 TEST(LoopsBroken, without_what_cancels_the_boundary_of_a_cone_has_no_vertex) {
     const auto complex = cell_complex(cone(1));
     const CellComplex blind(CellComplex::Unchecked{},
-                            {complex.coboundary(0), complex.coboundary(1)},
-                            {complex.coface_counts(0), complex.coface_counts(1)});
+                            {{complex.incidences(0), complex.coface_counts(0)},
+                             {complex.incidences(1), complex.coface_counts(1)}});
     EXPECT_EQ(boundary_components(blind).count, 0);
     EXPECT_NE(betti_numbers(relative_to_boundary(blind).complex), (std::vector<Index>{0, 0, 1}));
 }

@@ -50,8 +50,9 @@ TEST(HarmonicFormsBroken, one_coefficient_of_d_less_changes_their_number) {
     const auto& torus = merged("torus8x6");
     std::vector<IncidenceMatrix> d{torus.P().coboundary(0), torus.P().coboundary(1)};
     d[0].coeffRef(5, IncidenceMatrix::InnerIterator(d[0], 5).col()) = 0;
-    const CellComplex broken(CellComplex::Unchecked{}, d,
-                             {torus.P().coface_counts(0), torus.P().coface_counts(1)});
+    const CellComplex broken(CellComplex::Unchecked{},
+                             {{Incidences(std::move(d[0])), torus.P().coface_counts(0)},
+                              {Incidences(std::move(d[1])), torus.P().coface_counts(1)}});
     const Vector lambda = eigenvalues({"broken", broken, torus.volumes}, 1);
     EXPECT_NE((lambda.array() <= 1e-9 * lambda.maxCoeff()).count(), 2);
 }
