@@ -142,6 +142,18 @@ Pieces::Pieces(Unchecked, CellComplex cells,
                                            orientable,
                                            std::move(vertex_numbers)})) {}
 
+Pieces Pieces::with_orientations(std::vector<std::int8_t> orientations, bool orientable) const {
+    auto parts = std::make_shared<Parts>(*parts_);
+    parts->orientations = std::make_shared<const Incidences::Signs>(std::move(orientations));
+    parts->orientable = orientable;
+    std::vector<Coboundary> coboundaries;
+    for (int k = 0; k < dimension(); ++k)
+        coboundaries.push_back({incidences(k), coface_counts(k)});
+    Incidences& tops = coboundaries.back().incidences;
+    tops = tops.with_signs(parts->orientations);
+    return Pieces({CellComplex(Unchecked{}, std::move(coboundaries)), std::move(parts)});
+}
+
 std::vector<Index> Pieces::vertex_numbers(std::vector<Index> vertices) const {
     for (Index& v : vertices) {
         check_number("vertex", v, 0, size(0) - 1);

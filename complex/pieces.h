@@ -49,16 +49,15 @@ public:
            std::shared_ptr<const Incidences::Signs> orientations, bool orientable,
            std::vector<Index> vertex_numbers);
 
+    /// The same simplices of a simplicial complex with other orientations of the n-simplices.
+    Pieces with_orientations(std::vector<std::int8_t> orientations, bool orientable) const;
+
     /// The corners, which are 0-simplices, in order: size(k) x (k+1).
     const Simplices& simplices(int k) const& {
         check_number("the table of simplices of degree", k, 0, dimension());
         return *parts_->simplices[k];
     }
     Simplices simplices(int k) && { return simplices(k); }
-    std::shared_ptr<const Simplices> shared_simplices(int k) const {
-        check_number("the table of simplices of degree", k, 0, dimension());
-        return parts_->simplices[k];
-    }
 
     /// The number of 0-simplex v in messages and files. Not checked.
     Index vertex_number(Index v) const {

@@ -3,7 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "complex/disjoint_sets.h"
+#include "complex/blocks.h"
 #include "complex/faces.h"
 #include "complex/size_estimate.h"
 #include "system/memory.h"
@@ -94,51 +94,37 @@ void check_cost(const SortedSimplices& tops) {
                              simplices, simplices == 1 ? "ex" : "ices", n, size.cells));
 }
 
-struct Orientation {
-    std::vector<std::int8_t> signs;
-    bool coherent = true;
-    Index turned = 0;
+/// Which of the n-simplices to turn.
+struct Turns {
+    std::vector<std::int8_t> orientations; // afterwards
+    bool are_coherent;
+    Index count = 0;
 };
 
-/// Signs of the tops, coherent across facets with exactly two cofaces wherever that is possible:
-/// in each part connected by such facets the given signs or their opposites, whichever turns
-/// fewer. A part that cannot be oriented keeps what was given.
-Orientation orient(const Incidences& D, const CofaceCounts& coface_counts,
-                   const std::vector<std::int8_t>& given) {
-    const auto tops = static_cast<Index>(given.size());
-    DisjointSets parts(tops);
-    std::vector<Index> first(coface_counts.size(), -1), conflicts;
+/// Makes orientations coherent across facets with exactly two cofaces wherever that is possible: of
+/// each part connected by such facets, turns the simplices unlike the first one or all others,
+/// whichever are fewer. A part that cannot be oriented keeps what was given.
+Turns coherent_turns(const Pieces& complex) {
+    const int n = complex.dimension();
+    auto [parts, clashes] = join_tops(complex, std::vector<bool>(complex.size(n - 1), true));
+    const Index tops = complex.size(n);
+    std::vector<Index> balance(tops, 0); // at first simplices: number of those alike minus others
     for (Index t = 0; t < tops; ++t) {
-        for (const auto& [f, sign] : D[t]) {
-            if (coface_counts[f] != 2)
-                continue;
-            if (const Index other = first[f]; other < 0)
-                first[f] = t;
-            else if (!parts.join(t, other, -sign * D.sign(other, f)))
-                conflicts.push_back(t);
-        }
-    }
-
-    std::vector<Index> balance(tops, 0); // at roots: agreeing minus disagreeing, 0 if one-sided
-    for (Index t = 0; t < tops; ++t) {
-        const auto root = parts.find(t);
-        balance[root.element] += root.sign * given[t];
+        const auto [first, sign] = parts.find(t);
+        balance[first] += sign;
     }
     std::vector<bool> one_sided(tops, false);
-    for (const Index t : conflicts)
+    for (const Index t : clashes)
         one_sided[parts.find(t).element] = true;
 
-    Orientation result{given, conflicts.empty(), 0};
+    Turns result{{}, clashes.empty()};
     for (Index t = 0; t < tops; ++t) {
-        const auto root = parts.find(t);
-        if (one_sided[root.element])
-            continue;
-        // a tie is decided by the part's first cell, so that it does not depend on the root
-        if (balance[root.element] == 0)
-            balance[root.element] = root.sign * given[t];
-        const int sign = balance[root.element] > 0 ? root.sign : -root.sign;
-        result.turned += sign != given[t];
-        result.signs[t] = static_cast<std::int8_t>(sign);
+        const auto [first, sign] = parts.find(t);
+        const int kept = balance[first] < 0 ? -1 : 1;
+        const bool turns = !one_sided[first] && sign != kept;
+        result.count += turns ? 1 : 0;
+        result.orientations.push_back(
+            static_cast<std::int8_t>(turns ? -complex.orientation(t) : complex.orientation(t)));
     }
     return result;
 }
@@ -162,34 +148,29 @@ SimplicialComplex::Sorted SimplicialComplex::with_faces(SortedRows sorted,
     check_cost(sorted.simplices);
 
     const auto n = static_cast<int>(sorted.simplices.rows->cols()) - 1;
-    std::vector<std::shared_ptr<const Simplices>> simplices(n + 1), faces(n);
-    std::vector<CofaceCounts> counts(n);
+    const auto signs = std::make_shared<const Incidences::Signs>(std::move(sorted.signs));
+    std::vector<std::shared_ptr<const Simplices>> simplices(n + 1);
+    std::vector<Coboundary> coboundaries;
     SortedSimplices cells = std::move(sorted.simplices);
     bool are_coherent = false;
     for (int k = n - 1; k >= 0; --k) {
-        auto lower = k == n - 1 ? faces_of(cells, sorted.signs) : faces_of(cells);
+        const bool is_top = k == n - 1;
+        auto lower = is_top ? faces_of(cells, *signs) : faces_of(cells);
         are_coherent = are_coherent || lower.are_coherent;
-        faces[k] = std::move(lower.table);
-        counts[k] = std::move(lower.counts);
+        const auto faces = static_cast<Index>(lower.simplices.rows->rows());
+        coboundaries.insert(coboundaries.begin(),
+                            {Incidences(std::move(lower.table), faces, is_top ? signs : nullptr),
+                             std::move(lower.counts)});
         simplices[k + 1] = std::exchange(cells, std::move(lower.simplices)).rows;
     }
     simplices[0] = std::move(cells.rows);
-    const auto facets = static_cast<Index>(simplices[n - 1]->rows());
-
-    auto orientation = are_coherent
-                           ? Orientation{std::move(sorted.signs)}
-                           : orient(Incidences(faces[n - 1], facets), counts[n - 1], sorted.signs);
-    const auto signs =
-        std::make_shared<const std::vector<std::int8_t>>(std::move(orientation.signs));
-    std::vector<Coboundary> coboundaries;
-    for (int k = 0; k < n; ++k)
-        coboundaries.push_back(
-            {Incidences(std::move(faces[k]), static_cast<Index>(simplices[k]->rows()),
-                        k == n - 1 ? signs : nullptr),
-             std::move(counts[k])});
-    return {Pieces(Unchecked{}, CellComplex(Unchecked{}, std::move(coboundaries)),
-                   std::move(simplices), signs, orientation.coherent, std::move(numbers)),
-            std::move(sorted.order), orientation.turned};
+    const Pieces pieces(Unchecked{}, CellComplex(Unchecked{}, std::move(coboundaries)),
+                        std::move(simplices), signs, are_coherent, std::move(numbers));
+    if (are_coherent)
+        return {pieces, std::move(sorted.order), 0};
+    Turns turns = coherent_turns(pieces);
+    return {pieces.with_orientations(std::move(turns.orientations), turns.are_coherent),
+            std::move(sorted.order), turns.count};
 }
 
 SimplicialComplex::SimplicialComplex(const Simplices& tops) : SimplicialComplex(sorted(tops)) {}
@@ -199,23 +180,9 @@ SimplicialComplex::SimplicialComplex(const Simplices& tops, std::vector<Index> n
 
 SimplicialComplex SimplicialComplex::oriented(std::vector<std::int8_t> orientations,
                                               bool orientable) const {
-    const int n = dimension();
-    check_as_many("orientations", std::ssize(orientations), size(n));
-    const auto signs = std::make_shared<const Incidences::Signs>(std::move(orientations));
-    std::vector<Coboundary> coboundaries;
-    std::vector<std::shared_ptr<const Simplices>> tables;
-    std::vector<Index> names;
-    for (int k = 0; k <= n; ++k)
-        tables.push_back(shared_simplices(k));
-    for (int k = 0; k < n; ++k)
-        coboundaries.push_back(
-            {k == n - 1 ? incidences(k).with_signs(signs) : incidences(k), coface_counts(k)});
-    for (Index v = 0; v < size(0); ++v)
-        names.push_back(vertex_number(v));
+    check_as_many("orientations", std::ssize(orientations), size(dimension()));
     SimplicialComplex result = *this;
-    static_cast<Pieces&>(result) =
-        Pieces(Unchecked{}, CellComplex(Unchecked{}, std::move(coboundaries)), std::move(tables),
-               signs, orientable, std::move(names));
+    static_cast<Pieces&>(result) = with_orientations(std::move(orientations), orientable);
     result.turned_ = 0;
     return result;
 }
