@@ -14,13 +14,10 @@ enum class FanEnd { tail, head };
 template <class Visit>
 void for_each_corner(const GluedSurface& surface, Index boundary_halfedge, FanEnd end,
                      Visit visit) {
-    const auto corner_of = [](Index halfedge, bool at_tail) {
-        return at_tail ? halfedge : GluedSurface::next(halfedge);
-    };
     Index entered = boundary_halfedge;
     bool at_tail = end == FanEnd::tail;
     while (entered >= 0) {
-        const Index corner = corner_of(entered, at_tail);
+        const Index corner = at_tail ? entered : GluedSurface::next(entered);
         visit(corner);
         const Index exit = at_tail ? GluedSurface::previous(entered) : GluedSurface::next(entered);
         const bool tail_of_exit = exit == corner;

@@ -138,13 +138,8 @@ void GluedSurface::reverse(Index triangle) {
     for (const Index h : {a, b, c})
         sides_[h].sign = static_cast<std::int8_t>(-sides_[h].sign);
     std::swap(tails_[b], tails_[c]);
-    if (sides_[a].edge != sides_[c].edge)
-        for (const auto& [from, to] : {std::pair{a, c}, {c, a}})
-            for (Index& h : halfedges_[sides_[from].edge])
-                if (h == from) {
-                    h = to;
-                    break;
-                }
+    if (edge(a) != edge(c))
+        std::swap(listed(a), listed(c));
     std::swap(sides_[a], sides_[c]);
 }
 
@@ -157,12 +152,7 @@ void GluedSurface::flip(Index edge) {
     const Index i = tails_[h], j = tails_[h1], k = tails_[h2], l = tails_[g2];
 
     // where the four outer sides were, as seen from their edges, before any of them moves
-    const auto place = [&](SignedEdge side, Index halfedge) -> Index& {
-        auto& both = halfedges_[side.edge];
-        return both[0] == halfedge ? both[0] : both[1];
-    };
-    Index &at_jk = place(jk, h1), &at_ki = place(ki, h2);
-    Index &at_il = place(il, g1), &at_lj = place(lj, g2);
+    Index &at_jk = listed(h1), &at_ki = listed(h2), &at_il = listed(g1), &at_lj = listed(g2);
 
     set(t, along, k), set(t + 1, lj, l), set(t + 2, jk, j);
     set(u, against, l), set(u + 1, ki, k), set(u + 2, il, i);
@@ -178,8 +168,7 @@ void GluedSurface::split_boundary(Index edge) {
     const Index m = vertices_++, n = static_cast<Index>(sides_.size());
     const Index mj = edges(), mk = mj + 1;
 
-    auto& both = halfedges_[jk.edge];
-    (both[0] == h1 ? both[0] : both[1]) = n + 1;
+    listed(h1) = n + 1;
     sides_.resize(sides_.size() + 3);
     tails_.resize(tails_.size() + 3);
     set(n, {mj, ij.sign}, m), set(n + 1, jk, j), set(n + 2, {mk, -1}, k);

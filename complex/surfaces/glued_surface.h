@@ -118,6 +118,11 @@ public:
     }
 
 private:
+    /// Where the edge of a half-edge lists it.
+    Index& listed(Index halfedge) {
+        auto& both = halfedges_[edge(halfedge)];
+        return both[0] == halfedge ? both[0] : both[1];
+    }
     void set(Index halfedge, SignedEdge side, Index tail);
 
     std::vector<std::array<Index, 2>> halfedges_; // of edges
