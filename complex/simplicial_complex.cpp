@@ -187,6 +187,21 @@ SimplicialComplex SimplicialComplex::oriented(std::vector<std::int8_t> orientati
     return result;
 }
 
+Index SimplicialComplex::find(int k, std::span<const Index> vertices) const {
+    const auto number = [this](Index v) { return vertex_number(v); };
+    Index low = 0, high = size(k);
+    while (low < high) {
+        const Index middle = low + (high - low) / 2;
+        if (std::ranges::lexicographical_compare(row(simplices(k), middle), vertices, {}, number))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    const bool is_there =
+        low < size(k) && std::ranges::equal(row(simplices(k), low), vertices, {}, number);
+    return is_there ? low : -1;
+}
+
 SimplicialComplex::SimplicialComplex(Sorted sorted)
     : Pieces(std::move(sorted.pieces)),
       input_rows_(std::make_shared<const std::vector<Index>>(std::move(sorted.input_rows))),

@@ -34,6 +34,10 @@ public:
     /// of orientations.
     SimplicialComplex oriented(std::vector<std::int8_t> orientations, bool orientable) const;
 
+    /// The k-simplex with these ascending vertex numbers (see vertex_number); -1 if there is none.
+    /// Time O(k log(size(k))).
+    Index find(int k, std::span<const Index> vertices) const;
+
     /// The row of the constructor's argument that became n-simplex s.
     Index input_row(Index s) const {
         check_number("the input row of simplex", s, 0, size(dimension()) - 1);

@@ -18,20 +18,6 @@ namespace polydec {
 
 namespace {
 
-/// The facet with these ascending vertex numbers; -1 if there is none.
-Index find_facet(const SimplicialComplex& complex, const std::vector<Index>& numbers) {
-    const int k = complex.dimension() - 1;
-    Index low = 0, high = complex.size(k);
-    while (low < high) {
-        const Index middle = low + (high - low) / 2;
-        if (complex.vertex_numbers(k, middle) < numbers)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < complex.size(k) && complex.vertex_numbers(k, low) == numbers ? low : -1;
-}
-
 std::string list_facets(const TaggedSimplices& facets, const std::vector<Index>& rows) {
     return listed(rows, [&](Index row) {
         const auto vertices = facets.simplices.row(row);
@@ -64,7 +50,7 @@ FacetTags tags_of_facets(const SimplicialComplex& complex, const TaggedSimplices
         const auto vertices = facets.simplices.row(row);
         numbers.assign(vertices.begin(), vertices.end());
         std::sort(numbers.begin(), numbers.end());
-        const Index facet = find_facet(complex, numbers);
+        const Index facet = complex.find(complex.dimension() - 1, numbers);
         if (facet < 0)
             strays.push_back(row);
         else if (facets.tags[row] != 0)

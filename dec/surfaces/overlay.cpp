@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace polydec {
 
@@ -54,7 +53,7 @@ private:
     void cut_corner(Index corner, Index cuts);
     void cut_middle(Index t, const NormalCoordinates::Corners& corners);
     void add(const Polygon& polygon, Index t);
-    std::optional<Index> input_triangle(const Polygon& polygon) const;
+    Index input_triangle(const Polygon& polygon) const;
     std::array<int, 3> corners_in_order(Index t) const;
 
     SidePoint point_at(Index corner) const { return {surface_.tail(corner), corner, 0}; }
@@ -201,39 +200,25 @@ std::array<int, 3> Cutter::corners_in_order(Index t) const {
     return order;
 }
 
-/// The triangle of the input whose vertices and edges contain the corners of a piece.
-std::optional<Index> Cutter::input_triangle(const Polygon& polygon) const {
+/// The triangle of the input whose vertices and edges contain the corners of a piece; -1 if these
+/// are all on one edge.
+Index Cutter::input_triangle(const Polygon& polygon) const {
     std::vector<Index> vertices;
     for (const SidePoint& corner : polygon)
         for (const Index v : ends_by_point_[corner.point])
-            vertices.push_back(K_.simplices(0)(v, 0));
+            vertices.push_back(v);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    if (vertices.size() != 3)
-        return std::nullopt; // all on one edge
-
-    const auto& triangles = K_.simplices(2);
-    Index begin = 0, count = K_.size(2);
-    while (count > 0) {
-        const Index half = count / 2, middle = begin + half;
-        const Index* const row = &triangles(middle, 0);
-        if (std::lexicographical_compare(row, row + 3, vertices.begin(), vertices.end()))
-            begin = middle + 1, count -= half + 1;
-        else
-            count = half;
-    }
-    const bool found =
-        begin < K_.size(2) && std::equal(vertices.begin(), vertices.end(), &triangles(begin, 0));
-    return found ? std::optional(begin) : std::nullopt;
+    return K_.find(2, K_.vertex_numbers(vertices));
 }
 
 void Cutter::add(const Polygon& polygon, Index t) {
-    const auto triangle = input_triangle(polygon);
-    if (!triangle)
+    const Index triangle = input_triangle(polygon);
+    if (triangle < 0)
         return;
     // the plane of the triangle that contains it, oriented alike
     const auto corner = [&](int i) {
-        return result_.points.row(K_.simplices(2)(*triangle, i)).eval();
+        return result_.points.row(K_.simplices(2)(triangle, i)).eval();
     };
     const auto e = (corner(1) - corner(0)).eval(), f = (corner(2) - corner(0)).eval();
     double area = 0, turn = 0, longest = 0;
@@ -249,7 +234,7 @@ void Cutter::add(const Polygon& polygon, Index t) {
     constexpr double rounding = 1e-12;
     if (!(area > rounding * longest))
         return;
-    result_.signs.push_back(turn * K_.orientation(*triangle) < 0 ? -1 : 1);
+    result_.signs.push_back(turn * K_.orientation(triangle) < 0 ? -1 : 1);
     const auto order = corners_in_order(t);
     for (const auto& [point, halfedge, place] : polygon) {
         result_.corners.push_back(point);
@@ -258,7 +243,7 @@ void Cutter::add(const Polygon& polygon, Index t) {
         coordinates[order[GluedSurface::next(halfedge) % 3]] = place;
     }
     result_.offsets.push_back(static_cast<Index>(result_.corners.size()));
-    result_.input.push_back(*triangle);
+    result_.input.push_back(triangle);
     result_.triangle.push_back(t);
     areas_.push_back(area);
 }
