@@ -132,7 +132,14 @@ public:
         faces_.simplices.vertices = simplices.vertices;
     }
 
-    void run();
+    void run() {
+        std::vector<Part> parts(begins_.size() - 1);
+        for_each_block(faces_.simplices.vertices, [&](Index block, Index begin, Index end) {
+            parts[block] = search(block, begin, end);
+        });
+        put_together(parts);
+        faces_.are_coherent = are_coherent_;
+    }
 
 private:
     /// The facets of a block of first vertices, in order; there is room for more.
@@ -144,13 +151,104 @@ private:
     /// Vertices of a simplex, known to the compiler where they are few.
     Index m() const { return capacity <= 4 ? capacity + 2 : static_cast<Index>(simplices_.cols()); }
 
-    ByBlock<List<capacity>> without_first(const SortedSimplices& simplices) const;
+    /// Entry s * m + j stands for simplex s without its vertex number m - 1 - j.
+    ByBlock<List<capacity>> without_first(const SortedSimplices& simplices) const {
+        return by_block<List<capacity>>(
+            static_cast<Index>(simplices_.rows()), simplices.vertices,
+            [&](Index s) { return simplices_(s, 1); },
+            [&](Index s) {
+                List<capacity> list{simplices_(s, 1), {{}, s * m() + m() - 1}};
+                for (Index i = 2; i < m(); ++i)
+                    list.tail.vertices[i - 2] = simplices_(s, i);
+                return list;
+            });
+    }
+
+    /// The facets with this first vertex; s is the first simplex that has it, and becomes the one
+    /// behind.
     void collect(Index& s, Index first_vertex, std::span<const Tail<capacity>> second,
-                 std::vector<Tail<capacity>>& tails) const;
-    Part search(Index block, Index begin, Index end);
-    void check_coherence(Index entry, Index other);
-    void put_together(const std::vector<Part>& parts);
-    void finish_table(Index begin, Index end);
+                 std::vector<Tail<capacity>>& tails) const {
+        Index end = s;
+        while (end < simplices_.rows() && simplices_(end, 0) == first_vertex)
+            ++end;
+        tails.resize(std::size_t(end - s) * (m() - 1) + second.size());
+        Tail<capacity>* tail = tails.data();
+        for (; s < end; ++s) {
+            const Index* list = &simplices_(s, 0);
+            for (Index j = 0; j < m() - 1; ++j, ++tail) {
+                tail->entry = s * m() + j;
+                for (Index i = 1, place = 0; i < m(); ++i)
+                    if (i != m() - 1 - j)
+                        tail->vertices[place++] = list[i];
+            }
+        }
+        std::copy(second.begin(), second.end(), tail);
+    }
+
+    /// The table gets the numbers of the facets within the block.
+    Part search(Index block, Index begin, Index end) {
+        Block<capacity> second(second_.of(block), block);
+        const std::size_t room =
+            std::size_t(begins_[block + 1] - begins_[block]) * (m() - 1) + second_.of(block).size();
+        Part part{std::make_unique_for_overwrite<Index[]>(room * (m() - 1)),
+                  std::make_unique_for_overwrite<Index[]>(room)};
+        Index* const table = table_.data();
+        Index *list = part.vertices.get(), s = begins_[block];
+        std::vector<Tail<capacity>> tails;
+        for (Index v = begin; v < end; ++v) {
+            collect(s, v, second.of(v), tails);
+            sort(std::span(tails));
+            for (std::size_t i = 0, j = 0; i < tails.size(); i = j) {
+                *list++ = v;
+                for (Index place = 0; place < m() - 2; ++place)
+                    *list++ = tails[i].vertices[place];
+                for (; j < tails.size() && same(tails[i], tails[j]); ++j)
+                    table[tails[j].entry] = part.size;
+                part.counts[part.size++] = static_cast<Index>(j - i);
+                if (signs_ && j == i + 2)
+                    check_coherence(tails[i].entry, tails[i + 1].entry);
+            }
+        }
+        return part;
+    }
+
+    /// Whether two simplices have opposite signs at their facet.
+    void check_coherence(Index entry, Index other) {
+        const auto is_positive = [this](Index e) {
+            return (signs_[e / m()] > 0) == (e % m() % 2 == 0);
+        };
+        if (is_positive(entry) == is_positive(other))
+            are_coherent_.store(false, std::memory_order_relaxed);
+    }
+
+    /// Makes numbers within blocks those of all.
+    void finish_table(Index begin, Index end) {
+        const std::vector<Index>& begins = faces_.simplices.begins;
+        Index* face = &table_(begin, 0);
+        for (Index s = begin; s < end; ++s)
+            for (Index j = 0; j < m(); ++j)
+                *face++ += begins[simplices_(s, j < m() - 1 ? 0 : 1) / block_size];
+    }
+
+    void put_together(const std::vector<Part>& parts) {
+        std::vector<Index>& offset = faces_.simplices.begins;
+        offset = {0};
+        for (const Part& part : parts)
+            offset.push_back(offset.back() + part.size);
+        Simplices rows(offset.back(), m() - 1);
+        std::vector<Index> counts(static_cast<std::size_t>(offset.back()));
+        for_each_part(static_cast<Index>(parts.size()), 1, [&](Index p, Index) {
+            std::copy_n(parts[p].counts.get(), parts[p].size, counts.begin() + offset[p]);
+            std::copy_n(parts[p].vertices.get(), std::ptrdiff_t{parts[p].size} * (m() - 1),
+                        rows.data() + std::ptrdiff_t{offset[p]} * (m() - 1));
+        });
+        faces_.simplices.rows = std::make_shared<const Simplices>(std::move(rows));
+        faces_.counts = counts;
+        constexpr Index part_size = 1 << 14;
+        for_each_part(static_cast<Index>(simplices_.rows()), part_size,
+                      [&](Index begin, Index end) { finish_table(begin, end); });
+        faces_.table = std::make_shared<const Simplices>(std::move(table_));
+    }
 
     const Simplices& simplices_;
     const std::vector<Index>& begins_;
@@ -160,123 +258,6 @@ private:
     Simplices table_;
     Faces& faces_;
 };
-
-/// Entry s * m + j stands for simplex s without its vertex number m - 1 - j.
-template <int capacity>
-ByBlock<List<capacity>>
-FacetSearch<capacity>::without_first(const SortedSimplices& simplices) const {
-    return by_block<List<capacity>>(
-        static_cast<Index>(simplices_.rows()), simplices.vertices,
-        [&](Index s) { return simplices_(s, 1); },
-        [&](Index s) {
-            List<capacity> list{simplices_(s, 1), {{}, s * m() + m() - 1}};
-            for (Index i = 2; i < m(); ++i)
-                list.tail.vertices[i - 2] = simplices_(s, i);
-            return list;
-        });
-}
-
-/// The facets with this first vertex; s is the first simplex that has it, and becomes the one
-/// behind.
-template <int capacity>
-void FacetSearch<capacity>::collect(Index& s, Index first_vertex,
-                                    std::span<const Tail<capacity>> second,
-                                    std::vector<Tail<capacity>>& tails) const {
-    Index end = s;
-    while (end < simplices_.rows() && simplices_(end, 0) == first_vertex)
-        ++end;
-    tails.resize(std::size_t(end - s) * (m() - 1) + second.size());
-    Tail<capacity>* tail = tails.data();
-    for (; s < end; ++s) {
-        const Index* list = &simplices_(s, 0);
-        for (Index j = 0; j < m() - 1; ++j, ++tail) {
-            tail->entry = s * m() + j;
-            for (Index i = 1, place = 0; i < m(); ++i)
-                if (i != m() - 1 - j)
-                    tail->vertices[place++] = list[i];
-        }
-    }
-    std::copy(second.begin(), second.end(), tail);
-}
-
-/// The table gets the numbers of the facets within the block.
-template <int capacity>
-auto FacetSearch<capacity>::search(Index block, Index begin, Index end) -> Part {
-    Block<capacity> second(second_.of(block), block);
-    const std::size_t room =
-        std::size_t(begins_[block + 1] - begins_[block]) * (m() - 1) + second_.of(block).size();
-    Part part{std::make_unique_for_overwrite<Index[]>(room * (m() - 1)),
-              std::make_unique_for_overwrite<Index[]>(room)};
-    Index* const table = table_.data();
-    Index *list = part.vertices.get(), s = begins_[block];
-    std::vector<Tail<capacity>> tails;
-    for (Index v = begin; v < end; ++v) {
-        collect(s, v, second.of(v), tails);
-        sort(std::span(tails));
-        for (std::size_t i = 0, j = 0; i < tails.size(); i = j) {
-            *list++ = v;
-            for (Index place = 0; place < m() - 2; ++place)
-                *list++ = tails[i].vertices[place];
-            for (; j < tails.size() && same(tails[i], tails[j]); ++j)
-                table[tails[j].entry] = part.size;
-            part.counts[part.size++] = static_cast<Index>(j - i);
-            if (signs_ && j == i + 2)
-                check_coherence(tails[i].entry, tails[i + 1].entry);
-        }
-    }
-    return part;
-}
-
-/// Whether two simplices have opposite signs at their facet.
-template <int capacity>
-void FacetSearch<capacity>::check_coherence(Index entry, Index other) {
-    const auto is_positive = [this](Index e) {
-        return (signs_[e / m()] > 0) == (e % m() % 2 == 0);
-    };
-    if (is_positive(entry) == is_positive(other))
-        are_coherent_.store(false, std::memory_order_relaxed);
-}
-
-/// Makes numbers within blocks those of all.
-template <int capacity>
-void FacetSearch<capacity>::finish_table(Index begin, Index end) {
-    const std::vector<Index>& begins = faces_.simplices.begins;
-    Index* face = &table_(begin, 0);
-    for (Index s = begin; s < end; ++s)
-        for (Index j = 0; j < m(); ++j)
-            *face++ += begins[simplices_(s, j < m() - 1 ? 0 : 1) / block_size];
-}
-
-template <int capacity>
-void FacetSearch<capacity>::put_together(const std::vector<Part>& parts) {
-    std::vector<Index>& offset = faces_.simplices.begins;
-    offset = {0};
-    for (const Part& part : parts)
-        offset.push_back(offset.back() + part.size);
-    Simplices rows(offset.back(), m() - 1);
-    std::vector<Index> counts(static_cast<std::size_t>(offset.back()));
-    for_each_part(static_cast<Index>(parts.size()), 1, [&](Index p, Index) {
-        std::copy_n(parts[p].counts.get(), parts[p].size, counts.begin() + offset[p]);
-        std::copy_n(parts[p].vertices.get(), std::ptrdiff_t{parts[p].size} * (m() - 1),
-                    rows.data() + std::ptrdiff_t{offset[p]} * (m() - 1));
-    });
-    faces_.simplices.rows = std::make_shared<const Simplices>(std::move(rows));
-    faces_.counts = counts;
-    constexpr Index part_size = 1 << 14;
-    for_each_part(static_cast<Index>(simplices_.rows()), part_size,
-                  [&](Index begin, Index end) { finish_table(begin, end); });
-    faces_.table = std::make_shared<const Simplices>(std::move(table_));
-}
-
-template <int capacity>
-void FacetSearch<capacity>::run() {
-    std::vector<Part> parts(begins_.size() - 1);
-    for_each_block(faces_.simplices.vertices, [&](Index block, Index begin, Index end) {
-        parts[block] = search(block, begin, end);
-    });
-    put_together(parts);
-    faces_.are_coherent = are_coherent_;
-}
 
 /// The ends of edges, which need no search: these are all vertices, and their faces.
 Faces ends_of(const SortedSimplices& edges) {
