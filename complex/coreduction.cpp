@@ -7,12 +7,6 @@
 
 namespace polydec {
 
-namespace {
-
-using Row = IncidenceMatrix::InnerIterator;
-
-} // namespace
-
 Coreduction::Coreduction(const CellComplex& complex) : complex_(complex) {
     const int n = complex.dimension();
     pairs_.resize(n + 2);
@@ -73,7 +67,7 @@ void Coreduction::remove(int k, Index s) {
     alive_[k][s] = false;
     if (k == complex_.dimension())
         return;
-    for (Row t(cofaces_[k], s); t; ++t) {
+    for (IncidenceMatrix::InnerIterator t(cofaces_[k], s); t; ++t) {
         const auto cell = static_cast<Index>(t.col());
         if (--faces_left_[k + 1][cell] == 1)
             queue_.emplace_back(k + 1, cell);

@@ -13,8 +13,6 @@ namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
-
 /// A side of a triangle, directed as the boundary of the merged cell runs. The three sides of a
 /// triangle are neighbors in the list.
 struct HalfEdge {
@@ -25,7 +23,7 @@ struct HalfEdge {
 std::vector<HalfEdge> half_edges(const Merging& merging, Index cell) {
     const auto& K = merging.pieces();
     std::vector<HalfEdge> sides;
-    for (Row piece(merging.diamond(2), cell); piece; ++piece)
+    for (IncidenceMatrix::InnerIterator piece(merging.diamond(2), cell); piece; ++piece)
         for (const auto& [edge, sign] : K.incidences(1)[static_cast<Index>(piece.col())]) {
             const auto ends = K.simplices(1).row(edge);
             const bool ascending = piece.value() * sign > 0;

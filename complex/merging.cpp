@@ -15,7 +15,6 @@ namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
 using Carriers = std::vector<std::vector<Merging::Carrier>>;
 
 /// What is known of the cells of one degree once they have numbers.
@@ -120,15 +119,11 @@ Merging Merging::of_blocks(Pieces pieces, Blocks blocks) {
 std::vector<Index> Merging::vertices(int k, Index cell) const {
     check_number(fmt::format("{}-cell", k), cell, 0, merged_.size(k) - 1);
     std::vector<Index> list;
-    const auto add = [&](Index piece) {
-        const auto simplex = pieces_.simplices(k).row(piece);
+    const auto pieces = is_identity_ ? std::span(&cell, 1) : pieces_of(k, cell); // without maps
+    for (const Index s : pieces) {
+        const auto simplex = pieces_.simplices(k).row(s);
         list.insert(list.end(), simplex.begin(), simplex.end());
-    };
-    if (is_identity_) // its maps are not needed for this
-        add(cell);
-    else
-        for (Row s(diamond(k), cell); s; ++s)
-            add(static_cast<Index>(s.col()));
+    }
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
     return list;

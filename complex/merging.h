@@ -5,6 +5,7 @@
 #include "complex/pieces.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace polydec {
@@ -50,6 +51,14 @@ public:
     IncidenceMatrix diamond(int k) && { return diamond(k); }
     const std::vector<IncidenceMatrix>& diamonds() const& { return maps().diamonds; }
     std::vector<IncidenceMatrix> diamonds() && { return diamonds(); }
+
+    /// The pieces of k-cell F, ascending. For inner loops: the cell is not checked.
+    std::span<const Index> pieces_of(int k, Index cell) const& {
+        const IncidenceMatrix& pieces = diamond(k);
+        const Index* const begins = pieces.outerIndexPtr();
+        return {pieces.innerIndexPtr() + begins[cell], pieces.innerIndexPtr() + begins[cell + 1]};
+    }
+    std::span<const Index> pieces_of(int k, Index cell) const&& = delete;
 
     /// Whether nothing is merged, so that P is K.
     bool is_identity() const { return is_identity_; }

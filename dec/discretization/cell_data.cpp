@@ -66,26 +66,23 @@ std::vector<Index> cells_of_input(const Discretization& mesh, std::string_view w
                                   const std::function<bool(Index, Index)>& differ) {
     const int n = mesh.dimension();
     const std::vector<Index> numbers = numbers_of_simplices(mesh);
-    std::vector<Index> result(static_cast<std::size_t>(mesh.complex().size(n)), -1);
-    if (!mesh.passage().is_identity()) {
-        const Index first = *std::min_element(numbers.begin(), numbers.end());
-        for (const Index number : numbers)
-            if (differ(first, number))
-                refuse_joined(mesh, what, first, number);
-        std::fill(result.begin(), result.end(), first);
-        return result;
-    }
-    const IncidenceMatrix& pieces = mesh.merging().diamond(n);
-    for (Index cell = 0; cell < pieces.rows(); ++cell) {
-        // a piece without volume has no share in a cell with other pieces
-        for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece)
-            if (!mesh.geometry().is_flat(static_cast<Index>(piece.col())) &&
-                (result[cell] < 0 || numbers[piece.col()] < result[cell]))
-                result[cell] = numbers[piece.col()];
-        for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece)
-            if (!mesh.geometry().is_flat(static_cast<Index>(piece.col())) &&
-                differ(result[cell], numbers[piece.col()]))
-                refuse_joined(mesh, what, result[cell], numbers[piece.col()]);
+    const auto first_of = [&](const std::vector<Index>& cells) {
+        const Index first = *std::min_element(cells.begin(), cells.end());
+        for (const Index cell : cells)
+            if (differ(first, cell))
+                refuse_joined(mesh, what, first, cell);
+        return first;
+    };
+    const Index size = mesh.complex().size(n);
+    if (!mesh.passage().is_identity())
+        return std::vector<Index>(static_cast<std::size_t>(size), first_of(numbers));
+    std::vector<Index> result, joined;
+    for (Index cell = 0; cell < size; ++cell) {
+        joined.clear();
+        for (const Index piece : mesh.merging().pieces_of(n, cell))
+            if (!mesh.geometry().is_flat(piece)) // which has no share in a cell with other pieces
+                joined.push_back(numbers[piece]);
+        result.push_back(first_of(joined));
     }
     return result;
 }

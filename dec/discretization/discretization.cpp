@@ -100,13 +100,11 @@ void refuse_flat_cells(const Given& given, const Merging& merging) {
     const auto& [complex, mesh, points, metric, isolated, unit, flat] = given;
     if (flat.rows.empty())
         return;
-    const IncidenceMatrix& pieces = merging.diamond(complex.dimension());
+    const int n = complex.dimension();
     std::vector<bool> are_alone(static_cast<std::size_t>(mesh.simplices.rows()), false);
-    for (Index t = 0; t < pieces.cols(); ++t) {
-        const Index cell = merging.carriers(complex.dimension())[t].cell;
+    for (Index t = 0; t < complex.size(n); ++t)
         are_alone[complex.input_row(t)] =
-            pieces.outerIndexPtr()[cell + 1] - pieces.outerIndexPtr()[cell] == 1;
-    }
+            merging.pieces_of(n, merging.carriers(n)[t].cell).size() == 1;
     FlatCellsKept alone;
     for (std::size_t i = 0; i < flat.rows.size(); ++i)
         if (are_alone[flat.rows[i]]) {

@@ -194,14 +194,13 @@ const Discretization& placed(const Discretization& mesh) {
 
 std::vector<Index> cells_of_places(const Discretization& mesh, int k) {
     std::vector<Index> result;
-    const IncidenceMatrix& pieces = placed(mesh).merging().diamond(k);
-    for (Index cell = 0; cell < pieces.rows(); ++cell) {
+    const Merging& cells = placed(mesh).merging();
+    for (Index cell = 0; cell < cells.diamond(k).rows(); ++cell) {
         if (!mesh.box()) {
             result.push_back(cell);
             continue;
         }
-        const auto first =
-            static_cast<std::size_t>(IncidenceMatrix::InnerIterator(pieces, cell).col());
+        const Index first = cells.pieces_of(k, cell).front();
         const auto& carrier = mesh.merging().carriers(k)[mesh.box()->onto(k)[first]];
         result.push_back(carrier.dimension == k ? carrier.cell : -1);
     }

@@ -13,8 +13,6 @@ namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
-
 /// Defects that make operators ill defined, by degree of cells.
 struct Faults {
     std::vector<Index> without_dual; ///< cells whose dual has zero volume
@@ -87,11 +85,10 @@ void mark_concentric(const View& view, std::vector<bool>& marks) {
 /// The k-cells whose dual coincides with another cell's: pieces of one merged cell.
 Index copies(const View& view, int k) {
     std::vector<bool> marks(static_cast<std::size_t>(view.size(k)), false);
-    const IncidenceMatrix& dia = view.merging.diamond(k);
-    for (Index cell = 0; view.of_pieces && cell < dia.rows(); ++cell)
-        if (dia.outerIndexPtr()[cell + 1] - dia.outerIndexPtr()[cell] > 1)
-            for (Row piece(dia, cell); piece; ++piece)
-                marks[piece.col()] = true;
+    for (Index cell = 0; view.of_pieces && cell < view.merging.merged().size(k); ++cell)
+        if (const auto pieces = view.merging.pieces_of(k, cell); pieces.size() > 1)
+            for (const Index piece : pieces)
+                marks[piece] = true;
     if (k == view.merging.merged().dimension())
         mark_concentric(view, marks);
     return count(marks);

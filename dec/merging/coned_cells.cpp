@@ -17,8 +17,6 @@ namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
-
 /// The new pieces, and their cells.
 class Cones {
 public:
@@ -61,27 +59,23 @@ private:
     }
 
     Simplices top_simplices() const {
-        std::vector<std::vector<Index>> rows;
-        const auto add = [&](std::span<const Index> corners, Index last) {
-            rows.emplace_back(corners.begin(), corners.end());
-            if (last >= 0)
-                rows.back().push_back(last);
+        std::vector<Index> corners; // of one after the other
+        const auto add = [&](std::span<const Index> more) {
+            corners.insert(corners.end(), more.begin(), more.end());
         };
         for (Index cell = 0; cell < std::ssize(center_of_); ++cell) {
             if (center_of_[cell] < 0) {
-                for (Row t(merging_.diamond(n_), cell); t; ++t)
-                    add(vertices(old().simplices(n_), static_cast<Index>(t.col())), -1);
+                for (const Index t : merging_.pieces_of(n_, cell))
+                    add(vertices(old().simplices(n_), t));
                 continue;
             }
             for (const SignedFace& facet : merging_.merged().incidences(n_ - 1)[cell])
-                for (Row f(merging_.diamond(n_ - 1), facet.face); f; ++f)
-                    add(vertices(old().simplices(n_ - 1), static_cast<Index>(f.col())),
-                        center_of_[cell]);
+                for (const Index f : merging_.pieces_of(n_ - 1, facet.face)) {
+                    add(vertices(old().simplices(n_ - 1), f));
+                    corners.push_back(center_of_[cell]);
+                }
         }
-        Simplices tops(std::ssize(rows), n_ + 1);
-        for (Index t = 0; t < tops.rows(); ++t)
-            std::copy(rows[t].begin(), rows[t].end(), &tops(t, 0));
-        return tops;
+        return Eigen::Map<const Simplices>(corners.data(), std::ssize(corners) / (n_ + 1), n_ + 1);
     }
 
     /// The old numbers of the new k-simplices; -1 if a center is the last corner.
@@ -136,7 +130,7 @@ private:
             if (center_of_[cell] < 0)
                 continue;
             double least = std::numeric_limits<double>::infinity(), most = -least;
-            for (Row t(diamonds_[n_], cell); t; ++t) {
+            for (IncidenceMatrix::InnerIterator t(diamonds_[n_], cell); t; ++t) {
                 const auto corners =
                     points_(vertices(pieces_->simplices(n_), static_cast<Index>(t.col())),
                             Eigen::indexing::all);

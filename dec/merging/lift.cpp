@@ -21,7 +21,6 @@ namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
 using ColumnMajor = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 
 /// Lists by key, contiguous: key i has first[i] .. first[i + 1].
@@ -153,7 +152,7 @@ void Lift::fill_cell(int m, Index F) {
     double volume = 0;
     for (const Index s : pieces)
         volume += volumes_.primal(m)[s];
-    for (Row s(merging_.diamond(m), F); s; ++s) {
+    for (IncidenceMatrix::InnerIterator s(merging_.diamond(m), F); s; ++s) {
         const auto piece = static_cast<Index>(s.col());
         rows_[m].begin(piece);
         rows_[m].append(piece, F, s.value() * volumes_.primal(m)[piece] / volume);

@@ -201,10 +201,8 @@ CellVolumes without_duals_beyond_the_boundary(const CellVolumes& volumes, const 
     for (Index f = 0; f < duals.size(); ++f) {
         if (counts[f] != 1 || !(duals[f] < 0) || is_zero(duals[f], volumes.terms(facets)[f]))
             continue;
-        bool counts_as_zero = true;
-        for (IncidenceMatrix::InnerIterator piece(merging.diamond(facets), f); piece; ++piece)
-            counts_as_zero = counts_as_zero && degenerate[static_cast<Index>(piece.col())];
-        if (!counts_as_zero)
+        const auto pieces = merging.pieces_of(facets, f);
+        if (!std::all_of(pieces.begin(), pieces.end(), [&](Index s) { return degenerate[s]; }))
             continue;
         if (terms.size() == 0)
             terms = volumes.terms(facets).vector();

@@ -92,17 +92,16 @@ std::vector<Index> merged_tags(const Merging& merging, int k, const std::vector<
                                std::vector<std::string>& warnings) {
     if (tags.empty())
         return {};
-    const IncidenceMatrix& diamond = merging.diamond(k);
-    check_as_many("tags", static_cast<Index>(tags.size()), static_cast<Index>(diamond.cols()));
+    check_as_many("tags", std::ssize(tags), merging.diamond(k).cols());
     std::vector<Index> result;
     Index different = 0;
-    for (Index cell = 0; cell < diamond.rows(); ++cell) {
-        IncidenceMatrix::InnerIterator piece(diamond, cell);
-        const Index first = tags[piece.col()];
-        while (piece && tags[piece.col()] == first)
-            ++piece;
-        result.push_back(piece ? 0 : first);
-        different += piece ? 1 : 0;
+    for (Index cell = 0; cell < merging.merged().size(k); ++cell) {
+        const auto pieces = merging.pieces_of(k, cell);
+        const Index first = tags[pieces.front()];
+        const bool are_alike =
+            std::all_of(pieces.begin(), pieces.end(), [&](Index s) { return tags[s] == first; });
+        result.push_back(are_alike ? first : 0);
+        different += are_alike ? 0 : 1;
     }
     if (different > 0) {
         const bool are_facets = k < merging.merged().dimension();
