@@ -169,7 +169,6 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     begin(stage, "volumes");
     auto [passage, input, pieces, points] = measure(given, options);
     begin(stage, "merge");
-    const bool flips = !passage.is_identity();
     auto merged = merge_cospherical(pieces, options, stays);
     refuse_flat_cells(given, merged.merging);
     look_at_flat_cells(merged, pieces, options, mesh.warnings);
@@ -179,16 +178,16 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     warn_of_hybrid_stars(complex, input.volumes().primal(1), volumes, options, mesh.warnings);
     if (!merged.geometry.flat().empty())
         input = merged.geometry; // on their own, flat simplices have no duals
-    if (flips && !mesh.tags.empty())
-        mesh.warnings.emplace_back(
-            "left out the tags, because flips join triangles of different groups");
     std::vector<Index> cell_tags;
-    if (!flips) {
+    if (passage.is_identity()) {
         const int n = complex.dimension();
         cell_tags = merged_tags(merged.merging, n, tags, mesh.warnings);
         facet_tags.tags = merged_tags(merged.merging, n - 1, facet_tags.tags, mesh.warnings);
     } else {
         facet_tags = {};
+        if (!mesh.tags.empty())
+            mesh.warnings.emplace_back(
+                "left out the tags, because flips join triangles of different groups");
     }
     const Discretization result({.input = input,
                                  .passage = std::move(passage),
@@ -221,10 +220,6 @@ bool can_do_with_flat_cells(const Given& given, const DiscretizeOptions& options
             options.centers.are_circumcenters() &&
             can_take_flat_simplices(given.complex.dimension(), given.metric.ambient_dimension()));
 }
-
-} // namespace
-
-namespace {
 
 void check_points(const Discretization::Parts& parts) {
     const auto N = parts.input_points->cols();

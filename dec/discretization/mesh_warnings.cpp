@@ -46,7 +46,7 @@ void warn_of_unit(double unit, std::vector<std::string>& warnings) {
             std::ilogb(unit), unit));
 }
 
-std::int64_t branching_facets(const SimplicialComplex& complex) {
+std::int64_t branching_facets(const CellComplex& complex) {
     const auto& counts = complex.coface_counts(complex.dimension() - 1);
     return std::count_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
 }

@@ -20,7 +20,7 @@ void warn_of_orientation(std::int64_t turned, std::int64_t cells, bool orientabl
 /// facets: number of facets with three or more cells.
 void warn_of_branching(std::int64_t facets, std::vector<std::string>& warnings);
 
-std::int64_t branching_facets(const SimplicialComplex& complex);
+std::int64_t branching_facets(const CellComplex& complex);
 
 void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
                       std::vector<std::string>& warnings);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/boundary/form_space.h"
 #include "dec/discretization/diagnosis.h"
+#include "dec/discretization/mesh_warnings.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/stars/star.h"
 
@@ -246,9 +247,7 @@ std::vector<SpectrumVerdict> spectrum_verdicts(const Discretization& discretizat
     auto verdicts = judged(side == Side::primal ? 0 : n);
     if (side == Side::primal)
         verdicts[n] = judged(n)[n];
-    const auto& cofaces = discretization.complex().coface_counts(n - 1);
-    const auto branching =
-        std::count_if(cofaces.begin(), cofaces.end(), [](Index cells) { return cells > 2; });
+    const auto branching = branching_facets(discretization.complex());
     if (side == Side::dual && branching > 0)
         verdicts[n] = {
             n, false,

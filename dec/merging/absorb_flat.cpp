@@ -224,14 +224,11 @@ void Absorption::hand_over_to(Index root, const std::vector<Index>& simplices) {
         classes_.join(t, root);
         front.push_back(t);
     };
-    std::vector<Index> beside;
     for (const Index t : simplices)
         for (int i = 0; i <= n(); ++i)
             if (const Index other = behind(t, i);
                 other >= 0 && !flat_[other] && roots_[other] == root)
-                beside.push_back(t);
-    for (const Index t : beside)
-        take(t);
+                take(t);
     while (!front.empty()) {
         const Index t = front.back();
         front.pop_back();

@@ -40,7 +40,6 @@ public:
           defects_(defects),
           tolerance_(tolerance),
           is_in_space_(geometry.metric().ambient_dimension() == geometry.pieces().dimension()),
-          limit_(spread_limit * tolerance),
           sides_(geometry.pieces()) {}
 
     TopCells cells(const std::vector<bool>& kept) const {
@@ -90,7 +89,6 @@ private:
     const FacetDefects& defects_;
     double tolerance_;
     bool is_in_space_; // simplices have the dimension of space
-    double limit_;
     Sides sides_;
 };
 
@@ -104,7 +102,8 @@ BothSides FacetChoice::free_sides(const std::vector<bool>& kept) const {
 
 /// Whether both sides are pieces of one class. In space, everything between them is removed.
 bool FacetChoice::lies_in_a_class(Index f, TopCells& cells) const {
-    return (is_in_space_ || defects_.defect[f] <= limit_ * defects_.scale[f]) && sides_.exist(f) &&
+    return (is_in_space_ || defects_.defect[f] <= spread_limit * tolerance_ * defects_.scale[f]) &&
+           sides_.exist(f) &&
            cells.tops.sets.find(sides_.first(f)).element ==
                cells.tops.sets.find(sides_.second(f)).element;
 }
