@@ -17,12 +17,6 @@
 
 namespace polydec {
 
-struct GluedBox::Found {
-    Discretization mesh;
-    std::vector<Map> maps;
-    Simplices corners;
-};
-
 namespace {
 
 /// For each row of the input its n-simplex.
@@ -95,7 +89,7 @@ Discretization measured(const PeriodicMesh& glued, const Discretization& mesh,
 
 } // namespace
 
-GluedBox::Found GluedBox::found(const PeriodicMesh& glued, const Discretization& mesh) {
+GluedBox::Parts GluedBox::parts(const PeriodicMesh& glued, const Discretization& mesh) {
     const SimplicialComplex& K = mesh.input();
     const int n = K.dimension();
     SimplicialComplex box(glued.box.simplices);
@@ -148,21 +142,15 @@ GluedBox::Found GluedBox::found(const PeriodicMesh& glued, const Discretization&
 }
 
 GluedBox::GluedBox(const PeriodicMesh& glued, const Discretization& mesh)
-    : GluedBox(found(glued, mesh)) {}
-
-GluedBox::GluedBox(Found found)
-    : mesh_(std::move(found.mesh)),
-      maps_(std::move(found.maps)),
-      corners_(std::move(found.corners)),
-      vertices_(forth(0, mesh_.measured_input_points())) {}
+    : parts_(parts(glued, mesh)), vertices_(forth(0, parts_.mesh.measured_input_points())) {}
 
 const std::vector<Index>& GluedBox::onto(int k) const {
-    check_number("the simplices of a box of degree", k, 0, mesh_.dimension());
-    return maps_[k].onto;
+    check_number("the simplices of a box of degree", k, 0, mesh().dimension());
+    return parts_.maps[k].onto;
 }
 
 DenseMatrix GluedBox::back(int k, const DenseMatrix& values) const {
-    const auto& [onto, signs, size] = maps_[k];
+    const auto& [onto, signs, size] = parts_.maps[k];
     check_as_many("values on a glued mesh", values.rows(), size);
     DenseMatrix result(std::ssize(onto), values.cols());
     for (std::size_t s = 0; s < onto.size(); ++s)
@@ -171,7 +159,7 @@ DenseMatrix GluedBox::back(int k, const DenseMatrix& values) const {
 }
 
 DenseMatrix GluedBox::forth(int k, const DenseMatrix& values) const {
-    const auto& [onto, signs, size] = maps_[k];
+    const auto& [onto, signs, size] = parts_.maps[k];
     check_as_many("values on a box", values.rows(), std::ssize(onto));
     DenseMatrix result(size, values.cols());
     for (auto s = std::ssize(onto) - 1; s >= 0; --s) // the first one wins
@@ -180,7 +168,7 @@ DenseMatrix GluedBox::forth(int k, const DenseMatrix& values) const {
 }
 
 DenseMatrix GluedBox::sums(int k, const DenseMatrix& values) const {
-    const auto& [onto, signs, size] = maps_[k];
+    const auto& [onto, signs, size] = parts_.maps[k];
     check_as_many("values on a box", values.rows(), std::ssize(onto));
     DenseMatrix result = DenseMatrix::Zero(size, values.cols());
     for (std::size_t s = 0; s < onto.size(); ++s)

@@ -18,10 +18,10 @@ public:
 
     /// The box as a mesh of its own, in the unit of the glued mesh and with the same orientation of
     /// n-simplices. Its cells are the cells of the glued mesh, cut along the seams.
-    const Discretization& mesh() const { return mesh_; }
+    const Discretization& mesh() const { return parts_.mesh; }
 
     /// The n-simplices of the glued mesh, between the points of the box.
-    PlacedSimplices places() const { return {mesh_.measured_input_points(), corners_}; }
+    PlacedSimplices places() const { return {mesh().measured_input_points(), parts_.corners}; }
 
     /// The first place of each vertex of the glued mesh: one row per vertex.
     const Points& vertices() const { return vertices_; }
@@ -47,13 +47,14 @@ private:
         std::vector<std::int8_t> signs; ///< 1 where both are oriented alike, else -1
         Index size = 0;                 ///< number of simplices of the glued mesh
     };
-    struct Found;
-    explicit GluedBox(Found found);
-    static Found found(const PeriodicMesh& glued, const Discretization& mesh);
+    struct Parts {
+        Discretization mesh;
+        std::vector<Map> maps; ///< by degree
+        Simplices corners;     ///< see PlacedSimplices
+    };
+    static Parts parts(const PeriodicMesh& glued, const Discretization& mesh);
 
-    Discretization mesh_;
-    std::vector<Map> maps_; // by degree
-    Simplices corners_;
+    Parts parts_;
     Points vertices_;
 };
 
