@@ -88,8 +88,8 @@ std::vector<Index> unless_counting(std::vector<Index> numbers) {
 
 } // namespace
 
-Pieces::Glued Pieces::glue(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
-                           std::vector<Index> vertices) {
+Pieces Pieces::glued(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
+                     std::vector<Index> vertices) {
     faces.insert(faces.begin(), Simplices());
     check_tables(faces, orientations, vertices);
     check_order(faces);
@@ -127,20 +127,17 @@ Pieces::Glued Pieces::glue(std::vector<Simplices> faces, std::vector<std::int8_t
 
 Pieces::Pieces(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
                std::vector<Index> vertices)
-    : Pieces(glue(std::move(faces), std::move(orientations), std::move(vertices))) {}
-
-Pieces::Pieces(Glued glued) : CellComplex(glued.cells), parts_(std::move(glued.parts)) {}
+    : Pieces(glued(std::move(faces), std::move(orientations), std::move(vertices))) {}
 
 Pieces::Pieces(Unchecked, CellComplex cells,
                std::vector<std::shared_ptr<const Simplices>> simplices,
                std::shared_ptr<const Incidences::Signs> orientations, bool orientable,
                std::vector<Index> vertex_numbers)
-    : CellComplex(cells),
-      parts_(std::make_shared<Parts>(Parts{std::move(simplices),
-                                           {},
-                                           std::move(orientations),
-                                           orientable,
-                                           std::move(vertex_numbers)})) {}
+    : Pieces(std::move(cells), std::make_shared<Parts>(Parts{std::move(simplices),
+                                                             {},
+                                                             std::move(orientations),
+                                                             orientable,
+                                                             std::move(vertex_numbers)})) {}
 
 Pieces Pieces::with_orientations(std::vector<std::int8_t> orientations, bool orientable) const {
     auto parts = std::make_shared<Parts>(*parts_);
@@ -151,7 +148,7 @@ Pieces Pieces::with_orientations(std::vector<std::int8_t> orientations, bool ori
         coboundaries.push_back({incidences(k), coface_counts(k)});
     Incidences& tops = coboundaries.back().incidences;
     tops = tops.with_signs(parts->orientations);
-    return Pieces({CellComplex(Unchecked{}, std::move(coboundaries)), std::move(parts)});
+    return {CellComplex(Unchecked{}, std::move(coboundaries)), std::move(parts)};
 }
 
 std::vector<Index> Pieces::vertex_numbers(std::vector<Index> vertices) const {

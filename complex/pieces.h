@@ -4,6 +4,7 @@
 #include "complex/cell_complex.h"
 
 #include <span>
+#include <utility>
 
 namespace polydec {
 
@@ -107,13 +108,10 @@ private:
         bool orientable = true;
         std::vector<Index> vertex_numbers = {}; // empty: 0, 1, 2, ..
     };
-    struct Glued {
-        CellComplex cells;
-        std::shared_ptr<const Parts> parts;
-    };
-    explicit Pieces(Glued glued);
-    static Glued glue(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
-                      std::vector<Index> vertices);
+    Pieces(CellComplex cells, std::shared_ptr<const Parts> parts)
+        : CellComplex(cells), parts_(std::move(parts)) {}
+    static Pieces glued(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
+                        std::vector<Index> vertices);
 
     std::shared_ptr<const Parts> parts_;
 };

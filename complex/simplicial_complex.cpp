@@ -131,7 +131,7 @@ Turns coherent_turns(const Pieces& complex) {
 
 } // namespace
 
-SimplicialComplex::Sorted SimplicialComplex::sorted(const Simplices& tops) {
+SimplicialComplex SimplicialComplex::sorted(const Simplices& tops) {
     if (tops.rows() == 0 || tops.cols() < 2)
         throw InvalidInput(
             "a simplicial complex needs at least one simplex of dimension 1 or more");
@@ -141,8 +141,7 @@ SimplicialComplex::Sorted SimplicialComplex::sorted(const Simplices& tops) {
     return with_faces(std::move(sorted), std::move(numbers));
 }
 
-SimplicialComplex::Sorted SimplicialComplex::with_faces(SortedRows sorted,
-                                                        std::vector<Index> numbers) {
+SimplicialComplex SimplicialComplex::with_faces(SortedRows sorted, std::vector<Index> numbers) {
     if (!sorted.are_simplices)
         refuse_rows(sorted, numbers);
     check_cost(sorted.simplices);
@@ -202,9 +201,10 @@ Index SimplicialComplex::find(int k, std::span<const Index> vertices) const {
     return is_there ? low : -1;
 }
 
-SimplicialComplex::SimplicialComplex(Sorted sorted)
-    : Pieces(std::move(sorted.pieces)),
-      input_rows_(std::make_shared<const std::vector<Index>>(std::move(sorted.input_rows))),
-      turned_(sorted.turned) {}
+SimplicialComplex::SimplicialComplex(const Pieces& pieces, std::vector<Index> input_rows,
+                                     Index turned)
+    : Pieces(pieces),
+      input_rows_(std::make_shared<const std::vector<Index>>(std::move(input_rows))),
+      turned_(turned) {}
 
 } // namespace polydec

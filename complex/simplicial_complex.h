@@ -48,14 +48,9 @@ public:
     Index turned() const { return turned_; }
 
 private:
-    struct Sorted {
-        Pieces pieces;
-        std::vector<Index> input_rows;
-        Index turned;
-    };
-    static Sorted sorted(const Simplices& tops);
-    static Sorted with_faces(SortedRows tops, std::vector<Index> names);
-    explicit SimplicialComplex(Sorted sorted);
+    SimplicialComplex(const Pieces& pieces, std::vector<Index> input_rows, Index turned);
+    static SimplicialComplex sorted(const Simplices& tops);
+    static SimplicialComplex with_faces(SortedRows tops, std::vector<Index> names);
 
     std::shared_ptr<const std::vector<Index>> input_rows_;
     Index turned_;
