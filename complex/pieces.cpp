@@ -13,15 +13,14 @@ namespace polydec {
 
 namespace {
 
-using SimplicesByDegree = std::vector<Simplices>; // of degree k at k; none of degree 0
+using SimplicesByDegree = std::vector<Simplices>; // of degree k at k
 
 void check_tables(const SimplicesByDegree& faces, const std::vector<std::int8_t>& orientations,
                   const std::vector<Index>& vertices) {
     if (faces.size() < 2)
         throw InvalidInput("tables of faces are missing: expected one for each degree from 1");
     for (std::size_t k = 1; k < faces.size(); ++k) {
-        const auto lower =
-            k == 1 ? static_cast<Eigen::Index>(vertices.size()) : faces[k - 1].rows();
+        const auto lower = faces[k - 1].rows();
         check_as_many(fmt::format("faces of a {}-simplex", k), faces[k].cols(),
                       static_cast<Index>(k) + 1);
         for (Eigen::Index s = 0; s < faces[k].rows(); ++s)
@@ -64,8 +63,9 @@ void check_order(const SimplicesByDegree& faces) {
 
 /// The corners of each simplex: all but the last are those of the face without it, the last is that
 /// of the face without the first.
-SimplicesByDegree corners_of(const SimplicesByDegree& faces, Index vertices) {
+SimplicesByDegree corners_of(const SimplicesByDegree& faces) {
     SimplicesByDegree corners(faces.size());
+    const auto vertices = static_cast<Index>(faces[0].rows());
     corners[0] = Column<Index>::LinSpaced(vertices, 0, vertices - 1);
     for (std::size_t k = 1; k < faces.size(); ++k) {
         const auto width = static_cast<Eigen::Index>(k);
@@ -90,15 +90,14 @@ std::vector<Index> unless_counting(std::vector<Index> numbers) {
 
 Pieces Pieces::glued(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
                      std::vector<Index> vertices) {
-    faces.insert(faces.begin(), Simplices());
+    faces.insert(faces.begin(), Simplices(vertices.size(), 0)); // vertices have no faces
     check_tables(faces, orientations, vertices);
     check_order(faces);
     const auto n = static_cast<int>(faces.size()) - 1;
     std::vector<Coboundary> coboundaries;
     for (int k = 1; k <= n; ++k) {
-        const auto lower =
-            k == 1 ? static_cast<Index>(vertices.size()) : static_cast<Index>(faces[k - 1].rows());
-        IncidenceRows rows(static_cast<Index>(faces[k].rows()), lower,
+        IncidenceRows rows(static_cast<Index>(faces[k].rows()),
+                           static_cast<Index>(faces[k - 1].rows()),
                            static_cast<Index>(faces[k].size()));
         for (Index s = 0; s < faces[k].rows(); ++s) {
             const int own = k == n ? orientations[s] : 1;
@@ -117,7 +116,7 @@ Pieces Pieces::glued(std::vector<Simplices> faces, std::vector<std::int8_t> orie
     auto parts = std::make_shared<Parts>();
     for (std::size_t f = 0; f < sums.size(); ++f)
         parts->orientable = parts->orientable && (counts[f] != 2 || sums[f] == 0);
-    for (Simplices& corners : corners_of(faces, static_cast<Index>(vertices.size())))
+    for (Simplices& corners : corners_of(faces))
         parts->simplices.push_back(std::make_shared<const Simplices>(std::move(corners)));
     parts->vertex_numbers = unless_counting(std::move(vertices));
     parts->faces = std::move(faces);
