@@ -2,6 +2,7 @@
 #include "complex/blocks.h"
 
 #include "base/checks.h"
+#include "complex/sides.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,92 +12,51 @@ namespace polydec {
 
 namespace {
 
-class Joining {
-public:
-    Joining(const Pieces& complex, const std::vector<bool>& removed_facets) : complex_(complex) {
-        const int n = complex.dimension();
-        blocks_.twisted.resize(n + 1);
-        blocks_.active_cofaces.resize(n + 1);
-        for (int k = n - 1; k <= n; ++k) // n-simplices stay active
-            blocks_.active_cofaces[k] = complex.coface_counts(k);
-        for (int k = 0; k <= n; ++k) {
-            const Index size = complex.size(k);
-            blocks_.signs.emplace_back(size, std::int8_t{1});
-            auto& carriers = blocks_.carriers.emplace_back(size);
-            for (Index s = 0; s < size; ++s)
-                carriers[s] = {k, s};
-        }
-        const CofaceCounts& cofaces = complex.coface_counts(n - 1);
-        for (Index f = 0; f < std::ssize(removed_facets); ++f)
-            if (removed_facets[f] && cofaces[f] == 2)
-                blocks_.signs[n - 1][f] = 0;
+/// Blocks of one simplex each. Removed simplices have the sign 0 before they have a carrier.
+Blocks single_simplices(const Pieces& complex, const std::vector<bool>& removed_facets) {
+    const int n = complex.dimension();
+    Blocks blocks;
+    blocks.twisted.resize(n + 1);
+    blocks.active_cofaces.resize(n + 1);
+    for (int k = n - 1; k <= n; ++k) // n-simplices stay active
+        blocks.active_cofaces[k] = complex.coface_counts(k);
+    for (int k = 0; k <= n; ++k) {
+        const Index size = complex.size(k);
+        blocks.signs.emplace_back(size, std::int8_t{1});
+        auto& carriers = blocks.carriers.emplace_back(size);
+        for (Index s = 0; s < size; ++s)
+            carriers[s] = {k, s};
     }
-
-    /// Counts the active cofaces of the k-simplices, which is final once degree k+2 is joined.
-    /// Simplices without, inside larger blocks, are removed.
-    void count_active(int k) {
-        const Index size = complex_.size(k), cofaces = complex_.size(k + 1);
-        std::vector<Index> counts(size, 0);
-        const FaceTable faces = complex_.faces(k + 1);
-        const auto& signs = blocks_.signs[k + 1];
-        for (Index t = 0; t < cofaces; ++t)
-            if (signs[t] != 0)
-                for (int i = 0; i <= k + 1; ++i)
-                    ++counts[faces(t, i)];
-        for (Index s = 0; s < size && k > 0; ++s)
-            blocks_.signs[k][s] = counts[s] > 0 ? 1 : 0;
-        blocks_.active_cofaces[k] = counts;
-    }
-
-    /// Joins the two active k-simplices f and g around a (k-1)-simplex s if they are
-    /// `straight`(k, s, f, g).
-    void join_degree(int k, const Straightness& straight);
-
-    /// Names the blocks of dimension k by their first pieces, and removes the faces within.
-    void name_blocks(int k, JoinedSimplices joined);
-
-    Blocks finish() { return std::move(blocks_); }
-
-private:
-    const Pieces& complex_;
-    Blocks blocks_; // removed simplices have the sign 0 before they have a carrier
-};
-
-void Joining::join_degree(int k, const Straightness& straight) {
-    const auto &around = blocks_.active_cofaces[k - 1], &above = blocks_.active_cofaces[k];
-    const auto& signs = blocks_.signs[k];
-    const FaceTable faces = complex_.faces(k);
-    const auto size = static_cast<Index>(signs.size());
-    JoinedSimplices joined{DisjointSets(size), {}};
-    std::vector<Index> met(around.size(), 0); // its number + 1, with the sign of the face
-    for (Index g = 0; g < size; ++g) {
-        if (signs[g] == 0)
-            continue;
-        for (int i = k; i >= 0; --i) {
-            const Index s = faces(g, i);
-            if (around[s] != 2)
-                continue;
-            const int sign = complex_.sign(k, g, i);
-            const Index f = std::abs(met[s]) - 1;
-            if (f < 0) {
-                met[s] = sign * (g + 1);
-            } else if (above[f] == above[g] && straight(k, s, f, g)) {
-                // a coherent block has opposite signs there
-                if (!joined.sets.join(f, g, met[s] > 0 ? -sign : sign))
-                    joined.clashes.push_back(f);
-                blocks_.signs[k - 1][s] = 0;
-            }
-        }
-    }
-    name_blocks(k, std::move(joined));
+    const CofaceCounts& cofaces = complex.coface_counts(n - 1);
+    for (Index f = 0; f < std::ssize(removed_facets); ++f)
+        if (removed_facets[f] && cofaces[f] == 2)
+            blocks.signs[n - 1][f] = 0;
+    return blocks;
 }
 
-/// The carrier of a removed simplex is the smallest among those of its cofaces.
-void Joining::name_blocks(int k, JoinedSimplices joined) {
-    auto &own = blocks_.carriers[k], &below = blocks_.carriers[k - 1];
-    std::int8_t* const signs = blocks_.signs[k].data();
-    const std::int8_t* const signs_below = blocks_.signs[k - 1].data();
-    const FaceTable faces = complex_.faces(k);
+/// Counts the active cofaces of the k-simplices, which is final once degree k+2 is joined.
+/// Simplices without, inside larger blocks, are removed.
+void count_active(const Pieces& complex, int k, Blocks& blocks) {
+    const Index size = complex.size(k), cofaces = complex.size(k + 1);
+    std::vector<Index> counts(size, 0);
+    const FaceTable faces = complex.faces(k + 1);
+    const auto& signs = blocks.signs[k + 1];
+    for (Index t = 0; t < cofaces; ++t)
+        if (signs[t] != 0)
+            for (int i = 0; i <= k + 1; ++i)
+                ++counts[faces(t, i)];
+    for (Index s = 0; s < size && k > 0; ++s)
+        blocks.signs[k][s] = counts[s] > 0 ? 1 : 0;
+    blocks.active_cofaces[k] = counts;
+}
+
+/// Names the blocks of dimension k by their first pieces. The carrier of a removed simplex is the
+/// smallest among those of its cofaces.
+void name_blocks(const Pieces& complex, int k, JoinedSimplices joined, Blocks& blocks) {
+    auto &own = blocks.carriers[k], &below = blocks.carriers[k - 1];
+    std::int8_t* const signs = blocks.signs[k].data();
+    const std::int8_t* const signs_below = blocks.signs[k - 1].data();
+    const FaceTable faces = complex.faces(k);
     const auto size = static_cast<Index>(own.size());
     for (Index g = 0; g < size; ++g) {
         if (signs[g] != 0) {
@@ -111,7 +71,37 @@ void Joining::name_blocks(int k, JoinedSimplices joined) {
                 below[s] = own[g];
     }
     for (const Index f : joined.clashes)
-        blocks_.twisted[k].push_back(own[f].cell);
+        blocks.twisted[k].push_back(own[f].cell);
+}
+
+/// Joins the two active k-simplices f and g around a (k-1)-simplex s if they are
+/// `straight`(k, s, f, g).
+void join_degree(const Pieces& complex, int k, const Straightness& straight, Blocks& blocks) {
+    const auto &around = blocks.active_cofaces[k - 1], &above = blocks.active_cofaces[k];
+    const auto& signs = blocks.signs[k];
+    const FaceTable faces = complex.faces(k);
+    const auto size = static_cast<Index>(signs.size());
+    JoinedSimplices joined{DisjointSets(size), {}};
+    std::vector<Index> met(around.size(), 0); // its number + 1, with the sign of the face
+    for (Index g = 0; g < size; ++g) {
+        if (signs[g] == 0)
+            continue;
+        for (int i = k; i >= 0; --i) {
+            const Index s = faces(g, i);
+            if (around[s] != 2)
+                continue;
+            const int sign = complex.sign(k, g, i);
+            const Index f = std::abs(met[s]) - 1;
+            if (f < 0) {
+                met[s] = sign * (g + 1);
+            } else if (above[f] == above[g] && straight(k, s, f, g)) {
+                // a coherent block has opposite signs there
+                joined.join(f, g, met[s] > 0 ? -sign : sign);
+                blocks.signs[k - 1][s] = 0;
+            }
+        }
+    }
+    name_blocks(complex, k, std::move(joined), blocks);
 }
 
 } // namespace
@@ -123,7 +113,7 @@ JoinedSimplices join_tops(const Pieces& complex, const std::vector<bool>& remove
     JoinedSimplices tops{DisjointSets(complex.size(complex.dimension())), {}};
     for (Index f = 0; f < std::ssize(removed_facets); ++f)
         if (removed_facets[f] && sides.exist(f))
-            tops.join(sides, f);
+            tops.join(sides.first(f), sides.second(f), sides.relative_sign(f));
     return tops;
 }
 
@@ -135,14 +125,14 @@ Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facet
 Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facets,
                    JoinedSimplices tops, const Straightness& straight) {
     const int n = complex.dimension();
-    Joining joining(complex, removed_facets);
-    joining.name_blocks(n, std::move(tops));
+    Blocks blocks = single_simplices(complex, removed_facets);
+    name_blocks(complex, n, std::move(tops), blocks);
     for (int k = n - 1; k >= 1; --k) {
-        joining.count_active(k - 1);
+        count_active(complex, k - 1, blocks);
         if (k >= 2)
-            joining.join_degree(k, straight);
+            join_degree(complex, k, straight, blocks);
     }
-    return joining.finish();
+    return blocks;
 }
 
 std::vector<bool> facets_within_labels(const Pieces& complex, const std::vector<Index>& labels) {

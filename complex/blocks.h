@@ -3,7 +3,6 @@
 
 #include "complex/disjoint_sets.h"
 #include "complex/merging.h"
-#include "complex/sides.h"
 
 #include <functional>
 
@@ -28,9 +27,9 @@ struct JoinedSimplices {
     DisjointSets sets;
     std::vector<Index> clashes; ///< simplices at facets where the orientations disagree
 
-    void join(const Sides& sides, Index facet) {
-        if (!sets.join(sides.first(facet), sides.second(facet), sides.relative_sign(facet)))
-            clashes.push_back(sides.first(facet));
+    void join(Index a, Index b, int relative_sign) {
+        if (!sets.join(a, b, relative_sign))
+            clashes.push_back(a);
     }
 };
 

@@ -111,7 +111,7 @@ bool FacetChoice::lies_in_a_class(Index f, TopCells& cells) const {
 void FacetChoice::remove(Index f, TopCells& cells) const {
     const auto& flat = defects_.flat;
     cells.removed[f] = true;
-    cells.tops.join(sides_, f);
+    cells.tops.join(sides_.first(f), sides_.second(f), sides_.relative_sign(f));
     cells.exact = cells.exact && defects_.defect[f] == 0 &&
                   (flat.empty() || (!flat[sides_.first(f)] && !flat[sides_.second(f)]));
 }
