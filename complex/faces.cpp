@@ -334,26 +334,22 @@ SortedRows sorted_with(const Simplices& rows, Index vertices) {
     return sorted;
 }
 
-/// Calls f with the least capacity of tails that holds the width; of 31 vertices no complex has
-/// fewer than 2^31 faces.
+/// Calls f with the least of these ascending capacities of tails that holds the width.
+template <int capacity, int... larger, class F>
+auto with_least(Index width, F f) {
+    if constexpr (sizeof...(larger) > 0)
+        if (width > capacity)
+            return with_least<larger...>(width, f);
+    return f(std::integral_constant<int, capacity>());
+}
+
+/// Of 31 vertices no complex has fewer than 2^31 faces.
 template <class F>
 auto with_capacity(Index width, F f) {
-    switch (width) {
-    case 1:
-        return f(std::integral_constant<int, 1>());
-    case 2:
-        return f(std::integral_constant<int, 2>());
-    case 3:
-        return f(std::integral_constant<int, 3>());
-    case 4:
-        return f(std::integral_constant<int, 4>());
-    default:
-        if (width > 29)
-            throw InvalidInput(
-                fmt::format("simplices of dimension {} have more than 2^31 - 1 faces", width + 1));
-        return width <= 6 ? f(std::integral_constant<int, 6>())
-                          : f(std::integral_constant<int, 30>());
-    }
+    if (width > 29)
+        throw InvalidInput(
+            fmt::format("simplices of dimension {} have more than 2^31 - 1 faces", width + 1));
+    return with_least<1, 2, 3, 4, 6, 30>(width, f);
 }
 
 } // namespace

@@ -220,7 +220,10 @@ CellComplex cell_complex(const GluedSurface& surface) {
         if (h % 3 == 2)
             triangles.end_cell();
     }
-    return {CellComplex::Unchecked{}, {edges.finish(), triangles.finish()}};
+    std::vector<Coboundary> coboundaries;
+    coboundaries.push_back(edges.finish());
+    coboundaries.push_back(triangles.finish());
+    return {CellComplex::Unchecked{}, std::move(coboundaries)};
 }
 
 } // namespace polydec

@@ -62,7 +62,7 @@ public:
             give_needles_some_area(missing);
     }
 
-    void run() {
+    IntrinsicDelaunay run() && {
         for (Index e = 0; e < surface_.edges(); ++e) {
             if (surface_.is_boundary(e)) {
                 ++boundary_edges_;
@@ -78,9 +78,6 @@ public:
         while (options_.boundary == BoundaryEdges::split && split_boundary())
             flip_all();
         count_what_is_left();
-    }
-
-    IntrinsicDelaunay finish() {
         return {std::move(surface_), as_vector(), std::move(history_), std::move(crossings_),
                 statistics_};
     }
@@ -356,9 +353,7 @@ IntrinsicDelaunay intrinsic_delaunay(GluedSurface surface, Vector lengths,
     const double longest = lengths.size() > 0 ? lengths.cwiseAbs().maxCoeff() : 0;
     const bool is_extreme = longest > 0 && std::abs(std::ilogb(longest)) > moderate;
     const double unit = is_extreme ? std::exp2(std::ilogb(longest)) : 1;
-    Flipping flipping(std::move(surface), lengths / unit, options);
-    flipping.run();
-    auto result = flipping.finish();
+    auto result = Flipping(std::move(surface), lengths / unit, options).run();
     result.lengths *= unit;
     result.statistics.added_length *= unit;
     return result;
