@@ -18,14 +18,9 @@ Components graph_components(const CellComplex& complex, Vertex has_vertex, Edge 
     const Incidences& D = complex.incidences(0);
     DisjointSets sets(complex.size(0));
     for (Index e = 0; e < D.rows(); ++e) {
-        if (!has_edge(e))
-            continue;
-        Index first = -1;
-        for (const SignedFace& end : D[e]) {
-            if (first >= 0)
-                sets.join(first, end.face);
-            first = end.face;
-        }
+        const IncidenceRow ends = D[e];
+        for (Index i = 1; i < ends.size() && has_edge(e); ++i)
+            sets.join(ends[0].face, ends[i].face);
     }
 
     Components result{0, std::vector<Index>(complex.size(0), -1)};

@@ -38,7 +38,7 @@ StraightnessTest::Wing StraightnessTest::look(int k, Index s, Index f) {
     return {apex, height, sphere_.uncertainty().of(height), k * degrees_[k - 1].primal[f] / base};
 }
 
-StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, int apex) const {
+Vector StraightnessTest::upwards(int k, Index s, Index f, int apex) const {
     const auto& base = complex_.simplices(k - 1).row(s);
     const Points& points = *geometry_.metric().points(); // a flat complex in R^N has points
     DenseMatrix edges(points.cols(), k - 1);
@@ -52,8 +52,7 @@ StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, i
             edges.col(i).normalize();
             away -= edges.col(i) * edges.col(i).dot(away);
         }
-    const double length = away.norm();
-    return {length, away / length};
+    return away / away.norm();
 }
 
 bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
@@ -80,8 +79,7 @@ bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
     if (!is_flat_)
         return k < complex_.dimension() - 1 ||
                std::abs(angles_[s] - std::numbers::pi) <= angle_ + angle_rounding;
-    const Altitude up = altitude(k, s, f, a.apex), down = altitude(k, s, g, b.apex);
-    return (up.direction + down.direction).norm() <= angle_ + angle_rounding;
+    return (upwards(k, s, f, a.apex) + upwards(k, s, g, b.apex)).norm() <= angle_ + angle_rounding;
 }
 
 } // namespace polydec

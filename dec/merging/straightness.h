@@ -38,12 +38,8 @@ private:
         const Bounds& terms;
     };
 
-    /// The component of the edge from s to the apex orthogonal to s: its length, and a unit vector.
-    struct Altitude {
-        double length;
-        Vector direction;
-    };
-    Altitude altitude(int k, Index s, Index f, int apex) const;
+    /// The unit vector orthogonal to s from s to the apex.
+    Vector upwards(int k, Index s, Index f, int apex) const;
 
     Geometry geometry_;
     const Pieces& complex_;
