@@ -178,35 +178,6 @@ void GluedSurface::split_boundary(Index edge) {
     halfedges_.push_back({h1, n + 2});
 }
 
-Simplices simplices(const GluedSurface& surface) {
-    std::vector<std::pair<std::pair<Index, Index>, Index>> ends;
-    for (Index e = 0; e < surface.edges(); ++e) {
-        const Index a = surface.first_vertex(e), b = surface.last_vertex(e);
-        if (a == b)
-            throw InvalidInput(
-                fmt::format(
-                    "edge {} is a loop at vertex {}: the surface is not a simplicial complex", e,
-                    a),
-                {.degree = 1, .cells = {e}, .vertices = {a}});
-        ends.push_back({{std::min(a, b), std::max(a, b)}, e});
-    }
-    std::sort(ends.begin(), ends.end());
-    const auto twice = std::adjacent_find(
-        ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
-    if (twice != ends.end())
-        throw InvalidInput(fmt::format("edges {} and {} both join vertices {} and {}: the surface "
-                                       "is not a simplicial complex",
-                                       twice->second, (twice + 1)->second, twice->first.first,
-                                       twice->first.second),
-                           {.degree = 1,
-                            .cells = {twice->second, (twice + 1)->second},
-                            .vertices = {twice->first.first, twice->first.second}});
-    Simplices corners(surface.triangles(), 3);
-    for (Index h = 0; h < 3 * surface.triangles(); ++h)
-        corners(h / 3, h % 3) = surface.tail(h);
-    return corners;
-}
-
 CellComplex cell_complex(const GluedSurface& surface) {
     IncidenceRows edges(surface.edges(), surface.vertices(), surface.edges() * 2);
     for (Index e = 0; e < surface.edges(); ++e) {

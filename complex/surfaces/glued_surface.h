@@ -128,11 +128,6 @@ private:
     std::vector<std::array<Index, 2>> halfedges_; // of edges
 };
 
-/// The corners of the triangles, as top simplices of a simplicial complex.
-/// Throws InvalidInput, naming triangles or edges, if the surface is not simplicial: if it has
-/// loops or several edges between the same vertices.
-Simplices simplices(const GluedSurface& surface);
-
 /// The surface as incidence matrices whose entries are sums of signs: 0 for loops and for a
 /// triangle on both sides of an edge; 2 or -2 for such a triangle on a one-sided surface.
 CellComplex cell_complex(const GluedSurface& surface);
