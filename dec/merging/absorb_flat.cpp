@@ -42,11 +42,7 @@ public:
           tolerance_(tolerance),
           classes_(classes),
           taken_(flat.size(), false),
-          spheres_(geometry, flat) {
-        for (Index t = 0; t < complex_.size(n()); ++t)
-            if (flat[t])
-                simplices_.push_back(t);
-    }
+          spheres_(geometry, flat) {}
 
     void run() {
         do
@@ -90,7 +86,6 @@ private:
     DisjointSets& classes_;
     std::vector<bool> taken_;
     MeanSpheres spheres_;
-    std::vector<Index> simplices_;                   // the flat ones
     std::vector<Index> roots_;                       // of all: the first of its class
     std::map<Index, std::vector<Index>> candidates_; // roots, per flat simplex
 };
@@ -108,8 +103,8 @@ void Absorption::find_candidates() {
             found.emplace_back(t, root);
         }
     };
-    for (const Index t : simplices_)
-        for (int i = 0; i <= n(); ++i)
+    for (Index t = 0; t < std::ssize(flat_); ++t)
+        for (int i = 0; i <= n() && flat_[t]; ++i)
             if (const Index other = behind(t, i); other >= 0 && !flat_[other])
                 offer(t, roots_[other]);
     while (!found.empty()) {

@@ -81,9 +81,30 @@ public:
     }
 
 private:
-    BothSides free_sides(const std::vector<bool>& kept) const;
-    bool lies_in_a_class(Index f, TopCells& cells) const;
-    void remove(Index f, TopCells& cells) const;
+    BothSides free_sides(const std::vector<bool>& kept) const {
+        BothSides free(kept.size(), {-1, -1});
+        for (Index f = 0; f < std::ssize(kept); ++f)
+            if (!kept[f] && sides_.exist(f))
+                free[f] = {sides_.first(f), sides_.second(f)};
+        return free;
+    }
+
+    /// Whether both sides are pieces of one class. In space, everything between them is removed.
+    bool lies_in_a_class(Index f, TopCells& cells) const {
+        return (is_in_space_ ||
+                defects_.defect[f] <= spread_limit * tolerance_ * defects_.scale[f]) &&
+               sides_.exist(f) &&
+               cells.tops.sets.find(sides_.first(f)).element ==
+                   cells.tops.sets.find(sides_.second(f)).element;
+    }
+
+    void remove(Index f, TopCells& cells) const {
+        const auto& flat = defects_.flat;
+        cells.removed[f] = true;
+        cells.tops.join(sides_.first(f), sides_.second(f), sides_.relative_sign(f));
+        cells.exact = cells.exact && defects_.defect[f] == 0 &&
+                      (flat.empty() || (!flat[sides_.first(f)] && !flat[sides_.second(f)]));
+    }
 
     const Geometry& geometry_;
     const FacetDefects& defects_;
@@ -91,30 +112,6 @@ private:
     bool is_in_space_; // simplices have the dimension of space
     Sides sides_;
 };
-
-BothSides FacetChoice::free_sides(const std::vector<bool>& kept) const {
-    BothSides free(kept.size(), {-1, -1});
-    for (Index f = 0; f < std::ssize(kept); ++f)
-        if (!kept[f] && sides_.exist(f))
-            free[f] = {sides_.first(f), sides_.second(f)};
-    return free;
-}
-
-/// Whether both sides are pieces of one class. In space, everything between them is removed.
-bool FacetChoice::lies_in_a_class(Index f, TopCells& cells) const {
-    return (is_in_space_ || defects_.defect[f] <= spread_limit * tolerance_ * defects_.scale[f]) &&
-           sides_.exist(f) &&
-           cells.tops.sets.find(sides_.first(f)).element ==
-               cells.tops.sets.find(sides_.second(f)).element;
-}
-
-void FacetChoice::remove(Index f, TopCells& cells) const {
-    const auto& flat = defects_.flat;
-    cells.removed[f] = true;
-    cells.tops.join(sides_.first(f), sides_.second(f), sides_.relative_sign(f));
-    cells.exact = cells.exact && defects_.defect[f] == 0 &&
-                  (flat.empty() || (!flat[sides_.first(f)] && !flat[sides_.second(f)]));
-}
 
 /// Keeps the worst interfaces of each inadmissible block from being removed again. Among facets:
 /// all within a factor of two of the worst, so the choice does not depend on numbering or rounding.
