@@ -13,10 +13,9 @@ Coreduction::Coreduction(const CellComplex& complex) : complex_(complex) {
     cofaces_.resize(n + 1);
     for (int k = 0; k <= n; ++k) {
         alive_.emplace_back(complex.size(k), true);
-        if (k < n)
-            complex.boundary(k + 1).swap(cofaces_[k]); // Eigen's matrices cannot be moved
+        complex.boundary(k + 1).swap(cofaces_[k]); // Eigen's matrices cannot be moved
         auto& count = faces_left_.emplace_back(complex.size(k), 0);
-        for (Index t = 0; k > 0 && t < complex.size(k); ++t)
+        for (Index t = 0; t < complex.size(k); ++t)
             count[t] = complex.incidences(k - 1)[t].size();
     }
     remove_base_vertices();
@@ -65,8 +64,6 @@ void Coreduction::remove_base_vertices() {
 
 void Coreduction::remove(int k, Index s) {
     alive_[k][s] = false;
-    if (k == complex_.dimension())
-        return;
     for (IncidenceMatrix::InnerIterator t(cofaces_[k], s); t; ++t) {
         const auto cell = static_cast<Index>(t.col());
         if (--faces_left_[k + 1][cell] == 1)

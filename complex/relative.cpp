@@ -13,43 +13,40 @@ namespace polydec {
 
 namespace {
 
-/// Calls visit(k, s, t) for every k-cell s that is a face of t.
-template <class Visit>
-void for_each_incidence(const CellComplex& complex, Visit visit) {
-    for (int k = 0; k < complex.dimension(); ++k) {
-        for (Index t = 0; t < complex.size(k + 1); ++t)
-            for (const SignedFace& s : complex.incidences(k)[t])
-                visit(k, s.face, t);
-        for (const auto& [t, s] : complex.canceled(k))
-            visit(k, s, t);
-    }
-}
-
 bool marks_none(const CellMarks& marks) {
     return std::all_of(marks.begin(), marks.end(), [](const std::vector<bool>& of_degree) {
         return std::find(of_degree.begin(), of_degree.end(), true) == of_degree.end();
     });
 }
 
-void check_closed(const CellComplex& complex, const CellMarks& dropped) {
-    check_marks(complex, dropped);
-    if (marks_none(dropped))
+/// Checks that the marks fit and, if there are any, calls check(k, s, t) for every k-cell s that is
+/// a face of t.
+template <class Check>
+void check_incidences(const CellComplex& complex, const CellMarks& marks, Check check) {
+    check_marks(complex, marks);
+    if (marks_none(marks))
         return;
-    for_each_incidence(complex, [&](int k, Index s, Index t) {
+    for (int k = 0; k < complex.dimension(); ++k) {
+        for (Index t = 0; t < complex.size(k + 1); ++t)
+            for (const SignedFace& s : complex.incidences(k)[t])
+                check(k, s.face, t);
+        for (const auto& [t, s] : complex.canceled(k))
+            check(k, s, t);
+    }
+}
+
+void check_closed(const CellComplex& complex, const CellMarks& dropped) {
+    check_incidences(complex, dropped, [&](int k, Index s, Index t) {
         if (dropped[k + 1][t] && !dropped[k][s])
-            throw InvalidInput(
-                fmt::format(
-                    "{}-cell {} is dropped but its face, {}-cell {}, is not: drop both or neither",
-                    k + 1, t, k, s),
-                {.degree = k + 1, .cells = {t}});
+            throw InvalidInput(fmt::format("{}-cell {} is dropped but its face, {}-cell {}, is "
+                                           "not: drop both or neither",
+                                           k + 1, t, k, s),
+                               {.degree = k + 1, .cells = {t}});
     });
 }
 
 void check_open(const CellComplex& complex, const CellMarks& dropped) {
-    check_marks(complex, dropped);
-    if (marks_none(dropped))
-        return;
-    for_each_incidence(complex, [&](int k, Index s, Index t) {
+    check_incidences(complex, dropped, [&](int k, Index s, Index t) {
         if (dropped[k][s] && !dropped[k + 1][t])
             throw InvalidInput(fmt::format("{}-cell {} of an open set is dropped but its coface, "
                                            "{}-cell {}, is not: drop both or neither",

@@ -194,9 +194,8 @@ std::array<int, 3> Cutter::corners_in_order(Index t) const {
         return true;
     };
     int first = 0;
-    while (first < 2 && !fits(first))
+    while (!fits(first) && first < 2)
         ++first;
-    fits(first);
     return order;
 }
 
