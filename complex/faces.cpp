@@ -120,25 +120,24 @@ void for_each_block(Index vertices, Work work) {
 template <int capacity>
 class FacetSearch {
 public:
-    FacetSearch(const SortedSimplices& simplices, const std::vector<std::int8_t>& signs,
-                Faces& result)
+    FacetSearch(const SortedSimplices& simplices, const std::vector<std::int8_t>& signs)
         : simplices_(*simplices.rows),
           begins_(simplices.begins),
           signs_(signs.empty() ? nullptr : signs.data()),
           are_coherent_(!signs.empty()),
           second_(without_first(simplices)),
-          table_(simplices_.rows(), simplices_.cols()),
-          faces_(result) {
+          table_(simplices_.rows(), simplices_.cols()) {
         faces_.simplices.vertices = simplices.vertices;
     }
 
-    void run() {
+    Faces run() && {
         std::vector<Part> parts(begins_.size() - 1);
         for_each_block(faces_.simplices.vertices, [&](Index block, Index begin, Index end) {
             parts[block] = search(block, begin, end);
         });
         put_together(parts);
         faces_.are_coherent = are_coherent_;
+        return std::move(faces_);
     }
 
 private:
@@ -256,7 +255,7 @@ private:
     std::atomic<bool> are_coherent_;
     ByBlock<List<capacity>> second_; // all simplices without their first vertices
     Simplices table_;
-    Faces& faces_;
+    Faces faces_;
 };
 
 /// The ends of edges, which need no search: these are all vertices, and their faces.
@@ -360,9 +359,7 @@ Faces faces_of(const SortedSimplices& simplices, const std::vector<std::int8_t>&
     if (width == 2)
         return ends_of(simplices);
     return with_capacity(width - 2, [&](auto capacity) {
-        Faces faces;
-        FacetSearch<decltype(capacity)::value>(simplices, signs, faces).run();
-        return faces;
+        return FacetSearch<decltype(capacity)::value>(simplices, signs).run();
     });
 }
 
