@@ -114,20 +114,17 @@ Centers MeanSpheres::shared_centers() const {
     const int n = complex_.dimension();
     const Index size = complex_.size(n);
     const auto& simplices = complex_.simplices(n);
-    Points moments = moments_;
+    Points moments = moments_, terms = terms_;
     for (Index t = 0; t < size; ++t) {
         const Index root = roots_[t];
         if (means_.counts[root] == 1)
             continue;
+        terms.row(t) = means_.terms.row(root);
         const double side = std::copysign(1, is_flat(t) ? means_.sides[root] : own_side(t));
         for (int i = 0; i <= n; ++i)
             moments(t, i) = -side * complex_.sign(n, t, i) *
                             normal(t, i).dot(away(root, simplices(t, i == 0 ? 1 : 0)));
     }
-    Points terms = terms_;
-    for (Index t = 0; t < size; ++t)
-        if (means_.counts[roots_[t]] > 1)
-            terms.row(t) = means_.terms.row(roots_[t]);
     return Centers::of_cells(std::move(moments), std::move(terms));
 }
 

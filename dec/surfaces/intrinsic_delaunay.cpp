@@ -126,8 +126,20 @@ private:
     void split(Index edge, double fraction);
     double place_of_split(Index edge) const;
     double boundary_corner(Index halfedge, FanEnd end) const;
-    bool has_acute_corner(Index halfedge, FanEnd end) const;
-    double split_goal() const;
+
+    /// Whether the boundary turns by a right angle or more there.
+    bool has_acute_corner(Index halfedge, FanEnd end) const {
+        constexpr double rounding = 1e-9;
+        return boundary_corner(halfedge, end) <= std::numbers::pi / 2 + rounding;
+    }
+
+    /// Splits make boundary stars positive, but not arbitrarily large: halves of a triangle can be
+    /// similar to the whole.
+    double split_goal() const {
+        constexpr double most_a_split_can_promise = 1e-2;
+        return std::min(options_.tolerance, most_a_split_can_promise);
+    }
+
     void refuse_sharp_corners() const;
 
     GluedSurface surface_;
@@ -256,12 +268,6 @@ double Flipping::boundary_corner(Index halfedge, FanEnd end) const {
     return angle;
 }
 
-/// Whether the boundary turns by a right angle or more there.
-bool Flipping::has_acute_corner(Index halfedge, FanEnd end) const {
-    constexpr double rounding = 1e-9;
-    return boundary_corner(halfedge, end) <= std::numbers::pi / 2 + rounding;
-}
-
 /// Position of the split of a boundary edge, as a fraction from its half-edge's tail. Splits on
 /// both sides of a sharp corner would trigger each other forever unless at equal distances from it.
 double Flipping::place_of_split(Index edge) const {
@@ -273,14 +279,6 @@ double Flipping::place_of_split(Index edge) const {
     const double exponent = std::round(std::log2(l / 2 / mean_length_));
     const double part = mean_length_ * std::exp2(exponent) / l;
     return tail ? part : 1 - part;
-}
-
-/// Splits make boundary stars positive, but not arbitrarily large: halves of a triangle can be
-/// similar to the whole.
-constexpr double most_a_split_can_promise = 1e-2;
-
-double Flipping::split_goal() const {
-    return std::min(options_.tolerance, most_a_split_can_promise);
 }
 
 /// In every Delaunay triangulation the angles opposite the two edges at a corner of angle t sum to
