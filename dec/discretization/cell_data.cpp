@@ -79,8 +79,9 @@ std::vector<Index> cells_of_input(const Discretization& mesh, std::string_view w
     std::vector<Index> result, joined;
     for (Index cell = 0; cell < size; ++cell) {
         joined.clear();
-        for (const Index piece : mesh.merging().pieces_of(n, cell))
-            if (!mesh.geometry().is_flat(piece)) // which has no share in a cell with other pieces
+        const auto pieces = mesh.merging().pieces_of(n, cell);
+        for (const Index piece : pieces) // flat ones have no share in a cell with other pieces
+            if (!mesh.geometry().is_flat(piece) || pieces.size() == 1)
                 joined.push_back(numbers[piece]);
         result.push_back(first_of(joined));
     }
@@ -97,8 +98,14 @@ CellData CellData::on_cells(Vector values) {
 Vector CellData::on(const Discretization& mesh, std::string_view what, Range range) const {
     const int n = mesh.dimension();
     const auto cells = fmt::format("{}{}-cell", are_on_cells_ ? "" : "the input's ", n);
+    const Index size = mesh.complex().size(n), expected = count_input_cells(mesh);
+    if (!are_on_cells_ && values_.size() == size && size != expected)
+        throw InvalidInput(fmt::format("{} values ({}) are given, one for each {}-cell after "
+                                       "merging: expected one for each of the input's {}, or, for "
+                                       "merged cells, CellData::on_cells",
+                                       size, what, n, expected));
     check_as_many(fmt::format("values ({}) of {}s", what, cells), values_.size(),
-                  are_on_cells_ ? mesh.complex().size(n) : count_input_cells(mesh));
+                  are_on_cells_ ? size : expected);
     check_range(what, values_, cells, range, n);
     if (are_on_cells_)
         return values_;

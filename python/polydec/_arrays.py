@@ -2,7 +2,7 @@
 """Input conversion: arrays of any layout become arrays for C++, or raise an error by name."""
 from __future__ import annotations
 
-from typing import Any, Callable, Tuple, Union
+from typing import Any, Callable, Mapping, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +15,8 @@ Integers = npt.NDArray[np.int32]
 MatrixParts = Tuple[Floats, Integers, Integers, int]
 #: Values at points: one for all, one for each, or a function of the points.
 Values = Union[float, npt.ArrayLike, Callable[[Floats], Any]]
+#: The same on facets, or a number for each group of the file, 0 elsewhere.
+OnFacets = Union[Values, Mapping[str, float]]
 
 
 def _array(values: Any, name: str) -> npt.NDArray[Any]:

@@ -2,7 +2,7 @@
 """Conditions on the boundary and at vertices, and vertices of sources."""
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Mapping
 
 import numpy as np
 
@@ -25,10 +25,23 @@ def facet_marks(cells: Cells, essential: Any) -> list[bool]:
     return marks(essential, places, cells.size(cells.dim - 1))
 
 
+def by_groups(cells: Cells, values: Any, on_vertices: bool = False) -> Any:
+    """Values on facets or at all points from a number for each group of the file, 0 elsewhere; other
+    values as they are."""
+    if not isinstance(values, Mapping):
+        return values
+    complex = _whole(cells)
+    result = np.zeros(len(complex.points) if on_vertices else complex.size(complex.dim - 1))
+    for group, value in values.items():
+        result[complex.vertices_in(group) if on_vertices else complex.facets_in(group)] = value
+    return result
+
+
 def facet_coefficients(cells: Cells, robin: Any) -> Floats:
     """Coefficients of Robin's condition, one per facet; empty without the condition."""
     if robin is None:
         return np.zeros(0)
+    robin = by_groups(cells, robin)
     if callable(robin):
         robin = robin(cells.facet_sites() if isinstance(cells, Complex) else np.zeros((0, 0)))
     facets = cells.size(cells.dim - 1)

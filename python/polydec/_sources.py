@@ -9,12 +9,12 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Values, at_places, floats
+from ._arrays import Floats, OnFacets, Values, at_places, floats
 from ._cell_data import CellNumbers
 from ._cells import Cells
 from ._cochain import Cochain, Form, as_form
 from ._complex import CellsLike, Complex, as_cells
-from ._conditions import conditions_of, facet_marks
+from ._conditions import by_groups, conditions_of, facet_marks
 from ._errors import InvalidInput
 from ._vertices import at_cells, form_at_vertices, mesh_of
 
@@ -123,7 +123,7 @@ class PoissonSolver:
         delta u. All, none, or one mark per (n-1)-cell. Elsewhere the normal derivative is given
         (Neumann); for forms, the tangential parts of star u and star du. A callable takes all facet
         sites, (size(n-1), N), and returns marks. Names select groups of the file.
-    robin : float, array_like or callable, optional
+    robin : float, array_like, callable or dict, optional
         Coefficients alpha on other facets, where du/dn + alpha u is given (Robin): positive, one
         for all facets or one each; du/dn is given where alpha is 0.
     fixed : array_like or callable or str, optional
@@ -149,7 +149,7 @@ class PoissonSolver:
     """
 
     def __init__(self, complex: CellsLike, *, degree: int = 0, side: str = "primal",
-                 essential: Any = True, robin: Values | None = None, fixed: Any = None,
+                 essential: Any = True, robin: OnFacets | None = None, fixed: Any = None,
                  conductivity: CellNumbers | None = None, engine: str = "auto") -> None:
         complex = as_cells(complex, in_units=True)
         if conductivity is not None:
@@ -160,7 +160,7 @@ class PoissonSolver:
                                            conditions_of(complex, essential, robin, fixed), engine)
         self.sites, self.boundary_sites, self.flux_sites = _places(complex, side)
 
-    def solve(self, f: Form | Values = 0.0, boundary: Values = 0.0, flux: Values = 0.0, *,
+    def solve(self, f: Form | Values = 0.0, boundary: OnFacets = 0.0, flux: OnFacets = 0.0, *,
               codifferential: npt.ArrayLike | None = None, flow: npt.ArrayLike | None = None,
               derivative_flow: npt.ArrayLike | None = None,
               harmonic: npt.ArrayLike | None = None) -> PoissonSolution:
@@ -171,9 +171,10 @@ class PoissonSolver:
         f : Cochain, array_like, or for 0-forms a number or a callable
             Integrals of f over cells. For 0-forms, values at `sites`; a callable takes these
             points, (m, N).
-        boundary : array_like, or for 0-forms a number or a callable
-            Given values of u at `boundary_sites`; for other forms, integrals of the trace.
-        flux : float, array_like or callable
+        boundary : array_like, or for 0-forms a number, a callable or a dict
+            Given values of u at `boundary_sites`; for other forms, integrals of the trace. A dict
+            has a number for each group of the file, as in ``{"wall": 20.0}``; elsewhere 0.
+        flux : float, array_like, callable or dict
             For 0-forms, kappa times the outward normal derivative at `flux_sites`; on Robin facets,
             plus the coefficient times u.
         codifferential : array_like, optional
@@ -190,7 +191,8 @@ class PoissonSolver:
         trace = _trace_of(self._complex, boundary, side, degree, self.boundary_sites)
         if derivative_flow is None and degree == 0:
             derivative_flow = _core.outward_flow(
-                self._complex._cells, side, at_places(flux, self.flux_sites, "normal derivatives"))
+                self._complex._cells, side,
+                at_places(by_groups(self._complex, flux), self.flux_sites, "normal derivatives"))
         data = boundary_data(values=trace, codifferential=codifferential, flow=flow,
                              derivative_flow=derivative_flow)
         form, through, removed, report = self._solver.solve(
@@ -253,8 +255,9 @@ def _form_of(cells: Cells, f: Form | Values, side: str, degree: int,
     return as_form(cells, given, degree, side)
 
 
-def _trace_of(cells: Cells, boundary: Values, side: str, degree: int, places: Floats) -> Floats:
+def _trace_of(cells: Cells, boundary: OnFacets, side: str, degree: int, places: Floats) -> Floats:
     if degree == 0:
+        boundary = by_groups(cells, boundary, on_vertices=side == "primal")
         given = at_places(boundary, places, "boundary values")
         return at_cells(cells, given) if side == "primal" else given
     integrals = _integrals(boundary, degree)
@@ -268,9 +271,9 @@ def _integrals(given: Values, degree: int) -> npt.ArrayLike:
     return given
 
 
-def poisson(complex: CellsLike, f: Form | Values = 0.0, boundary: Values = 0.0,
-            flux: Values = 0.0, *, degree: int | None = None, side: str = "primal",
-            essential: Any = True, robin: Values | None = None, fixed: Any = None,
+def poisson(complex: CellsLike, f: Form | Values = 0.0, boundary: OnFacets = 0.0,
+            flux: OnFacets = 0.0, *, degree: int | None = None, side: str = "primal",
+            essential: Any = True, robin: OnFacets | None = None, fixed: Any = None,
             conductivity: CellNumbers | None = None, engine: str = "auto") -> PoissonSolution:
     """Solves ``Delta u = f`` once, by a `PoissonSolver`. A Cochain f gives side and degree;
     otherwise the default is primal 0-forms.

@@ -275,6 +275,18 @@ $EndElements
     with pytest.raises(polydec.InvalidInput, match=said("plate", "the wall")):
         square.facets_in("plate")
 
+    # the solution is constant: what the wall has, or 3 / 2 by its Robin condition
+    for side in ["primal", "dual"]:
+        given = polydec.poisson(square, 0.0, {"the wall": 2.5}, side=side, essential=wall)
+        assert np.allclose(given.values, 2.5)
+        robin = polydec.poisson(square, 0.0, flux={"the wall": 3.0}, side=side, essential=False,
+                                robin={7: 2.0})
+        assert np.allclose(robin.values, 1.5)
+    with pytest.raises(polydec.InvalidInput, match=said("lid", "the wall")):
+        polydec.poisson(square, 0.0, {"lid": 1.0})
+    with pytest.raises(polydec.InvalidInput, match=said("one for each 2-cell", "dual 0-form")):
+        square.with_conductivity(np.ones(1))
+
 
 def test_what_stands_for_a_mesh(tmp_path):
     path = tmp_path / "square.nsc"

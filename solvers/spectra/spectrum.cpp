@@ -133,10 +133,13 @@ Spectrum spectrum(const FormSpace& space, const SpectrumOptions& options) {
     const bool is_dual_function = k == complex.dimension() && stars[k].is_diagonal();
     const SparseMatrix weights = space.free_robin_weights();
     const Index zeros = weights.size() > 0 ? 0 : betti_numbers(complex)[k];
-    Pencil pencil = is_dual_function ? dual_function_pencil(complex, stars, k)
-                                     : laplacian_pencil(complex, stars, k);
-    pencil.C = weights;
-    CertifiedEigensolver solver(std::move(pencil),
+    const auto pencil = [&] {
+        Pencil of_laplacian = is_dual_function ? dual_function_pencil(complex, stars, k)
+                                               : laplacian_pencil(complex, stars, k);
+        of_laplacian.C = weights;
+        return of_laplacian;
+    };
+    CertifiedEigensolver solver(pencil(), // which the solver copies
                                 {.linear_solver = options.linear_solver,
                                  .eigen_solver = options.eigen_solver,
                                  .certification = options.certification,
