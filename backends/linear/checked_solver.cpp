@@ -125,10 +125,10 @@ CheckedSolver::treat(const std::shared_ptr<const SparseMatrix>& A, MatrixFacts& 
     if (facts.kernel.cols() == 0)
         return A;
     kernel_.emplace(*A, facts.kernel);
-    facts.kernel.resize(0, 0);
     if (traits_.kernel == KernelTreatment::projection)
         return A;
 
+    facts.kernel.resize(0, 0);
     // Without its whole kernel, semidefinite is definite.
     if (facts.definiteness == Definiteness::semidefinite)
         facts.definiteness = Definiteness::positive;

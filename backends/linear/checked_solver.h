@@ -32,8 +32,9 @@ protected:
         : name_(std::move(name)), traits_(traits), options_(options) {}
 
     /// Prepares for A: square, finite, compressed, at least 1 x 1, alive until the next call.
-    /// pattern: same, if the last call succeeded with the same sparsity pattern. Throws
-    /// SolverFailure, made by fail(), and std::bad_alloc if memory is insufficient.
+    /// facts: for A, so without a kernel unless the engine's treatment is projection. pattern:
+    /// same, if the last call succeeded with the same sparsity pattern. Throws SolverFailure, made
+    /// by fail(), and std::bad_alloc if memory is insufficient.
     virtual void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) = 0;
 
     /// X with A X = B, for finite B with at least one column. Throws like compute().

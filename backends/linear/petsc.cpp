@@ -91,11 +91,6 @@ public:
     CgMultigrid(const std::string& name, std::string multigrid, std::string for_singular,
                 const LinearSolverOptions& options);
     ~CgMultigrid() override;
-    CgMultigrid(const CgMultigrid&) = delete;
-    CgMultigrid& operator=(const CgMultigrid&) = delete;
-
-    /// The kernel that comes with the next matrix, which compute() does not hear of.
-    void expect_kernel(const DenseMatrix& kernel) { kernel_ = kernel; }
 
 protected:
     void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
@@ -109,7 +104,6 @@ private:
 
     std::string multigrid_;
     std::string for_singular_;
-    DenseMatrix kernel_;
     SparseMatrix changed_;
     MatrixView view_;
     Owned<KSP, KSPDestroy> solver_;
@@ -171,14 +165,13 @@ void CgMultigrid::compute(const SparseMatrix& A, const MatrixFacts& facts, Patte
                                              options().engine_options);
     try {
         view(session, regular, facts.definiteness, view_);
-        if (kernel_.cols() > 0)
-            set_kernel(session, view_.matrix.get(), kernel_);
+        if (facts.kernel.cols() > 0)
+            set_kernel(session, view_.matrix.get(), facts.kernel);
         set_up(session);
     } catch (...) {
         forget();
         throw;
     }
-    kernel_.resize(0, 0);
 }
 
 void CgMultigrid::set_up(const Session& session) {
@@ -236,39 +229,13 @@ Index CgMultigrid::iterate(const Vector& b, Eigen::Ref<Vector> x) {
     return static_cast<Index>(iterations);
 }
 
-// Hands the kernel on to where PETSc can be told of it; all else is the engine's.
-class PetscSolver final : public LinearSolver {
-public:
-    template <typename... Arguments>
-    explicit PetscSolver(Arguments&&... arguments)
-        : engine_(std::forward<Arguments>(arguments)...) {}
-
-    std::string name() const override { return engine_.name(); }
-    EngineTraits traits() const override { return engine_.traits(); }
-    using LinearSolver::factorize;
-    void factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) override {
-        engine_.expect_kernel(facts.kernel);
-        engine_.factorize(std::move(A), facts);
-    }
-    std::optional<Index> negative_pivots() const override { return std::nullopt; }
-    const SolveReport& report() const override { return engine_.report(); }
-
-protected:
-    DenseMatrix solve_columns(const Eigen::Ref<const DenseMatrix>& B) override {
-        return engine_.solve(B);
-    }
-
-private:
-    CgMultigrid engine_;
-};
-
 } // namespace
 
 void component::add_petsc(EngineRegistrar& registrar) {
     const auto add = [&](const std::string& name, const std::string& multigrid,
                          const std::string& for_singular) {
         registrar.add_linear_solver({.name = name}, [=](const LinearSolverOptions& options) {
-            return std::make_unique<PetscSolver>(name, multigrid, for_singular, options);
+            return std::make_unique<CgMultigrid>(name, multigrid, for_singular, options);
         });
     };
     add("petsc.cg-gamg", petsc::gamg, petsc::singular_gamg);
