@@ -82,6 +82,14 @@ void CheckedSolver::check_factor(double bytes, Eigen::Index size) const {
                           SolveReport::failed(name_));
 }
 
+void CheckedSolver::set_negative_pivots(Index count, const MatrixFacts& facts) {
+    if (facts.definiteness == Definiteness::positive && count > 0)
+        fail(fmt::format("the matrix is not positive definite, although its facts say so: {} "
+                         "pivots are negative",
+                         count));
+    negative_pivots_ = count;
+}
+
 template <typename Work>
 auto CheckedSolver::within_memory(const char* purpose, Eigen::Index size, Work work) const {
     try {
@@ -163,8 +171,10 @@ void CheckedSolver::factorize_valid(std::shared_ptr<const SparseMatrix> A, const
     MatrixFacts treated_facts = facts;
     auto treated = treat(A, treated_facts);
     const bool is_known = previous && same_pattern(*previous, *treated);
-    if (treated->rows() > 0)
+    if (treated->rows() > 0) {
+        negative_pivots_.reset();
         compute(*treated, treated_facts, is_known ? Pattern::same : Pattern::fresh);
+    }
 
     inertia_ = facts.inertia;
     matrix_norm_ = row_sum_norm(*A);

@@ -17,7 +17,7 @@ public:
     EngineTraits traits() const final { return traits_; }
     using LinearSolver::factorize;
     void factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) final;
-    std::optional<Index> negative_pivots() const override { return std::nullopt; }
+    std::optional<Index> negative_pivots() const final { return negative_pivots_; }
     const SolveReport& report() const final { return report_; }
 
 protected:
@@ -54,6 +54,10 @@ protected:
     /// OutOfMemory, naming both, if it exceeds memory_limit().
     void check_factor(double bytes, Eigen::Index size) const;
 
+    /// For engines that count negative eigenvalues, in compute(): throws SolverFailure if the facts
+    /// exclude them.
+    void set_negative_pivots(Index count, const MatrixFacts& facts);
+
 private:
     template <typename Work>
     auto within_memory(const char* purpose, Eigen::Index size, Work work) const;
@@ -80,6 +84,7 @@ private:
     std::optional<Kernel> kernel_;
     Inertia inertia_ = Inertia::unneeded;
     double matrix_norm_ = 0.0;
+    std::optional<Index> negative_pivots_;
     SolveReport report_;
 };
 

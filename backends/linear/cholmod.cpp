@@ -83,8 +83,6 @@ public:
         : CheckedSolver("cholmod", {.symmetry = Symmetry::symmetric, .inertia = Inertia::wanted},
                         options) {}
 
-    std::optional<Index> negative_pivots() const override { return negative_pivots_; }
-
 protected:
     void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
     Solution apply_inverse(const DenseMatrix& B) override;
@@ -97,7 +95,6 @@ private:
     Index count_negative_pivots() const;
 
     Workspace work_;
-    std::optional<Index> negative_pivots_;
 };
 
 void Cholmod::require_success(const char* step) const {
@@ -159,7 +156,6 @@ Index Cholmod::count_negative_pivots() const {
 }
 
 void Cholmod::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) {
-    negative_pivots_.reset();
     const EngineThreads threads(options().blas_threads);
     cholmod_sparse matrix = view(A);
 
@@ -176,7 +172,7 @@ void Cholmod::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern p
     cholmod_factorize(&matrix, work_.factor, &work_.common);
     require_success("factorization");
     require_pivots(is_definite);
-    negative_pivots_ = is_definite ? 0 : count_negative_pivots();
+    set_negative_pivots(is_definite ? 0 : count_negative_pivots(), facts);
 }
 
 // Of the two that cholmod_solve2 would allocate for supernodal factors it looks at the second only.

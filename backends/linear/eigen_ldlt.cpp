@@ -22,8 +22,6 @@ public:
         : CheckedSolver("eigen.ldlt", {.symmetry = Symmetry::symmetric, .inertia = Inertia::wanted},
                         options) {}
 
-    std::optional<Index> negative_pivots() const override { return negative_pivots_; }
-
 protected:
     void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
 
@@ -31,12 +29,9 @@ protected:
 
 private:
     Ldlt ldlt_;
-    std::optional<Index> negative_pivots_;
 };
 
 void EigenLdlt::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) {
-    negative_pivots_.reset();
-
     // The rows of a symmetric matrix are its columns.
     const ColumnMatrix columns = Eigen::Map<const ColumnMatrix>(
         A.rows(), A.cols(), A.nonZeros(), A.outerIndexPtr(), A.innerIndexPtr(), A.valuePtr());
@@ -52,12 +47,7 @@ void EigenLdlt::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern
         fail("zero pivot: the matrix, or a leading block of it, is singular\n"
              "Move the shift, give the kernel in the facts, or use eigen.lu.");
 
-    const auto negative = static_cast<Index>((ldlt_.vectorD().array() < 0.0).count());
-    if (facts.definiteness == Definiteness::positive && negative > 0)
-        fail(fmt::format("the matrix is not positive definite, although its facts say so: {} "
-                         "pivots are negative",
-                         negative));
-    negative_pivots_ = negative;
+    set_negative_pivots(static_cast<Index>((ldlt_.vectorD().array() < 0.0).count()), facts);
 }
 
 } // namespace

@@ -84,8 +84,6 @@ public:
         : CheckedSolver("mumps", {.symmetry = Symmetry::symmetric, .inertia = Inertia::wanted},
                         options) {}
 
-    std::optional<Index> negative_pivots() const override { return negative_pivots_; }
-
 protected:
     void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
     Solution apply_inverse(const DenseMatrix& B) override;
@@ -98,7 +96,6 @@ private:
     std::unique_ptr<MumpsRun> run_; // null before the first analysis, and where it failed
     std::vector<MUMPS_INT> rows_, columns_;
     std::vector<double> values_;
-    std::optional<Index> negative_pivots_;
 };
 
 void Mumps::require(int answer, const char* step) {
@@ -154,7 +151,6 @@ void Mumps::factorize_with_room() {
 }
 
 void Mumps::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) {
-    negative_pivots_.reset();
     const EngineThreads threads(options().blas_threads);
     const bool is_new = pattern == Pattern::fresh || !run_;
     if (is_new)
@@ -170,12 +166,7 @@ void Mumps::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pat
         fail(fmt::format("{} zero pivots: the matrix is singular\n"
                          "Move the shift, give the kernel in the facts, or use eigen.lu.",
                          count));
-    const Index negative = run_->told(negative_pivot_count);
-    if (facts.definiteness == Definiteness::positive && negative > 0)
-        fail(fmt::format("the matrix is not positive definite, although its facts say so: {} "
-                         "pivots are negative",
-                         negative));
-    negative_pivots_ = negative;
+    set_negative_pivots(run_->told(negative_pivot_count), facts);
 }
 
 CheckedSolver::Solution Mumps::apply_inverse(const DenseMatrix& B) {
