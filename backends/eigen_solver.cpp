@@ -50,38 +50,30 @@ EigenOptions filled_in(const EigenOptions& options, Index size, Index count, std
 }
 
 // A NaN in a Krylov basis spreads to everything, so it is caught where it comes in.
-class Watch {
-public:
-    Watch(const SymmetricOperator& A, std::string name) : A_(&A), name_(std::move(name)) {}
-
-    template <typename Columns>
-    void check_input(const Columns& X) const {
-        if (!X.allFinite())
-            throw SolverFailure(name_ + ": the iteration broke down (an invariant subspace)\n"
-                                        "Use another start vector.",
-                                SolveReport::failed(name_));
-    }
-
-    template <typename Columns>
-    void check_output(const Columns& Y, Eigen::Index columns) const {
-        if (Y.rows() != A_->size || Y.cols() != columns || !Y.allFinite())
-            throw SolverFailure(
-                name_ + ": the operator returned NaN, infinity or a vector of another size",
-                SolveReport::failed(name_));
-    }
-
-    void apply(const Vector& x, Vector& y) const {
+SymmetricOperator watched(const SymmetricOperator& A, const std::string& name) {
+    const auto check = [name](bool is_good, const char* reason) {
+        if (!is_good)
+            throw SolverFailure(name + reason, SolveReport::failed(name));
+    };
+    const auto check_input = [check](const auto& X) {
+        check(X.allFinite(), ": the iteration broke down (an invariant subspace)\n"
+                             "Use another start vector.");
+    };
+    const auto check_output = [check, size = A.size](const auto& Y, Eigen::Index columns) {
+        check(Y.rows() == size && Y.cols() == columns && Y.allFinite(),
+              ": the operator returned NaN, infinity or a vector of another size");
+    };
+    const auto apply = [=, &A](const Vector& x, Vector& y) {
         check_input(x);
-        y.resize(A_->size);
-        A_->apply(x, y);
+        y.resize(A.size);
+        A.apply(x, y);
         check_output(y, 1);
-    }
-
-    void apply_to_columns(const DenseMatrix& X, DenseMatrix& Y) const {
-        Y.resize(A_->size, X.cols());
-        if (A_->apply_to_columns) {
+    };
+    const auto apply_to_columns = [=, &A](const DenseMatrix& X, DenseMatrix& Y) {
+        Y.resize(A.size, X.cols());
+        if (A.apply_to_columns) {
             check_input(X);
-            A_->apply_to_columns(X, Y);
+            A.apply_to_columns(X, Y);
             check_output(Y, X.cols());
             return;
         }
@@ -90,17 +82,8 @@ public:
             apply(X.col(j), y);
             Y.col(j) = y;
         }
-    }
-
-private:
-    const SymmetricOperator* A_;
-    std::string name_;
-};
-
-SymmetricOperator watched(const SymmetricOperator& A, const std::string& name) {
-    const Watch watch(A, name);
-    return {A.size, [watch](const Vector& x, Vector& y) { watch.apply(x, y); },
-            [watch](const DenseMatrix& X, DenseMatrix& Y) { watch.apply_to_columns(X, Y); }};
+    };
+    return {A.size, apply, apply_to_columns};
 }
 
 } // namespace
