@@ -17,4 +17,8 @@ double row_sum_norm(const SparseMatrix& A) {
     return norm;
 }
 
+double largest_entry(const SparseMatrix& A) {
+    return A.nonZeros() > 0 ? A.coeffs().abs().maxCoeff() : 0;
+}
+
 } // namespace polydec

@@ -9,4 +9,7 @@ namespace polydec {
 /// bound on the absolute value of every eigenvalue.
 double row_sum_norm(const SparseMatrix& A);
 
+/// Largest absolute value of an entry; 0 if there is none. The matrix is compressed.
+double largest_entry(const SparseMatrix& A);
+
 } // namespace polydec

@@ -161,7 +161,7 @@ void CheckedSolver::factorize_valid(std::shared_ptr<const SparseMatrix> A, const
         compressed->makeCompressed();
         A = std::move(compressed);
     }
-    exponent_ = exponent_to_remove(A->nonZeros() > 0 ? A->coeffs().abs().maxCoeff() : 0.0);
+    exponent_ = exponent_to_remove(largest_entry(*A));
     if (exponent_ != 0) {
         auto scaled = std::make_shared<SparseMatrix>(*A);
         scale(scaled->coeffs(), -exponent_);

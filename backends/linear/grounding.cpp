@@ -3,10 +3,9 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/row_sum_norm.h"
 
 #include <fmt/format.h>
-
-#include <cmath>
 
 namespace polydec {
 
@@ -43,10 +42,7 @@ void check_basis(const SparseMatrix& A, const DenseMatrix& basis) {
 }
 
 void check_annihilated(const SparseMatrix& A, const DenseMatrix& basis) {
-    double scale = 0.0;
-    for (Eigen::Index k = 0; k < A.nonZeros(); ++k)
-        scale = std::max(scale, std::abs(A.valuePtr()[k]));
-
+    const double scale = largest_entry(A);
     const DenseMatrix image = A * basis;
     for (Eigen::Index j = 0; j < basis.cols(); ++j) {
         const double limit = kernel_tolerance * scale * basis.col(j).cwiseAbs().maxCoeff();
@@ -100,18 +96,12 @@ SparseMatrix Kernel::grounded(const SparseMatrix& A) const {
 }
 
 DenseMatrix Kernel::restrict(const DenseMatrix& B) const {
-    DenseMatrix result(static_cast<Eigen::Index>(kept_.size()), B.cols());
-    for (Eigen::Index j = 0; j < B.cols(); ++j)
-        for (std::size_t i = 0; i < kept_.size(); ++i)
-            result(static_cast<Eigen::Index>(i), j) = B(kept_[i], j);
-    return result;
+    return B(kept_, Eigen::indexing::all);
 }
 
 DenseMatrix Kernel::extend(const DenseMatrix& X) const {
     DenseMatrix result = DenseMatrix::Zero(basis_.rows(), X.cols());
-    for (Eigen::Index j = 0; j < X.cols(); ++j)
-        for (std::size_t i = 0; i < kept_.size(); ++i)
-            result(kept_[i], j) = X(static_cast<Eigen::Index>(i), j);
+    result(kept_, Eigen::indexing::all) = X;
     return result;
 }
 

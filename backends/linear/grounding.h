@@ -26,8 +26,6 @@ public:
     /// B without its part in the kernel.
     DenseMatrix project_out(const DenseMatrix& B) const;
 
-    Eigen::Index dimension() const { return basis_.cols(); }
-
 private:
     void choose_grounded_rows();
 

@@ -158,13 +158,6 @@ void scale_entries(SparseMatrix& A, int exponent) {
     }
 }
 
-double largest_entry(const SparseMatrix& A) {
-    double largest = 0;
-    for (Index i = 0; i < A.nonZeros(); ++i)
-        largest = std::max(largest, std::abs(A.valuePtr()[i]));
-    return largest;
-}
-
 ScaledPart::ScaledPart(const GramPart& part, const Vector& rows, const Vector& columns)
     : F_(rows.asDiagonal() * part.F * columns.asDiagonal()),
       F_error_(part.F_error.size() == 0

@@ -61,8 +61,6 @@ protected:
     virtual Vector spread(const Vector& sizes) const = 0; ///< |W| sizes
     virtual Vector uncertainty() const { return Vector::Zero(F_.rows()); }
 
-    double rounding() const { return rounding_; }
-
 private:
     SparseMatrix F_, transposed_, F_error_;
     bool exact_products_ = false; // when multiplying entries of F
@@ -77,8 +75,6 @@ Vector powers_of_two(const Vector& x, int sign);
 
 /// A 2^exponent. Throws InvalidInput if an entry leaves the normal range.
 void scale_entries(SparseMatrix& A, int exponent);
-
-double largest_entry(const SparseMatrix& A);
 
 /// A x, and a bound on its error. Differences of neighboring values are exact, so the partial sums
 /// dominate.
