@@ -77,13 +77,6 @@ std::string first_line(const std::string& message) {
     return message.substr(0, message.find('\n'));
 }
 
-std::string joined(const std::vector<std::string>& lines) {
-    std::string result;
-    for (const auto& line : lines)
-        result += (result.empty() ? "" : "; ") + line;
-    return result;
-}
-
 /// What was missed first, for take_missed_engines().
 struct Missed {
     std::mutex mutex;
@@ -107,11 +100,9 @@ void note_missed_engines(const SparseMatrix& A, const MatrixFacts& facts) {
 } // namespace
 
 std::vector<std::string> suitable_engines(const SparseMatrix& A, const MatrixFacts& facts) {
-    std::vector<std::string> result;
-    for (const auto& name : wished_engines(A, facts, has_linear_solver("cholmod")))
-        if (has_linear_solver(name))
-            result.push_back(name);
-    return result;
+    auto names = wished_engines(A, facts, has_linear_solver("cholmod"));
+    std::erase_if(names, [](const std::string& name) { return !has_linear_solver(name); });
+    return names;
 }
 
 std::string missed_engines(const SparseMatrix& A, const MatrixFacts& facts) {
@@ -201,7 +192,7 @@ void AutoSolver::advance() {
 
 void AutoSolver::fail() const {
     const auto story = fmt::format("auto: no engine solves this {0} x {0} system: {1}\n",
-                                   matrix_->rows(), joined(failures_));
+                                   matrix_->rows(), fmt::join(failures_, "; "));
     SolveReport report = SolveReport::failed("auto");
     report.tried = failures_;
     if (lacks_memory_)
