@@ -25,4 +25,11 @@ SparseMatrix block_matrix(const SparseMatrix& A, const SparseMatrix& B, const Sp
     return result;
 }
 
+SparseMatrix diagonal_matrix(const Vector& numbers) {
+    SparseMatrix result(numbers.size(), numbers.size());
+    result.setIdentity(); // Eigen cannot make an empty diagonal matrix
+    result.coeffs() = numbers.array();
+    return result;
+}
+
 } // namespace polydec

@@ -9,4 +9,7 @@ namespace polydec {
 /// row are in order. Linear time.
 SparseMatrix block_matrix(const SparseMatrix& A, const SparseMatrix& B, const SparseMatrix& D);
 
+/// The square matrix with these numbers on its diagonal; any count, also 0.
+SparseMatrix diagonal_matrix(const Vector& numbers);
+
 } // namespace polydec

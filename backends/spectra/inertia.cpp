@@ -21,14 +21,6 @@ constexpr int most_bisections = 40;
 
 } // namespace
 
-ShiftedMatrices::ShiftedMatrices(std::shared_ptr<const SparseMatrix> B)
-    : A(std::move(B)), M(A->rows(), A->cols()) {
-    M.setIdentity();
-}
-
-ShiftedMatrices::ShiftedMatrices(SparseMatrix A_, SparseMatrix M_, Index hidden_)
-    : A(std::make_shared<const SparseMatrix>(std::move(A_))), M(std::move(M_)), hidden(hidden_) {}
-
 TrustedInertia::TrustedInertia(const std::string& engine, int domain_dimension)
     : solver_(make_linear_solver(engine)) {
     facts_.symmetry = Symmetry::symmetric;
@@ -37,8 +29,6 @@ TrustedInertia::TrustedInertia(const std::string& engine, int domain_dimension)
     facts_.domain_dimension = domain_dimension;
 }
 
-TrustedInertia::~TrustedInertia() = default;
-
 std::optional<Index> TrustedInertia::negative(const SparseMatrix& B, const Vector& sizes,
                                               double share) {
     // without rounding, D^2 sizes from 1/4 to 1
@@ -46,9 +36,7 @@ std::optional<Index> TrustedInertia::negative(const SparseMatrix& B, const Vecto
         return size > 0 ? std::ldexp(1.0, -((std::ilogb(size) + 2) >> 1)) : 1.0;
     });
     const auto S = std::make_shared<const SparseMatrix>(D.asDiagonal() * B * D.asDiagonal());
-    Vector probe(S->rows());
-    for (Index i = 0; i < probe.size(); ++i)
-        probe[i] = std::sin(1.0 + i);
+    Vector probe = Vector::NullaryExpr(S->rows(), [](Index i) { return std::sin(1.0 + i); });
     double lost = 0;
     try {
         solver_->factorize(S, facts_);

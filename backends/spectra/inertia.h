@@ -16,18 +16,14 @@ struct Doubt {
     double relative = 0; ///< additional relative error of each eigenvalue
 };
 
-/// The symmetric matrices A - shift M, for all shifts. If a symmetric matrix B is not sparse, a
-/// larger sparse matrix represents it: B - shift I is the Schur complement after eliminating the
-/// first `hidden` rows, a negative definite block without shift. The larger one has `hidden`
-/// additional negative eigenvalues (Haynsworth 1968).
+/// The symmetric matrices A - shift M, for all shifts: B - shift I themselves with M = I. If a
+/// symmetric matrix B is not sparse, a larger sparse matrix represents it: B - shift I is the Schur
+/// complement after eliminating the first `hidden` rows, a negative definite block without shift.
+/// The larger one has `hidden` additional negative eigenvalues (Haynsworth 1968).
 struct ShiftedMatrices {
     std::shared_ptr<const SparseMatrix> A;
     SparseMatrix M; ///< positive semidefinite
     Index hidden = 0;
-
-    /// Represents B - shift I directly.
-    ShiftedMatrices(std::shared_ptr<const SparseMatrix> B);
-    ShiftedMatrices(SparseMatrix A, SparseMatrix M, Index hidden);
 
     SparseMatrix at(double shift) const { return *A - shift * M; }
 };
@@ -39,7 +35,6 @@ class TrustedInertia {
 public:
     /// The engine must count negative eigenvalues.
     TrustedInertia(const std::string& engine, int domain_dimension);
-    ~TrustedInertia();
 
     /// The number of negative eigenvalues of the exact matrix, if it can be trusted. The doubt, and
     /// by far the backward error of solves, must be below the smallest eigenvalue of the scaled

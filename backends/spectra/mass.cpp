@@ -2,6 +2,7 @@
 #include "backends/spectra/mass.h"
 
 #include "backends/linear/cholesky_root.h"
+#include "base/block_matrix.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,7 @@ public:
 
     bool is_diagonal() const override { return true; }
 
-    SparseMatrix matrix() const override {
-        SparseMatrix result(size(), size());
-        result.setIdentity();
-        return diagonal_.asDiagonal() * result;
-    }
+    SparseMatrix matrix() const override { return diagonal_matrix(diagonal_); }
 
     LongVector times(const LongVector& x, Vector& error) const override {
         LongVector result = diagonal_.cast<long double>().cwiseProduct(x);
@@ -116,9 +113,7 @@ private:
         constexpr int steps = 8;
         constexpr double room = 0.25;
         const Vector scale = diagonal_.cwiseSqrt();
-        Vector probe(size());
-        for (Index i = 0; i < size(); ++i)
-            probe[i] = std::sin(1.0 + i);
+        Vector probe = Vector::NullaryExpr(size(), [](Index i) { return std::sin(1.0 + i); });
         for (int step = 0; step < steps; ++step) {
             probe.normalize();
             probe = scale.cwiseProduct(root_.solve(scale.cwiseProduct(probe)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/spectra/scaled_part.h"
 
+#include "base/block_matrix.h"
 #include "base/errors.h"
 
 #include <algorithm>
@@ -66,11 +67,7 @@ protected:
         return result;
     }
 
-    SparseMatrix weights() const override {
-        SparseMatrix W(weights_.size(), weights_.size());
-        W.setIdentity();
-        return weights_.asDiagonal() * W;
-    }
+    SparseMatrix weights() const override { return diagonal_matrix(weights_); }
     Vector spread(const Vector& sizes) const override {
         return weights_.cwiseAbs().cwiseProduct(sizes);
     }
@@ -127,10 +124,7 @@ protected:
     }
 
     SparseMatrix weights() const override {
-        SparseMatrix W(mass_->size(), mass_->size());
-        W.setIdentity();
-        const Vector bounds = mass_->diagonal().cwiseInverse() / mass_->dominance();
-        return bounds.asDiagonal() * W;
+        return diagonal_matrix(mass_->diagonal().cwiseInverse() / mass_->dominance());
     }
     Vector spread(const Vector& sizes) const override { return weights() * sizes; }
 

@@ -147,7 +147,8 @@ void ScaledPencil::assemble() {
     norm_ = row_sum_norm(lumped) / mass_->dominance();
     small_ = small_length(lumped);
     if (is_explicit()) {
-        matrices_.emplace(std::make_shared<const SparseMatrix>(lumped));
+        matrices_ = {std::make_shared<const SparseMatrix>(lumped),
+                     diagonal_matrix(Vector::Ones(size()))};
         return;
     }
     A = symmetric(A);
@@ -157,16 +158,16 @@ void ScaledPencil::assemble() {
         W = inverse_->inverse_of()->matrix();
     }
     const auto hidden = static_cast<Index>(W.rows());
-    matrices_.emplace(
-        block_matrix(-W, F.transpose(), A),
+    matrices_ = {
+        std::make_shared<const SparseMatrix>(block_matrix(-W, F.transpose(), A)),
         block_matrix(SparseMatrix(hidden, hidden), SparseMatrix(size(), hidden), mass_->matrix()),
-        hidden);
+        hidden};
 }
 
 DenseMatrix ScaledPencil::to_matrices(const DenseMatrix& Y) const {
     if (is_explicit())
         return Y;
-    DenseMatrix result = DenseMatrix::Zero(matrices_->A->rows(), Y.cols());
+    DenseMatrix result = DenseMatrix::Zero(matrices_.A->rows(), Y.cols());
     result.bottomRows(size()) = mass_->transposed_root(Y);
     return result;
 }

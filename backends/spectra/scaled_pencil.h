@@ -7,7 +7,6 @@
 #include "backends/spectra/scaled_part.h"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace polydec {
@@ -37,7 +36,7 @@ public:
 
     /// Represent B - shift I as a Schur complement; B itself if M is diagonal and no weights are
     /// inverse.
-    const ShiftedMatrices& matrices() const { return *matrices_; }
+    const ShiftedMatrices& matrices() const { return matrices_; }
 
     /// Maps a right-hand side for B - shift I to these matrices, and their solution back.
     DenseMatrix to_matrices(const DenseMatrix& Y) const;
@@ -86,7 +85,7 @@ private:
     double mass_share_ = 0;    // bound on the shift of eigenvalues by errors of masses
     double weights_share_ = 0; // the same for weights; infinite unless all are surely positive
     double norm_ = 0, small_ = 0;
-    std::optional<ShiftedMatrices> matrices_;
+    ShiftedMatrices matrices_;
 };
 
 } // namespace polydec

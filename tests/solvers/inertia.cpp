@@ -3,6 +3,7 @@
 
 #include "backends/spectra/certified_eigensolver.h"
 #include "backends/spectra/scaled_pencil.h"
+#include "base/block_matrix.h"
 #include "dec/discretization/discretization.h"
 #include "meshes/generate.h"
 #include "solvers/spectra/laplacian_pencil.h"
@@ -26,14 +27,17 @@ SparseMatrix sparse(const DenseMatrix& A) {
     return A.sparseView();
 }
 
+ShiftedMatrices shifted(const SparseMatrix& B) {
+    return {std::make_shared<const SparseMatrix>(B), diagonal_matrix(Vector::Ones(B.rows()))};
+}
+
 /// B has eigenvalues .001 and 6.001; with errors of 6e-4 in each entry the first may be negative.
 TEST(Inertia, is_not_told_where_errors_of_entries_could_change_it) {
     DenseMatrix B(2, 2);
     B << 3.001, -3, -3, 3.001;
     const auto below = [&](double error) {
         const Doubt doubt{Vector::Constant(2, 3.001), 2 * error / 3.001, 0};
-        return InertiaCounter(std::make_shared<const SparseMatrix>(sparse(B)), "auto", 0, doubt)
-            .below(0, 1e-3);
+        return InertiaCounter(shifted(sparse(B)), "auto", 0, doubt).below(0, 1e-3);
     };
     EXPECT_EQ(below(6e-4), std::nullopt);
     EXPECT_EQ(below(1e-6), Index{0});
@@ -45,8 +49,7 @@ TEST(Inertia, of_graded_matrices_is_that_of_their_small_entries) {
     SparseMatrix B(4, 4);
     for (Index i = 0; i < 4; ++i)
         B.insert(i, i) = diagonal[i];
-    InertiaCounter counter(std::make_shared<const SparseMatrix>(B), "auto", 0,
-                           {diagonal, 1e-15, 1e-15});
+    InertiaCounter counter(shifted(B), "auto", 0, {diagonal, 1e-15, 1e-15});
     EXPECT_EQ(counter.below(1.5, 0.5), Index{1});
     EXPECT_EQ(counter.below(2.5, 0.5), Index{2});
     EXPECT_EQ(counter.below(2e20, 1e20), Index{3});
