@@ -22,6 +22,10 @@ std::vector<Index> at_rows(const std::vector<Index>& numbers, const std::vector<
     return result;
 }
 
+bool fits(const GroupName& group, int dimension) {
+    return group.dimension == dimension || group.dimension == -1;
+}
+
 } // namespace
 
 InputCells followed(const InputCells& cells, const std::vector<Index>& rows, Index count) {
@@ -71,14 +75,6 @@ void check_facet_tags(const Mesh& mesh) {
                                 .vertices = {vertices.begin(), vertices.end()}});
     }
 }
-
-namespace {
-
-bool fits(const GroupName& group, int dimension) {
-    return group.dimension == dimension || group.dimension == -1;
-}
-
-} // namespace
 
 std::optional<Index> group_tag(const std::vector<GroupName>& groups, int dimension,
                                const std::string& word) {

@@ -71,10 +71,6 @@ Renumbered arranged(const Mesh& mesh, const Simplices& renumbered, std::vector<I
     return result;
 }
 
-} // namespace
-
-namespace {
-
 /// Sorts by the bits from this one on, a digit at a time, the last first (Knuth 1973, 5.2.5).
 void sort_by_digits(std::vector<std::uint64_t>& words, int first_bit) {
     constexpr int word_bits = 64, digit_bits = 11;

@@ -44,42 +44,6 @@ std::string_view measure(const Mesh& mesh) {
     return n == 1 ? "length" : n == 2 ? "area" : "volume";
 }
 
-} // namespace
-
-void check_mesh(const Mesh& mesh) {
-    const int n = mesh.dimension(), N = mesh.ambient_dimension();
-    if (n > N)
-        throw InvalidInput(fmt::format("cells of dimension {} need points with at least {} "
-                                       "coordinates, these have {}",
-                                       n, n, N));
-    const auto cells = static_cast<std::size_t>(mesh.simplices.rows());
-    if (!mesh.tags.empty() && mesh.tags.size() != cells)
-        throw InvalidInput(
-            fmt::format("{} tags are given for {} cells; expected one for each cell, or none",
-                        mesh.tags.size(), cells));
-    check_facet_tags(mesh);
-    for (Index v = 0; v < mesh.points.rows(); ++v)
-        if (const double* const point = mesh.points.data() + Eigen::Index{v} * N;
-            !std::all_of(point, point + N, [](double x) { return std::isfinite(x); }))
-            throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite: {}\n"
-                                           "Give it finite coordinates.",
-                                           v, place(mesh, v)),
-                               {.vertices = {v}});
-    const auto is_valid = [&](Index v) { return v >= 0 && v < mesh.points.rows(); };
-    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
-        const auto vertices = mesh.simplices.row(cell);
-        if (!std::all_of(vertices.begin(), vertices.end(), is_valid))
-            throw InvalidInput(
-                fmt::format("cell {} (vertices {}) has a vertex that is not among the {} vertices "
-                            "of the mesh\n"
-                            "Vertices are numbered from 0.",
-                            cell, vertices_of(mesh, cell), mesh.points.rows()),
-                {.degree = n, .cells = {cell}, .vertices = {vertices.begin(), vertices.end()}});
-    }
-}
-
-namespace {
-
 /// Takes cells out, given by ascending row numbers, and tells so in a warning.
 void leave_out(Sieve& sieve, const std::vector<Index>& cells, std::string_view flaw) {
     if (cells.empty())
@@ -168,6 +132,15 @@ std::string remedy(const Mesh& mesh, Index cell) {
                        middle, place(mesh, middle), longest.a, longest.b);
 }
 
+/// What else there is for cells without volume.
+const char* other_remedy(const Mesh& mesh) {
+    if (mesh.dimension() == 2)
+        return " Intrinsic flips can handle such cells (DiscretizeOptions::delaunay).";
+    return mesh.ambient_dimension() == mesh.dimension()
+               ? " Flat cells on the boundary can be peeled off (peeled(mesh))."
+               : "";
+}
+
 /// Leaves out those that bind no neighbors together; the others are returned.
 FlatCellsKept leave_out_flat_cells(Sieve& sieve) {
     const FlatCells flat = find_flat_cells(sieve.mesh);
@@ -196,6 +169,38 @@ FlatCellsKept sift(Sieve& sieve) {
 
 } // namespace
 
+void check_mesh(const Mesh& mesh) {
+    const int n = mesh.dimension(), N = mesh.ambient_dimension();
+    if (n > N)
+        throw InvalidInput(fmt::format("cells of dimension {} need points with at least {} "
+                                       "coordinates, these have {}",
+                                       n, n, N));
+    const auto cells = static_cast<std::size_t>(mesh.simplices.rows());
+    if (!mesh.tags.empty() && mesh.tags.size() != cells)
+        throw InvalidInput(
+            fmt::format("{} tags are given for {} cells; expected one for each cell, or none",
+                        mesh.tags.size(), cells));
+    check_facet_tags(mesh);
+    for (Index v = 0; v < mesh.points.rows(); ++v)
+        if (const double* const point = mesh.points.data() + Eigen::Index{v} * N;
+            !std::all_of(point, point + N, [](double x) { return std::isfinite(x); }))
+            throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite: {}\n"
+                                           "Give it finite coordinates.",
+                                           v, place(mesh, v)),
+                               {.vertices = {v}});
+    const auto is_valid = [&](Index v) { return v >= 0 && v < mesh.points.rows(); };
+    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
+        const auto vertices = mesh.simplices.row(cell);
+        if (!std::all_of(vertices.begin(), vertices.end(), is_valid))
+            throw InvalidInput(
+                fmt::format("cell {} (vertices {}) has a vertex that is not among the {} vertices "
+                            "of the mesh\n"
+                            "Vertices are numbered from 0.",
+                            cell, vertices_of(mesh, cell), mesh.points.rows()),
+                {.degree = n, .cells = {cell}, .vertices = {vertices.begin(), vertices.end()}});
+    }
+}
+
 std::string isolated_vertices(const std::vector<Index>& first, std::size_t count) {
     return fmt::format("{} belong{} to no cell, left out of all counts: {}",
                        count == 1 ? "1 vertex" : fmt::format("{} vertices", count),
@@ -218,19 +223,6 @@ void warn_of_isolated_vertices(Mesh& mesh) {
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
         warnings.push_back(std::move(warning));
 }
-
-namespace {
-
-/// What else there is for cells without volume.
-const char* other_remedy(const Mesh& mesh) {
-    if (mesh.dimension() == 2)
-        return " Intrinsic flips can handle such cells (DiscretizeOptions::delaunay).";
-    return mesh.ambient_dimension() == mesh.dimension()
-               ? " Flat cells on the boundary can be peeled off (peeled(mesh))."
-               : "";
-}
-
-} // namespace
 
 void refuse(const Mesh& mesh, const FlatCellsKept& cells) {
     const Index first = cells.rows.front();

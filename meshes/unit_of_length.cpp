@@ -31,6 +31,12 @@ double unit_for(double half_of_longest, int dimension, int least) {
     return std::ldexp(1.0, std::clamp(even, least + (least & 1), finite_exponent - 1));
 }
 
+[[noreturn]] void refuse(double value, double unit, double power, std::string_view what) {
+    throw InvalidInput(fmt::format("{0}: {1:.3g} times {3:.3g}^{2} is outside the range of double "
+                                   "precision; scale the mesh to a size nearer to 1",
+                                   what, value, power, unit));
+}
+
 } // namespace
 
 double half_of_longest_edge(const Points& points, const Simplices& simplices) {
@@ -89,16 +95,6 @@ std::optional<double> in_input_units(double value, double unit, double power) {
         return std::nullopt;
     return result;
 }
-
-namespace {
-
-[[noreturn]] void refuse(double value, double unit, double power, std::string_view what) {
-    throw InvalidInput(fmt::format("{0}: {1:.3g} times {3:.3g}^{2} is outside the range of double "
-                                   "precision; scale the mesh to a size nearer to 1",
-                                   what, value, power, unit));
-}
-
-} // namespace
 
 Vector in_input_units(const Vector& values, double unit, double power, std::string_view what) {
     Vector result = values;

@@ -21,6 +21,8 @@ bool is_finite(const SparseMatrix& A) {
                        [](double entry) { return std::isfinite(entry); });
 }
 
+constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+
 constexpr const char* what = "eigenproblem A x = lambda M x";
 
 /// Throws unless numbers are finite, and a matrix square and symmetric; `name` says which.
@@ -90,6 +92,11 @@ void check(const Pencil& pencil) {
     if (inverses > 1)
         throw InvalidInput(
             fmt::format("{}: {} parts have inverse weights, expected at most one", what, inverses));
+}
+
+/// What makes numbers 1, from both sides.
+Vector to_ones(const Vector& sizes) {
+    return sizes.unaryExpr([](double size) { return size > 0 ? 1 / std::sqrt(size) : 0.0; });
 }
 
 } // namespace
@@ -177,17 +184,6 @@ DenseMatrix ScaledPencil::from_matrices(const DenseMatrix& Z) const {
         return Z;
     return mass_->root(Z.bottomRows(size()));
 }
-
-namespace {
-
-constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
-
-/// What makes numbers 1, from both sides.
-Vector to_ones(const Vector& sizes) {
-    return sizes.unaryExpr([](double size) { return size > 0 ? 1 / std::sqrt(size) : 0.0; });
-}
-
-} // namespace
 
 /// Where all weights are positive for sure, a share by which they are off is one of x^T A x at
 /// most, and so of each eigenvalue.
