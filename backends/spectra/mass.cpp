@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "backends/spectra/mass.h"
 
-#include "backends/linear/cholesky_root.h"
+#include "backends/linear/counting_factor.h"
 #include "base/block_matrix.h"
+#include "base/errors.h"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,10 +59,14 @@ private:
     Vector root_;
 };
 
+using ColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
+
+/// By a sparse factor P M P^T = L L^T with fill-reducing order P, so R = L^T P.
 class MatrixMass final : public Mass {
 public:
     explicit MatrixMass(const SparseMatrix& matrix)
-        : Mass(matrix.diagonal(), 0), matrix_(matrix), absolute_(matrix.cwiseAbs()), root_(matrix) {
+        : Mass(matrix.diagonal(), 0), matrix_(matrix), absolute_(matrix.cwiseAbs()) {
+        factorize();
         dominance_ = least_eigenvalue();
     }
 
@@ -74,7 +83,7 @@ public:
     LongVector solve(const LongVector& z, Vector& error) const override {
         LongVector x = LongVector::Zero(size()), rest = z;
         for (int step = 0; step < refinements; ++step) {
-            x += root_.solve(rest.cast<double>()).cast<long double>();
+            x += inverse_times(rest.cast<double>()).cast<long double>();
             rest = z - times(x);
         }
         const Vector sizes =
@@ -83,13 +92,18 @@ public:
         return x;
     }
 
-    DenseMatrix root(const DenseMatrix& X) const override { return root_.times(X); }
-    DenseMatrix unroot(const DenseMatrix& X) const override { return root_.inverse_times(X); }
+    DenseMatrix root(const DenseMatrix& X) const override {
+        return factor_.matrixU() * DenseMatrix(factor_.permutationP() * X);
+    }
+    DenseMatrix unroot(const DenseMatrix& X) const override {
+        return factor_.permutationPinv() * DenseMatrix(factor_.matrixU().solve(X));
+    }
     DenseMatrix transposed_root(const DenseMatrix& X) const override {
-        return root_.transposed_times(X);
+        return factor_.permutationPinv() * DenseMatrix(factor_.matrixL() * X);
     }
     Vector transposed_unroot(const LongVector& x) const override {
-        return root_.inverse_transposed_times(x.cast<double>());
+        const DenseMatrix permuted = factor_.permutationP() * DenseMatrix(x.cast<double>());
+        return DenseMatrix(factor_.matrixL().solve(permuted));
     }
 
     long double inverse_square(const LongVector& x) const override {
@@ -97,6 +111,20 @@ public:
     }
 
 private:
+    void factorize() {
+        const ColumnMatrix columns = matrix_;
+        factor_.analyzePattern(columns);
+        if (!factor_.fits())
+            throw SolverFailure(fmt::format("the root of a {} x {} matrix has more than 2^31 - 1 "
+                                            "entries: use a diagonal star, or a smaller mesh",
+                                            columns.rows(), columns.cols()));
+        factor_.factorize(columns);
+        if (factor_.info() != Eigen::Success)
+            throw InvalidInput("a matrix of inner products is not positive definite");
+    }
+
+    Vector inverse_times(const Vector& b) const { return factor_.solve(b); }
+
     LongVector times(const LongVector& x) const {
         LongVector result(size());
         for (Index i = 0; i < size(); ++i) {
@@ -116,7 +144,7 @@ private:
         Vector probe = Vector::NullaryExpr(size(), [](Index i) { return std::sin(1.0 + i); });
         for (int step = 0; step < steps; ++step) {
             probe.normalize();
-            probe = scale.cwiseProduct(root_.solve(scale.cwiseProduct(probe)));
+            probe = scale.cwiseProduct(inverse_times(scale.cwiseProduct(probe)));
         }
         return std::min(1.0, room / probe.norm());
     }
@@ -124,7 +152,8 @@ private:
     static constexpr int refinements = 3;
 
     SparseMatrix matrix_, absolute_;
-    CholeskyRoot root_;
+    CountingFactor<Eigen::SimplicialLLT<ColumnMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>>>
+        factor_;
     double longest_row_ = static_cast<double>(longest_row(matrix_) + 1);
 };
 
