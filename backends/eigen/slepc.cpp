@@ -78,15 +78,6 @@ void copy(const Session& session, const Vector& from, Vec to) {
     session.require(VecRestoreArray(to, &entries), "taking over a vector");
 }
 
-class SlepcSolver final : public EigenSolver {
-public:
-    std::string name() const override { return "slepc"; }
-
-protected:
-    EigenPairs compute(const SymmetricOperator& A, Index count,
-                       const EigenOptions& options) const override;
-};
-
 // One run of the eigensolver, and what it holds on to.
 class Run {
 public:
@@ -174,15 +165,21 @@ EigenPairs Run::pairs(Index count) const {
     return result;
 }
 
-EigenPairs SlepcSolver::compute(const SymmetricOperator& A, Index count,
-                                const EigenOptions& options) const {
-    const Session session(name());
-    petsc::start_slepc(session);
-    Shell shell{.A = &A};
-    Run run(session, shell, count, options);
-    run.solve();
-    return run.pairs(count);
-}
+class SlepcSolver final : public EigenSolver {
+public:
+    std::string name() const override { return "slepc"; }
+
+protected:
+    EigenPairs compute(const SymmetricOperator& A, Index count,
+                       const EigenOptions& options) const override {
+        const Session session(name());
+        petsc::start_slepc(session);
+        Shell shell{.A = &A};
+        Run run(session, shell, count, options);
+        run.solve();
+        return run.pairs(count);
+    }
+};
 
 } // namespace
 

@@ -35,15 +35,6 @@ private:
     mutable Vector out_;
 };
 
-class SpectraSolver final : public EigenSolver {
-public:
-    std::string name() const override { return "spectra"; }
-
-protected:
-    EigenPairs compute(const SymmetricOperator& A, Index count,
-                       const EigenOptions& options) const override;
-};
-
 // An estimate of |A| from below, and a start vector that A does not map to zero. Scale 0: A
 // vanishes on the start vector and on another one that has nothing to do with it.
 struct Start {
@@ -86,32 +77,41 @@ EigenPairs solve_by_lanczos(const SymmetricOperator& A, Index count, const Eigen
     return pairs;
 }
 
-EigenPairs SpectraSolver::compute(const SymmetricOperator& A, Index count,
-                                  const EigenOptions& options) const {
-    // Lanczos needs a subspace larger than the count and not larger than the operator.
-    if (A.size <= dense_size || options.krylov_dimension >= A.size)
-        return dense_pairs(A, count, name());
+class SpectraSolver final : public EigenSolver {
+public:
+    std::string name() const override { return "spectra"; }
 
-    const Start start = find_start(A, options.start);
-    if (start.scale == 0.0)
-        return {Vector::Zero(count), DenseMatrix::Identity(A.size, count), count, start.operations};
-    try {
-        EigenPairs pairs = solve_by_lanczos(A, count, options, start);
-        if (!pairs.values.allFinite() || !pairs.vectors.allFinite())
-            throw SolverFailure("spectra: the iteration broke down (an invariant subspace)\n"
-                                "Use another start vector.",
-                                SolveReport::failed("spectra"));
-        return pairs;
-    } catch (const Error&) {
-        throw;
-    } catch (const std::logic_error& error) {
-        throw SolverFailure(std::string("spectra: ") + error.what(),
-                            SolveReport::failed("spectra"));
-    } catch (const std::runtime_error& error) {
-        throw SolverFailure(std::string("spectra: ") + error.what(),
-                            SolveReport::failed("spectra"));
+protected:
+    EigenPairs compute(const SymmetricOperator& A, Index count,
+                       const EigenOptions& options) const override {
+        // Lanczos needs a subspace larger than the count and not larger than the operator.
+        if (A.size <= dense_size || options.krylov_dimension >= A.size)
+            return dense_pairs(A, count, name());
+
+        const Start start = find_start(A, options.start);
+        if (start.scale == 0.0)
+            return {Vector::Zero(count), DenseMatrix::Identity(A.size, count), count,
+                    start.operations};
+        try {
+            EigenPairs pairs = solve_by_lanczos(A, count, options, start);
+            if (!pairs.values.allFinite() || !pairs.vectors.allFinite())
+                fail("the iteration broke down (an invariant subspace)\n"
+                     "Use another start vector.");
+            return pairs;
+        } catch (const Error&) {
+            throw;
+        } catch (const std::logic_error& error) {
+            fail(error.what());
+        } catch (const std::runtime_error& error) {
+            fail(error.what());
+        }
     }
-}
+
+private:
+    [[noreturn]] void fail(const std::string& reason) const {
+        throw SolverFailure(name() + ": " + reason, SolveReport::failed(name()));
+    }
+};
 
 } // namespace
 

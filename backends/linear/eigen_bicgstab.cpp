@@ -27,16 +27,14 @@ public:
     }
 
 protected:
-    void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
+    void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override {
+        if (A.nonZeros() > std::numeric_limits<Index>::max() / (fill_factor + 2))
+            fail("the preconditioner of this matrix has more than 2^31 - 1 entries");
+        EigenIteration::compute(A, facts, pattern);
+        if (iteration_.info() != Eigen::Success)
+            fail("the incomplete factorization broke down: a row of the matrix is zero");
+    }
 };
-
-void EigenBicgstab::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) {
-    if (A.nonZeros() > std::numeric_limits<Index>::max() / (fill_factor + 2))
-        fail("the preconditioner of this matrix has more than 2^31 - 1 entries");
-    EigenIteration::compute(A, facts, pattern);
-    if (iteration_.info() != Eigen::Success)
-        fail("the incomplete factorization broke down: a row of the matrix is zero");
-}
 
 } // namespace
 

@@ -21,18 +21,16 @@ public:
                          "Use a direct engine.") {}
 
 protected:
-    void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
+    void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override {
+        const Vector diagonal = A.diagonal();
+        for (Eigen::Index i = 0; i < diagonal.size(); ++i)
+            if (diagonal[i] < 0.0)
+                fail(fmt::format("the matrix is not positive semidefinite, although its facts say "
+                                 "so: entry ({0}, {0}) is {1:.3g}",
+                                 i, diagonal[i]));
+        EigenIteration::compute(A, facts, pattern);
+    }
 };
-
-void EigenCg::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) {
-    const Vector diagonal = A.diagonal();
-    for (Eigen::Index i = 0; i < diagonal.size(); ++i)
-        if (diagonal[i] < 0.0)
-            fail(fmt::format("the matrix is not positive semidefinite, although its facts say so: "
-                             "entry ({0}, {0}) is {1:.3g}",
-                             i, diagonal[i]));
-    EigenIteration::compute(A, facts, pattern);
-}
 
 } // namespace
 

@@ -89,8 +89,13 @@ void set_kernel(const Session& session, Mat matrix, const DenseMatrix& kernel) {
 class CgMultigrid final : public IterativeSolver {
 public:
     CgMultigrid(const std::string& name, std::string multigrid, std::string for_singular,
-                const LinearSolverOptions& options);
-    ~CgMultigrid() override;
+                const LinearSolverOptions& options)
+        : IterativeSolver(name, of_conjugate_gradients, options),
+          multigrid_(std::move(multigrid)),
+          for_singular_(std::move(for_singular)) {
+        petsc::check_options(name, options.engine_options);
+    }
+    ~CgMultigrid() override { forget(); }
 
 protected:
     void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
@@ -108,18 +113,6 @@ private:
     MatrixView view_;
     Owned<KSP, KSPDestroy> solver_;
 };
-
-CgMultigrid::CgMultigrid(const std::string& name, std::string multigrid, std::string for_singular,
-                         const LinearSolverOptions& options)
-    : IterativeSolver(name, of_conjugate_gradients, options),
-      multigrid_(std::move(multigrid)),
-      for_singular_(std::move(for_singular)) {
-    petsc::check_options(name, options.engine_options);
-}
-
-CgMultigrid::~CgMultigrid() {
-    forget();
-}
 
 void CgMultigrid::forget() {
     if (!petsc::is_running())
