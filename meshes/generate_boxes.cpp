@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/permutation_sign.h"
 #include "base/random.h"
 #include "meshes/generate.h"
 #include "meshes/generate_parts.h"
@@ -40,14 +41,6 @@ void check_box(std::string_view generator, const std::vector<int>& cells,
     for (std::size_t k = 0; k < lengths.size(); ++k)
         check_length(generator, fmt::format("lengths[{}]", k), lengths[k]);
     check_sizes(generator, vertices, simplices, static_cast<int>(cells.size()));
-}
-
-bool is_odd(const std::vector<int>& permutation) {
-    int inversions = 0;
-    for (std::size_t i = 0; i < permutation.size(); ++i)
-        for (std::size_t j = i + 1; j < permutation.size(); ++j)
-            inversions += permutation[i] > permutation[j];
-    return inversions % 2 == 1;
 }
 
 /// A grid of boxes: points in lexicographic order, still without simplices.
@@ -110,7 +103,7 @@ Mesh kuhn(const std::vector<int>& cells, const std::vector<double>& lengths) {
         path[0] = 0;
         for (Index k = 0; k < n; ++k)
             path[k + 1] = path[k] + grid.stride[axes[k]];
-        if (is_odd(axes))
+        if (permutation_sign(axes) < 0)
             std::swap(path[0], path[1]);
         for (const Index origin : grid.origins)
             grid.mesh.simplices.row(simplex++) = path.array() + origin;

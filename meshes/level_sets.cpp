@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "base/permutation_sign.h"
 
 #include <fmt/format.h>
 
@@ -22,16 +23,6 @@ struct Crossing {
     Index level, low, high;
     auto operator<=>(const Crossing&) const = default;
 };
-
-/// How often a greater one stands before a smaller one, modulo 2.
-template <typename Number>
-bool is_odd(const std::vector<Number>& order) {
-    bool odd = false;
-    for (std::size_t i = 0; i < order.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            odd ^= order[j] > order[i];
-    return odd;
-}
 
 /// The ways through a lattice of p by q steps, each step along the first axis (0) or the second.
 std::vector<std::vector<int>> lattice_paths(int p, int q) {
@@ -91,7 +82,8 @@ private:
             if (std::adjacent_find(cell.begin(), cell.end()) != cell.end())
                 continue; // of no volume, at a corner that has the level
             // the way up, then the cell, make a positive simplex
-            if (n_ > 1 && (is_odd(places) ^ is_odd(path) ^ (p % 2 == 0)))
+            const double sign = permutation_sign(places) * permutation_sign(path);
+            if (n_ > 1 && sign == (p % 2 == 0 ? 1 : -1))
                 std::swap(cell[cell.size() - 2], cell.back());
             add(cell, s, level);
         }

@@ -2,11 +2,11 @@
 #include "dec/discretization/glued_box.h"
 
 #include "base/checks.h"
+#include "base/permutation_sign.h"
 #include "complex/blocks.h"
 #include "dec/merging/merged_cells.h"
 #include "dec/merging/merged_tags.h"
 #include "dec/metric/geometry.h"
-#include "dec/metric/permutation_sign.h"
 #include "dec/metric/plane.h"
 #include "dec/metric/simplex_faces.h"
 

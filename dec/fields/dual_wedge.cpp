@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "base/permutation_sign.h"
 #include "dec/fields/developed_cells.h"
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/fields/wedge.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/exterior_product.h"
-#include "dec/metric/permutation_sign.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/simplex_layout.h"

@@ -2,10 +2,10 @@
 #include "dec/fields/wedge.h"
 
 #include "base/errors.h"
+#include "base/permutation_sign.h"
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/metric/dual_parts.h"
-#include "dec/metric/permutation_sign.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
 

@@ -4,11 +4,11 @@
 #include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/permutation_sign.h"
 #include "dec/boundary/two_sided.h"
 #include "dec/fields/developed_cells.h"
 #include "dec/forms/input_units.h"
 #include "dec/metric/exterior_product.h"
-#include "dec/metric/permutation_sign.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/subsets.h"
 

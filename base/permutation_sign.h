@@ -5,7 +5,7 @@
 
 namespace polydec {
 
-/// Sign, 1 or -1, of the permutation that sorts a list of distinct numbers into ascending order.
+/// Sign, 1 or -1, of the permutation that sorts a list into ascending order, stably.
 inline double permutation_sign(const std::vector<int>& list) {
     double sign = 1;
     for (std::size_t i = 0; i < list.size(); ++i)
