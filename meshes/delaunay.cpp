@@ -4,6 +4,7 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
+#include "meshes/edges.h"
 #include "meshes/generate.h"
 
 #include <algorithm>
@@ -253,16 +254,12 @@ std::vector<Index> insertion_order(const Points& points, Index first, Random& ra
 }
 
 void check_volumes(const Mesh& mesh) {
-    const auto n = mesh.dimension();
     double sum = 0.0, least = 1.0, unit = 1.0;
-    for (int k = 2; k <= n; ++k)
+    for (int k = 2; k <= mesh.dimension(); ++k)
         unit /= k;
     for (Eigen::Index c = 0; c < mesh.simplices.rows(); ++c) {
-        DenseMatrix edges(n, n);
-        for (int i = 0; i < n; ++i)
-            edges.row(i) =
-                mesh.points.row(mesh.simplices(c, i + 1)) - mesh.points.row(mesh.simplices(c, 0));
-        const double volume = unit * edges.determinant();
+        const double volume =
+            unit * edges_at_first(mesh.points, mesh.simplices.row(c)).determinant();
         sum += volume;
         least = std::min(least, volume);
     }

@@ -13,4 +13,13 @@ using Edge = std::pair<Index, Index>; ///< the lesser end first
 /// The edges of all simplices, ascending, each once.
 std::vector<Edge> edges_of(const Simplices& simplices);
 
+/// The edges from corner 0 of a simplex to its other corners, one a row.
+template <class Corners>
+DenseMatrix edges_at_first(const Points& points, const Corners& corners) {
+    DenseMatrix edges(corners.size() - 1, points.cols());
+    for (Index i = 0; i < edges.rows(); ++i)
+        edges.row(i) = points.row(corners[i + 1]) - points.row(corners[0]);
+    return edges;
+}
+
 } // namespace polydec

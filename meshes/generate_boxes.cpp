@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/permutation_sign.h"
 #include "base/random.h"
+#include "meshes/edges.h"
 #include "meshes/generate.h"
 #include "meshes/generate_parts.h"
 #include "meshes/split_cells.h"
@@ -76,14 +77,9 @@ Boxes boxes(const std::vector<int>& cells, const std::vector<double>& lengths) {
 
 /// Turns simplices around whose determinant is negative.
 void orient(Mesh& mesh) {
-    const auto n = static_cast<Index>(mesh.points.cols());
-    DenseMatrix edges(n, n);
-    for (auto simplex : mesh.simplices.rowwise()) {
-        for (Index c = 0; c < n; ++c)
-            edges.row(c) = mesh.points.row(simplex[c + 1]) - mesh.points.row(simplex[0]);
-        if (edges.determinant() < 0.0)
+    for (auto simplex : mesh.simplices.rowwise())
+        if (edges_at_first(mesh.points, simplex).determinant() < 0.0)
             std::swap(simplex[0], simplex[1]);
-    }
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "complex/simplicial_complex.h"
 #include "meshes/distance.h"
+#include "meshes/edges.h"
 #include "meshes/tidy.h"
 
 #include <fmt/format.h>
@@ -20,11 +21,8 @@ namespace {
 
 /// Volume of a simplex times the factorial of its dimension.
 double parallelepiped(const Points& points, const std::vector<Index>& corners) {
-    const auto k = static_cast<Eigen::Index>(corners.size()) - 1;
-    DenseMatrix edges(points.cols(), k);
-    for (Eigen::Index i = 0; i < k; ++i)
-        edges.col(i) = (points.row(corners[i + 1]) - points.row(corners[0])).transpose();
-    return std::abs(triangular_factor(edges).diagonal().prod());
+    return std::abs(
+        triangular_factor(edges_at_first(points, corners).transpose()).diagonal().prod());
 }
 
 class Peeling {

@@ -3,6 +3,7 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "meshes/edges.h"
 
 #include <fmt/format.h>
 
@@ -138,13 +139,8 @@ void orient(const Points& points, int dimension, std::span<Index> simplices) {
     if (points.cols() != dimension)
         return;
     double volume = 0.0;
-    DenseMatrix edges(dimension, dimension);
-    for (std::size_t s = 0; s < simplices.size(); s += n + 1) {
-        for (int i = 0; i < dimension; ++i)
-            edges.row(i) = points.row(simplices[s + static_cast<std::size_t>(i) + 1]) -
-                           points.row(simplices[s]);
-        volume += edges.determinant();
-    }
+    for (std::size_t s = 0; s < simplices.size(); s += n + 1)
+        volume += edges_at_first(points, simplices.subspan(s, n + 1)).determinant();
     for (std::size_t s = 0; volume < 0 && s < simplices.size(); s += n + 1)
         std::swap(simplices[s], simplices[s + 1]);
 }

@@ -3,6 +3,7 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "meshes/edges.h"
 #include "meshes/point_tree.h"
 #include "meshes/rearrange.h"
 #include "meshes/tidy.h"
@@ -70,14 +71,6 @@ DistinctPlaces places_of(const Mesh& mesh) {
     }
     places.begins.push_back(static_cast<Index>(places.order.size()));
     return places;
-}
-
-/// Edges from corner 0 of a cell, one a row.
-DenseMatrix edges_at(const Points& points, const Index* corners, Index n) {
-    DenseMatrix edges(n, points.cols());
-    for (Index i = 0; i < n; ++i)
-        edges.row(i) = points.row(corners[i + 1]) - points.row(corners[0]);
-    return edges;
 }
 
 /// At most the least height of a cell: n! times its volume over the longest edge to the n-1.
@@ -216,7 +209,7 @@ private:
 
     bool is_turned(Index cell) const {
         const Index n = static_cast<Index>(cells_.cols()) - 1;
-        const Index* const corners = cells_.data() + cell * cells_.cols();
+        const auto corners = cells_.row(cell);
         Points moved(n + 1, scaled_.cols());
         double length = 0;
         bool moves = false;
@@ -229,7 +222,7 @@ private:
         }
         if (!moves || n == 0)
             return false;
-        const DenseMatrix before = edges_at(scaled_, corners, n);
+        const DenseMatrix before = edges_at_first(scaled_, corners);
         const DenseMatrix after = moved.bottomRows(n).rowwise() - moved.row(0);
         return !((before * after.transpose()).partialPivLu().determinant() > 0) &&
                thickness(before) > length;
