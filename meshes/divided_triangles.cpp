@@ -35,14 +35,10 @@ auto DividedEdges::of(Index a, Index b) const -> std::pair<Place, Place> {
             std::lower_bound(entries_.begin(), entries_.end(), std::pair(a, b + 1), before)};
 }
 
-namespace {
-
 Triangle ascending(Triangle corners) {
     std::sort(corners.begin(), corners.end());
     return corners;
 }
-
-} // namespace
 
 DividedTriangles::DividedTriangles(DividedEdges edges, std::vector<TrianglePart> tiles)
     : edges_(std::move(edges)), parts_(std::move(tiles)) {

@@ -12,6 +12,9 @@ namespace polydec {
 
 using Triangle = std::array<Index, 3>;
 
+/// The corners in ascending order.
+Triangle ascending(Triangle corners);
+
 /// A triangle and one of its parts.
 using TrianglePart = std::pair<Triangle, Triangle>;
 

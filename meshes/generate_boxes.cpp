@@ -136,8 +136,7 @@ Mesh split_boxes(const std::vector<int>& cells, const std::vector<double>& lengt
     }
     for (Index& corner : simplices)
         corner = vertex[corner];
-    grid.mesh.simplices = Eigen::Map<const Simplices>(simplices.data(), grid.mesh.simplices.rows(),
-                                                      grid.mesh.simplices.cols());
+    grid.mesh.simplices = simplices_of(simplices, n + 1);
     orient(grid.mesh);
     return std::move(grid.mesh);
 }

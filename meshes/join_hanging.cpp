@@ -73,17 +73,11 @@ std::vector<DividedEdges::Entry> on_edges(const OwnUnits& own, const HangingNode
     return entries;
 }
 
-Triangle ascending(Index a, Index b, Index c) {
-    Triangle corners{a, b, c};
-    std::sort(corners.begin(), corners.end());
-    return corners;
-}
-
 /// The faces of a tetrahedron; face i lacks corner i.
 std::array<Triangle, 4> faces_of(const Simplices& cells, Index cell) {
     const auto c = cells.row(cell);
-    return {ascending(c[1], c[2], c[3]), ascending(c[0], c[2], c[3]), ascending(c[0], c[1], c[3]),
-            ascending(c[0], c[1], c[2])};
+    return {ascending({c[1], c[2], c[3]}), ascending({c[0], c[2], c[3]}),
+            ascending({c[0], c[1], c[3]}), ascending({c[0], c[1], c[2]})};
 }
 
 /// Of cells with their edges divided, triangles that are divided too: cells of dimension 2, and
@@ -129,10 +123,8 @@ public:
         result.points.conservativeResize(vertices + std::ssize(centers_), Eigen::NoChange);
         for (Index i = 0; i < std::ssize(centers_); ++i)
             result.points.row(vertices + i) = center(mesh_.points, centers_[i]);
-        const auto width = mesh_.simplices.cols();
         follow_rows(result, rows_, static_cast<Index>(mesh_.simplices.rows()));
-        result.simplices =
-            Eigen::Map<const Simplices>(all_corners_.data(), std::ssize(rows_), width);
+        result.simplices = simplices_of(all_corners_, mesh_.simplices.cols());
         divide_facets(result.facet_tags);
         result.warnings.push_back(fmt::format("split {} {} at {} hanging {}", divided_.size(),
                                               divided_.size() == 1 ? "cell" : "cells", nodes,
@@ -255,13 +247,13 @@ private:
                 for (std::size_t i = 1; i < way.size(); ++i)
                     corners.insert(corners.end(), {way[i - 1], way[i]});
             } else {
-                for (const Triangle& part : triangles_.parts(ascending(c[0], c[1], c[2])))
+                for (const Triangle& part : triangles_.parts(ascending({c[0], c[1], c[2]})))
                     corners.insert(corners.end(), part.begin(), part.end());
             }
             tags.resize(corners.size() / static_cast<std::size_t>(width), facets.tags[f]);
         }
         if (facets.simplices.rows() > 0)
-            facets = {Eigen::Map<const Simplices>(corners.data(), std::ssize(tags), width), tags};
+            facets = {simplices_of(corners, width), tags};
     }
 
     const Mesh& mesh_;

@@ -28,6 +28,11 @@ bool fits(const GroupName& group, int dimension) {
 
 } // namespace
 
+Simplices simplices_of(const std::vector<Index>& vertices, Eigen::Index width) {
+    const auto rows = width > 0 ? std::ssize(vertices) / width : 0;
+    return Eigen::Map<const Simplices>(vertices.data(), rows, width);
+}
+
 InputCells followed(const InputCells& cells, const std::vector<Index>& rows, Index count) {
     if (cells.of_simplices.empty())
         return {rows, count};

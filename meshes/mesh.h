@@ -58,6 +58,9 @@ struct Mesh {
     int dimension() const { return static_cast<int>(simplices.cols()) - 1; }
 };
 
+/// Simplices with this many vertices each, from all their vertices in order.
+Simplices simplices_of(const std::vector<Index>& vertices, Eigen::Index width);
+
 /// The input cells of simplices that are cells of these rows, or parts of them.
 InputCells followed(const InputCells& cells, const std::vector<Index>& rows, Index count);
 

@@ -280,11 +280,6 @@ bool are_triangles(const PolygonMesh& polygons) {
     return true;
 }
 
-Simplices simplices_from(const std::vector<Index>& corners) {
-    const auto rows = static_cast<Eigen::Index>(corners.size() / 3);
-    return Eigen::Map<const Simplices>(corners.data(), rows, 3);
-}
-
 } // namespace
 
 void check_polygons(const PolygonMesh& polygons) {
@@ -320,14 +315,14 @@ Mesh split_polygons(PolygonMesh polygons) {
     check_polygons(polygons);
     Mesh mesh;
     if (are_triangles(polygons)) {
-        mesh.simplices = simplices_from(polygons.corners);
+        mesh.simplices = simplices_of(polygons.corners, 3);
         mesh.tags = std::move(polygons.tags);
     } else {
         Tallies tallies;
         PolygonSplitting splitting(polygons, tallies);
         splitting.split();
         std::vector<Index> faces;
-        mesh.simplices = simplices_from(splitting.triangles(faces));
+        mesh.simplices = simplices_of(splitting.triangles(faces), 3);
         mesh.tags = std::move(polygons.tags);
         follow_rows(mesh, faces, static_cast<Index>(polygons.offsets.size()) - 1);
         mesh.warnings = warnings_of(tallies);

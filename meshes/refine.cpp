@@ -199,7 +199,7 @@ void Refining::divide(const Part& whole, const Emit& emit) {
 }
 
 Simplices Refining::rows() const {
-    return Eigen::Map<const Simplices>(corners_.data(), std::ssize(parents_), whole_.cols());
+    return simplices_of(corners_, whole_.cols());
 }
 
 const std::vector<std::array<Index, 2>>& Refining::ends() const {
@@ -222,8 +222,7 @@ TaggedSimplices Refining::facets(const TaggedSimplices& whole) {
             corners.insert(corners.end(), part.corners.begin(), part.corners.end());
             result.tags.push_back(whole.tags[row]);
         });
-    result.simplices = Eigen::Map<const Simplices>(corners.data(), std::ssize(result.tags),
-                                                   whole.simplices.cols());
+    result.simplices = simplices_of(corners, whole.simplices.cols());
     return result;
 }
 

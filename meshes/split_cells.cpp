@@ -111,11 +111,6 @@ private:
     std::vector<Index> apexes_;
 };
 
-Simplices simplices_of(const std::vector<Index>& corners, int dimension) {
-    const auto rows = static_cast<Eigen::Index>(corners.size()) / (dimension + 1);
-    return Eigen::Map<const Simplices>(corners.data(), rows, dimension + 1);
-}
-
 std::span<const Index> corners_of(const std::vector<Index>& corners,
                                   const std::vector<Index>& offsets, std::size_t cell) {
     const auto begin = static_cast<std::size_t>(offsets[cell]);
@@ -175,7 +170,7 @@ Mesh split_solids(PolygonMesh cells, int dimension) {
     mesh.tags = std::move(cells.tags);
     follow_rows(mesh, cells_of, static_cast<Index>(cells.offsets.size()) - 1);
     mesh.points = std::move(cells.points);
-    mesh.simplices = simplices_of(simplices, dimension);
+    mesh.simplices = simplices_of(simplices, dimension + 1);
     if (split.count > 0) {
         mesh.warnings.push_back(fmt::format(
             "split {} into tetrahedra; the first is cell {}",
@@ -237,7 +232,7 @@ TaggedSimplices pull_tagged(int dimension, const std::vector<Index>& corners,
         result.tags.resize(simplices.size() / (static_cast<std::size_t>(dimension) + 1),
                            tags[cell]);
     }
-    result.simplices = simplices_of(simplices, dimension);
+    result.simplices = simplices_of(simplices, dimension + 1);
     return result;
 }
 
