@@ -139,14 +139,13 @@ private:
         const auto avoided = avoided_.find(face);
         const bool fits = splitter_.split(
             corners, avoided == avoided_.end() ? std::vector<EdgeEnds>() : avoided->second);
-        if (!fits) {
+        if (!fits)
             throw InvalidInput(fmt::format("face {} has {} corners, and a fan of triangles from "
                                            "its lowest-numbered corner does not fill it; expected "
                                            "at most {} corners in this case; split the face first",
                                            face, corners.size(),
                                            PolygonSplitter::most_corners_without_fan),
                                {.degree = 2, .cells = {static_cast<Index>(face)}});
-        }
         std::copy(splitter_.triangles().begin(), splitter_.triangles().end(),
                   triangles_.begin() + static_cast<std::ptrdiff_t>(range(face, 2).first));
         std::copy(splitter_.diagonals().begin(), splitter_.diagonals().end(),
@@ -254,22 +253,19 @@ std::string counted(std::size_t count, const char* singular, const char* plural)
 
 std::vector<std::string> warnings_of(const Tallies& tallies) {
     std::vector<std::string> warnings;
-    if (tallies.too_small.count > 0) {
+    if (tallies.too_small.count > 0)
         warnings.push_back(fmt::format(
             "left out {} with fewer than three corners; the first is face {}",
             counted(tallies.too_small.count, "face", "faces"), tallies.too_small.first_face));
-    }
-    if (tallies.repeats.count > 0) {
+    if (tallies.repeats.count > 0)
         warnings.push_back(
             fmt::format("removed {} from polygons; the first is in face {}",
                         counted(tallies.repeats.count, "repeated corner", "repeated corners"),
                         tallies.repeats.first_face));
-    }
-    if (tallies.split.count > 0) {
+    if (tallies.split.count > 0)
         warnings.push_back(fmt::format(
             "split {} with more than three corners into triangles; the first is face {}",
             counted(tallies.split.count, "polygon", "polygons"), tallies.split.first_face));
-    }
     return warnings;
 }
 
@@ -286,16 +282,14 @@ void check_polygons(const PolygonMesh& polygons) {
     const auto& offsets = polygons.offsets;
     if (offsets.empty() || offsets.front() != 0 ||
         static_cast<std::size_t>(offsets.back()) != polygons.corners.size() ||
-        !std::is_sorted(offsets.begin(), offsets.end())) {
+        !std::is_sorted(offsets.begin(), offsets.end()))
         throw InvalidInput(fmt::format("the offsets of the polygons must ascend from 0 to the "
                                        "number of corners, {}",
                                        polygons.corners.size()));
-    }
-    if (!polygons.tags.empty() && polygons.tags.size() + 1 != offsets.size()) {
+    if (!polygons.tags.empty() && polygons.tags.size() + 1 != offsets.size())
         throw InvalidInput(
             fmt::format("{} tags are given for {} faces; expected one for each face, or none",
                         polygons.tags.size(), offsets.size() - 1));
-    }
     for (std::size_t i = 0; i < polygons.corners.size(); ++i) {
         const Index corner = polygons.corners[i];
         if (corner < 0 || corner >= polygons.points.rows()) {

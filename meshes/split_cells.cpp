@@ -148,14 +148,13 @@ Mesh split_solids(PolygonMesh cells, int dimension) {
     for (std::size_t cell = 0; cell + 1 < cells.offsets.size(); ++cell) {
         const auto corners = corners_of(cells.corners, cells.offsets, cell);
         const auto* const shape = cell_shape(dimension, corners.size());
-        if (shape == nullptr) {
+        if (shape == nullptr)
             throw InvalidInput(
                 fmt::format(
                     "cell {} has {} corners; expected {} (simplex) or, in space, 5 (pyramid), 6 "
                     "(wedge), 8 (hexahedron), 10 or 12 (prism); split the cell first",
                     cell, corners.size(), dimension + 1),
                 {.degree = dimension, .cells = {static_cast<Index>(cell)}});
-        }
         const auto before = simplices.size();
         pull_cell(*shape, corners, simplices);
         if (simplices.size() == before)
@@ -171,16 +170,14 @@ Mesh split_solids(PolygonMesh cells, int dimension) {
     follow_rows(mesh, cells_of, static_cast<Index>(cells.offsets.size()) - 1);
     mesh.points = std::move(cells.points);
     mesh.simplices = simplices_of(simplices, dimension + 1);
-    if (split.count > 0) {
+    if (split.count > 0)
         mesh.warnings.push_back(fmt::format(
             "split {} into tetrahedra; the first is cell {}",
             split.count == 1 ? "1 solid" : fmt::format("{} solids", split.count), split.first));
-    }
-    if (flat.count > 0) {
+    if (flat.count > 0)
         mesh.warnings.push_back(fmt::format(
             "left out {} with too few different corners; the first is cell {}",
             flat.count == 1 ? "1 solid" : fmt::format("{} solids", flat.count), flat.first));
-    }
     return mesh;
 }
 

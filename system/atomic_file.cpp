@@ -104,10 +104,9 @@ AtomicFile::AtomicFile(const std::filesystem::path& target)
     check_replaceable(target);
     struct stat status {};
     const bool exists = ::stat(final_.c_str(), &status) == 0;
-    if (!temporary_.has_place()) {
+    if (!temporary_.has_place())
         refuse(target, fmt::format("{} files are already open for writing; write fewer at a time",
                                    Unfinished::most));
-    }
     file_ = create(temporary_, final_.parent_path());
     if (file_ < 0) {
         const auto reason = system_reason();

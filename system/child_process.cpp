@@ -295,10 +295,9 @@ ChildOutcome run_child(const std::filesystem::path& program,
     outcome.end = watch(child, output.read.number(), outcome.output, limits, held);
     int status = 0;
     rusage usage{};
-    if (!child.reap(&status, &usage)) {
+    if (!child.reap(&status, &usage))
         throw IoError(fmt::format("the system did not report how {} ended: do not ignore SIGCHLD",
                                   program.string()));
-    }
     outcome.peak_bytes = peak_bytes(usage);
     if (outcome.end == ChildEnd::exited && WIFSIGNALED(status))
         outcome.end = ChildEnd::signaled;

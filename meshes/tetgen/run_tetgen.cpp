@@ -35,11 +35,10 @@ struct TetgenRun {
 
 fs::path require_program() {
     const auto program = find_program("tetgen");
-    if (!program) {
+    if (!program)
         throw BackendUnavailable("the mesher `tetgen` needs the program tetgen, which is not on "
                                  "PATH\nTo get it: apt-get install tetgen (Debian package "
                                  "tetgen).");
-    }
     return *program;
 }
 
@@ -94,11 +93,10 @@ void refuse_crossing_facets(const TetgenRun& run) {
         return;
     constexpr std::size_t most = 5;
     std::string names;
-    for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i)
         names += fmt::format("{}{} and {}", i == 0 ? "" : ", ",
                              facet_name(run.input.given, pairs[i].first),
                              facet_name(run.input.given, pairs[i].second));
-    }
     throw InvalidInput(
         fmt::format("mesher: {} {} of facets cross or overlap: {}{}\n"
                     "Facets may meet only in common corners and edges: repair the surface there.",
@@ -110,12 +108,11 @@ void refuse_crossing_facets(const TetgenRun& run) {
     const auto& options = run.options;
     if (outcome.end == ChildEnd::interrupted)
         throw SolverFailure("tetgen was stopped because this program received a signal to end");
-    if (outcome.end == ChildEnd::timed_out) {
+    if (outcome.end == ChildEnd::timed_out)
         throw SolverFailure(
             fmt::format("tetgen was stopped because it did not finish within {} seconds\n"
                         "Allow more time, larger tetrahedra or less quality.",
                         options.seconds));
-    }
 
     refuse_crossing_facets(run);
 
@@ -124,12 +121,11 @@ void refuse_crossing_facets(const TetgenRun& run) {
     const bool file_too_long = was_killed && outcome.code == SIGXFSZ;
     const bool no_memory = outcome.output.find("bad_alloc") != std::string::npos ||
                            outcome.peak_bytes > options.bytes / 2;
-    if (was_killed && (file_too_long || no_memory)) {
+    if (was_killed && (file_too_long || no_memory))
         throw SolverFailure(
             fmt::format("tetgen failed, probably at its memory limit of {}; it used {}\n"
                         "Allow more memory, larger tetrahedra or less quality.",
                         in_gibibytes(options.bytes), in_gibibytes(outcome.peak_bytes)));
-    }
     const auto words = last_words(outcome.output);
     throw SolverFailure(
         fmt::format("tetgen {} {}{}\n"

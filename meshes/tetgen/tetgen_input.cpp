@@ -17,16 +17,14 @@ constexpr double height_tolerance = 1e-12; // of triangles and of the whole, rel
 constexpr double winding_tolerance = 1e-6; // of holes that are off the surface
 
 void check_finite(const Points& points, const char* kind) {
-    if (points.rows() > 0 && points.cols() != 3) {
+    if (points.rows() > 0 && points.cols() != 3)
         throw InvalidInput(
             fmt::format("mesher: a {} has {} coordinates; expected three", kind, points.cols()));
-    }
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
-        if (!points.row(i).allFinite()) {
+        if (!points.row(i).allFinite())
             throw InvalidInput(fmt::format("mesher: {} {} is at ({}, {}, {}): coordinates must be "
                                            "finite",
                                            kind, i, points(i, 0), points(i, 1), points(i, 2)));
-        }
     }
 }
 
@@ -41,16 +39,14 @@ void check_corners(const Mesh& surface) {
     for (Index f = 0; f < given.rows(); ++f) {
         for (int j = 0; j < 3; ++j) {
             const Index corner = given(f, j);
-            if (corner < 0 || corner >= surface.points.rows()) {
+            if (corner < 0 || corner >= surface.points.rows())
                 refuse(fmt::format("mesher: facet {} has the corner {}; expected 0 to {}", f,
                                    corner, surface.points.rows() - 1),
                        given, f);
-            }
-            if (corner == given(f, (j + 1) % 3)) {
+            if (corner == given(f, (j + 1) % 3))
                 refuse(fmt::format("mesher: facet {} has the corner {} twice", facet_name(given, f),
                                    corner),
                        given, f);
-            }
         }
     }
 }
@@ -71,12 +67,11 @@ void check_distinct(const Points& points, std::vector<Index> used) {
     std::stable_sort(used.begin(), used.end(), less);
     const auto twin =
         std::adjacent_find(used.begin(), used.end(), [&](Index a, Index b) { return !less(a, b); });
-    if (twin != used.end()) {
+    if (twin != used.end())
         throw InvalidInput(fmt::format("mesher: points {} and {} are both at ({}, {}, {}): join "
                                        "them",
                                        twin[0], twin[1], points(*twin, 0), points(*twin, 1),
                                        points(*twin, 2)));
-    }
 }
 
 /// Moves points and holes to a unit near the surface's size. Holes far outside stay there.
@@ -120,12 +115,11 @@ void check_closed(const TetgenInput& input) {
     const auto& odd = input.surface.odd_edges;
     if (!odd.empty()) {
         std::string names;
-        for (std::size_t i = 0; i < std::min<std::size_t>(3, odd.size()); ++i) {
+        for (std::size_t i = 0; i < std::min<std::size_t>(3, odd.size()); ++i)
             names += fmt::format("{}edge {} {} in {} (facet {})", i == 0 ? "" : ", ",
                                  input.vertices[static_cast<std::size_t>(odd[i].low)],
                                  input.vertices[static_cast<std::size_t>(odd[i].high)],
                                  odd[i].triangles, odd[i].first);
-        }
         throw InvalidInput(fmt::format("mesher: the surface is not closed: each edge must be in "
                                        "two facets, but {} of them {} not\n"
                                        "{}{}\n"
@@ -136,11 +130,10 @@ void check_closed(const TetgenInput& input) {
 }
 
 void check_sides(const TetgenInput& input) {
-    if (const Index f = input.surface.twisted; f >= 0) {
+    if (const Index f = input.surface.twisted; f >= 0)
         refuse(fmt::format("mesher: the surface at facet {} has only one side and encloses nothing",
                            facet_name(input.given, f)),
                input.given, f);
-    }
 }
 
 /// A hole says which part stays empty, so it must be clear where it is.
@@ -153,21 +146,19 @@ void empty_holes(TetgenInput& input) {
         const bool is_on_surface = std::ranges::any_of(turns, [](double part) {
             return std::abs(part - std::round(part)) > winding_tolerance;
         });
-        if (is_on_surface) {
+        if (is_on_surface)
             throw InvalidInput(
                 fmt::format("mesher: hole {} is on a facet: move it to the inside", hole));
-        }
         std::size_t innermost = volumes.size();
         for (std::size_t part = 0; part < volumes.size(); ++part) {
             const bool is_around = std::round(turns[part]) != 0.0;
             if (is_around && (innermost == volumes.size() || volumes[part] < volumes[innermost]))
                 innermost = part;
         }
-        if (innermost == volumes.size()) {
+        if (innermost == volumes.size())
             throw InvalidInput(fmt::format("mesher: hole {} is outside all surfaces: move it "
                                            "inside the part to leave empty, or remove it",
                                            hole));
-        }
         input.filled[innermost] = false;
     }
 }
@@ -210,10 +201,9 @@ TetgenInput tetgen_input(const Mesh& surface, const Points& holes) {
 
     TetgenInput input;
     input.vertices = used_vertices(surface.simplices);
-    if (input.vertices.size() < 4) {
+    if (input.vertices.size() < 4)
         throw InvalidInput(fmt::format("mesher: there are {} points; a tetrahedron needs four",
                                        input.vertices.size()));
-    }
     check_distinct(surface.points, input.vertices);
     input.points = surface.points(input.vertices, Eigen::indexing::all);
     input.holes = holes;

@@ -51,14 +51,13 @@ void check_form(const TetgenInput& input, const TetgenOutput& output) {
 void check_points_kept(const TetgenInput& input, const TetgenOutput& output) {
     for (Eigen::Index i = 0; i < input.points.rows(); ++i) {
         const auto given = input.points.row(i);
-        if (i >= output.points.rows() || output.points.row(i) != given) {
+        if (i >= output.points.rows() || output.points.row(i) != given)
             throw SolverFailure(fmt::format(
                 "tetgen left out point {} at ({}, {}, {})\n"
                 "Probable cause: its distance from another point is below 1e-8 of the size of the "
                 "whole, or it lies in a hole; join it or move it.",
                 input.vertices[static_cast<std::size_t>(i)], std::ldexp(given[0], input.exponent),
                 std::ldexp(given[1], input.exponent), std::ldexp(given[2], input.exponent)));
-        }
     }
 }
 
@@ -69,10 +68,9 @@ double sum_of_positive_volumes(const TetgenOutput& output) {
             return output.points.row(output.tetrahedra(cell, i));
         };
         const int sign = tetrahedron_sign(corner(0), corner(1), corner(2), corner(3));
-        if (sign <= 0) {
+        if (sign <= 0)
             refuse_output(fmt::format("{} is {}", cell_name(output, cell),
                                       sign < 0 ? "turned inside out" : "flat"));
-        }
         sum +=
             (corner(1) - corner(0)).cross(corner(2) - corner(0)).dot(corner(3) - corner(0)) / 6.0;
     }
@@ -93,30 +91,27 @@ void check_planes(const TetgenInput& input, const TetgenOutput& output) {
         const auto plane = triangle_plane(input.points, input.triangles, static_cast<Index>(patch));
         found[patch] += triangle_plane(output.points, output.faces, i).area;
         for (const Index corner : output.faces.row(i)) {
-            if (plane.height(output.points.row(corner)) > patch_tolerance * plane.size) {
+            if (plane.height(output.points.row(corner)) > patch_tolerance * plane.size)
                 refuse_output(fmt::format(
                     "tetgen reports point {} on facet {}, but the point is off its plane", corner,
                     facet_name(input.given, facet)));
-            }
         }
     }
     for (std::size_t f = 0; f < areas.size(); ++f) {
-        if (std::abs(found[f] - areas[f]) > patch_tolerance * areas[f]) {
+        if (std::abs(found[f] - areas[f]) > patch_tolerance * areas[f])
             refuse_output(fmt::format("facet {} is covered {:.9g} times",
                                       facet_name(input.given, static_cast<Index>(f)),
                                       found[f] / areas[f]));
-        }
     }
 }
 
 /// The faces on the surface as one of their own.
 ClosedSurface closed_faces(const TetgenOutput& output) {
     auto result = closed_surface(output.points, output.faces);
-    if (!result.odd_edges.empty() || result.twisted >= 0) {
+    if (!result.odd_edges.empty() || result.twisted >= 0)
         refuse_output(fmt::format("the faces on the facets do not close at point {}",
                                   result.twisted >= 0 ? output.faces(result.twisted, 0)
                                                       : result.odd_edges.front().low));
-    }
     return result;
 }
 
@@ -168,11 +163,10 @@ Filling filling_of(const TetgenOutput& output, const ClosedSurface& surface) {
                 continue;
             }
             Index& cell = cells[sign > 0 ? 1 : 0];
-            if (cell >= 0) {
+            if (cell >= 0)
                 refuse_output(fmt::format("{} and {} are on the same side of a face",
                                           cell_name(output, std::min(cell, i / 4)),
                                           cell_name(output, std::max(cell, i / 4))));
-            }
             cell = i / 4;
         }
         if (on_surface >= 0) {
@@ -196,11 +190,10 @@ double check_filled(const TetgenInput& input, const TetgenOutput& output,
         const auto part =
             static_cast<std::size_t>(input.surface.part[static_cast<std::size_t>(facet)]);
         const auto [inner, outer] = filling.at_faces[i];
-        if (inner != input.filled[part]) {
+        if (inner != input.filled[part])
             refuse_output(fmt::format("the inside at facet {} is {}",
                                       facet_name(input.given, facet),
                                       inner ? "filled in spite of a hole" : "left empty"));
-        }
         shares[part] = static_cast<int>(inner) - static_cast<int>(outer);
     }
     if (filling.ends_elsewhere)
@@ -221,11 +214,10 @@ void check_tetgen_output(const TetgenInput& input, const TetgenOutput& output) {
     check_planes(input, output);
     check_parts(input, output, faces);
     const double enclosed = check_filled(input, output, faces);
-    if (!(std::abs(enclosed - volume) <= patch_tolerance * input.surface.reach)) {
+    if (!(std::abs(enclosed - volume) <= patch_tolerance * input.surface.reach))
         refuse_output(fmt::format("the tetrahedra have volume {:.12g}, but the surface encloses "
                                   "{:.12g}, in units of a power of two near the size of the whole",
                                   volume, enclosed));
-    }
 }
 
 } // namespace polydec
