@@ -77,24 +77,16 @@ std::string first_line(const std::string& message) {
     return message.substr(0, message.find('\n'));
 }
 
-/// What was missed first, for take_missed_engines().
-struct Missed {
-    std::mutex mutex;
-    bool is_noted = false;
-    std::string text = {};
-};
-
-Missed& missed() {
-    static Missed instance;
-    return instance;
-}
+// What was missed first, for take_missed_engines().
+std::mutex missed_mutex;
+std::optional<std::string> missed;
 
 void note_missed_engines(const SparseMatrix& A, const MatrixFacts& facts) {
-    const std::lock_guard lock(missed().mutex);
-    if (missed().is_noted)
+    const std::lock_guard lock(missed_mutex);
+    if (missed)
         return;
-    missed().text = missed_engines(A, facts);
-    missed().is_noted = !missed().text.empty();
+    if (auto text = missed_engines(A, facts); !text.empty())
+        missed = std::move(text);
 }
 
 } // namespace
@@ -128,8 +120,8 @@ std::string missed_engines(const SparseMatrix& A, const MatrixFacts& facts) {
 }
 
 std::string take_missed_engines() {
-    const std::lock_guard lock(missed().mutex);
-    return std::exchange(missed().text, {});
+    const std::lock_guard lock(missed_mutex);
+    return missed ? std::exchange(*missed, {}) : std::string{};
 }
 
 void AutoSolver::factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) {
@@ -162,10 +154,8 @@ bool AutoSolver::succeeds(Work work) {
     try {
         work();
         return true;
-    } catch (const OutOfMemory& failure) {
-        lacks_memory_ = true;
-        failures_.push_back(first_line(failure.what()));
     } catch (const SolverFailure& failure) {
+        lacks_memory_ |= dynamic_cast<const OutOfMemory*>(&failure) != nullptr;
         failures_.push_back(first_line(failure.what()));
     } catch (const BackendUnavailable& failure) {
         failures_.push_back(first_line(failure.what()));

@@ -152,6 +152,28 @@ void scale_entries(SparseMatrix& A, int exponent) {
     }
 }
 
+LongVector multiply(const SparseMatrix& A, bool exact_products, const Vector& x, Vector& error) {
+    LongVector y(A.rows());
+    error.resize(A.rows());
+    for (Index i = 0; i < A.rows(); ++i) {
+        long double sum = 0;
+        double sizes = 0;
+        bool is_first = true;
+        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry) {
+            const long double product = static_cast<long double>(entry.value()) * x[entry.col()];
+            sum += product;
+            if (!is_first)
+                sizes += static_cast<double>(std::abs(sum));
+            if (!exact_products)
+                sizes += static_cast<double>(std::abs(product));
+            is_first = false;
+        }
+        y[i] = sum;
+        error[i] = unit_roundoff() * sizes;
+    }
+    return y;
+}
+
 ScaledPart::ScaledPart(const GramPart& part, const Vector& rows, const Vector& columns)
     : F_(rows.asDiagonal() * part.F * columns.asDiagonal()),
       F_error_(part.F_error.size() == 0
@@ -167,9 +189,8 @@ void ScaledPart::scale(int exponent) {
 }
 
 void ScaledPart::add_to(Image& image, const Vector& x) const {
-    LongVector Fx;
     Vector error;
-    multiply(F_, exact_products_, x, Fx, error);
+    const LongVector Fx = multiply(F_, exact_products_, x, error);
     error += F_error_ * x.cwiseAbs();
     Vector unknown = Vector::Zero(error.size());
     const LongVector weighed = weigh(Fx, error, unknown, image);

@@ -78,27 +78,6 @@ void scale_entries(SparseMatrix& A, int exponent);
 
 /// A x, and a bound on its error. Differences of neighboring values are exact, so the partial sums
 /// dominate.
-template <class Result>
-void multiply(const SparseMatrix& A, bool exact_products, const Vector& x, Result& y,
-              Vector& error) {
-    y.resize(A.rows());
-    error.resize(A.rows());
-    for (Index i = 0; i < A.rows(); ++i) {
-        typename Result::Scalar sum = 0;
-        double sizes = 0;
-        bool is_first = true;
-        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry) {
-            const auto product = typename Result::Scalar(entry.value()) * x[entry.col()];
-            sum += product;
-            if (!is_first)
-                sizes += static_cast<double>(std::abs(sum));
-            if (!exact_products)
-                sizes += static_cast<double>(std::abs(product));
-            is_first = false;
-        }
-        y[i] = sum;
-        error[i] = unit_roundoff() * sizes;
-    }
-}
+LongVector multiply(const SparseMatrix& A, bool exact_products, const Vector& x, Vector& error);
 
 } // namespace polydec

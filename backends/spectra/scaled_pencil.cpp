@@ -229,7 +229,7 @@ void ScaledPencil::add_hidden(Doubt& doubt, const Vector& scaling, Vector& sums)
 Image ScaledPencil::apply(const Vector& x) const {
     Image image{LongVector::Zero(x.size()), Vector::Zero(x.size()), Vector::Zero(x.size())};
     if (C_.size() > 0) {
-        multiply(C_, false, x, image.Ax, image.rounding);
+        image.Ax = multiply(C_, false, x, image.rounding);
         image.doubt = image.rounding;
         image.energy = std::numeric_limits<double>::infinity();
     }
