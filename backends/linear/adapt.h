@@ -15,17 +15,12 @@ namespace polydec {
 namespace detail {
 
 template <typename Solver>
-struct MatrixOf {
-    using Type = SparseMatrix;
-};
-
-template <typename Solver>
-requires requires {
-    typename Solver::MatrixType;
+auto matrix_of() {
+    if constexpr (requires { typename Solver::MatrixType; })
+        return std::remove_cvref_t<typename Solver::MatrixType>();
+    else
+        return SparseMatrix();
 }
-struct MatrixOf<Solver> {
-    using Type = std::remove_cvref_t<typename Solver::MatrixType>;
-};
 
 template <typename Solver>
 class AdaptedSolver final : public CheckedSolver {
@@ -73,7 +68,7 @@ private:
             return 0;
     }
 
-    typename MatrixOf<Solver>::Type matrix_;
+    decltype(matrix_of<Solver>()) matrix_;
     Solver solver_;
 };
 

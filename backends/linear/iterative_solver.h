@@ -5,8 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <string>
-#include <utility>
+#include <algorithm>
 
 namespace polydec {
 
@@ -21,7 +20,18 @@ protected:
     /// SolverFailure, made by fail(), if it does not converge.
     virtual Index iterate(const Vector& b, Eigen::Ref<Vector> x) = 0;
 
-    Solution apply_inverse(const DenseMatrix& B) final;
+    Solution apply_inverse(const DenseMatrix& B) final {
+        Solution solution{DenseMatrix::Zero(B.rows(), B.cols())};
+        for (Eigen::Index j = 0; j < B.cols(); ++j) {
+            const double scale = B.col(j).lpNorm<Eigen::Infinity>();
+            if (scale == 0.0)
+                continue;
+            auto x = solution.columns.col(j);
+            solution.iterations = std::max(solution.iterations, iterate(B.col(j) / scale, x));
+            x *= scale;
+        }
+        return solution;
+    }
 };
 
 /// The capabilities of conjugate gradients.
