@@ -27,16 +27,16 @@ struct AdditiveTable {
 
 /// 5(4), seven stages; the last stage is the first of the next step. Source: Dormand and Prince
 /// 1980.
-const AdditiveTable& dormand_prince();
+AdditiveTable dormand_prince();
 
 /// ARK4(3)6L[2]SA: the implicit part is L-stable, with an explicit first stage; the last stage ends
 /// the step. Source: Kennedy and Carpenter 2003.
-const AdditiveTable& kennedy_carpenter();
+AdditiveTable kennedy_carpenter();
 
 /// Backward Euler, and the implicit midpoint rule, which for a linear g alone is the Crank-Nicolson
 /// scheme. With f, the pairs (1,2,1) and (1,2,2), of orders 1 and 2. Source: Ascher, Ruuth, Spiteri
 /// 1997.
-const AdditiveTable& backward_euler();
-const AdditiveTable& implicit_midpoint();
+AdditiveTable backward_euler();
+AdditiveTable implicit_midpoint();
 
 } // namespace polydec

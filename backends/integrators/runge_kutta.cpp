@@ -24,10 +24,10 @@ constexpr double no_number = std::numeric_limits<double>::infinity();
 class RungeKutta final : public Integrator {
 public:
     /// By one table without a stiff part, and by another with one.
-    RungeKutta(const char* name, const IntegratorOptions& options, const AdditiveTable& plain,
-               const AdditiveTable& stiff)
-        : Integrator(name, options), plain_(plain), stiff_(stiff) {
-        if (stiff.embedded_order == 0 && !is_fixed())
+    RungeKutta(const char* name, const IntegratorOptions& options, AdditiveTable plain,
+               AdditiveTable stiff)
+        : Integrator(name, options), plain_(std::move(plain)), stiff_(std::move(stiff)) {
+        if (stiff_.embedded_order == 0 && !is_fixed())
             throw InvalidInput(fmt::format("{}: does not estimate errors, so all steps have one "
                                            "length: give a fixed_step above 0",
                                            name));
@@ -63,7 +63,7 @@ private:
     double lengthened(double factor) const;
     Arrival stop_at_event(double before, double after, Vector state);
 
-    const AdditiveTable &plain_, &stiff_;
+    AdditiveTable plain_, stiff_;
     const AdditiveTable* table_ = nullptr;
     double wanted_ = 0;     ///< length of the steps to come; 0: not known
     double last_error_ = 1; ///< of the last step

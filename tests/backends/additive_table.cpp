@@ -38,10 +38,10 @@ double defect(const AdditiveTable& table, const Vector& b, int order) {
 }
 
 TEST(additive_table, the_methods_have_their_orders) {
-    for (const auto* table : {&dormand_prince(), &kennedy_carpenter()}) {
-        EXPECT_LE(defect(*table, table->weights, 4), 1e-14);
-        const Vector embedded = table->weights - table->error_weights;
-        EXPECT_LE(defect(*table, embedded, table->embedded_order), 1e-14);
+    for (const auto& table : {dormand_prince(), kennedy_carpenter()}) {
+        EXPECT_LE(defect(table, table.weights, 4), 1e-14);
+        const Vector embedded = table.weights - table.error_weights;
+        EXPECT_LE(defect(table, embedded, table.embedded_order), 1e-14);
     }
     // the ninth condition of order 5, and the embedded method has it not
     const auto fifth = [](const Vector& b) {
