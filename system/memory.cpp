@@ -49,6 +49,13 @@ std::uint64_t machine_memory() {
         {of_machine(), of_process(RLIMIT_AS), of_process(RLIMIT_DATA), control_group_memory()});
 }
 
+std::int64_t peak_memory() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    constexpr std::int64_t kilo = 1024;
+    return kilo * usage.ru_maxrss;
+}
+
 std::uint64_t memory_limit() {
     return limit();
 }

@@ -13,6 +13,9 @@ namespace polydec {
 /// memory, or a lower limit on the process or on one of its control groups.
 std::uint64_t machine_memory();
 
+/// The most memory that this process has used so far, in bytes.
+std::int64_t peak_memory();
+
 /// Limit for check_memory, initially machine_memory(). Applies to the whole program.
 std::uint64_t memory_limit();
 void set_memory_limit(std::uint64_t bytes);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/time/run.h"
 
-#include "system/peak_memory.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 

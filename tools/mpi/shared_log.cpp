@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/mpi/shared_log.h"
 
-#include "system/peak_memory.h"
+#include "system/memory.h"
 
 #include <algorithm>
 #include <ctime>

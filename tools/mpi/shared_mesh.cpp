@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "distributed/mesh_file.h"
-#include "system/peak_memory.h"
+#include "system/memory.h"
 #include "tools/command_line.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
