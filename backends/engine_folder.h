@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 /// The modules of the optional engines, NAME.so for the engines NAME and NAME.anything, in the

@@ -23,7 +23,6 @@
 #include <system_error>
 #include <thread>
 #include <unistd.h>
-#include <utility>
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif

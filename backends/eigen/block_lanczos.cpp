@@ -3,8 +3,6 @@
 #include "backends/builtin_engines.h"
 #include "backends/eigen/dense_pairs.h"
 #include "backends/eigen/orthonormal_basis.h"
-#include "base/decompositions.h"
-#include "base/errors.h"
 #include "base/random.h"
 
 #include <algorithm>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "backends/component.h"
 #include "backends/eigen/slepc_session.h"
-#include "base/errors.h"
 
 #include <algorithm>
 #include <exception>
-#include <vector>
 
 namespace polydec {
 

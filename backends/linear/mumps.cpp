@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <dlfcn.h>
 #include <dmumps_c.h>
 #include <memory>

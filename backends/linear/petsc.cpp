@@ -4,12 +4,10 @@
 #include "backends/linear/petsc_options.h"
 #include "backends/linear/petsc_session.h"
 #include "base/decompositions.h"
-#include "base/errors.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <petscksp.h>
 #include <utility>
 #include <vector>

@@ -16,11 +16,7 @@ public:
     using Products = std::function<DenseMatrix(const DenseMatrix& X, const DenseMatrix& Y)>;
 
     /// Starts empty; values below `small` in size may be zero.
-    FoundPairs(
-        Index size, double small,
-        Products products = [](const DenseMatrix& X, const DenseMatrix& Y) -> DenseMatrix {
-            return transposed_product(X, Y);
-        })
+    FoundPairs(Index size, double small, Products products = transposed_product)
         : vectors_(size, 0), small_(small), products_(std::move(products)) {}
 
     Index count() const { return static_cast<Index>(values_.size()); }
