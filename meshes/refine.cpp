@@ -97,27 +97,128 @@ double least_parts(const DenseMatrix& squares, double limit) {
 class Refining {
 public:
     Refining(const LengthMesh& mesh, const Simplices& rows, std::vector<Index> vertices,
-             double longest);
+             double longest)
+        : unit_(std::exp2(std::ilogb(longest))), // so that square roots of squares are exact
+          limit_(std::pow(longest / unit_ * (1 + rounding), 2)),
+          whole_(rows),
+          of_vertices_(mesh.vertices),
+          of_corners_(static_cast<Index>(vertices.size())),
+          vertices_(std::move(vertices)) {
+        if (!(longest > 0) || !std::isfinite(longest))
+            throw InvalidInput(fmt::format(
+                "the length of edges is at most {:g}: expected a positive number", longest));
+        for (Index e = 0; e < mesh.edges.rows(); ++e)
+            squares_[key(mesh.edges(e, 0), mesh.edges(e, 1))] =
+                std::pow(mesh.lengths[e] / unit_, 2);
+        double least = 0;
+        for (Index row = 0; row < rows.rows(); ++row)
+            least += least_parts(part_of(rows, row).squares, limit_);
+        if (!(least <= most_simplices))
+            refuse(longest, "at least", least);
+        for (Index row = 0; row < rows.rows(); ++row)
+            divide(part_of(rows, row), [&](const Part& part) {
+                if (std::ssize(parents_) >= most_simplices)
+                    refuse(longest, "more than", most_simplices);
+                corners_.insert(corners_.end(), part.corners.begin(), part.corners.end());
+                parents_.push_back(row);
+            });
+        is_done_ = true;
+    }
 
-    Simplices rows() const;
+    Simplices rows() const { return simplices_of(corners_, whole_.cols()); }
     const std::vector<Index>& parents() const { return parents_; } ///< of the parts
     const std::vector<Index>& vertices() const { return vertices_; }
 
     /// With the middles of edges between corners.
-    Points points(Points points) const;
+    Points points(Points points) const {
+        const auto& ends = (vertices_.empty() ? of_vertices_ : of_corners_).ends();
+        Eigen::Index v = points.rows();
+        points.conservativeResize(v + std::ssize(ends), Eigen::NoChange);
+        for (const auto& [a, b] : ends)
+            points.row(v++) = points.row(a) / 2 + points.row(b) / 2;
+        return points;
+    }
 
     /// Facets are divided as the simplices around them; others stay.
-    TaggedSimplices facets(const TaggedSimplices& whole);
+    TaggedSimplices facets(const TaggedSimplices& whole) {
+        std::vector<Index> corners;
+        TaggedSimplices result;
+        for (Index row = 0; row < whole.simplices.rows(); ++row)
+            divide(part_of(whole.simplices, row), [&](const Part& part) {
+                corners.insert(corners.end(), part.corners.begin(), part.corners.end());
+                result.tags.push_back(whole.tags[row]);
+            });
+        result.simplices = simplices_of(corners, whole.simplices.cols());
+        return result;
+    }
 
-    LengthMesh lengths();
+    LengthMesh lengths() {
+        std::vector<std::pair<Edge, double>> edges;
+        for (Index row = 0; row < whole_.rows(); ++row)
+            divide(part_of(whole_, row), [&](const Part& part) {
+                for (int j = 1; j < part.squares.rows(); ++j)
+                    for (int i = 0; i < j; ++i)
+                        edges.emplace_back(std::minmax(part.vertices[i], part.vertices[j]),
+                                           unit_ * std::sqrt(part.squares(i, j)));
+            });
+        std::sort(edges.begin(), edges.end());
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        LengthMesh result{rows(), of_vertices_.end(), Simplices(std::ssize(edges), 2),
+                          Vector(std::ssize(edges))};
+        if (!vertices_.empty())
+            for (Index& corner : result.simplices.reshaped())
+                corner = vertices_[corner];
+        for (std::size_t e = 0; e < edges.size(); ++e) {
+            result.edges.row(Index(e)) << edges[e].first.first, edges[e].first.second;
+            result.lengths[Index(e)] = edges[e].second;
+        }
+        return result;
+    }
 
 private:
-    Part part_of(const Simplices& rows, Index row) const;
-    const std::vector<std::array<Index, 2>>& ends() const;
+    /// Without squares if these are no edges of the mesh.
+    Part part_of(const Simplices& rows, Index row) const {
+        Part result{{rows.row(row).begin(), rows.row(row).end()}, {}, {}};
+        for (const Index corner : result.corners)
+            result.vertices.push_back(vertices_.empty() ? corner : vertices_[corner]);
+        const int count = static_cast<int>(rows.cols());
+        result.squares = DenseMatrix::Zero(count, count);
+        for (int j = 1; j < count; ++j)
+            for (int i = 0; i < j; ++i) {
+                const auto found = squares_.find(key(result.vertices[i], result.vertices[j]));
+                if (found == squares_.end())
+                    return {std::move(result.corners), {}, {}};
+                result.squares(i, j) = result.squares(j, i) = found->second;
+            }
+        return result;
+    }
 
     /// Calls emit(part) for the parts in order. Once all simplices are divided, no middle is new.
     template <class Emit>
-    void divide(const Part& whole, const Emit& emit);
+    void divide(const Part& whole, const Emit& emit) {
+        int a = 0, b = 0;
+        const auto& v = whole.vertices;
+        for (int j = 1; j < whole.squares.rows(); ++j)
+            for (int i = 0; i < j; ++i)
+                if (whole.squares(i, j) > whole.squares(a, b) ||
+                    (whole.squares(i, j) == whole.squares(a, b) &&
+                     std::minmax(v[i], v[j]) < std::minmax(v[a], v[b])))
+                    a = i, b = j;
+        if (a == b || !(whole.squares(a, b) > limit_) ||
+            (is_done_ && !of_vertices_.contains(v[a], v[b]))) {
+            emit(whole);
+            return;
+        }
+        const Index vertex = of_vertices_.add(v[a], v[b]);
+        Index corner = vertex;
+        if (!vertices_.empty()) {
+            corner = of_corners_.add(whole.corners[a], whole.corners[b]);
+            if (corner == std::ssize(vertices_))
+                vertices_.push_back(vertex);
+        }
+        divide(half(whole, a, b, corner, vertex), emit);
+        divide(half(whole, b, a, corner, vertex), emit);
+    }
 
     double unit_, limit_;                               // of lengths, and of their squares in units
     std::unordered_map<std::uint64_t, double> squares_; // of the lengths of the mesh's edges
@@ -126,128 +227,6 @@ private:
     std::vector<Index> vertices_, corners_, parents_;
     bool is_done_ = false;
 };
-
-Refining::Refining(const LengthMesh& mesh, const Simplices& rows, std::vector<Index> vertices,
-                   double longest)
-    : unit_(std::exp2(std::ilogb(longest))), // so that square roots of squares are exact
-      limit_(std::pow(longest / unit_ * (1 + rounding), 2)),
-      whole_(rows),
-      of_vertices_(mesh.vertices),
-      of_corners_(static_cast<Index>(vertices.size())),
-      vertices_(std::move(vertices)) {
-    if (!(longest > 0) || !std::isfinite(longest))
-        throw InvalidInput(fmt::format(
-            "the length of edges is at most {:g}: expected a positive number", longest));
-    for (Index e = 0; e < mesh.edges.rows(); ++e)
-        squares_[key(mesh.edges(e, 0), mesh.edges(e, 1))] = std::pow(mesh.lengths[e] / unit_, 2);
-    double least = 0;
-    for (Index row = 0; row < rows.rows(); ++row)
-        least += least_parts(part_of(rows, row).squares, limit_);
-    if (!(least <= most_simplices))
-        refuse(longest, "at least", least);
-    for (Index row = 0; row < rows.rows(); ++row)
-        divide(part_of(rows, row), [&](const Part& part) {
-            if (std::ssize(parents_) >= most_simplices)
-                refuse(longest, "more than", most_simplices);
-            corners_.insert(corners_.end(), part.corners.begin(), part.corners.end());
-            parents_.push_back(row);
-        });
-    is_done_ = true;
-}
-
-/// Without squares if these are no edges of the mesh.
-Part Refining::part_of(const Simplices& rows, Index row) const {
-    Part result{{rows.row(row).begin(), rows.row(row).end()}, {}, {}};
-    for (const Index corner : result.corners)
-        result.vertices.push_back(vertices_.empty() ? corner : vertices_[corner]);
-    const int count = static_cast<int>(rows.cols());
-    result.squares = DenseMatrix::Zero(count, count);
-    for (int j = 1; j < count; ++j)
-        for (int i = 0; i < j; ++i) {
-            const auto found = squares_.find(key(result.vertices[i], result.vertices[j]));
-            if (found == squares_.end())
-                return {std::move(result.corners), {}, {}};
-            result.squares(i, j) = result.squares(j, i) = found->second;
-        }
-    return result;
-}
-
-template <class Emit>
-void Refining::divide(const Part& whole, const Emit& emit) {
-    int a = 0, b = 0;
-    const auto& v = whole.vertices;
-    for (int j = 1; j < whole.squares.rows(); ++j)
-        for (int i = 0; i < j; ++i)
-            if (whole.squares(i, j) > whole.squares(a, b) ||
-                (whole.squares(i, j) == whole.squares(a, b) &&
-                 std::minmax(v[i], v[j]) < std::minmax(v[a], v[b])))
-                a = i, b = j;
-    if (a == b || !(whole.squares(a, b) > limit_) ||
-        (is_done_ && !of_vertices_.contains(v[a], v[b]))) {
-        emit(whole);
-        return;
-    }
-    const Index vertex = of_vertices_.add(v[a], v[b]);
-    Index corner = vertex;
-    if (!vertices_.empty()) {
-        corner = of_corners_.add(whole.corners[a], whole.corners[b]);
-        if (corner == std::ssize(vertices_))
-            vertices_.push_back(vertex);
-    }
-    divide(half(whole, a, b, corner, vertex), emit);
-    divide(half(whole, b, a, corner, vertex), emit);
-}
-
-Simplices Refining::rows() const {
-    return simplices_of(corners_, whole_.cols());
-}
-
-const std::vector<std::array<Index, 2>>& Refining::ends() const {
-    return (vertices_.empty() ? of_vertices_ : of_corners_).ends();
-}
-
-Points Refining::points(Points points) const {
-    Eigen::Index v = points.rows();
-    points.conservativeResize(v + std::ssize(ends()), Eigen::NoChange);
-    for (const auto& [a, b] : ends())
-        points.row(v++) = points.row(a) / 2 + points.row(b) / 2;
-    return points;
-}
-
-TaggedSimplices Refining::facets(const TaggedSimplices& whole) {
-    std::vector<Index> corners;
-    TaggedSimplices result;
-    for (Index row = 0; row < whole.simplices.rows(); ++row)
-        divide(part_of(whole.simplices, row), [&](const Part& part) {
-            corners.insert(corners.end(), part.corners.begin(), part.corners.end());
-            result.tags.push_back(whole.tags[row]);
-        });
-    result.simplices = simplices_of(corners, whole.simplices.cols());
-    return result;
-}
-
-LengthMesh Refining::lengths() {
-    std::vector<std::pair<Edge, double>> edges;
-    for (Index row = 0; row < whole_.rows(); ++row)
-        divide(part_of(whole_, row), [&](const Part& part) {
-            for (int j = 1; j < part.squares.rows(); ++j)
-                for (int i = 0; i < j; ++i)
-                    edges.emplace_back(std::minmax(part.vertices[i], part.vertices[j]),
-                                       unit_ * std::sqrt(part.squares(i, j)));
-        });
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    LengthMesh result{rows(), of_vertices_.end(), Simplices(std::ssize(edges), 2),
-                      Vector(std::ssize(edges))};
-    if (!vertices_.empty())
-        for (Index& corner : result.simplices.reshaped())
-            corner = vertices_[corner];
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-        result.edges.row(Index(e)) << edges[e].first.first, edges[e].first.second;
-        result.lengths[Index(e)] = edges[e].second;
-    }
-    return result;
-}
 
 /// The mesh with the parts of its simplices.
 Mesh of_parts(Mesh mesh, Refining& refining) {
