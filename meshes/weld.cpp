@@ -89,9 +89,14 @@ double thickness(const DenseMatrix& edges) {
 /// DistinctPlaces of a mesh in classes that become one vertex each, led by their least place.
 class Welding {
 public:
-    Welding(const Mesh& mesh, const DistinctPlaces& places, double length)
-        : Welding(mesh, places, OwnUnits(mesh.points(places.vertices(), Eigen::indexing::all)),
-                  length) {}
+    /// In `own` units are the points of places.
+    Welding(const Mesh& mesh, const DistinctPlaces& places, OwnUnits own, double length)
+        : mesh_(mesh),
+          places_(places),
+          scaled_(std::move(own.points)),
+          cells_(mesh.simplices.unaryExpr([&](Index v) { return places.of_vertex[v]; })) {
+        find_classes(own.scaled(length));
+    }
 
     Index leader(Index place) const { return leaders_[place]; }
     bool is_joined(Index place) const { return sizes_[leaders_[place]] > 1; }
@@ -102,14 +107,6 @@ public:
     }
 
 private:
-    Welding(const Mesh& mesh, const DistinctPlaces& places, OwnUnits own, double length)
-        : mesh_(mesh),
-          places_(places),
-          scaled_(std::move(own.points)),
-          cells_(mesh.simplices.unaryExpr([&](Index v) { return places.of_vertex[v]; })) {
-        find_classes(own.scaled(length));
-    }
-
     /// Again and again, with half the length where the length before joins what must stay apart.
     void find_classes(double length) {
         std::vector<Index> open(static_cast<std::size_t>(places_.size()));
@@ -313,7 +310,8 @@ Joined weld(Mesh mesh, std::optional<double> length) {
     }
     const double used =
         length ? *length : weld_length(made.points(places.vertices(), Eigen::indexing::all));
-    const Welding welding(made, places, used);
+    const Welding welding(made, places,
+                          OwnUnits(made.points(places.vertices(), Eigen::indexing::all)), used);
 
     // numbers in the order of the first vertex of each class
     std::vector<Index> number_of(static_cast<std::size_t>(places.size()), -1), kept;

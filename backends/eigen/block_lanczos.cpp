@@ -25,7 +25,14 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // V and N lie one behind the other in the basis, and T and C one above the other.
 class Iteration {
 public:
-    Iteration(const SymmetricOperator& A, Index count, const EigenOptions& options, Index width);
+    Iteration(const SymmetricOperator& A, Index count, const EigenOptions& options, Index width)
+        : A_(A),
+          options_(options),
+          count_(count),
+          width_(width),
+          limit_(options.krylov_dimension),
+          basis_(A.size, limit_ + width),
+          projected_(DenseMatrix::Zero(limit_ + width, limit_ + width)) {}
     EigenPairs run();
 
 private:
@@ -56,16 +63,6 @@ private:
     DenseMatrix next_;
     DenseMatrix image_;
 };
-
-Iteration::Iteration(const SymmetricOperator& A, Index count, const EigenOptions& options,
-                     Index width)
-    : A_(A),
-      options_(options),
-      count_(count),
-      width_(width),
-      limit_(options.krylov_dimension),
-      basis_(A.size, limit_ + width),
-      projected_(DenseMatrix::Zero(limit_ + width, limit_ + width)) {}
 
 // The start vector, and others that have nothing to do with it.
 void Iteration::start() {

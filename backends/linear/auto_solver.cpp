@@ -193,10 +193,6 @@ void AutoSolver::fail() const {
                         report);
 }
 
-std::optional<Index> AutoSolver::negative_pivots() const {
-    return engine_ ? engine_->negative_pivots() : std::nullopt;
-}
-
 DenseMatrix AutoSolver::solve_columns(const Eigen::Ref<const DenseMatrix>& B) {
     if (!matrix_)
         throw InvalidInput("auto: call factorize() successfully before solve()");

@@ -36,7 +36,9 @@ public:
     EngineTraits traits() const override { return {.inertia = Inertia::wanted}; }
     using LinearSolver::factorize;
     void factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) override;
-    std::optional<Index> negative_pivots() const override;
+    std::optional<Index> negative_pivots() const override {
+        return engine_ ? engine_->negative_pivots() : std::nullopt;
+    }
     const SolveReport& report() const override { return report_; }
 
 protected:

@@ -59,10 +59,7 @@ Kernel::Kernel(const SparseMatrix& A, const DenseMatrix& basis) {
     check_basis(A, basis);
     basis_ = orthonormal_kernel(basis);
     check_annihilated(A, basis_);
-    choose_grounded_rows();
-}
 
-void Kernel::choose_grounded_rows() {
     // The rows where the kernel is largest and most independent leave the best conditioned rest.
     const DenseMatrix transposed = basis_.transpose();
     const Eigen::ColPivHouseholderQR<DenseMatrix> qr(transposed);

@@ -27,8 +27,6 @@ public:
     DenseMatrix project_out(const DenseMatrix& B) const;
 
 private:
-    void choose_grounded_rows();
-
     DenseMatrix basis_;        // orthonormal columns
     std::vector<Index> kept_;  // ascending
     std::vector<Index> place_; // of an unknown in kept_; -1 if grounded

@@ -86,26 +86,24 @@ public:
     }
 
 private:
-    std::string read_regular_file(const std::filesystem::path& path) const;
+    std::string read_regular_file(const std::filesystem::path& path) const {
+        try {
+            const RegularFile file(path, RegularFile::Links::refused);
+            if (!file.is_regular())
+                malformed("it is not a regular file");
+            auto text = file.read();
+            if (text.size() < file.size())
+                malformed("it cannot be read to the end");
+            return text;
+        } catch (const IoError& error) {
+            malformed(fmt::format("it cannot be read: {}", error.what()));
+        }
+    }
 
     std::string name_;
     std::string text_;
     std::size_t at_ = 0;
 };
-
-std::string Numbers::read_regular_file(const std::filesystem::path& path) const {
-    try {
-        const RegularFile file(path, RegularFile::Links::refused);
-        if (!file.is_regular())
-            malformed("it is not a regular file");
-        auto text = file.read();
-        if (text.size() < file.size())
-            malformed("it cannot be read to the end");
-        return text;
-    } catch (const IoError& error) {
-        malformed(fmt::format("it cannot be read: {}", error.what()));
-    }
-}
 
 } // namespace
 
