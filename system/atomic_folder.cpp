@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "system/descriptor.h"
 #include "system/folder_names.h"
 #include "system/regular_file.h"
 #include "system/temporary_name.h"
@@ -44,11 +45,9 @@ Path existing_parent(const Path& path) {
 
 /// What was written into a folder is to outlast a loss of power. Not all file systems can do so.
 void sync(const Path& folder) {
-    const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (file < 0)
-        return;
-    static_cast<void>(::fsync(file));
-    ::close(file);
+    const Descriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (file.number() >= 0)
+        static_cast<void>(::fsync(file.number()));
 }
 
 /// Exchanges two folders in one step, where the file system can.

@@ -58,12 +58,6 @@ std::optional<Index> TrustedInertia::negative(const SparseMatrix& B, const Vecto
     return solver_->negative_pivots();
 }
 
-InertiaCounter::InertiaCounter(ShiftedMatrices matrices, const std::string& engine,
-                               int domain_dimension, Doubt doubt)
-    : matrices_(std::move(matrices)),
-      inertia_(engine, domain_dimension),
-      doubt_(std::move(doubt)) {}
-
 std::optional<Index> InertiaCounter::below(double shift, double gap) {
     if (!(doubt_.relative * std::abs(shift) < gap))
         return std::nullopt;

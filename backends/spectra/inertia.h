@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace polydec {
 
@@ -52,7 +53,10 @@ class InertiaCounter {
 public:
     /// The doubt is for A. The engine must count negative eigenvalues.
     InertiaCounter(ShiftedMatrices matrices, const std::string& engine, int domain_dimension,
-                   Doubt doubt);
+                   Doubt doubt)
+        : matrices_(std::move(matrices)),
+          inertia_(engine, domain_dimension),
+          doubt_(std::move(doubt)) {}
 
     /// The number of eigenvalues of the exact matrix below the shift, if it can be trusted: see
     /// TrustedInertia. The relative doubt must be below `gap`, the distance of the shift from the
