@@ -4,7 +4,7 @@
 #include "backends/registry.h"
 #include "backends/spectra/found_pairs.h"
 #include "backends/spectra/inertia.h"
-#include "backends/spectra/scaled_pencil.h"
+#include "backends/spectra/shifted_solver.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
@@ -50,9 +50,9 @@ struct CertifiedEigensolver::State {
           options(std::move(options_)),
           counter(pencil.matrices(), options.linear_solver, options.domain_dimension,
                   pencil.doubt()),
-          solver(make_linear_solver(options.linear_solver)),
           norm(pencil.norm()),
           small(pencil.small()),
+          solver(pencil, options.linear_solver, facts()),
           pairs(size(), small) {
         choose_engine(1);
     }
@@ -64,14 +64,18 @@ struct CertifiedEigensolver::State {
             options.progress(what);
     }
 
-    /// (B - shift I)^-1 Y.
-    DenseMatrix solve(const DenseMatrix& Y) const {
-        return pencil.from_matrices(solver->solve(pencil.to_matrices(Y)));
+    MatrixFacts facts() const;
+
+    /// The counter, which factorizes too.
+    InertiaCounter& counting() {
+        tell("counting");
+        solver.make_room();
+        return counter;
     }
 
     void choose_engine(Index count);
     double lowest_shift(Index wanted);
-    void set_shift(double sigma, Definiteness definiteness);
+    void set_shift(double shift, Definiteness definiteness);
     Index ask(Index count);
     bool improve(Index count);
     bool smooth();
@@ -86,12 +90,10 @@ struct CertifiedEigensolver::State {
     ScaledPencil pencil;
     EigensolverOptions options;
     InertiaCounter counter;
-    std::unique_ptr<LinearSolver> solver; // of matrices at shift
     std::unique_ptr<EigenSolver> eigensolver;
     double norm;
-    double small;     // a length on the axis far below any eigenvalue that is not zero
-    double shift = 0; // below every eigenvalue that is not found
-    bool factorized = false;
+    double small;          // a length on the axis far below any eigenvalue that is not zero
+    ShiftedSolver solver;  // at a shift below every eigenvalue that is not found
     bool smoothed = false; // with this shift
     int in_vain = 0;       // rounds in a row that found nothing
     Random random{20};
@@ -116,23 +118,23 @@ double CertifiedEigensolver::State::lowest_shift(Index wanted) {
     if (options.definiteness != Definiteness::indefinite ||
         counter.below(-small, small) == Index{0})
         return -small;
-    tell("counting");
-    return counter.shift_close_to(0, wanted, -2 * norm, -small, small);
+    return counting().shift_close_to(0, wanted, -2 * norm, -small, small);
 }
 
-void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiteness) {
-    tell("factorizing");
+MatrixFacts CertifiedEigensolver::State::facts() const {
     MatrixFacts facts;
     facts.symmetry = Symmetry::symmetric;
-    facts.definiteness = pencil.matrices().hidden > 0 ? Definiteness::indefinite : definiteness;
     facts.domain_dimension = options.domain_dimension;
     facts.many_solves = true;
     // next to eigenvalues so small beside the largest, residuals of solves are not
     if (small < 1e-8 * norm)
         facts.inertia = Inertia::wanted;
-    solver->factorize(std::make_shared<const SparseMatrix>(pencil.matrices().at(sigma)), facts);
-    shift = sigma;
-    factorized = true;
+    return facts;
+}
+
+void CertifiedEigensolver::State::set_shift(double shift, Definiteness definiteness) {
+    tell("factorizing");
+    solver.set(shift, definiteness);
     smoothed = false;
 }
 
@@ -144,12 +146,12 @@ Index CertifiedEigensolver::State::ask(Index count) {
     const auto apply = [&](const auto& X, auto& Y) {
         tell("a step of the iteration");
         if (found() == 0) {
-            Y = solve(X);
+            Y = solver.solve(X);
             return;
         }
         auto right = X;
         pairs.project_out(right);
-        Y = solve(right);
+        Y = solver.solve(right);
         pairs.project_out(Y);
     };
     EigenOptions eigen_options;
@@ -163,7 +165,8 @@ Index CertifiedEigensolver::State::ask(Index count) {
         return 0;
 
     const auto came = eigensolver->largest({size(), apply, apply}, count, eigen_options);
-    const double floor = 1e-3 / (norm + std::abs(shift)); // true ones are above 1 / (norm - shift)
+    // true ones are above 1 / (norm - shift)
+    const double floor = 1e-3 / (norm + std::abs(solver.shift()));
     Index good = 0;
     while (good < came.converged && came.values[good] > floor)
         ++good;
@@ -195,7 +198,7 @@ bool CertifiedEigensolver::State::smooth() {
     pairs.project_out(Y);
     DenseMatrix residuals;
     pencil.enclose(Y, &residuals);
-    Y -= solve(residuals);
+    Y -= solver.solve(residuals);
     Y.colwise().normalize();
     pairs.take(Y, pencil.enclose(Y));
     rotate();
@@ -234,12 +237,11 @@ bool CertifiedEigensolver::State::approach(Index rough) {
     const double value = pairs.values()[rough], radius = pairs.radii()[rough];
     const double distance = std::max({64 * radius, std::abs(value) / 8, 1e-12 * norm, small});
     const double next = value - distance;
-    if (distance > (value - shift) / 4)
+    if (distance > (value - solver.shift()) / 4)
         return false;
     if (rough > 0 && next <= pairs.values()[rough - 1] + pairs.radii()[rough - 1])
         return false;
-    tell("counting");
-    if (counter.below(next, distance / 2) != rough)
+    if (counting().below(next, distance / 2) != rough)
         return false;
     pairs.keep(pairs.all(true));
     set_shift(next, rough == 0 ? Definiteness::positive : Definiteness::indefinite);
@@ -268,10 +270,9 @@ void CertifiedEigensolver::State::move_shift(Index wanted) {
     }
     if (!best.complete)
         return;
-    tell("counting");
     const double next =
-        counter.shift_close_to(best.below_shift, wanted, best.shift, 2 * norm, small);
-    if (next > shift)
+        counting().shift_close_to(best.below_shift, wanted, best.shift, 2 * norm, small);
+    if (next > solver.shift())
         set_shift(next, Definiteness::indefinite);
 }
 
@@ -290,12 +291,11 @@ Proof CertifiedEigensolver::State::certify(Index count) {
         certificate = {2 * norm + small, count, count, true}; // no eigenvalue is above the norm
         return Proof::complete;
     }
-    tell("counting");
     const Vector &values = pairs.values(), &radii = pairs.radii();
     const double low = values[count - 1] + radii[count - 1];
     const double near = std::max(std::abs(low) / 64, small); // others follow soon
     const double high = count < found() ? values[count] - radii[count] : low + near;
-    const auto counted = counter.between(low, high, count);
+    const auto counted = counting().between(low, high, count);
     if (!counted)
         return Proof::untrusted;
     certificate = {counted->shift, counted->below, count, counted->below == count};
@@ -328,7 +328,7 @@ CertifiedEigenpairs CertifiedEigensolver::State::result(Index count) const {
     result.residuals = pencil.eigenvalues(pairs.residuals().head(count));
     result.certificate = certificate;
     result.certificate.shift = pencil.eigenvalue(certificate.shift);
-    result.linear_solver = solver->report().engine;
+    result.linear_solver = solver.engine();
     result.eigen_solver = eigensolver->name();
     result.rough = rough_values(pairs, norm, pencil.eigenvalue(1), count);
     return result;
@@ -352,7 +352,7 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
     constexpr Index spare = 3; // behind a gap
     Index wanted =
         std::max(count + std::max(spare, count / 10), std::min(s.options.zeros, s.size()) + spare);
-    if (!s.factorized)
+    if (!s.solver.is_set())
         s.set_shift(s.lowest_shift(wanted), Definiteness::positive);
     take_kernel(s.pairs, s.pencil, std::exchange(s.options.kernel, {}));
     take_proved(s.pairs, s.pencil, std::exchange(s.options.start, {}));

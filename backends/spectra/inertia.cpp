@@ -22,20 +22,31 @@ constexpr int most_bisections = 40;
 } // namespace
 
 TrustedInertia::TrustedInertia(const std::string& engine, int domain_dimension)
-    : solver_(make_linear_solver(engine)) {
+    : engine_(engine), solver_(make_linear_solver(engine)) {
     facts_.symmetry = Symmetry::symmetric;
     facts_.definiteness = Definiteness::indefinite;
     facts_.inertia = Inertia::wanted;
     facts_.domain_dimension = domain_dimension;
 }
 
-std::optional<Index> TrustedInertia::negative(const SparseMatrix& B, const Vector& sizes,
-                                              double share) {
+std::optional<Index> TrustedInertia::negative(SparseMatrix B, const Vector& sizes, double share) {
     // without rounding, D^2 sizes from 1/4 to 1
     const Vector D = sizes.unaryExpr([](double size) {
         return size > 0 ? std::ldexp(1.0, -((std::ilogb(size) + 2) >> 1)) : 1.0;
     });
-    const auto S = std::make_shared<const SparseMatrix>(D.asDiagonal() * B * D.asDiagonal());
+    const auto S = std::make_shared<SparseMatrix>();
+    S->swap(B);
+    for (Index i = 0; i < S->rows(); ++i)
+        for (SparseMatrix::InnerIterator entry(*S, i); entry; ++entry)
+            entry.valueRef() *= D[i] * D[entry.col()];
+    const auto count = trusted(S, share);
+    if (S->rows() > most_beside_another)
+        solver_ = make_linear_solver(engine_);
+    return count;
+}
+
+std::optional<Index> TrustedInertia::trusted(const std::shared_ptr<const SparseMatrix>& S,
+                                             double share) {
     Vector probe = Vector::NullaryExpr(S->rows(), [](Index i) { return std::sin(1.0 + i); });
     double lost = 0;
     try {

@@ -29,6 +29,9 @@ struct ShiftedMatrices {
     SparseMatrix at(double shift) const { return *A - shift * M; }
 };
 
+/// Factors of more unknowns stand one at a time, because each needs gigabytes.
+constexpr Index most_beside_another = 1 << 20;
+
 /// Counts negative eigenvalues of symmetric matrices; equal patterns in a row are analyzed once. D
 /// B D has the same inertia as B for any diagonal D > 0; D is chosen so that no entry exceeds 1. On
 /// graded meshes the norm of B says nothing about the accuracy of its small entries.
@@ -41,9 +44,12 @@ public:
     /// by far the backward error of solves, must be below the smallest eigenvalue of the scaled
     /// matrix, from inverse iteration. nullopt if not, or if the factorization breaks down. `sizes`
     /// and `share` of B are those of Doubt.
-    std::optional<Index> negative(const SparseMatrix& B, const Vector& sizes, double share);
+    std::optional<Index> negative(SparseMatrix B, const Vector& sizes, double share);
 
 private:
+    std::optional<Index> trusted(const std::shared_ptr<const SparseMatrix>& S, double share);
+
+    std::string engine_;
     std::unique_ptr<LinearSolver> solver_;
     MatrixFacts facts_;
 };
