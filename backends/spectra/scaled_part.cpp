@@ -183,9 +183,9 @@ ScaledPart::ScaledPart(const GramPart& part, const Vector& rows, const Vector& c
 void ScaledPart::scale(int exponent) {
     scale_entries(F_, exponent);
     F_error_ *= std::ldexp(1.0, exponent);
-    transposed_ = F_.transpose();
     exact_products_ = has_exact_products(F_);
-    rounding_ = unit_roundoff() * (longest_row(transposed_) + 4);
+    longest_column_ = longest_row(F_.transpose());
+    rounding_ = unit_roundoff() * (longest_column_ + 4);
 }
 
 void ScaledPart::add_to(Image& image, const Vector& x) const {
@@ -196,12 +196,12 @@ void ScaledPart::add_to(Image& image, const Vector& x) const {
     const LongVector weighed = weigh(Fx, error, unknown, image);
     const Vector sizes = weighed.cwiseAbs().cast<double>();
     error += rounding_ * sizes;
-    for (Index i = 0; i < x.size(); ++i)
-        for (SparseMatrix::InnerIterator entry(transposed_, i); entry; ++entry) {
-            image.Ax[i] += entry.value() * weighed[entry.col()];
+    for (Index e = 0; e < F_.rows(); ++e)
+        for (SparseMatrix::InnerIterator entry(F_, e); entry; ++entry) {
+            image.Ax[entry.col()] += entry.value() * weighed[e];
             const double size = std::abs(entry.value());
-            image.rounding[i] += size * error[entry.col()];
-            image.doubt[i] += size * (error[entry.col()] + unknown[entry.col()]);
+            image.rounding[entry.col()] += size * error[e];
+            image.doubt[entry.col()] += size * (error[e] + unknown[e]);
         }
     const Vector own = F_error_.transpose() * sizes;
     image.rounding += own;
@@ -210,24 +210,24 @@ void ScaledPart::add_to(Image& image, const Vector& x) const {
 
 SparseMatrix ScaledPart::lumped() const {
     const SparseMatrix weighted = weights() * F_;
-    return transposed_ * weighted;
+    return SparseMatrix(F_.transpose()) * weighted;
 }
 
 /// An entry is a sum of as many terms as a column of F has, each of them a product of six numbers.
 Vector ScaledPart::doubts(const Vector& x, bool with_uncertainty) const {
     constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
-    const auto terms = static_cast<double>(longest_row(transposed_) * longest_row(weights()) + 6);
+    const auto terms = static_cast<double>(longest_column_ * longest_row(weights()) + 6);
     const Vector image = F_.cwiseAbs() * x;
     Vector errors = unit * terms * spread(image);
     if (with_uncertainty)
         errors += uncertainty().cwiseProduct(image);
     const Vector own = F_error_ * x;
-    return transposed_.cwiseAbs() * Vector(errors + spread(own)) +
+    return SparseMatrix(F_.cwiseAbs().transpose()) * Vector(errors + spread(own)) +
            SparseMatrix(F_error_.transpose()) * spread(image);
 }
 
 Vector ScaledPart::sizes() const {
-    return transposed_.cwiseAbs2() * spread(Vector::Ones(F_.rows()));
+    return SparseMatrix(F_.cwiseAbs2().transpose()) * spread(Vector::Ones(F_.rows()));
 }
 
 std::unique_ptr<ScaledPart> make_scaled_part(const GramPart& part, const Vector& columns) {

@@ -62,7 +62,8 @@ protected:
     virtual Vector uncertainty() const { return Vector::Zero(F_.rows()); }
 
 private:
-    SparseMatrix F_, transposed_, F_error_;
+    SparseMatrix F_, F_error_;
+    Index longest_column_ = 0;    // of F
     bool exact_products_ = false; // when multiplying entries of F
     double rounding_ = 0;         // of a sum F^T (W F x), relative to its terms
 };

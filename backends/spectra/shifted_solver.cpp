@@ -2,7 +2,6 @@
 #include "backends/spectra/shifted_solver.h"
 
 #include "backends/registry.h"
-#include "backends/spectra/inertia.h"
 
 namespace polydec {
 
@@ -27,8 +26,8 @@ DenseMatrix ShiftedSolver::solve(const DenseMatrix& Y) {
     return pencil_.from_matrices(solver_->solve(pencil_.to_matrices(Y)));
 }
 
-void ShiftedSolver::make_room() {
-    if (!solver_ || pencil_.size() <= most_beside_another)
+void ShiftedSolver::make_room(Index most) {
+    if (!solver_ || pencil_.size() <= most)
         return;
     used_ = engine();
     solver_.reset();

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "backends/linear_solver.h"
+#include "backends/spectra/inertia.h"
 #include "backends/spectra/scaled_pencil.h"
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace polydec {
 
@@ -24,8 +26,9 @@ public:
     /// (B - shift I)^-1 Y, after set().
     DenseMatrix solve(const DenseMatrix& Y);
 
-    /// Frees a factor too large to stand beside another; solve() computes it again.
-    void make_room();
+    /// Frees a factor of more unknowns, too large to stand beside another; solve() computes it
+    /// again.
+    void make_room(Index most = most_beside_another);
 
     /// The engine of the last solve.
     std::string engine() const { return solver_ ? solver_->report().engine : used_; }

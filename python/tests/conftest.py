@@ -82,3 +82,32 @@ def square():
 @pytest.fixture
 def sphere():
     return complex_of("goldberg")
+
+
+@pytest.fixture
+def grouped_square(tmp_path):
+    """A file of the unit square, two triangles, whose side on the x-axis is a group."""
+    path = tmp_path / "square.msh"
+    path.write_text("""$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+1 7 "the wall"
+2 1 "plate"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+3
+1 1 2 7 1 1 2
+2 2 2 1 1 1 2 3
+3 2 2 1 1 1 3 4
+$EndElements
+""")
+    return path

@@ -242,31 +242,8 @@ def test_words_of_messages():
     assert "::" not in str(caught.value) and caught.value.cells
 
 
-def test_groups_have_names(tmp_path):
-    path = tmp_path / "square.msh"
-    path.write_text("""$MeshFormat
-2.2 0 8
-$EndMeshFormat
-$PhysicalNames
-2
-1 7 "the wall"
-2 1 "plate"
-$EndPhysicalNames
-$Nodes
-4
-1 0 0 0
-2 1 0 0
-3 1 1 0
-4 0 1 0
-$EndNodes
-$Elements
-3
-1 1 2 7 1 1 2
-2 2 2 1 1 1 2 3
-3 2 2 1 1 1 3 4
-$EndElements
-""")
-    mesh = polydec.read_mesh(path)
+def test_groups_have_names(grouped_square):
+    mesh = polydec.read_mesh(grouped_square)
     assert mesh.groups == [(1, 7, "the wall"), (2, 1, "plate")]
     square = polydec.discretize(mesh)
     wall = square.facets_in("the wall")
@@ -274,18 +251,6 @@ $EndElements
     assert (wall == (square.facet_tags == 7)).all()
     with pytest.raises(polydec.InvalidInput, match=said("plate", "the wall")):
         square.facets_in("plate")
-
-    # the solution is constant: what the wall has, or 3 / 2 by its Robin condition
-    for side in ["primal", "dual"]:
-        given = polydec.poisson(square, 0.0, {"the wall": 2.5}, side=side, essential=wall)
-        assert np.allclose(given.values, 2.5)
-        robin = polydec.poisson(square, 0.0, flux={"the wall": 3.0}, side=side, essential=False,
-                                robin={7: 2.0})
-        assert np.allclose(robin.values, 1.5)
-    with pytest.raises(polydec.InvalidInput, match=said("lid", "the wall")):
-        polydec.poisson(square, 0.0, {"lid": 1.0})
-    with pytest.raises(polydec.InvalidInput, match=said("one for each 2-cell", "dual 0-form")):
-        square.with_conductivity(np.ones(1))
 
 
 def test_what_stands_for_a_mesh(tmp_path):

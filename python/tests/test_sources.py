@@ -184,3 +184,18 @@ def test_slow_flows_between_open_ends(mesh):
     assert abs(flow.pressure.values.mean() - 1) < 0.01
     with pytest.raises(polydec.InvalidInput, match=said(1, "flows", "meet no resistance")):
         polydec.StokesSolver(c, no_slip=False, pressure_on=ends)
+
+
+def test_numbers_for_groups_of_the_file(grouped_square):
+    square = polydec.discretize(grouped_square)
+    # the solution is constant: what the wall has, or 3 / 2 by its Robin condition
+    for side in ["primal", "dual"]:
+        given = polydec.poisson(square, 0.0, {"the wall": 2.5}, side=side, essential="the wall")
+        assert np.allclose(given.values, 2.5)
+        robin = polydec.poisson(square, 0.0, flux={"the wall": 3.0}, side=side, essential=False,
+                                robin={7: 2.0})
+        assert np.allclose(robin.values, 1.5)
+    with pytest.raises(polydec.InvalidInput, match=said("lid", "the wall")):
+        polydec.poisson(square, 0.0, {"lid": 1.0})
+    with pytest.raises(polydec.InvalidInput, match=said("one for each 2-cell", "dual 0-form")):
+        square.with_conductivity(np.ones(1))

@@ -21,6 +21,8 @@ MUTANTS = {
                              "Vector next = is_end ? stage_ : state()",
                              "Vector next = state()",
                              "engines/IntegratorContract.fixed_steps_have_the_order_of_the_engine/runge_kutta"),
+    "engine_of_no_factor": ("backends/spectra/shifted_solver.cpp", "    used_ = engine();\n", "",
+                            "ShiftedSolver.solves_alike_after_it_made_room"),
     "inertia_hidden": ("backends/spectra/inertia.cpp", "return *negative - matrices_.hidden;",
                        "return *negative - matrices_.hidden + 1;",
                        "PeriodicBox.has_the_eigenvalues_of_plane_waves"),

@@ -2,7 +2,7 @@
 #include "backends/spectra/inertia.h"
 
 #include "backends/spectra/certified_eigensolver.h"
-#include "backends/spectra/scaled_pencil.h"
+#include "backends/spectra/shifted_solver.h"
 #include "base/block_matrix.h"
 #include "dec/discretization/discretization.h"
 #include "meshes/generate.h"
@@ -93,6 +93,24 @@ TEST(CertifiedEigensolver, finds_small_values_behind_a_few_huge_negative_ones) {
 std::string refused(const Pencil& pencil) {
     const std::string message = refusal([&] { ScaledPencil{pencil}; });
     return message.substr(message.find(": ") + 2);
+}
+
+TEST(ShiftedSolver, solves_alike_after_it_made_room) {
+    DenseMatrix A(3, 3);
+    A << 2, -1, 0, -1, 2, -1, 0, -1, 2;
+    const ScaledPencil pencil({.C = sparse(A), .M = Vector{{1, 4, 16}}});
+    MatrixFacts facts;
+    facts.symmetry = Symmetry::symmetric;
+    ShiftedSolver solver(pencil, "auto", facts);
+    for (const double shift : {-1.0, 0.0, 0.5}) {
+        solver.set(shift, Definiteness::indefinite);
+        const DenseMatrix Y = DenseMatrix::Identity(3, 2), before = solver.solve(Y);
+        const std::string engine = solver.engine();
+        solver.make_room(0);
+        EXPECT_EQ(solver.engine(), engine);
+        EXPECT_EQ(solver.solve(Y), before);
+        EXPECT_EQ(solver.shift(), shift);
+    }
 }
 
 TEST(PencilRefuses, what_is_no_number_or_no_share) {
