@@ -109,10 +109,9 @@ VtuGrid draw(const CellComplex& complex, const Points& points, int k, const Ring
     return grid;
 }
 
-PolygonMesh polygons(const Merging& merging, const Points& points, const Naming& named) {
-    require_points(merging.pieces(), points, "a drawing");
+PolygonMesh polygons(const Merging& merging, Points points, const Naming& named) {
     PolygonMesh mesh;
-    mesh.points = points;
+    mesh.points = std::move(points);
     for (Index cell = 0; cell < merging.merged().size(2); ++cell) {
         const auto polygon = named(corners(merging, cell));
         mesh.corners.insert(mesh.corners.end(), polygon.begin(), polygon.end());
@@ -239,16 +238,15 @@ bool add_vectors(VtuGrid& grid, const Discretization& mesh, const std::string& n
 }
 
 PolygonMesh polygon_mesh(const Merging& merging, const Points& points) {
+    require_points(merging.pieces(), points, "a drawing");
     return polygons(merging, points, std::identity());
 }
 
 PolygonMesh polygon_mesh(const Discretization& given) {
     const Discretization& mesh = placed(given);
-    if (mesh.passage().is_identity()) {
-        auto result = polygons(mesh.merging(), mesh.points(), numbers_of_input(mesh));
-        result.points = points_of_input(mesh);
-        return result;
-    }
+    require_points(mesh.ambient_dimension(), "a drawing");
+    if (mesh.passage().is_identity())
+        return polygons(mesh.merging(), points_of_input(mesh), numbers_of_input(mesh));
     Overlay pieces = overlay(mesh.passage(), mesh.measured_points());
     return {mesh.unit() * pieces.points, std::move(pieces.corners), std::move(pieces.offsets)};
 }
