@@ -78,7 +78,7 @@ public:
 class LeastSquares final : public Projection {
 public:
     LeastSquares(SparseMatrix D, SparseMatrix weighted_transpose, std::vector<Index> cells,
-                 Index size, const std::string& engine, int domain_dimension)
+                 Index size, const std::string& engine, const MatrixFacts& facts)
         : D_(std::move(D)),
           weighted_transpose_(std::move(weighted_transpose)),
           cells_(std::move(cells)),
@@ -86,10 +86,7 @@ public:
         if (D_.cols() == 0)
             return;
         solver_ = make_linear_solver(engine);
-        solver_->factorize(SparseMatrix(weighted_transpose_ * D_),
-                           {.symmetry = Symmetry::symmetric,
-                            .definiteness = Definiteness::positive,
-                            .domain_dimension = domain_dimension});
+        solver_->factorize(SparseMatrix(weighted_transpose_ * D_), facts);
     }
 
     Part of(const Vector& w) const override {
@@ -168,8 +165,15 @@ HodgeSolver::HodgeSolver(const FormSpace& space, const std::string& linear_solve
     auto& [star, exact, coexact] = *parts_;
     const auto least_squares = [&](SparseMatrix D, SparseMatrix weighted,
                                    const std::vector<Index>& kept, int degree_of_potential) {
+        MatrixFacts facts;
+        facts.symmetry = Symmetry::symmetric;
+        facts.definiteness = Definiteness::positive;
+        facts.domain_dimension = n;
+        // multigrid is made for functions: for other forms a factorization is faster up to more
+        facts.many_solves = degree_of_potential > 0 && degree_of_potential < n;
         return std::make_unique<LeastSquares>(std::move(D), std::move(weighted), kept,
-                                              complex.size(degree_of_potential), linear_solver, n);
+                                              complex.size(degree_of_potential), linear_solver,
+                                              facts);
     };
     const auto faces = k > 0 ? regular_minor(complex, k - 1).columns : std::vector<Index>{};
     const SparseMatrix below = rows_of(transposed(derivative(complex, k - 1)), faces);
