@@ -80,9 +80,11 @@ std::vector<Index> cells_of_input(const Discretization& mesh, std::string_view w
     for (Index cell = 0; cell < size; ++cell) {
         joined.clear();
         const auto pieces = mesh.merging().pieces_of(n, cell);
-        for (const Index piece : pieces) // flat ones have no share in a cell with other pieces
-            if (!mesh.geometry().is_flat(piece) || pieces.size() == 1)
+        for (const Index piece : pieces) // flat ones have no share in a cell with others
+            if (!mesh.geometry().is_flat(piece))
                 joined.push_back(numbers[piece]);
+        if (joined.empty())
+            joined.push_back(numbers[pieces.front()]);
         result.push_back(first_of(joined));
     }
     return result;
