@@ -91,9 +91,11 @@ public:
     /// need more than the engine's capabilities; SolverFailure if A cannot be factorized.
     virtual void factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) = 0;
 
-    /// The same with a copy of A.
-    void factorize(const SparseMatrix& A, const MatrixFacts& facts) {
-        factorize(std::make_shared<const SparseMatrix>(A), facts);
+    /// The same with an A of its own: a temporary is not copied.
+    void factorize(SparseMatrix A, const MatrixFacts& facts) {
+        const auto own = std::make_shared<SparseMatrix>();
+        own->swap(A); // Eigen's matrices cannot be moved
+        factorize(own, facts);
     }
 
     /// Solves A X = B: as many rows as A, one column per right-hand side; a Vector for a vector.

@@ -158,17 +158,12 @@ void run_poisson(PoissonArguments arguments) {
                          data.conditions.on(mesh).value_or(BoundaryConditions{}));
     });
     log.timing.begin("solve");
-    const PoissonSolver solver = computed_on(arguments.mesh.mesh, [&] {
-        const Progress progress;
-        progress("solve");
-        return PoissonSolver(space, arguments.engine);
-    });
     const auto at = [&](const SiteValues& values, const Points& places) {
         return arguments.side == Side::primal ? vertex_values(mesh, values, places)
                                               : values.at(places);
     };
-    const Points places = sites(cells, arguments.side);
-    const Vector f = at(data.rhs, places);
+    const auto places = [&] { return sites(cells, arguments.side); };
+    const Vector f = at(data.rhs, places()); // before there is a factor
     Vector h = Vector::Zero(cells.size(cells.dimension() - 1));
     BoundaryForms known;
     if (!arguments.boundary.empty())
@@ -177,6 +172,11 @@ void run_poisson(PoissonArguments arguments) {
         h = data.flux.at(facet_sites(cells));
         known.derivative_flow = outward_flow(cells, arguments.side, h);
     }
+    const PoissonSolver solver = computed_on(arguments.mesh.mesh, [&] {
+        const Progress progress;
+        progress("solve");
+        return PoissonSolver(space, arguments.engine);
+    });
     const auto solution = computed_on(arguments.mesh.mesh, [&] {
         return solver.solve({arguments.side, 0, f}, known);
     });
@@ -187,7 +187,7 @@ void run_poisson(PoissonArguments arguments) {
     log.timing.begin("bound");
     add_bound(answer, mesh, space, conductivity, arguments.engine, f, h, u);
     if (data.exact)
-        answer.errors = errors(mesh, arguments.side, u - at(*data.exact, places));
+        answer.errors = errors(mesh, arguments.side, u - at(*data.exact, places()));
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(mesh, arguments, u, answer, log);
