@@ -189,7 +189,9 @@ class PoissonSolver:
         side, degree = self._kind
         given = _form_of(self._complex, f, side, degree, self.sites)
         trace = _trace_of(self._complex, boundary, side, degree, self.boundary_sites)
-        if derivative_flow is None and degree == 0:
+        if degree > 0:
+            _require_default(flux, degree, "flux")
+        elif derivative_flow is None:
             derivative_flow = _core.outward_flow(
                 self._complex._cells, side,
                 at_places(by_groups(self._complex, flux), self.flux_sites, "normal derivatives"))
@@ -257,18 +259,27 @@ def _form_of(cells: Cells, f: Form | Values, side: str, degree: int,
 
 def _trace_of(cells: Cells, boundary: OnFacets, side: str, degree: int, places: Floats) -> Floats:
     if degree == 0:
-        boundary = by_groups(cells, boundary, on_vertices=side == "primal")
-        given = at_places(boundary, places, "boundary values")
+        by_site = by_groups(cells, boundary, on_vertices=side == "primal")
+        given = at_places(by_site, places, "boundary values")
         return at_cells(cells, given) if side == "primal" else given
+    _require_default(boundary, degree, "boundary")
     integrals = _integrals(boundary, degree)
     return _or_none(None if np.ndim(integrals) == 0 else integrals, "values on the boundary")
 
 
-def _integrals(given: Values, degree: int) -> npt.ArrayLike:
+def _require_default(given: Any, degree: int, name: str) -> None:
+    """Numbers for all facets or for groups are data of functions: of forms they would say nothing."""
+    if np.ndim(given) == 0 and not callable(given) and given != 0:
+        raise InvalidInput(f"{name} is {given!r} for {degree}-forms: expected integrals over cells "
+                           "on the boundary, as from boundary_de_rham")
+
+
+def _integrals(given: Any, degree: int) -> npt.ArrayLike:
     if callable(given):
         raise InvalidInput(f"a function of positions is given for {degree}-forms: expected their "
                            "integrals, which de_rham computes")
-    return given
+    result: npt.ArrayLike = given
+    return result
 
 
 def poisson(complex: CellsLike, f: Form | Values = 0.0, boundary: OnFacets = 0.0,

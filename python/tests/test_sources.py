@@ -195,6 +195,9 @@ def test_numbers_for_groups_of_the_file(grouped_square):
         robin = polydec.poisson(square, 0.0, flux={"the wall": 3.0}, side=side, essential=False,
                                 robin={7: 2.0})
         assert np.allclose(robin.values, 1.5)
+    for given in [{"boundary": {"the wall": 1.0}}, {"flux": {"the wall": 1.0}}, {"flux": 2.0}]:
+        with pytest.raises(polydec.InvalidInput, match=said("for 1-forms", "boundary_de_rham")):
+            polydec.poisson(square, 0.0, degree=1, **given)
     with pytest.raises(polydec.InvalidInput, match=said("lid", "the wall")):
         polydec.poisson(square, 0.0, {"lid": 1.0})
     with pytest.raises(polydec.InvalidInput, match=said("one for each 2-cell", "dual 0-form")):
