@@ -122,10 +122,6 @@ Corners SimplexLayout::lay_out(int k, Index s) {
     Points& table = tables_[k];
     const Corners corners{table, {rows_.data(), static_cast<std::size_t>(k) + 1}, true};
     table.setZero();
-    if (k == 1) { // often: without the search for its own number
-        table(1, 0) = (*metric_.lengths())[s];
-        return corners;
-    }
     measure_edges(k, s);
     const int origin = base(k);
     const auto corner = [origin](int a) { return a < origin ? a : a + 1; };

@@ -258,8 +258,6 @@ template <class Number, int most>
 /// Calls with_dimensions.operator()<k, N>() for those that occur often, else <1, -1> or <-1, -1>.
 void for_dimensions(int k, int N, auto with_dimensions) {
     switch (10 * N + k) {
-    case 11:
-        return with_dimensions.template operator()<1, 1>();
     case 21:
         return with_dimensions.template operator()<1, 2>();
     case 31:
