@@ -274,12 +274,11 @@ def _require_default(given: Any, degree: int, name: str) -> None:
                            "on the boundary, as from boundary_de_rham")
 
 
-def _integrals(given: Any, degree: int) -> npt.ArrayLike:
+def _integrals(given: Any, degree: int) -> Any:
     if callable(given):
         raise InvalidInput(f"a function of positions is given for {degree}-forms: expected their "
                            "integrals, which de_rham computes")
-    result: npt.ArrayLike = given
-    return result
+    return given
 
 
 def poisson(complex: CellsLike, f: Form | Values = 0.0, boundary: OnFacets = 0.0,
