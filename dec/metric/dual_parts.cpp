@@ -15,15 +15,15 @@ namespace polydec {
 namespace {
 
 /// A k-face of an m-simplex that is also a face of its facet without corner `omitted`.
-struct Descent {
+struct SharedFace {
     Eigen::Index face; ///< number of the k-face within the simplex
     int omitted;
     Eigen::Index below; ///< and within the facet
 };
 
-std::vector<Descent> descents(int k, int m) {
+std::vector<SharedFace> shared_faces(int k, int m) {
     const auto faces = subsets(m + 1, k + 1), below = subsets(m, k + 1);
-    std::vector<Descent> result;
+    std::vector<SharedFace> result;
     for (std::size_t i = 0; i < faces.size(); ++i)
         for (const int omitted : complement(m + 1, faces[i])) {
             auto corners = faces[i];
@@ -48,7 +48,7 @@ Points parts_of_duals(const Geometry& geometry, const Centers& centers, int k, i
     Circumsphere sphere;
     Points parts = Points::Ones(complex.size(k), 1);
     for (int j = k + 1; j <= m; ++j) {
-        const auto steps = descents(k, j);
+        const auto steps = shared_faces(k, j);
         const Vector& facets = geometry.volumes().primal(j - 1);
         std::vector<double> heights(static_cast<std::size_t>(j) + 1);
         Points next = Points::Zero(complex.size(j), steps.back().face + 1);
