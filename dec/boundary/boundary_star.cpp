@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/block_matrix.h"
 #include "base/checks.h"
 #include "base/errors.h"
 #include "complex/components.h"
@@ -28,18 +29,14 @@ SparseMatrix pieces_of(const MergedCells& cells, int k) {
     return cells.merging().diamond(k).cast<double>().cwiseAbs();
 }
 
-SparseMatrix diagonal(const Vector& values) {
-    return SparseMatrix(values.asDiagonal());
-}
-
 SparseMatrix by_duals(const MergedCells& cells, int k, const Vector& of_pieces) {
     const Geometry& geometry = cells.geometry();
     const SparseMatrix parts = dual_parts(geometry, geometry.centers(), k, cells.dimension() - 1);
     const Vector duals = parts.transpose() * of_pieces;
     const Vector& volumes = cells.volumes().primal(k);
-    return diagonal((pieces_of(cells, k) * geometry.volumes().primal(k).cwiseProduct(duals))
-                        .cwiseQuotient(volumes)
-                        .cwiseQuotient(volumes));
+    return diagonal_matrix((pieces_of(cells, k) * geometry.volumes().primal(k).cwiseProduct(duals))
+                               .cwiseQuotient(volumes)
+                               .cwiseQuotient(volumes));
 }
 
 SparseMatrix by_whitney_forms(const MergedCells& cells, int k, const Vector& of_pieces) {
@@ -53,8 +50,7 @@ SparseMatrix by_whitney_forms(const MergedCells& cells, int k, const Vector& of_
 /// Divides each facet equally among its vertices.
 SparseMatrix equal_shares(const CellComplex& complex, const Vector& areas) {
     const int n = complex.dimension();
-    SparseMatrix vertices(complex.size(n - 1), complex.size(n - 1));
-    vertices.setIdentity();
+    SparseMatrix vertices = diagonal_matrix(Vector::Ones(complex.size(n - 1)));
     for (int k = n - 2; k >= 0; --k) {
         SparseMatrix faces = complex.incidences(k).real_matrix().cwiseAbs();
         for (const auto& [cell, face] : complex.canceled(k))
@@ -68,14 +64,14 @@ SparseMatrix equal_shares(const CellComplex& complex, const Vector& areas) {
 
 SparseMatrix of_own(const Cells& cells, int k, const Vector& of_facets) {
     if (k == cells.dimension() - 1)
-        return diagonal(of_facets.cwiseQuotient(cells.stars().volumes().primal(k)));
+        return diagonal_matrix(of_facets.cwiseQuotient(cells.stars().volumes().primal(k)));
     if (k > 0)
         throw InvalidInput(fmt::format("dual volumes of {}-cells within the boundary are unknown "
                                        "without a mesh; give a mesh",
                                        k),
                            {.degree = k});
     const Vector& areas = cells.stars().volumes().primal(cells.dimension() - 1);
-    return diagonal(equal_shares(cells.complex(), areas) * of_facets);
+    return diagonal_matrix(equal_shares(cells.complex(), areas) * of_facets);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/operator.h"
 
+#include "base/block_matrix.h"
 #include "base/checks.h"
 #include "base/errors.h"
 #include "base/parallel.h"
@@ -171,11 +172,8 @@ SparseMatrix Operator::matrix(const Product& product) {
                 pending = pending.size() > 0 ? Vector(pending.cwiseProduct(**weights)) : **weights;
         } else
             multiply(matrix(product[i]));
-    if (!begun) {
-        SparseMatrix identity(pending.size(), pending.size());
-        identity.setIdentity();
-        multiply(identity);
-    }
+    if (!begun)
+        result = diagonal_matrix(pending);
     if (product.size() > 3 || !is_gram(product, 0))
         result.coeffs() += 0.0; // -0 becomes 0, as in the halves of a Laplacian
     return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/stars/choose_stars.h"
 
+#include "base/block_matrix.h"
 #include "base/errors.h"
 #include "complex/surfaces/glued_surface.h"
 #include "dec/merging/merged_cells.h"
@@ -129,13 +130,11 @@ ChosenStars hybrid(const MergedCells& cells) {
     const BadCells bad(cells);
     if (std::find(bad.marks().begin(), bad.marks().end(), true) == bad.marks().end())
         return ChosenStars(cells.volumes(), StarKind::circumcentric);
-    SparseMatrix good(cells.complex().size(1), cells.complex().size(1));
-    good.setIdentity();
-    good = bad.edge_star().asDiagonal() * good;
     Vector weights(std::ssize(bad.marks()));
     std::copy(bad.marks().begin(), bad.marks().end(), weights.begin());
     const HodgeStars stars = cells.volumes().with_dual(0, bad.vertex_duals());
-    return {stars.with(1, good + GalerkinMass(cells)(1, weights)), StarKind::hybrid, bad.marks()};
+    return {stars.with(1, diagonal_matrix(bad.edge_star()) + GalerkinMass(cells)(1, weights)),
+            StarKind::hybrid, bad.marks()};
 }
 
 ChosenStars galerkin(const MergedCells& cells, int lowest) {

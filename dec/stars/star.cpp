@@ -2,6 +2,7 @@
 #include "dec/stars/star.h"
 
 #include "backends/registry.h"
+#include "base/block_matrix.h"
 #include "base/checks.h"
 #include "complex/surfaces/glued_surface.h"
 #include "dec/metric/rounding.h"
@@ -78,12 +79,7 @@ Vector HodgeStar::diagonal() const {
 }
 
 SparseMatrix HodgeStar::matrix() const {
-    if (!is_diagonal())
-        return *matrix_->entries;
-    SparseMatrix result(size(), size());
-    result.setIdentity(); // Eigen cannot make an empty diagonal matrix
-    result.coeffs() = diagonal().array();
-    return result;
+    return is_diagonal() ? diagonal_matrix(diagonal()) : *matrix_->entries;
 }
 
 Vector HodgeStar::operator*(const Vector& values) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/surfaces/passage.h"
 
+#include "base/block_matrix.h"
 #include "base/checks.h"
 #include "base/errors.h"
 #include "complex/surfaces/ordered_surface.h"
@@ -88,9 +89,7 @@ SparseMatrix Passage::matrix(int k) const {
     if (flipped_)
         return turned(k, Vector::Ones(pieces_.size(k))).asDiagonal() *
                flipped_->flips.history.matrix(k);
-    SparseMatrix identity(input_.size(k), input_.size(k));
-    identity.setIdentity();
-    return identity;
+    return diagonal_matrix(Vector::Ones(input_.size(k)));
 }
 
 SparseMatrix Passage::matrix_back(int k) const {
