@@ -118,7 +118,7 @@ std::vector<PieceSum> sums_of_volumes(const Ranks& ranks, const LocalComplex& lo
             1,
             [&](Index s, PieceSum* piece) {
                 *piece = {};
-                piece->add(of_pieces, k, s);
+                piece->add(of_pieces.degree(k), s);
             },
             [&](Index cell, const PieceSum* piece) { sums[cell].add(*piece); });
     return sums;

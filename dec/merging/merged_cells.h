@@ -49,10 +49,10 @@ private:
 struct PieceSum {
     double primal = 0, dual = 0, terms = 0, rounding = 0;
 
-    void add(const CellVolumes& of_pieces, int k, Index s) {
-        const double volume = of_pieces.primal(k)[s];
-        add({volume, volume * of_pieces.dual(k)[s], volume * of_pieces.terms(k)[s],
-             volume * of_pieces.rounding(k)[s]});
+    void add(const CellVolumes::Degree& of_pieces, Index s) {
+        const auto& [volumes, dual_volumes, of_terms, of_rounding] = of_pieces;
+        const double volume = volumes[s];
+        add({volume, volume * dual_volumes[s], volume * of_terms[s], volume * of_rounding[s]});
     }
     void add(const PieceSum& piece) {
         primal += piece.primal;

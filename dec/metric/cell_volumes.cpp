@@ -14,58 +14,33 @@
 
 namespace polydec {
 
-namespace {
-
-std::vector<Bounds> sizes_of(const std::vector<Vector>& dual) {
-    std::vector<Bounds> terms;
-    for (const Vector& values : dual)
-        terms.emplace_back(values.cwiseAbs());
-    return terms;
-}
-
-std::vector<Bounds> rounding_of_all(const std::vector<Bounds>& terms) {
-    std::vector<Bounds> rounding;
-    for (const Bounds& sizes : terms)
-        rounding.emplace_back(sizes.vector().unaryExpr(&rounding_of));
-    return rounding;
-}
-
-template <class To>
-std::vector<To> moved(std::vector<Vector> values) {
-    std::vector<To> result;
-    for (Vector& of_degree : values)
-        result.emplace_back(std::exchange(of_degree, {}));
-    return result;
-}
-
-} // namespace
-
 CellVolumes::CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
                          std::vector<Vector> terms, std::vector<Vector> rounding) {
-    auto sizes = terms.empty() ? sizes_of(dual) : moved<Bounds>(std::move(terms));
-    auto lost = rounding.empty() ? rounding_of_all(sizes) : moved<Bounds>(std::move(rounding));
-    *this = CellVolumes(moved<Values>(std::move(primal)), moved<Values>(std::move(dual)),
-                        std::move(sizes), std::move(lost));
-}
-
-CellVolumes::CellVolumes(std::vector<Values> primal, std::vector<Values> dual,
-                         std::vector<Bounds> terms, std::vector<Bounds> rounding) {
-    if (primal.size() != dual.size() || primal.size() != terms.size() ||
-        primal.size() != rounding.size())
+    const auto sizes = terms.empty() ? dual.size() : terms.size();
+    const auto lost = rounding.empty() ? sizes : rounding.size();
+    if (primal.size() != dual.size() || primal.size() != sizes || primal.size() != lost)
         throw InvalidInput(fmt::format("volumes are given in {} degrees, dual volumes in {}, their "
                                        "terms in {} and rounding errors in {}: expected the same "
                                        "number",
-                                       primal.size(), dual.size(), terms.size(), rounding.size()));
-    parts_ = std::make_shared<Parts>(
-        Parts{std::move(primal), std::move(dual), std::move(terms), std::move(rounding), {}});
+                                       primal.size(), dual.size(), sizes, lost));
+    std::vector<Degree> degrees;
+    for (std::size_t k = 0; k < primal.size(); ++k) {
+        const Bounds own(terms.empty() ? dual[k].cwiseAbs() : std::exchange(terms[k], {}));
+        degrees.push_back({std::exchange(primal[k], {}), std::exchange(dual[k], {}), own,
+                           rounding.empty() ? own.vector().unaryExpr(&rounding_of)
+                                            : std::exchange(rounding[k], {})});
+    }
+    *this = CellVolumes(std::move(degrees));
+}
+
+CellVolumes::CellVolumes(std::vector<Degree> degrees)
+    : parts_(std::make_shared<Parts>(Parts{std::move(degrees), {}})) {
     for (int k = 0; k <= dimension(); ++k)
         check(k);
 }
 
 void CellVolumes::check(int k) const {
-    const auto& [primals, duals, all_terms, roundings, numbers] = *parts_;
-    const Values &primal = primals[k], &dual = duals[k];
-    const Bounds &terms = all_terms[k], &rounding = roundings[k];
+    const auto& [primal, dual, terms, rounding] = degree(k);
     if (primal.size() != dual.size() || primal.size() != terms.size() ||
         primal.size() != rounding.size())
         throw InvalidInput(fmt::format("{} volumes, {} dual volumes, {} terms and {} rounding "
@@ -92,7 +67,7 @@ void CellVolumes::check(int k) const {
 }
 
 Vector CellVolumes::ratios(int k) const {
-    const Values &primal = parts_->primal[checked(k)], &dual = parts_->dual[k];
+    const auto& [primal, dual, terms, rounding] = degree(k);
     Vector result(size(k));
     for (Index s = 0; s < result.size(); ++s)
         result[s] = dual[s] / primal[s];
@@ -106,9 +81,7 @@ CellVolumes CellVolumes::with_dual(int k, Vector dual) const {
 
 CellVolumes CellVolumes::with_dual(int k, Vector dual, Vector terms, Vector rounding) const {
     Parts parts = *parts_;
-    parts.terms[checked(k)] = terms;
-    parts.rounding[k] = rounding;
-    parts.dual[k] = std::move(dual);
+    parts.degrees[checked(k)] = {degree(k).primal, std::move(dual), terms, rounding};
     CellVolumes result;
     result.parts_ = std::make_shared<Parts>(std::move(parts));
     result.check(k);
@@ -117,14 +90,11 @@ CellVolumes CellVolumes::with_dual(int k, Vector dual, Vector terms, Vector roun
 
 CellVolumes CellVolumes::mapped(const Map& of) const {
     const int n = dimension();
-    std::vector<Vector> primals, duals, all_terms, roundings;
-    for (int k = 0; k <= n; ++k) {
-        primals.push_back(of(k, k, primal(k)));
-        duals.push_back(of(k, n - k, dual(k)));
-        all_terms.push_back(of(k, n - k, terms(k).vector()));
-        roundings.push_back(of(k, n - k, rounding(k).vector()));
-    }
-    return {std::move(primals), std::move(duals), std::move(all_terms), std::move(roundings)};
+    std::vector<Degree> degrees;
+    for (int k = 0; k <= n; ++k)
+        degrees.push_back({of(k, k, primal(k)), of(k, n - k, dual(k)),
+                           of(k, n - k, terms(k).vector()), of(k, n - k, rounding(k).vector())});
+    return CellVolumes(std::move(degrees));
 }
 
 CellVolumes CellVolumes::numbered(std::vector<std::vector<Index>> numbers) const {
@@ -140,7 +110,7 @@ CellVolumes CellVolumes::numbered(std::vector<std::vector<Index>> numbers) const
 }
 
 void CellVolumes::refuse_degree(int k) const {
-    if (parts_->primal.empty())
+    if (parts_->degrees.empty())
         throw InvalidInput(fmt::format("volumes of {}-cells do not exist: there are no cells", k));
     throw InvalidInput(fmt::format(
         "volumes of {}-cells do not exist: expected a degree from 0 to {}", k, dimension()));

@@ -15,6 +15,12 @@ class CellComplex;
 /// and positive, dual volumes finite. An immutable handle: copies share the data and cost nothing.
 class CellVolumes {
 public:
+    /// The numbers of the cells of one degree: see the accessors below.
+    struct Degree {
+        Values primal, dual;
+        Bounds terms, rounding;
+    };
+
     /// No cells: dimension -1.
     CellVolumes() : parts_(std::make_shared<Parts>()) {}
 
@@ -28,32 +34,34 @@ public:
     /// is not finite and positive, and for other numbers that are not finite.
     CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
                 std::vector<Vector> terms = {}, std::vector<Vector> rounding = {});
-    CellVolumes(std::vector<Values> primal, std::vector<Values> dual, std::vector<Bounds> terms,
-                std::vector<Bounds> rounding);
+    explicit CellVolumes(std::vector<Degree> degrees);
 
     /// Dimension n; -1 without cells.
-    int dimension() const { return static_cast<int>(parts_->primal.size()) - 1; }
+    int dimension() const { return static_cast<int>(parts_->degrees.size()) - 1; }
 
     /// Number of k-cells. The accessors below throw InvalidInput for a degree outside 0..n.
-    Index size(int k) const { return parts_->primal[checked(k)].size(); }
+    Index size(int k) const { return degree(k).primal.size(); }
+
+    /// All numbers of the k-cells, for innermost loops; valid as long as a copy of these volumes.
+    const Degree& degree(int k) const { return parts_->degrees[checked(k)]; }
 
     /// k-volumes |s| > 0, 1 for vertices; length^k.
-    const Vector& primal(int k) const& { return parts_->primal[checked(k)].vector(); }
+    const Vector& primal(int k) const& { return degree(k).primal.vector(); }
     Vector primal(int k) && { return primal(k); }
 
     /// Signed (n-k)-volumes |*s|, 1 for n-cells; length^(n-k).
-    const Vector& dual(int k) const& { return parts_->dual[checked(k)].vector(); }
+    const Vector& dual(int k) const& { return degree(k).dual.vector(); }
     Vector dual(int k) && { return dual(k); }
 
     /// Magnitude of the terms that cancel in the dual volumes, including heights of circumcenters.
     /// If the last digits of points or lengths are uncertain, errors are proportional to it (see
     /// rounding_of). length^(n-k).
-    const Bounds& terms(int k) const& { return parts_->terms[checked(k)]; }
+    const Bounds& terms(int k) const& { return degree(k).terms; }
     Bounds terms(int k) && { return terms(k); }
 
     /// Error bound of |*s| / |s|, times |s|: the rounding errors of the computation for exact
     /// points. Lengths result from a computation, so their last digits count. length^(n-k).
-    const Bounds& rounding(int k) const& { return parts_->rounding[checked(k)]; }
+    const Bounds& rounding(int k) const& { return degree(k).rounding; }
     Bounds rounding(int k) && { return rounding(k); }
 
     /// |*s| / |s|; length^(n-2k).
@@ -94,8 +102,7 @@ private:
     void check(int k) const;
 
     struct Parts {
-        std::vector<Values> primal, dual;
-        std::vector<Bounds> terms, rounding;
+        std::vector<Degree> degrees;
         std::vector<std::vector<Index>> numbers; // empty: their own
     };
     std::shared_ptr<const Parts> parts_;

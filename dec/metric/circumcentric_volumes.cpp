@@ -172,8 +172,7 @@ private:
     const SimplexMetric& metric_;
     CenterHeights centers_;
     FlatSimplices flat_;
-    std::vector<Values> primal_, dual_;
-    std::vector<Bounds> terms_, rounding_;
+    std::vector<CellVolumes::Degree> degrees_;
     int exponent_; // of lengths
     // of the simplices being visited
     Vector volumes_, duals_;
@@ -340,18 +339,14 @@ void Descent::make_room(int k) {
 
 /// Stores the results on the k-simplices compactly.
 void Descent::keep(int k) {
-    primal_[k] = std::exchange(volumes_, {});
-    dual_[k] = std::exchange(duals_, {});
-    terms_[k] = Bounds(std::exchange(sizes_, {}), scale_);
-    rounding_[k] = Bounds(std::exchange(lost_, {}), scale_);
+    degrees_[k] = {std::exchange(volumes_, {}), std::exchange(duals_, {}),
+                   Bounds(std::exchange(sizes_, {}), scale_),
+                   Bounds(std::exchange(lost_, {}), scale_)};
 }
 
 CellVolumes Descent::run() {
     const int n = complex_.dimension();
-    for (auto* values : {&primal_, &dual_})
-        values->resize(n + 1);
-    for (auto* bounds : {&terms_, &rounding_})
-        bounds->resize(n + 1);
+    degrees_.resize(n + 1);
     for (int k = n; k >= 1; --k) {
         sphere_kernel::for_dimensions(
             k, coordinates(k), [&]<int k_fixed, int N_fixed> { hand_down<k_fixed, N_fixed>(k); });
@@ -365,7 +360,7 @@ CellVolumes Descent::run() {
         lost_[v] = scale_.part(rounding_of(own.products[1]));
     }
     keep(0);
-    return {std::move(primal_), std::move(dual_), std::move(terms_), std::move(rounding_)};
+    return CellVolumes(std::move(degrees_));
 }
 
 } // namespace
