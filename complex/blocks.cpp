@@ -135,16 +135,6 @@ Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facet
     return blocks;
 }
 
-std::vector<bool> facets_within_labels(const Pieces& complex, const std::vector<Index>& labels) {
-    const int n = complex.dimension();
-    check_as_many("labels of simplices", static_cast<std::int64_t>(labels.size()), complex.size(n));
-    const Sides sides(complex);
-    std::vector<bool> removed(complex.size(n - 1), false);
-    for (Index f = 0; f < complex.size(n - 1); ++f)
-        removed[f] = sides.exist(f) && labels[sides.first(f)] == labels[sides.second(f)];
-    return removed;
-}
-
 std::vector<InadmissibleBlock> inadmissible_blocks(const Pieces& complex, const Blocks& blocks) {
     const int n = complex.dimension();
     std::vector<std::vector<Index>> wrong; // by first piece: Euler number without that piece, then

@@ -50,10 +50,6 @@ Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facet
 Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facets,
                    JoinedSimplices tops, const Straightness& straight);
 
-/// The facets that merging by label removes: two cofaces, both with the same label. `labels` has
-/// one entry per n-simplex. Throws InvalidInput for a wrong number of labels.
-std::vector<bool> facets_within_labels(const Pieces& complex, const std::vector<Index>& labels);
-
 /// A block that is not an open ball, hence not a cell. Its pieces induce inconsistent orientations,
 /// or its Euler number (the sum of (-1)^dim over its open simplices) is not (-1)^dimension, or a
 /// vertex at it has lost all its edges.

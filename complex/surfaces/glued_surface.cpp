@@ -3,7 +3,6 @@
 
 #include "base/errors.h"
 #include "complex/disjoint_sets.h"
-#include "complex/incidence_rows.h"
 
 #include <fmt/format.h>
 
@@ -176,25 +175,6 @@ void GluedSurface::split_boundary(Index edge) {
     edges_ += 2;
     halfedges_.push_back({n, -1});
     halfedges_.push_back({h1, n + 2});
-}
-
-CellComplex cell_complex(const GluedSurface& surface) {
-    IncidenceRows edges(surface.edges(), surface.vertices(), surface.edges() * 2);
-    for (Index e = 0; e < surface.edges(); ++e) {
-        edges.add(surface.first_vertex(e), -1);
-        edges.add(surface.last_vertex(e), 1);
-        edges.end_cell();
-    }
-    IncidenceRows triangles(surface.triangles(), surface.edges(), surface.triangles() * 3);
-    for (Index h = 0; h < 3 * surface.triangles(); ++h) {
-        triangles.add(surface.edge(h), surface.sign(h));
-        if (h % 3 == 2)
-            triangles.end_cell();
-    }
-    std::vector<Coboundary> coboundaries;
-    coboundaries.push_back(edges.finish());
-    coboundaries.push_back(triangles.finish());
-    return {CellComplex::Unchecked{}, std::move(coboundaries)};
 }
 
 } // namespace polydec

@@ -128,8 +128,4 @@ private:
     std::vector<std::array<Index, 2>> halfedges_; // of edges
 };
 
-/// The surface as incidence matrices whose entries are sums of signs: 0 for loops and for a
-/// triangle on both sides of an edge; 2 or -2 for such a triangle on a one-sided surface.
-CellComplex cell_complex(const GluedSurface& surface);
-
 } // namespace polydec

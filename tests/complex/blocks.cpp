@@ -5,6 +5,7 @@
 #include "complex/merging.h"
 #include "complex/simplicial_complex.h"
 #include "meshes/generate.h"
+#include "tests/complex/labels.h"
 #include "tests/support/families.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"

@@ -2,6 +2,7 @@
 #include "complex/blocks.h"
 #include "complex/merging.h"
 #include "meshes/generate.h"
+#include "tests/complex/labels.h"
 #include "tests/support/matrices.h"
 #include "tests/support/merged.h"
 

@@ -86,14 +86,13 @@ Questions of_complexes(const Sample& s, int k) {
          [&s, k](Inputs&) {
              return fit(unmerged(s.pieces()).merged().size(k) == s.pieces().size(k));
          }},
-        {"facets_within_labels and join_blocks",
+        {"join_blocks",
          [&s, n](Inputs& in) {
-             const auto facets =
-                 facets_within_labels(s.pieces(), in.list<Index>(s.pieces().size(n), 0));
+             const auto facets = in.list<bool>(s.pieces().size(n - 1), true);
              const auto blocks =
                  join_blocks(s.pieces(), facets, [](int, Index, Index, Index) { return false; });
              inadmissible_blocks(s.pieces(), blocks);
-             return fit(Index(facets.size()) == s.pieces().size(n - 1));
+             return fit(Index(blocks.carriers.size()) == n + 1);
          }},
         {"merged_tags",
          [&s, k](Inputs& in) {

@@ -130,7 +130,6 @@ TEST(doors, values_of_another_number_than_the_cells_are_refused) {
                                   [](int, Index, Index, Index) { return true; });
                   }),
                   "refused");
-        EXPECT_EQ(outcome([&] { facets_within_labels(s.K(), {1}); }), "refused");
         EXPECT_EQ(outcome([&] { subsets(n, -1); }), "refused");
         EXPECT_EQ(outcome([&] { subsets(-1, 0); }), "refused");
     }

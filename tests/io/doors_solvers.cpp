@@ -176,11 +176,6 @@ Questions of_surfaces(const Sample& s) {
              const auto both = overlay(s.mesh.passage(), s.mesh.points());
              return fit(both.at_points(in.points(s.pieces().size(0), 2)), both.points.rows(), 2);
          }},
-        {"cell_complex of a glued surface",
-         [&s](Inputs&) {
-             const auto surface = surface_of(s);
-             return fit(cell_complex(surface).size(1) == surface.edges());
-         }},
     };
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/glued.h"
 
+#include "complex/incidence_rows.h"
 #include "tests/support/families.h"
 #include "tests/support/merged.h"
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 namespace polydec::test {
 
@@ -30,6 +32,25 @@ GluedSurface folded_triangle() {
 
 GluedSurface moebius_triangle() {
     return GluedSurface(Triangles{{{{0, 1}, {0, 1}, {1, 1}}}});
+}
+
+CellComplex cell_complex(const GluedSurface& surface) {
+    IncidenceRows edges(surface.edges(), surface.vertices(), surface.edges() * 2);
+    for (Index e = 0; e < surface.edges(); ++e) {
+        edges.add(surface.first_vertex(e), -1);
+        edges.add(surface.last_vertex(e), 1);
+        edges.end_cell();
+    }
+    IncidenceRows triangles(surface.triangles(), surface.edges(), surface.triangles() * 3);
+    for (Index h = 0; h < 3 * surface.triangles(); ++h) {
+        triangles.add(surface.edge(h), surface.sign(h));
+        if (h % 3 == 2)
+            triangles.end_cell();
+    }
+    std::vector<Coboundary> coboundaries;
+    coboundaries.push_back(edges.finish());
+    coboundaries.push_back(triangles.finish());
+    return {CellComplex::Unchecked{}, std::move(coboundaries)};
 }
 
 std::vector<std::string> names_of_surfaces() {

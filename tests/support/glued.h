@@ -16,6 +16,10 @@ GluedSurface two_sided_plane();  ///< a projective plane of two triangles
 GluedSurface folded_triangle();  ///< two sides of one triangle glued: a cone
 GluedSurface moebius_triangle(); ///< two sides of one triangle glued the other way round
 
+/// The surface as incidence matrices whose entries are sums of signs: 0 for loops and for a
+/// triangle on both sides of an edge; 2 or -2 for such a triangle on a one-sided surface.
+CellComplex cell_complex(const GluedSurface& surface);
+
 /// Names of the meshes of the family that are surfaces with at most two triangles at each edge.
 std::vector<std::string> names_of_surfaces();
 
