@@ -33,7 +33,27 @@ public:
           limit_(options.krylov_dimension),
           basis_(A.size, limit_ + width),
           projected_(DenseMatrix::Zero(limit_ + width, limit_ + width)) {}
-    EigenPairs run();
+
+    EigenPairs run() {
+        start();
+        Index next_look = std::min(count_ + width_, limit_);
+        for (Index restarts = 0;;) {
+            expand();
+            const bool is_full = done_ + width_ > limit_;
+            if (!is_full && done_ < next_look)
+                continue;
+            const Ritz found = ritz();
+            const bool is_all = static_cast<Index>(found.converged.size()) == count_;
+            if (is_all || (is_full && restarts == options_.max_restarts))
+                return pairs(found);
+            if (is_full) {
+                restart(found);
+                ++restarts;
+            }
+            // the small eigenproblem would cost as much as a step
+            next_look = done_ + 2 * width_;
+        }
+    }
 
 private:
     struct Ritz {
@@ -42,11 +62,80 @@ private:
         std::vector<Index> converged; // of the first `count`
     };
 
-    void start();
-    void expand();
-    Ritz ritz() const;
-    void restart(const Ritz& found);
-    EigenPairs pairs(const Ritz& found) const;
+    // The start vector, and others that have nothing to do with it.
+    void start() {
+        next_.resize(A_.size, width_);
+        Noise(11).fill(next_.reshaped());
+        next_.col(0) = options_.start / options_.start.stableNorm();
+        basis_.append(next_, 0.0);
+    }
+
+    void expand() {
+        next_ = basis_.columns(done_, width_);
+        A_.apply_to_columns(next_, image_);
+        operations_ += width_;
+        if (scale_ == 0.0)
+            scale_ = image_.cwiseAbs().maxCoeff();
+        if (scale_ > 0.0)
+            image_ /= scale_;
+        largest_ = std::max(largest_, image_.colwise().norm().maxCoeff());
+
+        // By symmetry what couples the block to columns before it is known.
+        const Index before = done_ - coupled_;
+        const auto coupling = projected_.block(done_, coupled_, width_, before);
+        add_product(-1, basis_.columns(coupled_, before), coupling.transpose(), 1, image_);
+        const DenseMatrix own = transposed_product(next_, image_);
+        projected_.block(done_, done_, width_, width_) = 0.5 * (own + own.transpose());
+        add_product(-1, next_, projected_.block(done_, done_, width_, width_), 1, image_);
+
+        coupled_ = done_;
+        done_ += width_;
+        projected_.block(done_, coupled_, width_, width_) =
+            basis_.append(image_, epsilon * largest_);
+    }
+
+    Ritz ritz() const {
+        const auto [values, vectors] =
+            symmetric_pairs(projected_.topLeftCorner(done_, done_), "block-lanczos");
+        Ritz found{values.reverse(), vectors.rowwise().reverse(), {}};
+
+        // |A v - theta v| of a Ritz vector v = V s is |C s|; no residual falls below rounding.
+        const Index wide = done_ - coupled_;
+        const DenseMatrix residuals = projected_.block(done_, coupled_, width_, wide) *
+                                      found.vectors.block(coupled_, 0, wide, count_);
+        const double floor = epsilon * found.values.cwiseAbs().maxCoeff();
+        for (Index i = 0; i < count_; ++i)
+            if (residuals.col(i).norm() <=
+                std::max(options_.tolerance * std::abs(found.values[i]), floor))
+                found.converged.push_back(i);
+        return found;
+    }
+
+    // Keeps the Ritz vectors that are wanted, and as many of the next ones as make the iteration
+    // forget little: a third of the room that is left.
+    void restart(const Ritz& found) {
+        const Index kept = std::min(count_ + (limit_ - count_) / 3, limit_ - width_);
+        const DenseMatrix combination = found.vectors.leftCols(kept);
+        const DenseMatrix coupling = projected_.block(done_, coupled_, width_, done_ - coupled_) *
+                                     combination.bottomRows(done_ - coupled_);
+        basis_.combine(combination);
+        projected_.setZero();
+        projected_.diagonal().head(kept) = found.values.head(kept);
+        projected_.block(kept, 0, width_, kept) = coupling;
+        done_ = kept;
+        coupled_ = 0;
+    }
+
+    EigenPairs pairs(const Ritz& found) const {
+        const DenseMatrix chosen = found.vectors(Eigen::indexing::all, found.converged);
+        EigenPairs result;
+        result.values = found.values(found.converged) * scale_;
+        result.vectors.resize(A_.size, chosen.cols());
+        add_product(1, basis_.columns(0, done_), chosen, 0, result.vectors);
+        result.converged = static_cast<Index>(found.converged.size());
+        result.operations = operations_;
+        return result;
+    }
 
     const SymmetricOperator& A_;
     const EigenOptions& options_;
@@ -63,101 +152,6 @@ private:
     DenseMatrix next_;
     DenseMatrix image_;
 };
-
-// The start vector, and others that have nothing to do with it.
-void Iteration::start() {
-    next_.resize(A_.size, width_);
-    Noise(11).fill(next_.reshaped());
-    next_.col(0) = options_.start / options_.start.stableNorm();
-    basis_.append(next_, 0.0);
-}
-
-void Iteration::expand() {
-    next_ = basis_.columns(done_, width_);
-    A_.apply_to_columns(next_, image_);
-    operations_ += width_;
-    if (scale_ == 0.0)
-        scale_ = image_.cwiseAbs().maxCoeff();
-    if (scale_ > 0.0)
-        image_ /= scale_;
-    largest_ = std::max(largest_, image_.colwise().norm().maxCoeff());
-
-    // By symmetry what couples the block to columns before it is known.
-    const Index before = done_ - coupled_;
-    const auto coupling = projected_.block(done_, coupled_, width_, before);
-    add_product(-1, basis_.columns(coupled_, before), coupling.transpose(), 1, image_);
-    const DenseMatrix own = transposed_product(next_, image_);
-    projected_.block(done_, done_, width_, width_) = 0.5 * (own + own.transpose());
-    add_product(-1, next_, projected_.block(done_, done_, width_, width_), 1, image_);
-
-    coupled_ = done_;
-    done_ += width_;
-    projected_.block(done_, coupled_, width_, width_) = basis_.append(image_, epsilon * largest_);
-}
-
-Iteration::Ritz Iteration::ritz() const {
-    const auto [values, vectors] =
-        symmetric_pairs(projected_.topLeftCorner(done_, done_), "block-lanczos");
-    Ritz found{values.reverse(), vectors.rowwise().reverse(), {}};
-
-    // |A v - theta v| of a Ritz vector v = V s is |C s|; no residual falls below rounding.
-    const Index wide = done_ - coupled_;
-    const DenseMatrix residuals = projected_.block(done_, coupled_, width_, wide) *
-                                  found.vectors.block(coupled_, 0, wide, count_);
-    const double floor = epsilon * found.values.cwiseAbs().maxCoeff();
-    for (Index i = 0; i < count_; ++i)
-        if (residuals.col(i).norm() <=
-            std::max(options_.tolerance * std::abs(found.values[i]), floor))
-            found.converged.push_back(i);
-    return found;
-}
-
-// Keeps the Ritz vectors that are wanted, and as many of the next ones as make the iteration forget
-// little: a third of the room that is left.
-void Iteration::restart(const Ritz& found) {
-    const Index kept = std::min(count_ + (limit_ - count_) / 3, limit_ - width_);
-    const DenseMatrix combination = found.vectors.leftCols(kept);
-    const DenseMatrix coupling = projected_.block(done_, coupled_, width_, done_ - coupled_) *
-                                 combination.bottomRows(done_ - coupled_);
-    basis_.combine(combination);
-    projected_.setZero();
-    projected_.diagonal().head(kept) = found.values.head(kept);
-    projected_.block(kept, 0, width_, kept) = coupling;
-    done_ = kept;
-    coupled_ = 0;
-}
-
-EigenPairs Iteration::pairs(const Ritz& found) const {
-    const DenseMatrix chosen = found.vectors(Eigen::indexing::all, found.converged);
-    EigenPairs result;
-    result.values = found.values(found.converged) * scale_;
-    result.vectors.resize(A_.size, chosen.cols());
-    add_product(1, basis_.columns(0, done_), chosen, 0, result.vectors);
-    result.converged = static_cast<Index>(found.converged.size());
-    result.operations = operations_;
-    return result;
-}
-
-EigenPairs Iteration::run() {
-    start();
-    Index next_look = std::min(count_ + width_, limit_);
-    for (Index restarts = 0;;) {
-        expand();
-        const bool is_full = done_ + width_ > limit_;
-        if (!is_full && done_ < next_look)
-            continue;
-        const Ritz found = ritz();
-        const bool is_all = static_cast<Index>(found.converged.size()) == count_;
-        if (is_all || (is_full && restarts == options_.max_restarts))
-            return pairs(found);
-        if (is_full) {
-            restart(found);
-            ++restarts;
-        }
-        // the small eigenproblem would cost as much as a step
-        next_look = done_ + 2 * width_;
-    }
-}
 
 class BlockLanczos final : public EigenSolver {
 public:

@@ -79,13 +79,76 @@ void copy(const Session& session, const Vector& from, Vec to) {
 // One run of the eigensolver, and what it holds on to.
 class Run {
 public:
-    Run(const Session& session, Shell& shell, Index count, const EigenOptions& options);
-    void solve();
-    EigenPairs pairs(Index count) const;
+    Run(const Session& session, Shell& shell, Index count, const EigenOptions& options)
+        : session_(session), shell_(shell), size_(shell.A->size) {
+        use_shell();
+        session_.require(EPSCreate(PETSC_COMM_SELF, solver_.put()), "making a solver");
+        session_.require(EPSSetOperators(solver_.get(), matrix_.get(), nullptr), "making a solver");
+        session_.require(EPSSetProblemType(solver_.get(), EPS_HEP), "making a solver");
+        session_.require(EPSSetWhichEigenpairs(solver_.get(), EPS_LARGEST_REAL), "making a solver");
+        choose_method(count, options);
+    }
+
+    void solve() {
+        const auto error = EPSSolve(solver_.get());
+        if (shell_.thrown)
+            std::rethrow_exception(shell_.thrown);
+        session_.require(error, "the iteration");
+    }
+
+    EigenPairs pairs(Index count) const {
+        PetscInt found = 0;
+        session_.require(EPSGetConverged(solver_.get(), &found), "reading the eigenpairs");
+        const auto converged = static_cast<Index>(std::min<PetscInt>(found, count));
+
+        EigenPairs result{Vector(converged), DenseMatrix(size_, converged), converged,
+                          shell_.operations};
+        for (Index i = 0; i < converged; ++i) {
+            PetscVector vector;
+            session_.require(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size_,
+                                                   result.vectors.col(i).data(), vector.put()),
+                             "reading the eigenpairs");
+            session_.require(EPSGetEigenpair(solver_.get(), i, &result.values[i], nullptr,
+                                             vector.get(), nullptr),
+                             "reading the eigenpairs");
+        }
+        return result;
+    }
 
 private:
-    void use_shell();
-    void choose_method(Index count, const EigenOptions& options);
+    void use_shell() {
+        session_.require(
+            MatCreateShell(PETSC_COMM_SELF, size_, size_, size_, size_, &shell_, matrix_.put()),
+            "taking over the operator");
+        session_.require(
+            MatShellSetOperation(matrix_.get(), MATOP_MULT, reinterpret_cast<void (*)()>(apply)),
+            "taking over the operator");
+        session_.require(MatSetOption(matrix_.get(), MAT_SYMMETRIC, PETSC_TRUE),
+                         "taking over the operator");
+    }
+
+    void choose_method(Index count, const EigenOptions& options) {
+        EPS solver = solver_.get();
+        if (size_ <= dense_size || options.krylov_dimension >= size_) {
+            session_.require(EPSSetType(solver, EPSLAPACK), "choosing the method");
+            return;
+        }
+        session_.require(EPSSetType(solver, EPSKRYLOVSCHUR), "choosing the method");
+        session_.require(EPSSetDimensions(solver, count, options.krylov_dimension, PETSC_DEFAULT),
+                         "choosing the method");
+        session_.require(
+            EPSSetTolerances(solver, options.tolerance, std::max(options.max_restarts, 1)),
+            "choosing the method");
+        session_.require(EPSSetConvergenceTest(solver, EPS_CONV_REL), "choosing the method");
+        session_.require(EPSSetStoppingTestFunction(solver, stop, &shell_, nullptr),
+                         "choosing the method");
+
+        session_.require(VecCreateSeq(PETSC_COMM_SELF, size_, start_.put()),
+                         "taking over the start");
+        copy(session_, options.start, start_.get());
+        Vec start = start_.get();
+        session_.require(EPSSetInitialSpace(solver, 1, &start), "taking over the start");
+    }
 
     const Session& session_;
     Shell& shell_;
@@ -94,74 +157,6 @@ private:
     PetscVector start_;
     Owned<EPS, EPSDestroy> solver_;
 };
-
-Run::Run(const Session& session, Shell& shell, Index count, const EigenOptions& options)
-    : session_(session), shell_(shell), size_(shell.A->size) {
-    use_shell();
-    session_.require(EPSCreate(PETSC_COMM_SELF, solver_.put()), "making a solver");
-    session_.require(EPSSetOperators(solver_.get(), matrix_.get(), nullptr), "making a solver");
-    session_.require(EPSSetProblemType(solver_.get(), EPS_HEP), "making a solver");
-    session_.require(EPSSetWhichEigenpairs(solver_.get(), EPS_LARGEST_REAL), "making a solver");
-    choose_method(count, options);
-}
-
-void Run::use_shell() {
-    session_.require(
-        MatCreateShell(PETSC_COMM_SELF, size_, size_, size_, size_, &shell_, matrix_.put()),
-        "taking over the operator");
-    session_.require(
-        MatShellSetOperation(matrix_.get(), MATOP_MULT, reinterpret_cast<void (*)()>(apply)),
-        "taking over the operator");
-    session_.require(MatSetOption(matrix_.get(), MAT_SYMMETRIC, PETSC_TRUE),
-                     "taking over the operator");
-}
-
-void Run::choose_method(Index count, const EigenOptions& options) {
-    EPS solver = solver_.get();
-    if (size_ <= dense_size || options.krylov_dimension >= size_) {
-        session_.require(EPSSetType(solver, EPSLAPACK), "choosing the method");
-        return;
-    }
-    session_.require(EPSSetType(solver, EPSKRYLOVSCHUR), "choosing the method");
-    session_.require(EPSSetDimensions(solver, count, options.krylov_dimension, PETSC_DEFAULT),
-                     "choosing the method");
-    session_.require(EPSSetTolerances(solver, options.tolerance, std::max(options.max_restarts, 1)),
-                     "choosing the method");
-    session_.require(EPSSetConvergenceTest(solver, EPS_CONV_REL), "choosing the method");
-    session_.require(EPSSetStoppingTestFunction(solver, stop, &shell_, nullptr),
-                     "choosing the method");
-
-    session_.require(VecCreateSeq(PETSC_COMM_SELF, size_, start_.put()), "taking over the start");
-    copy(session_, options.start, start_.get());
-    Vec start = start_.get();
-    session_.require(EPSSetInitialSpace(solver, 1, &start), "taking over the start");
-}
-
-void Run::solve() {
-    const auto error = EPSSolve(solver_.get());
-    if (shell_.thrown)
-        std::rethrow_exception(shell_.thrown);
-    session_.require(error, "the iteration");
-}
-
-EigenPairs Run::pairs(Index count) const {
-    PetscInt found = 0;
-    session_.require(EPSGetConverged(solver_.get(), &found), "reading the eigenpairs");
-    const auto converged = static_cast<Index>(std::min<PetscInt>(found, count));
-
-    EigenPairs result{Vector(converged), DenseMatrix(size_, converged), converged,
-                      shell_.operations};
-    for (Index i = 0; i < converged; ++i) {
-        PetscVector vector;
-        session_.require(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size_,
-                                               result.vectors.col(i).data(), vector.put()),
-                         "reading the eigenpairs");
-        session_.require(
-            EPSGetEigenpair(solver_.get(), i, &result.values[i], nullptr, vector.get(), nullptr),
-            "reading the eigenpairs");
-    }
-    return result;
-}
 
 class SlepcSolver final : public EigenSolver {
 public:

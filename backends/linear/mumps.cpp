@@ -84,100 +84,94 @@ public:
                         options) {}
 
 protected:
-    void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
-    Solution apply_inverse(const DenseMatrix& B) override;
+    void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override {
+        const EngineThreads threads(options().blas_threads);
+        const bool is_new = pattern == Pattern::fresh || !run_;
+        if (is_new)
+            run_ = std::make_unique<MumpsRun>();
+        take_lower_triangle(A);
+        if (is_new) {
+            run_->control(ordering) = domain_dimension(A, facts) > 2 ? by_dissection : by_degree;
+            require(run_->run(Job::analyze), "analysis");
+        }
+        factorize_with_room();
+
+        if (const int count = run_->told(null_pivot_count); count > 0)
+            fail(fmt::format("{} zero pivots: the matrix is singular\n"
+                             "Move the shift, give the kernel in the facts, or use eigen.lu.",
+                             count));
+        set_negative_pivots(run_->told(negative_pivot_count), facts);
+    }
+
+    Solution apply_inverse(const DenseMatrix& B) override {
+        const EngineThreads threads(options().blas_threads);
+        DenseMatrix X = B;
+        auto& data = run_->data();
+        data.nrhs = static_cast<MUMPS_INT>(X.cols());
+        data.lrhs = static_cast<MUMPS_INT>(X.rows());
+        data.rhs = X.data();
+        require(run_->run(Job::solve), "solution");
+        return {std::move(X)};
+    }
 
 private:
-    void take_lower_triangle(const SparseMatrix& A);
-    void factorize_with_room();
-    void require(int answer, const char* step);
+    void take_lower_triangle(const SparseMatrix& A) {
+        rows_.clear();
+        columns_.clear();
+        values_.clear();
+        for (Index row = 0; row < A.rows(); ++row)
+            for (SparseMatrix::InnerIterator entry(A, row); entry && entry.col() <= row; ++entry) {
+                rows_.push_back(row + 1);
+                columns_.push_back(static_cast<MUMPS_INT>(entry.col()) + 1);
+                values_.push_back(entry.value());
+            }
+        auto& data = run_->data();
+        data.n = static_cast<MUMPS_INT>(A.rows());
+        data.nnz = static_cast<MUMPS_INT8>(values_.size());
+        data.irn = rows_.data();
+        data.jcn = columns_.data();
+        data.a = values_.data();
+    }
+
+    void factorize_with_room() {
+        constexpr int too_little_for_integers = -8, too_little = -9;
+        int answer = run_->run(Job::factorize);
+        while ((answer == too_little || answer == too_little_for_integers) &&
+               run_->control(spare_room) < most_room) {
+            run_->control(spare_room) *= 2;
+            answer = run_->run(Job::factorize);
+        }
+        require(answer, "factorization");
+    }
+
+    void require(int answer, const char* step) {
+        if (answer >= 0)
+            return;
+        run_.reset();
+        switch (answer) {
+        case -5:
+        case -7:
+        case -8:
+        case -9:
+        case -13:
+            throw std::bad_alloc();
+        case -6:
+        case -10:
+            fail("zero pivot: the matrix is singular\n"
+                 "Move the shift, give the kernel in the facts, or use eigen.lu.");
+        case -51:
+        case -52:
+            fail(
+                fmt::format("{}: the matrix is too large for 32-bit numbers\nUse eigen.cg.", step));
+        default:
+            fail(fmt::format("{}: MUMPS's error {}", step, answer));
+        }
+    }
 
     std::unique_ptr<MumpsRun> run_; // null before the first analysis, and where it failed
     std::vector<MUMPS_INT> rows_, columns_;
     std::vector<double> values_;
 };
-
-void Mumps::require(int answer, const char* step) {
-    if (answer >= 0)
-        return;
-    run_.reset();
-    switch (answer) {
-    case -5:
-    case -7:
-    case -8:
-    case -9:
-    case -13:
-        throw std::bad_alloc();
-    case -6:
-    case -10:
-        fail("zero pivot: the matrix is singular\n"
-             "Move the shift, give the kernel in the facts, or use eigen.lu.");
-    case -51:
-    case -52:
-        fail(fmt::format("{}: the matrix is too large for 32-bit numbers\nUse eigen.cg.", step));
-    default:
-        fail(fmt::format("{}: MUMPS's error {}", step, answer));
-    }
-}
-
-void Mumps::take_lower_triangle(const SparseMatrix& A) {
-    rows_.clear();
-    columns_.clear();
-    values_.clear();
-    for (Index row = 0; row < A.rows(); ++row)
-        for (SparseMatrix::InnerIterator entry(A, row); entry && entry.col() <= row; ++entry) {
-            rows_.push_back(row + 1);
-            columns_.push_back(static_cast<MUMPS_INT>(entry.col()) + 1);
-            values_.push_back(entry.value());
-        }
-    auto& data = run_->data();
-    data.n = static_cast<MUMPS_INT>(A.rows());
-    data.nnz = static_cast<MUMPS_INT8>(values_.size());
-    data.irn = rows_.data();
-    data.jcn = columns_.data();
-    data.a = values_.data();
-}
-
-void Mumps::factorize_with_room() {
-    constexpr int too_little_for_integers = -8, too_little = -9;
-    int answer = run_->run(Job::factorize);
-    while ((answer == too_little || answer == too_little_for_integers) &&
-           run_->control(spare_room) < most_room) {
-        run_->control(spare_room) *= 2;
-        answer = run_->run(Job::factorize);
-    }
-    require(answer, "factorization");
-}
-
-void Mumps::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) {
-    const EngineThreads threads(options().blas_threads);
-    const bool is_new = pattern == Pattern::fresh || !run_;
-    if (is_new)
-        run_ = std::make_unique<MumpsRun>();
-    take_lower_triangle(A);
-    if (is_new) {
-        run_->control(ordering) = domain_dimension(A, facts) > 2 ? by_dissection : by_degree;
-        require(run_->run(Job::analyze), "analysis");
-    }
-    factorize_with_room();
-
-    if (const int count = run_->told(null_pivot_count); count > 0)
-        fail(fmt::format("{} zero pivots: the matrix is singular\n"
-                         "Move the shift, give the kernel in the facts, or use eigen.lu.",
-                         count));
-    set_negative_pivots(run_->told(negative_pivot_count), facts);
-}
-
-CheckedSolver::Solution Mumps::apply_inverse(const DenseMatrix& B) {
-    const EngineThreads threads(options().blas_threads);
-    DenseMatrix X = B;
-    auto& data = run_->data();
-    data.nrhs = static_cast<MUMPS_INT>(X.cols());
-    data.lrhs = static_cast<MUMPS_INT>(X.rows());
-    data.rhs = X.data();
-    require(run_->run(Job::solve), "solution");
-    return {std::move(X)};
-}
 
 } // namespace
 

@@ -96,14 +96,115 @@ public:
     ~CgMultigrid() override { forget(); }
 
 protected:
-    void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
-    Index iterate(const Vector& b, Eigen::Ref<Vector> x) override;
+    void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern) override {
+        const Session session(name());
+        forget();
+        const bool is_singular = facts.definiteness == Definiteness::semidefinite;
+        const SparseMatrix& regular = without_zero_rows(A, facts);
+        const petsc::SetOptions set(session, petsc::conjugate_gradients + multigrid_ +
+                                                 (is_singular ? for_singular_ : "") +
+                                                 options().engine_options);
+        try {
+            view(session, regular, facts.definiteness, view_);
+            if (facts.kernel.cols() > 0)
+                set_kernel(session, view_.matrix.get(), facts.kernel);
+            set_up(session);
+        } catch (...) {
+            forget();
+            throw;
+        }
+    }
+
+    Index iterate(const Vector& b, Eigen::Ref<Vector> x) override {
+        const Session session(name());
+        PetscVector right_hand_side;
+        PetscVector solution;
+        const auto size = static_cast<PetscInt>(b.size());
+        session.require(
+            VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, b.data(), right_hand_side.put()),
+            "taking over a right-hand side");
+        session.require(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, x.data(), solution.put()),
+                        "taking over a solution");
+        session.require(KSPSolve(solver_.get(), right_hand_side.get(), solution.get()),
+                        "the solution");
+
+        PetscInt iterations = 0;
+        KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+        KSPGetIterationNumber(solver_.get(), &iterations);
+        KSPGetConvergedReason(solver_.get(), &reason);
+        if (reason <= 0 || !x.allFinite())
+            fail_because(reason, static_cast<Index>(iterations));
+        return static_cast<Index>(iterations);
+    }
 
 private:
-    const SparseMatrix& without_zero_rows(const SparseMatrix& A, const MatrixFacts& facts);
-    void set_up(const Session& session);
-    void forget();
-    [[noreturn]] void fail_because(KSPConvergedReason reason, Index iterations) const;
+    // Smoothers divide by the diagonal. A row of a semidefinite matrix whose diagonal is zero is
+    // all zero, its unknown is without influence, and a one on the diagonal keeps it at zero.
+    const SparseMatrix& without_zero_rows(const SparseMatrix& A, const MatrixFacts& facts) {
+        const Vector diagonal = A.diagonal();
+        const bool may_be_zero = facts.definiteness == Definiteness::semidefinite;
+        std::vector<Eigen::Triplet<double>> ones;
+        for (Index i = 0; i < static_cast<Index>(A.rows()); ++i) {
+            if (diagonal[i] > 0.0)
+                continue;
+            if (diagonal[i] < 0.0 || !may_be_zero || A.row(i).norm() > 0.0)
+                fail(fmt::format("the matrix is not positive {1}definite, although its facts say "
+                                 "so: entry ({0}, {0}) is {2:.3g}",
+                                 i, may_be_zero ? "semi" : "", diagonal[i]));
+            ones.emplace_back(i, i, 1.0);
+        }
+        if (ones.empty())
+            return A;
+
+        SparseMatrix added(A.rows(), A.cols());
+        added.setFromTriplets(ones.begin(), ones.end());
+        changed_ = A + added;
+        changed_.makeCompressed();
+        return changed_;
+    }
+
+    void set_up(const Session& session) {
+        const auto limit =
+            options().max_iterations > 0 ? options().max_iterations : most_iterations;
+        session.require(KSPCreate(PETSC_COMM_SELF, solver_.put()), "making a solver");
+        KSP solver = solver_.get();
+        session.require(KSPSetOptionsPrefix(solver, petsc::prefix), "making a solver");
+        session.require(KSPSetOperators(solver, view_.matrix.get(), view_.matrix.get()),
+                        "making a solver");
+        session.require(KSPSetTolerances(solver, std::min(options().tolerance, 0.5), 0.0,
+                                         PETSC_MAX_REAL, limit),
+                        "making a solver");
+        session.require(KSPSetFromOptions(solver), "reading the options");
+        session.require(KSPSetUp(solver), "the setup");
+        session.require(KSPSetUpOnBlocks(solver), "the setup");
+        petsc::require_read(name(), options().engine_options);
+    }
+
+    void forget() {
+        if (!petsc::is_running())
+            return;
+        const Session session(name());
+        solver_.reset();
+        view_.matrix.reset();
+    }
+
+    [[noreturn]] void fail_because(KSPConvergedReason reason, Index iterations) const {
+        const char* text = nullptr;
+        KSPGetConvergedReasonString(solver_.get(), &text);
+        double residual = 0.0;
+        KSPGetResidualNorm(solver_.get(), &residual);
+
+        const char* cause = "the matrix is badly conditioned or indefinite, or the right-hand side "
+                            "is not in its range";
+        if (reason == KSP_DIVERGED_INDEFINITE_MAT)
+            cause = "the matrix is not positive semidefinite, although its facts say so";
+        if (reason == KSP_DIVERGED_INDEFINITE_PC || reason == KSP_DIVERGED_PC_FAILED)
+            cause = "multigrid fails for this matrix";
+        fail(fmt::format("no convergence after {} iterations ({}), residual {:.2g}: {}\n"
+                         "Use cholmod or another direct engine.",
+                         iterations, text ? text : "unknown reason", residual, cause),
+             SolveReport::failed(name(), iterations, residual));
+    }
 
     std::string multigrid_;
     std::string for_singular_;
@@ -111,114 +212,6 @@ private:
     MatrixView view_;
     Owned<KSP, KSPDestroy> solver_;
 };
-
-void CgMultigrid::forget() {
-    if (!petsc::is_running())
-        return;
-    const Session session(name());
-    solver_.reset();
-    view_.matrix.reset();
-}
-
-// Smoothers divide by the diagonal. A row of a semidefinite matrix whose diagonal is zero is all
-// zero, its unknown is without influence, and a one on the diagonal keeps it at zero.
-const SparseMatrix& CgMultigrid::without_zero_rows(const SparseMatrix& A,
-                                                   const MatrixFacts& facts) {
-    const Vector diagonal = A.diagonal();
-    const bool may_be_zero = facts.definiteness == Definiteness::semidefinite;
-    std::vector<Eigen::Triplet<double>> ones;
-    for (Index i = 0; i < static_cast<Index>(A.rows()); ++i) {
-        if (diagonal[i] > 0.0)
-            continue;
-        if (diagonal[i] < 0.0 || !may_be_zero || A.row(i).norm() > 0.0)
-            fail(fmt::format("the matrix is not positive {1}definite, although its facts say so: "
-                             "entry ({0}, {0}) is {2:.3g}",
-                             i, may_be_zero ? "semi" : "", diagonal[i]));
-        ones.emplace_back(i, i, 1.0);
-    }
-    if (ones.empty())
-        return A;
-
-    SparseMatrix added(A.rows(), A.cols());
-    added.setFromTriplets(ones.begin(), ones.end());
-    changed_ = A + added;
-    changed_.makeCompressed();
-    return changed_;
-}
-
-void CgMultigrid::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern) {
-    const Session session(name());
-    forget();
-    const bool is_singular = facts.definiteness == Definiteness::semidefinite;
-    const SparseMatrix& regular = without_zero_rows(A, facts);
-    const petsc::SetOptions set(session, petsc::conjugate_gradients + multigrid_ +
-                                             (is_singular ? for_singular_ : "") +
-                                             options().engine_options);
-    try {
-        view(session, regular, facts.definiteness, view_);
-        if (facts.kernel.cols() > 0)
-            set_kernel(session, view_.matrix.get(), facts.kernel);
-        set_up(session);
-    } catch (...) {
-        forget();
-        throw;
-    }
-}
-
-void CgMultigrid::set_up(const Session& session) {
-    const auto limit = options().max_iterations > 0 ? options().max_iterations : most_iterations;
-    session.require(KSPCreate(PETSC_COMM_SELF, solver_.put()), "making a solver");
-    KSP solver = solver_.get();
-    session.require(KSPSetOptionsPrefix(solver, petsc::prefix), "making a solver");
-    session.require(KSPSetOperators(solver, view_.matrix.get(), view_.matrix.get()),
-                    "making a solver");
-    session.require(
-        KSPSetTolerances(solver, std::min(options().tolerance, 0.5), 0.0, PETSC_MAX_REAL, limit),
-        "making a solver");
-    session.require(KSPSetFromOptions(solver), "reading the options");
-    session.require(KSPSetUp(solver), "the setup");
-    session.require(KSPSetUpOnBlocks(solver), "the setup");
-    petsc::require_read(name(), options().engine_options);
-}
-
-void CgMultigrid::fail_because(KSPConvergedReason reason, Index iterations) const {
-    const char* text = nullptr;
-    KSPGetConvergedReasonString(solver_.get(), &text);
-    double residual = 0.0;
-    KSPGetResidualNorm(solver_.get(), &residual);
-
-    const char* cause =
-        "the matrix is badly conditioned or indefinite, or the right-hand side is not in its range";
-    if (reason == KSP_DIVERGED_INDEFINITE_MAT)
-        cause = "the matrix is not positive semidefinite, although its facts say so";
-    if (reason == KSP_DIVERGED_INDEFINITE_PC || reason == KSP_DIVERGED_PC_FAILED)
-        cause = "multigrid fails for this matrix";
-    fail(fmt::format("no convergence after {} iterations ({}), residual {:.2g}: {}\n"
-                     "Use cholmod or another direct engine.",
-                     iterations, text ? text : "unknown reason", residual, cause),
-         SolveReport::failed(name(), iterations, residual));
-}
-
-Index CgMultigrid::iterate(const Vector& b, Eigen::Ref<Vector> x) {
-    const Session session(name());
-    PetscVector right_hand_side;
-    PetscVector solution;
-    const auto size = static_cast<PetscInt>(b.size());
-    session.require(
-        VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, b.data(), right_hand_side.put()),
-        "taking over a right-hand side");
-    session.require(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, x.data(), solution.put()),
-                    "taking over a solution");
-    session.require(KSPSolve(solver_.get(), right_hand_side.get(), solution.get()), "the solution");
-
-    PetscInt iterations = 0;
-    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
-    KSPGetIterationNumber(solver_.get(), &iterations);
-    KSPGetConvergedReason(solver_.get(), &reason);
-    if (reason <= 0 || !x.allFinite())
-        fail_because(reason, static_cast<Index>(iterations));
-    return static_cast<Index>(iterations);
-}
 
 } // namespace
 

@@ -64,7 +64,16 @@ struct CertifiedEigensolver::State {
             options.progress(what);
     }
 
-    MatrixFacts facts() const;
+    MatrixFacts facts() const {
+        MatrixFacts facts;
+        facts.symmetry = Symmetry::symmetric;
+        facts.domain_dimension = options.domain_dimension;
+        facts.many_solves = true;
+        // next to eigenvalues so small beside the largest, residuals of solves are not
+        if (small < 1e-8 * norm)
+            facts.inertia = Inertia::wanted;
+        return facts;
+    }
 
     /// The counter, which factorizes too.
     InertiaCounter& counting() {
@@ -73,19 +82,230 @@ struct CertifiedEigensolver::State {
         return counter;
     }
 
-    void choose_engine(Index count);
-    double lowest_shift(Index wanted);
-    void set_shift(double shift, Definiteness definiteness);
-    Index ask(Index count);
-    bool improve(Index count);
-    bool smooth();
-    void rotate();
-    bool approach(Index rough);
-    Index gap_behind(Index count) const;
-    Proof certify(Index count);
-    Proof prove(Index count);
-    void move_shift(Index wanted);
-    CertifiedEigenpairs result(Index count) const;
+    /// The eigensolver asked for, or the one that suits the largest number asked for so far.
+    void choose_engine(Index count) {
+        const bool is_free = options.eigen_solver == "auto";
+        if (!eigensolver)
+            eigensolver = make_eigen_solver(is_free ? "spectra" : options.eigen_solver);
+        if (is_free && count >= many && eigensolver->name() != "block-lanczos")
+            eigensolver = make_eigen_solver("block-lanczos");
+    }
+
+    /// A shift below the whole spectrum: for indefinite A, close to the first `wanted` eigenvalues.
+    double lowest_shift(Index wanted) {
+        if (options.definiteness != Definiteness::indefinite ||
+            counter.below(-small, small) == Index{0})
+            return -small;
+        return counting().shift_close_to(0, wanted, -2 * norm, -small, small);
+    }
+
+    void set_shift(double shift, Definiteness definiteness) {
+        tell("factorizing");
+        solver.set(shift, definiteness);
+        smoothed = false;
+    }
+
+    /// Asks for `count` eigenpairs above the shift and apart from those found; how many came.
+    Index ask(Index count) {
+        tell("iterating");
+        count = std::min(count, size() - found());
+        choose_engine(count);
+        const auto apply = [&](const auto& X, auto& Y) {
+            tell("a step of the iteration");
+            if (found() == 0) {
+                Y = solver.solve(X);
+                return;
+            }
+            auto right = X;
+            pairs.project_out(right);
+            Y = solver.solve(right);
+            pairs.project_out(Y);
+        };
+        EigenOptions eigen_options;
+        eigen_options.max_restarts = in_vain == 0 ? 300 : 60;
+        eigen_options.tolerance *=
+            std::pow(100.0, std::min(in_vain, 2)); // enclosures tell the rest
+        eigen_options.start.resize(size());
+        for (double& entry : eigen_options.start)
+            entry = random.fraction() - 0.5;
+        pairs.project_out(eigen_options.start);
+        if (eigen_options.start.norm() == 0)
+            return 0;
+
+        const auto came = eigensolver->largest({size(), apply, apply}, count, eigen_options);
+        // true ones are above 1 / (norm - shift)
+        const double floor = 1e-3 / (norm + std::abs(solver.shift()));
+        Index good = 0;
+        while (good < came.converged && came.values[good] > floor)
+            ++good;
+        const DenseMatrix more = came.vectors.leftCols(good);
+        pairs.take(more, pencil.enclose(more));
+        smoothed = smoothed && good == 0;
+        if (options.found && good > 0)
+            options.found(pairs.vectors());
+        return good;
+    }
+
+    /// Whether something could be done for the accuracy of the first `count`.
+    bool improve(Index count) {
+        const Index rough = pairs.fine_before(count);
+        return rough < count && (smooth() || approach(rough));
+    }
+
+    /// Rounding and the iteration leave noise of large eigenvalues in the vectors, which a step of
+    /// inverse iteration takes away. As a correction from accurate residuals it is right in the
+    /// small entries of a vector too. Nothing that would bring the noise back comes after it: no
+    /// projection, no reflections.
+    bool smooth() {
+        if (std::exchange(smoothed, true))
+            return false;
+        tell("refining");
+        const auto fine = pairs.all(true);
+        DenseMatrix Y = pairs.vectors()(Eigen::indexing::all, pairs.all(false));
+        pairs.keep(fine);
+        pairs.project_out(Y);
+        DenseMatrix residuals;
+        pencil.enclose(Y, &residuals);
+        Y -= solver.solve(residuals);
+        Y.colwise().normalize();
+        pairs.take(Y, pencil.enclose(Y));
+        rotate();
+        return true;
+    }
+
+    /// Rayleigh-Ritz: of vectors that are not fine, the best in the space of all of them.
+    void rotate() {
+        const auto rough = pairs.all(false);
+        if (rough.size() < 2)
+            return;
+        const DenseMatrix Y = pairs.vectors()(Eigen::indexing::all, rough);
+        const DenseMatrix gram = Y.transpose() * Y;
+        const Eigen::LLT<DenseMatrix> factor(gram);
+        constexpr double dependent = 1e-5;
+        if (factor.info() != Eigen::Success ||
+            !(factor.matrixLLT().diagonal().minCoeff() > dependent))
+            return;
+        DenseMatrix images;
+        const auto enclosures = pencil.enclose(Y, &images);
+        for (Index i = 0; i < images.cols(); ++i)
+            images.col(i) += enclosures[i].value * Y.col(i);
+        const DenseMatrix projected = Y.transpose() * images;
+        const Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix> ritz(
+            (projected + projected.transpose()) / 2, gram);
+        if (ritz.info() != Eigen::Success)
+            return;
+        const DenseMatrix better = Y * ritz.eigenvectors();
+        pairs.keep(pairs.all(true));
+        pairs.take(better, pencil.enclose(better));
+    }
+
+    /// Eigenvalues far from the shift, seen from there, lie close together, and their vectors come
+    /// out mixed. Moves the shift up to the first that is rough, as near as it is known, and gives
+    /// up those that are; false if that is no gain.
+    bool approach(Index rough) {
+        const double value = pairs.values()[rough], radius = pairs.radii()[rough];
+        const double distance = std::max({64 * radius, std::abs(value) / 8, 1e-12 * norm, small});
+        const double next = value - distance;
+        if (distance > (value - solver.shift()) / 4)
+            return false;
+        if (rough > 0 && next <= pairs.values()[rough - 1] + pairs.radii()[rough - 1])
+            return false;
+        if (counting().below(next, distance / 2) != rough)
+            return false;
+        pairs.keep(pairs.all(true));
+        set_shift(next, rough == 0 ? Definiteness::positive : Definiteness::indefinite);
+        return true;
+    }
+
+    /// The first index i >= count such that a gap lies between values i-1 and i, or, as a count
+    /// will tell, behind all that are found; -1 if there is none. What is next tells the radii of
+    /// zeros.
+    Index gap_behind(Index count) const {
+        const Index behind = pairs.gap_behind(count);
+        const bool may_end =
+            found() == size() || (found() > 0 && pairs.values()[found() - 1] > small);
+        return behind < 0 && count <= found() && may_end ? found() : behind;
+    }
+
+    /// Proves that the first `count` are all there are below the gap behind them, or below some
+    /// place behind them if these are all that are found.
+    Proof certify(Index count) {
+        if (count == size()) {
+            certificate = {2 * norm + small, count, count, true}; // no eigenvalue is above the norm
+            return Proof::complete;
+        }
+        const Vector &values = pairs.values(), &radii = pairs.radii();
+        const double low = values[count - 1] + radii[count - 1];
+        const double near = std::max(std::abs(low) / 64, small); // others follow soon
+        const double high = count < found() ? values[count] - radii[count] : low + near;
+        const auto counted = counting().between(low, high, count);
+        if (!counted)
+            return Proof::untrusted;
+        certificate = {counted->shift, counted->below, count, counted->below == count};
+        return certificate.complete ? Proof::complete : Proof::missing;
+    }
+
+    /// Proves that the first `count` and those up to the next gap where a count can be trusted are
+    /// all.
+    Proof prove(Index count) {
+        for (Index i = gap_behind(count); i >= 0; i = gap_behind(i + 1)) {
+            if (i < size() && pairs.values()[i - 1] <= untrusted)
+                continue;
+            if (const Proof proof = certify(i); proof != Proof::untrusted)
+                return proof;
+            untrusted = pairs.values()[i - 1];
+            if (i < found() && ++failures > most_failures)
+                throw SolverFailure(fmt::format(
+                    "the eigenvalues up to {:.6g} cannot be counted: the factorizations of A - tau "
+                    "M near this value are not accurate enough ({} found); request fewer or more "
+                    "eigenvalues, or waive the proof",
+                    pencil.eigenvalue(untrusted), i));
+        }
+        return Proof::no_gap;
+    }
+
+    /// Where the shift is far from what is still to be found, iterations stall: it moves up behind
+    /// the longest part of what has been found that is proved complete. A part of a complete one is
+    /// complete, so bisection finds it.
+    void move_shift(Index wanted) {
+        pairs.keep(pairs.all(true));
+        std::vector<Index> parts;
+        for (Index count = gap_behind(1); count > 0 && count < found();
+             count = gap_behind(count + 1))
+            parts.push_back(count);
+        if (found() > 0)
+            parts.push_back(found());
+        Certificate best;
+        for (std::size_t first = 0, last = parts.size(); first < last;) {
+            const std::size_t middle = (first + last) / 2;
+            if (certify(parts[middle]) == Proof::complete) {
+                best = certificate;
+                first = middle + 1;
+            } else {
+                last = middle;
+            }
+        }
+        if (!best.complete)
+            return;
+        const double next =
+            counting().shift_close_to(best.below_shift, wanted, best.shift, 2 * norm, small);
+        if (next > solver.shift())
+            set_shift(next, Definiteness::indefinite);
+    }
+
+    CertifiedEigenpairs result(Index count) const {
+        CertifiedEigenpairs result;
+        result.values = pencil.eigenvalues(pairs.values().head(count));
+        result.vectors = pencil.eigenvectors(pairs.vectors().leftCols(count));
+        result.radii = pencil.eigenvalues(pairs.radii().head(count));
+        result.residuals = pencil.eigenvalues(pairs.residuals().head(count));
+        result.certificate = certificate;
+        result.certificate.shift = pencil.eigenvalue(certificate.shift);
+        result.linear_solver = solver.engine();
+        result.eigen_solver = eigensolver->name();
+        result.rough = rough_values(pairs, norm, pencil.eigenvalue(1), count);
+        return result;
+    }
 
     ScaledPencil pencil;
     EigensolverOptions options;
@@ -103,236 +323,6 @@ struct CertifiedEigensolver::State {
     double untrusted = -std::numeric_limits<double>::infinity(); // no count was, in gaps up to here
     int failures = 0;                                            // of counts to be trusted
 };
-
-/// The eigensolver asked for, or the one that suits the largest number asked for so far.
-void CertifiedEigensolver::State::choose_engine(Index count) {
-    const bool is_free = options.eigen_solver == "auto";
-    if (!eigensolver)
-        eigensolver = make_eigen_solver(is_free ? "spectra" : options.eigen_solver);
-    if (is_free && count >= many && eigensolver->name() != "block-lanczos")
-        eigensolver = make_eigen_solver("block-lanczos");
-}
-
-/// A shift below the whole spectrum: for indefinite A, close to the first `wanted` eigenvalues.
-double CertifiedEigensolver::State::lowest_shift(Index wanted) {
-    if (options.definiteness != Definiteness::indefinite ||
-        counter.below(-small, small) == Index{0})
-        return -small;
-    return counting().shift_close_to(0, wanted, -2 * norm, -small, small);
-}
-
-MatrixFacts CertifiedEigensolver::State::facts() const {
-    MatrixFacts facts;
-    facts.symmetry = Symmetry::symmetric;
-    facts.domain_dimension = options.domain_dimension;
-    facts.many_solves = true;
-    // next to eigenvalues so small beside the largest, residuals of solves are not
-    if (small < 1e-8 * norm)
-        facts.inertia = Inertia::wanted;
-    return facts;
-}
-
-void CertifiedEigensolver::State::set_shift(double shift, Definiteness definiteness) {
-    tell("factorizing");
-    solver.set(shift, definiteness);
-    smoothed = false;
-}
-
-/// Asks for `count` eigenpairs above the shift and apart from those found; how many came.
-Index CertifiedEigensolver::State::ask(Index count) {
-    tell("iterating");
-    count = std::min(count, size() - found());
-    choose_engine(count);
-    const auto apply = [&](const auto& X, auto& Y) {
-        tell("a step of the iteration");
-        if (found() == 0) {
-            Y = solver.solve(X);
-            return;
-        }
-        auto right = X;
-        pairs.project_out(right);
-        Y = solver.solve(right);
-        pairs.project_out(Y);
-    };
-    EigenOptions eigen_options;
-    eigen_options.max_restarts = in_vain == 0 ? 300 : 60;
-    eigen_options.tolerance *= std::pow(100.0, std::min(in_vain, 2)); // enclosures tell the rest
-    eigen_options.start.resize(size());
-    for (double& entry : eigen_options.start)
-        entry = random.fraction() - 0.5;
-    pairs.project_out(eigen_options.start);
-    if (eigen_options.start.norm() == 0)
-        return 0;
-
-    const auto came = eigensolver->largest({size(), apply, apply}, count, eigen_options);
-    // true ones are above 1 / (norm - shift)
-    const double floor = 1e-3 / (norm + std::abs(solver.shift()));
-    Index good = 0;
-    while (good < came.converged && came.values[good] > floor)
-        ++good;
-    const DenseMatrix more = came.vectors.leftCols(good);
-    pairs.take(more, pencil.enclose(more));
-    smoothed = smoothed && good == 0;
-    if (options.found && good > 0)
-        options.found(pairs.vectors());
-    return good;
-}
-
-/// Whether something could be done for the accuracy of the first `count`.
-bool CertifiedEigensolver::State::improve(Index count) {
-    const Index rough = pairs.fine_before(count);
-    return rough < count && (smooth() || approach(rough));
-}
-
-/// Rounding and the iteration leave noise of large eigenvalues in the vectors, which a step of
-/// inverse iteration takes away. As a correction from accurate residuals it is right in the small
-/// entries of a vector too. Nothing that would bring the noise back comes after it: no projection,
-/// no reflections.
-bool CertifiedEigensolver::State::smooth() {
-    if (std::exchange(smoothed, true))
-        return false;
-    tell("refining");
-    const auto fine = pairs.all(true);
-    DenseMatrix Y = pairs.vectors()(Eigen::indexing::all, pairs.all(false));
-    pairs.keep(fine);
-    pairs.project_out(Y);
-    DenseMatrix residuals;
-    pencil.enclose(Y, &residuals);
-    Y -= solver.solve(residuals);
-    Y.colwise().normalize();
-    pairs.take(Y, pencil.enclose(Y));
-    rotate();
-    return true;
-}
-
-/// Rayleigh-Ritz: of vectors that are not fine, the best in the space of all of them.
-void CertifiedEigensolver::State::rotate() {
-    const auto rough = pairs.all(false);
-    if (rough.size() < 2)
-        return;
-    const DenseMatrix Y = pairs.vectors()(Eigen::indexing::all, rough);
-    const DenseMatrix gram = Y.transpose() * Y;
-    const Eigen::LLT<DenseMatrix> factor(gram);
-    constexpr double dependent = 1e-5;
-    if (factor.info() != Eigen::Success || !(factor.matrixLLT().diagonal().minCoeff() > dependent))
-        return;
-    DenseMatrix images;
-    const auto enclosures = pencil.enclose(Y, &images);
-    for (Index i = 0; i < images.cols(); ++i)
-        images.col(i) += enclosures[i].value * Y.col(i);
-    const DenseMatrix projected = Y.transpose() * images;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix> ritz(
-        (projected + projected.transpose()) / 2, gram);
-    if (ritz.info() != Eigen::Success)
-        return;
-    const DenseMatrix better = Y * ritz.eigenvectors();
-    pairs.keep(pairs.all(true));
-    pairs.take(better, pencil.enclose(better));
-}
-
-/// Eigenvalues far from the shift, seen from there, lie close together, and their vectors come out
-/// mixed. Moves the shift up to the first that is rough, as near as it is known, and gives up those
-/// that are; false if that is no gain.
-bool CertifiedEigensolver::State::approach(Index rough) {
-    const double value = pairs.values()[rough], radius = pairs.radii()[rough];
-    const double distance = std::max({64 * radius, std::abs(value) / 8, 1e-12 * norm, small});
-    const double next = value - distance;
-    if (distance > (value - solver.shift()) / 4)
-        return false;
-    if (rough > 0 && next <= pairs.values()[rough - 1] + pairs.radii()[rough - 1])
-        return false;
-    if (counting().below(next, distance / 2) != rough)
-        return false;
-    pairs.keep(pairs.all(true));
-    set_shift(next, rough == 0 ? Definiteness::positive : Definiteness::indefinite);
-    return true;
-}
-
-/// Where the shift is far from what is still to be found, iterations stall: it moves up behind the
-/// longest part of what has been found that is proved complete. A part of a complete one is
-/// complete, so bisection finds it.
-void CertifiedEigensolver::State::move_shift(Index wanted) {
-    pairs.keep(pairs.all(true));
-    std::vector<Index> parts;
-    for (Index count = gap_behind(1); count > 0 && count < found(); count = gap_behind(count + 1))
-        parts.push_back(count);
-    if (found() > 0)
-        parts.push_back(found());
-    Certificate best;
-    for (std::size_t first = 0, last = parts.size(); first < last;) {
-        const std::size_t middle = (first + last) / 2;
-        if (certify(parts[middle]) == Proof::complete) {
-            best = certificate;
-            first = middle + 1;
-        } else {
-            last = middle;
-        }
-    }
-    if (!best.complete)
-        return;
-    const double next =
-        counting().shift_close_to(best.below_shift, wanted, best.shift, 2 * norm, small);
-    if (next > solver.shift())
-        set_shift(next, Definiteness::indefinite);
-}
-
-/// The first index i >= count such that a gap lies between values i-1 and i, or, as a count will
-/// tell, behind all that are found; -1 if there is none. What is next tells the radii of zeros.
-Index CertifiedEigensolver::State::gap_behind(Index count) const {
-    const Index behind = pairs.gap_behind(count);
-    const bool may_end = found() == size() || (found() > 0 && pairs.values()[found() - 1] > small);
-    return behind < 0 && count <= found() && may_end ? found() : behind;
-}
-
-/// Proves that the first `count` are all there are below the gap behind them, or below some place
-/// behind them if these are all that are found.
-Proof CertifiedEigensolver::State::certify(Index count) {
-    if (count == size()) {
-        certificate = {2 * norm + small, count, count, true}; // no eigenvalue is above the norm
-        return Proof::complete;
-    }
-    const Vector &values = pairs.values(), &radii = pairs.radii();
-    const double low = values[count - 1] + radii[count - 1];
-    const double near = std::max(std::abs(low) / 64, small); // others follow soon
-    const double high = count < found() ? values[count] - radii[count] : low + near;
-    const auto counted = counting().between(low, high, count);
-    if (!counted)
-        return Proof::untrusted;
-    certificate = {counted->shift, counted->below, count, counted->below == count};
-    return certificate.complete ? Proof::complete : Proof::missing;
-}
-
-/// Proves that the first `count` and those up to the next gap where a count can be trusted are all.
-Proof CertifiedEigensolver::State::prove(Index count) {
-    for (Index i = gap_behind(count); i >= 0; i = gap_behind(i + 1)) {
-        if (i < size() && pairs.values()[i - 1] <= untrusted)
-            continue;
-        if (const Proof proof = certify(i); proof != Proof::untrusted)
-            return proof;
-        untrusted = pairs.values()[i - 1];
-        if (i < found() && ++failures > most_failures)
-            throw SolverFailure(
-                fmt::format("the eigenvalues up to {:.6g} cannot be counted: the factorizations of "
-                            "A - tau M near this value are not accurate enough ({} found); request "
-                            "fewer or more eigenvalues, or waive the proof",
-                            pencil.eigenvalue(untrusted), i));
-    }
-    return Proof::no_gap;
-}
-
-CertifiedEigenpairs CertifiedEigensolver::State::result(Index count) const {
-    CertifiedEigenpairs result;
-    result.values = pencil.eigenvalues(pairs.values().head(count));
-    result.vectors = pencil.eigenvectors(pairs.vectors().leftCols(count));
-    result.radii = pencil.eigenvalues(pairs.radii().head(count));
-    result.residuals = pencil.eigenvalues(pairs.residuals().head(count));
-    result.certificate = certificate;
-    result.certificate.shift = pencil.eigenvalue(certificate.shift);
-    result.linear_solver = solver.engine();
-    result.eigen_solver = eigensolver->name();
-    result.rough = rough_values(pairs, norm, pencil.eigenvalue(1), count);
-    return result;
-}
 
 CertifiedEigensolver::CertifiedEigensolver(const Pencil& pencil, EigensolverOptions options)
     : state_(std::make_unique<State>(pencil, std::move(options))) {}

@@ -28,15 +28,89 @@ public:
             parts_.join(link.a, link.b, link.relative_sign);
     }
 
-    void run();
+    void run() {
+        std::vector<Index> order = inexact_by_part();
+        for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+            const Index part = part_of(order[begin]);
+            while (end < order.size() && part_of(order[end]) == part)
+                ++end;
+            join_part(std::span(order).subspan(begin, end - begin));
+        }
+    }
 
 private:
     double ratio(Index link) const { return links_[link].defect / links_[link].scale; }
     Index part_of(Index link) { return parts_.find(links_[link].a).element; }
-    std::vector<Index> inexact_by_part();
-    void join_part(std::span<Index> part);
-    void join_tied(std::span<const Index> tied);
-    Index place_of(Index simplex);
+
+    /// Most links are exact: only the others are sorted.
+    std::vector<Index> inexact_by_part() {
+        std::vector<Index> begins(place_.size() + 1, 0);
+        const auto count = static_cast<Index>(links_.size());
+        for (Index i = 0; i < count; ++i)
+            if (links_[i].defect > 0)
+                ++begins[part_of(i) + 1];
+        std::partial_sum(begins.begin(), begins.end(), begins.begin());
+        std::vector<Index> order(static_cast<std::size_t>(begins.back()));
+        for (Index i = 0; i < count; ++i)
+            if (links_[i].defect > 0)
+                order[begins[part_of(i)]++] = i;
+        return order;
+    }
+
+    /// Ties are measured from the first of a group, so close values do not chain.
+    void join_part(std::span<Index> part) {
+        std::stable_sort(part.begin(), part.end(),
+                         [this](Index i, Index j) { return ratio(i) < ratio(j); });
+        for (std::size_t begin = 0, end = 0; begin < part.size(); begin = end) {
+            const double reach = ratio(part[begin]) + tie;
+            while (end < part.size() && ratio(part[end]) <= reach)
+                ++end;
+            join_tied(part.subspan(begin, end - begin));
+        }
+    }
+
+    /// Connected ties are joined all or none: their order must not matter.
+    void join_tied(std::span<const Index> tied) {
+        sides_.clear();
+        roots_.clear();
+        for (const Index i : tied)
+            if (classes_.find(links_[i].a).element != classes_.find(links_[i].b).element) {
+                const Index place_of_a = place_of(links_[i].a);
+                sides_.push_back({i, place_of_a, place_of(links_[i].b)});
+            }
+        for (const Index root : roots_)
+            place_[root] = -1;
+        DisjointSets groups(static_cast<Index>(roots_.size()));
+        for (const Sides& sides : sides_)
+            groups.join(sides.a, sides.b);
+
+        std::vector<double> gathered(roots_.size(), 0.0);
+        std::vector<double> allowed(roots_.size(), std::numeric_limits<double>::infinity());
+        for (std::size_t i = 0; i < roots_.size(); ++i)
+            gathered[groups.find(static_cast<Index>(i)).element] += spread_[roots_[i]];
+        for (const Sides& sides : sides_) {
+            const Index group = groups.find(sides.a).element;
+            gathered[group] += links_[sides.link].defect;
+            allowed[group] = std::min(allowed[group], limit_ * links_[sides.link].scale);
+        }
+        for (const Sides& sides : sides_) {
+            const Index group = groups.find(sides.a).element;
+            if (gathered[group] > allowed[group])
+                continue;
+            const FacetLink& link = links_[sides.link];
+            classes_.join(link.a, link.b, link.relative_sign);
+            spread_[classes_.find(roots_[sides.a]).element] = gathered[group];
+        }
+    }
+
+    Index place_of(Index simplex) {
+        const Index root = classes_.find(simplex).element;
+        if (place_[root] < 0) {
+            place_[root] = static_cast<Index>(roots_.size());
+            roots_.push_back(root);
+        }
+        return place_[root];
+    }
 
     struct Sides {
         Index link, a, b; // classes on both sides, by position in `roots_`
@@ -50,86 +124,6 @@ private:
     std::vector<Index> roots_;
     std::vector<Sides> sides_;
 };
-
-/// Most links are exact: only the others are sorted.
-std::vector<Index> LinkJoining::inexact_by_part() {
-    std::vector<Index> begins(place_.size() + 1, 0);
-    const auto count = static_cast<Index>(links_.size());
-    for (Index i = 0; i < count; ++i)
-        if (links_[i].defect > 0)
-            ++begins[part_of(i) + 1];
-    std::partial_sum(begins.begin(), begins.end(), begins.begin());
-    std::vector<Index> order(static_cast<std::size_t>(begins.back()));
-    for (Index i = 0; i < count; ++i)
-        if (links_[i].defect > 0)
-            order[begins[part_of(i)]++] = i;
-    return order;
-}
-
-void LinkJoining::run() {
-    std::vector<Index> order = inexact_by_part();
-    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-        const Index part = part_of(order[begin]);
-        while (end < order.size() && part_of(order[end]) == part)
-            ++end;
-        join_part(std::span(order).subspan(begin, end - begin));
-    }
-}
-
-/// Ties are measured from the first of a group, so close values do not chain.
-void LinkJoining::join_part(std::span<Index> part) {
-    std::stable_sort(part.begin(), part.end(),
-                     [this](Index i, Index j) { return ratio(i) < ratio(j); });
-    for (std::size_t begin = 0, end = 0; begin < part.size(); begin = end) {
-        const double reach = ratio(part[begin]) + tie;
-        while (end < part.size() && ratio(part[end]) <= reach)
-            ++end;
-        join_tied(part.subspan(begin, end - begin));
-    }
-}
-
-Index LinkJoining::place_of(Index simplex) {
-    const Index root = classes_.find(simplex).element;
-    if (place_[root] < 0) {
-        place_[root] = static_cast<Index>(roots_.size());
-        roots_.push_back(root);
-    }
-    return place_[root];
-}
-
-/// Connected ties are joined all or none: their order must not matter.
-void LinkJoining::join_tied(std::span<const Index> tied) {
-    sides_.clear();
-    roots_.clear();
-    for (const Index i : tied)
-        if (classes_.find(links_[i].a).element != classes_.find(links_[i].b).element) {
-            const Index place_of_a = place_of(links_[i].a);
-            sides_.push_back({i, place_of_a, place_of(links_[i].b)});
-        }
-    for (const Index root : roots_)
-        place_[root] = -1;
-    DisjointSets groups(static_cast<Index>(roots_.size()));
-    for (const Sides& sides : sides_)
-        groups.join(sides.a, sides.b);
-
-    std::vector<double> gathered(roots_.size(), 0.0);
-    std::vector<double> allowed(roots_.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t i = 0; i < roots_.size(); ++i)
-        gathered[groups.find(static_cast<Index>(i)).element] += spread_[roots_[i]];
-    for (const Sides& sides : sides_) {
-        const Index group = groups.find(sides.a).element;
-        gathered[group] += links_[sides.link].defect;
-        allowed[group] = std::min(allowed[group], limit_ * links_[sides.link].scale);
-    }
-    for (const Sides& sides : sides_) {
-        const Index group = groups.find(sides.a).element;
-        if (gathered[group] > allowed[group])
-            continue;
-        const FacetLink& link = links_[sides.link];
-        classes_.join(link.a, link.b, link.relative_sign);
-        spread_[classes_.find(roots_[sides.a]).element] = gathered[group];
-    }
-}
 
 } // namespace
 

@@ -108,24 +108,176 @@ private:
     }
     double length(Index halfedge) const { return lengths_[surface_.edge(halfedge)]; }
 
-    void set_area(Index triangle, double area);
-    double measure_all();
-    void give_needles_some_area(double missing);
-    double negative_mean(Index edge) const;
+    void set_area(Index triangle, double area) {
+        areas_[triangle] = area;
+        for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
+            cotangents_[h] = beside(h).cotangent();
+    }
+
+    /// Computes all areas; returns by how much sides must exceed so that every triangle has area.
+    double measure_all() {
+        double missing = 0;
+        for (const double l : lengths_)
+            if (l <= coinciding * mean_length_)
+                missing = std::max(missing, apart * mean_length_ - l);
+        for (Index t = 0; t < surface_.triangles(); ++t) {
+            const double a = length(3 * t), b = length(3 * t + 1), c = length(3 * t + 2);
+            const double longest = std::max({a, b, c});
+            missing = std::max(missing, least_slack * longest - (a + b + c - 2 * longest));
+            set_area(t, triangle_area(a, b, c));
+        }
+        return missing;
+    }
+
+    /// Flips of triangles without area would produce lengths of pure rounding error. Lengthening
+    /// all edges equally preserves every gluing.
+    void give_needles_some_area(double missing) {
+        check_roughly(surface_, as_vector());
+        const auto area = [&] { return std::accumulate(areas_.begin(), areas_.end(), 0.0); };
+        const double before = area();
+        statistics_.added_length = missing;
+        for (double& l : lengths_)
+            l += missing;
+        mean_length_ += missing;
+        measure_all();
+        check_lengths(surface_, as_vector());
+        statistics_.added_area = before > 0 ? area() / before - 1 : 0;
+    }
+
+    /// Mean of the cotangents on both sides; 0 unless negative beyond rounding.
+    double negative_mean(Index edge) const {
+        double sum = 0, rounding = 0;
+        for (const Index h : surface_.halfedges(edge))
+            sum += h < 0 ? 0 : cotangents_[h];
+        if (!(sum < 0))
+            return 0;
+        for (const Index h : surface_.halfedges(edge))
+            rounding = std::max(rounding, h < 0 ? 0 : beside(h).rounding());
+        return sum / 2 < -rounding ? sum / 2 : 0;
+    }
+
     bool is_negative(Index edge) const { return negative_mean(edge) < 0; }
-    void count_what_is_left();
+
+    void count_what_is_left() {
+        for (const Index e : stuck_)
+            statistics_.negative_interior += is_negative(e) ? 1 : 0;
+        for (Index e = 0; e < surface_.edges(); ++e)
+            statistics_.negative_boundary += surface_.is_boundary(e) && is_negative(e) ? 1 : 0;
+    }
 
     void look_at(Index edge) {
         if (const double mean = negative_mean(edge); mean < 0 && surface_.can_flip(edge))
             queue_.emplace(mean, edge);
     }
-    void flip_all();
-    void flip(Index edge);
 
-    bool split_boundary();
-    void split(Index edge, double fraction);
-    double place_of_split(Index edge) const;
-    double boundary_corner(Index halfedge, FanEnd end) const;
+    void flip_all() {
+        const std::int64_t limit = 1000 + std::int64_t{options_.most} * surface_.edges();
+        while (!queue_.empty()) {
+            const auto [mean, edge] = queue_.top();
+            queue_.pop();
+            if (!surface_.can_flip(edge) || negative_mean(edge) != mean)
+                continue; // reinserted when an adjacent triangle changed
+            flip(edge);
+            if (statistics_.flips > limit)
+                throw SolverFailure(
+                    fmt::format("{} flips of {} edges did not suffice: the surface has triangles "
+                                "of almost no area; remesh or tidy it",
+                                statistics_.flips, surface_.edges()));
+        }
+    }
+
+    void flip(Index edge) {
+        if (!surface_.is_coherent(edge)) {
+            const Index turned = GluedSurface::triangle(surface_.halfedges(edge)[1]);
+            surface_.reverse(turned);
+            set_area(turned, areas_[turned]);
+            history_.reverse(turned);
+        }
+        // both triangles laid flat: i at the origin, j on the first axis, k above and l below
+        const auto [h, g] = surface_.halfedges(edge);
+        const auto above = beside(h), below = beside(g);
+        const double along = above.foot() - (below.a - below.foot());
+        const double diagonal = std::hypot(along, above.height() + below.height());
+        const double klj = triangle_area(diagonal, below.c, above.b);
+        const double lki = triangle_area(diagonal, above.c, below.b);
+        if (!(klj > 0 && lki > 0))
+            return stuck_.push_back(edge); // the corner at i or j is flat up to rounding
+
+        history_.flip(surface_, edge, above.area / (above.area + below.area), klj / (klj + lki));
+        crossings_.flip(surface_, edge);
+        surface_.flip(edge);
+        lengths_[edge] = diagonal;
+        set_area(GluedSurface::triangle(h), klj);
+        set_area(GluedSurface::triangle(g), lki);
+        ++statistics_.flips;
+        for (const Index side : surface_.halfedges(edge)) {
+            look_at(surface_.edge(GluedSurface::next(side)));
+            look_at(surface_.edge(GluedSurface::previous(side)));
+        }
+    }
+
+    /// Splits all boundary edges that need it at once, so their order does not matter: two edges of
+    /// one triangle both need it only beside a sharp corner.
+    bool split_boundary() {
+        const double goal = split_goal();
+        std::vector<std::pair<Index, double>> places;
+        for (Index e = 0; e < surface_.edges(); ++e)
+            if (surface_.is_boundary(e) && beside(surface_.halfedges(e)[0]).cotangent() / 2 <= goal)
+                places.emplace_back(e, place_of_split(e));
+        for (const auto& [edge, fraction] : places)
+            split(edge, fraction);
+        const std::int64_t limit = 10000 + std::int64_t{options_.most} * boundary_edges_;
+        if (statistics_.splits > limit)
+            throw SolverFailure(
+                fmt::format("{} splits of {} boundary edges did not suffice: the boundary has "
+                            "corners of almost no angle; use flips without splits",
+                            statistics_.splits, boundary_edges_));
+        return !places.empty();
+    }
+
+    void split(Index edge, double fraction) {
+        const Index h = surface_.halfedges(edge)[0];
+        const auto whole = beside(h);
+        history_.split_boundary(surface_, edge, fraction);
+        crossings_.split_boundary(surface_, edge);
+        surface_.split_boundary(edge);
+        lengths_[edge] = fraction * whole.a;
+        lengths_.push_back((1 - fraction) * whole.a);
+        lengths_.push_back(std::hypot(whole.foot() - fraction * whole.a, whole.height()));
+        areas_.resize(areas_.size() + 1);
+        cotangents_.resize(3 * areas_.size());
+        set_area(surface_.triangles() - 1, (1 - fraction) * whole.area);
+        set_area(GluedSurface::triangle(h), fraction * whole.area);
+        ++statistics_.splits;
+        for (const Index t : {GluedSurface::triangle(h), surface_.triangles() - 1})
+            for (Index i = 0; i < 3; ++i)
+                look_at(surface_.edge(3 * t + i));
+    }
+
+    /// Position of the split of a boundary edge, as a fraction from its half-edge's tail. Splits on
+    /// both sides of a sharp corner would trigger each other forever unless at equal distances from
+    /// it.
+    double place_of_split(Index edge) const {
+        const Index h = surface_.halfedges(edge)[0];
+        const bool tail = has_acute_corner(h, FanEnd::tail),
+                   head = has_acute_corner(h, FanEnd::head);
+        if (tail == head)
+            return 0.5;
+        const double l = lengths_[edge];
+        const double exponent = std::round(std::log2(l / 2 / mean_length_));
+        const double part = mean_length_ * std::exp2(exponent) / l;
+        return tail ? part : 1 - part;
+    }
+
+    /// The interior angle at one end of a boundary half-edge.
+    double boundary_corner(Index halfedge, FanEnd end) const {
+        double angle = 0;
+        for_each_corner(surface_, halfedge, end, [&](Index corner) {
+            const auto opposite = beside(GluedSurface::next(corner));
+            angle += corner_angle(opposite.a, opposite.b, opposite.c, opposite.area);
+        });
+        return angle;
+    }
 
     /// Whether the boundary turns by a right angle or more there.
     bool has_acute_corner(Index halfedge, FanEnd end) const {
@@ -140,7 +292,27 @@ private:
         return std::min(options_.tolerance, most_a_split_can_promise);
     }
 
-    void refuse_sharp_corners() const;
+    /// In every Delaunay triangulation the angles opposite the two edges at a corner of angle t sum
+    /// to at least pi - t, so one of these edges has a star of at most tan(t/2) / 2.
+    void refuse_sharp_corners() const {
+        for (Index e = 0; e < surface_.edges(); ++e) {
+            if (!surface_.is_boundary(e))
+                continue;
+            const Index h = surface_.halfedges(e)[0];
+            for (const FanEnd end : {FanEnd::tail, FanEnd::head}) {
+                const double angle = boundary_corner(h, end);
+                if (std::tan(std::min(angle, std::numbers::pi / 2) / 2) / 2 <= split_goal())
+                    throw InvalidInput(
+                        fmt::format("the boundary has a corner of angle {:.2g} at vertex {}: "
+                                    "however its edges are split, one keeps a dual below {:.2g} of "
+                                    "its length; use flips without splits",
+                                    angle,
+                                    end == FanEnd::tail ? surface_.tail(h) : surface_.head(h),
+                                    split_goal()),
+                        {.vertices = {end == FanEnd::tail ? surface_.tail(h) : surface_.head(h)}});
+            }
+        }
+    }
 
     GluedSurface surface_;
     std::vector<double> lengths_, areas_;
@@ -157,188 +329,6 @@ private:
     double mean_length_ = 0;
     Index boundary_edges_ = 0;
 };
-
-void Flipping::set_area(Index triangle, double area) {
-    areas_[triangle] = area;
-    for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
-        cotangents_[h] = beside(h).cotangent();
-}
-
-/// Computes all areas; returns by how much sides must exceed so that every triangle has area.
-double Flipping::measure_all() {
-    double missing = 0;
-    for (const double l : lengths_)
-        if (l <= coinciding * mean_length_)
-            missing = std::max(missing, apart * mean_length_ - l);
-    for (Index t = 0; t < surface_.triangles(); ++t) {
-        const double a = length(3 * t), b = length(3 * t + 1), c = length(3 * t + 2);
-        const double longest = std::max({a, b, c});
-        missing = std::max(missing, least_slack * longest - (a + b + c - 2 * longest));
-        set_area(t, triangle_area(a, b, c));
-    }
-    return missing;
-}
-
-/// Flips of triangles without area would produce lengths of pure rounding error. Lengthening all
-/// edges equally preserves every gluing.
-void Flipping::give_needles_some_area(double missing) {
-    check_roughly(surface_, as_vector());
-    const auto area = [&] { return std::accumulate(areas_.begin(), areas_.end(), 0.0); };
-    const double before = area();
-    statistics_.added_length = missing;
-    for (double& l : lengths_)
-        l += missing;
-    mean_length_ += missing;
-    measure_all();
-    check_lengths(surface_, as_vector());
-    statistics_.added_area = before > 0 ? area() / before - 1 : 0;
-}
-
-/// Mean of the cotangents on both sides; 0 unless negative beyond rounding.
-double Flipping::negative_mean(Index edge) const {
-    double sum = 0, rounding = 0;
-    for (const Index h : surface_.halfedges(edge))
-        sum += h < 0 ? 0 : cotangents_[h];
-    if (!(sum < 0))
-        return 0;
-    for (const Index h : surface_.halfedges(edge))
-        rounding = std::max(rounding, h < 0 ? 0 : beside(h).rounding());
-    return sum / 2 < -rounding ? sum / 2 : 0;
-}
-
-void Flipping::count_what_is_left() {
-    for (const Index e : stuck_)
-        statistics_.negative_interior += is_negative(e) ? 1 : 0;
-    for (Index e = 0; e < surface_.edges(); ++e)
-        statistics_.negative_boundary += surface_.is_boundary(e) && is_negative(e) ? 1 : 0;
-}
-
-void Flipping::flip_all() {
-    const std::int64_t limit = 1000 + std::int64_t{options_.most} * surface_.edges();
-    while (!queue_.empty()) {
-        const auto [mean, edge] = queue_.top();
-        queue_.pop();
-        if (!surface_.can_flip(edge) || negative_mean(edge) != mean)
-            continue; // reinserted when an adjacent triangle changed
-        flip(edge);
-        if (statistics_.flips > limit)
-            throw SolverFailure(fmt::format("{} flips of {} edges did not suffice: the surface has "
-                                            "triangles of almost no area; remesh or tidy it",
-                                            statistics_.flips, surface_.edges()));
-    }
-}
-
-void Flipping::flip(Index edge) {
-    if (!surface_.is_coherent(edge)) {
-        const Index turned = GluedSurface::triangle(surface_.halfedges(edge)[1]);
-        surface_.reverse(turned);
-        set_area(turned, areas_[turned]);
-        history_.reverse(turned);
-    }
-    // both triangles laid flat: i at the origin, j on the first axis, k above and l below
-    const auto [h, g] = surface_.halfedges(edge);
-    const auto above = beside(h), below = beside(g);
-    const double along = above.foot() - (below.a - below.foot());
-    const double diagonal = std::hypot(along, above.height() + below.height());
-    const double klj = triangle_area(diagonal, below.c, above.b);
-    const double lki = triangle_area(diagonal, above.c, below.b);
-    if (!(klj > 0 && lki > 0))
-        return stuck_.push_back(edge); // the corner at i or j is flat up to rounding
-
-    history_.flip(surface_, edge, above.area / (above.area + below.area), klj / (klj + lki));
-    crossings_.flip(surface_, edge);
-    surface_.flip(edge);
-    lengths_[edge] = diagonal;
-    set_area(GluedSurface::triangle(h), klj);
-    set_area(GluedSurface::triangle(g), lki);
-    ++statistics_.flips;
-    for (const Index side : surface_.halfedges(edge)) {
-        look_at(surface_.edge(GluedSurface::next(side)));
-        look_at(surface_.edge(GluedSurface::previous(side)));
-    }
-}
-
-/// The interior angle at one end of a boundary half-edge.
-double Flipping::boundary_corner(Index halfedge, FanEnd end) const {
-    double angle = 0;
-    for_each_corner(surface_, halfedge, end, [&](Index corner) {
-        const auto opposite = beside(GluedSurface::next(corner));
-        angle += corner_angle(opposite.a, opposite.b, opposite.c, opposite.area);
-    });
-    return angle;
-}
-
-/// Position of the split of a boundary edge, as a fraction from its half-edge's tail. Splits on
-/// both sides of a sharp corner would trigger each other forever unless at equal distances from it.
-double Flipping::place_of_split(Index edge) const {
-    const Index h = surface_.halfedges(edge)[0];
-    const bool tail = has_acute_corner(h, FanEnd::tail), head = has_acute_corner(h, FanEnd::head);
-    if (tail == head)
-        return 0.5;
-    const double l = lengths_[edge];
-    const double exponent = std::round(std::log2(l / 2 / mean_length_));
-    const double part = mean_length_ * std::exp2(exponent) / l;
-    return tail ? part : 1 - part;
-}
-
-/// In every Delaunay triangulation the angles opposite the two edges at a corner of angle t sum to
-/// at least pi - t, so one of these edges has a star of at most tan(t/2) / 2.
-void Flipping::refuse_sharp_corners() const {
-    for (Index e = 0; e < surface_.edges(); ++e) {
-        if (!surface_.is_boundary(e))
-            continue;
-        const Index h = surface_.halfedges(e)[0];
-        for (const FanEnd end : {FanEnd::tail, FanEnd::head}) {
-            const double angle = boundary_corner(h, end);
-            if (std::tan(std::min(angle, std::numbers::pi / 2) / 2) / 2 <= split_goal())
-                throw InvalidInput(
-                    fmt::format("the boundary has a corner of angle {:.2g} at vertex {}: however "
-                                "its edges are split, one keeps a dual below {:.2g} of its length; "
-                                "use flips without splits",
-                                angle, end == FanEnd::tail ? surface_.tail(h) : surface_.head(h),
-                                split_goal()),
-                    {.vertices = {end == FanEnd::tail ? surface_.tail(h) : surface_.head(h)}});
-        }
-    }
-}
-
-/// Splits all boundary edges that need it at once, so their order does not matter: two edges of one
-/// triangle both need it only beside a sharp corner.
-bool Flipping::split_boundary() {
-    const double goal = split_goal();
-    std::vector<std::pair<Index, double>> places;
-    for (Index e = 0; e < surface_.edges(); ++e)
-        if (surface_.is_boundary(e) && beside(surface_.halfedges(e)[0]).cotangent() / 2 <= goal)
-            places.emplace_back(e, place_of_split(e));
-    for (const auto& [edge, fraction] : places)
-        split(edge, fraction);
-    const std::int64_t limit = 10000 + std::int64_t{options_.most} * boundary_edges_;
-    if (statistics_.splits > limit)
-        throw SolverFailure(
-            fmt::format("{} splits of {} boundary edges did not suffice: the boundary has corners "
-                        "of almost no angle; use flips without splits",
-                        statistics_.splits, boundary_edges_));
-    return !places.empty();
-}
-
-void Flipping::split(Index edge, double fraction) {
-    const Index h = surface_.halfedges(edge)[0];
-    const auto whole = beside(h);
-    history_.split_boundary(surface_, edge, fraction);
-    crossings_.split_boundary(surface_, edge);
-    surface_.split_boundary(edge);
-    lengths_[edge] = fraction * whole.a;
-    lengths_.push_back((1 - fraction) * whole.a);
-    lengths_.push_back(std::hypot(whole.foot() - fraction * whole.a, whole.height()));
-    areas_.resize(areas_.size() + 1);
-    cotangents_.resize(3 * areas_.size());
-    set_area(surface_.triangles() - 1, (1 - fraction) * whole.area);
-    set_area(GluedSurface::triangle(h), fraction * whole.area);
-    ++statistics_.splits;
-    for (const Index t : {GluedSurface::triangle(h), surface_.triangles() - 1})
-        for (Index i = 0; i < 3; ++i)
-            look_at(surface_.edge(3 * t + i));
-}
 
 } // namespace
 
