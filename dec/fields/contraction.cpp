@@ -40,11 +40,11 @@ Points field_on_input(const Discretization& mesh, const Points& field) {
 namespace {
 
 Vector top_volumes(const PlacedSimplices& places) {
-    Circumsphere sphere(places.points);
+    Circumsphere sphere;
     Vector volumes(places.corners.rows());
     for (Index t = 0; t < volumes.size(); ++t) {
         // a simplex without volume has weight only if it is alone
-        const bool has_volume = sphere.look_at(vertices(places.corners, t));
+        const bool has_volume = sphere.look_at({places.points, vertices(places.corners, t)});
         volumes[t] = has_volume ? sphere.volume() : std::numeric_limits<double>::min();
     }
     return volumes;

@@ -13,7 +13,6 @@
 namespace polydec {
 
 Centers Centers::centroids() {
-    constexpr int most_vertices = 32; // of a simplex
     std::vector<Points> rows;
     for (int m = 1; m <= most_vertices; ++m)
         rows.emplace_back(Points::Constant(1, m, 1.0 / m));

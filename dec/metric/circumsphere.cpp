@@ -20,10 +20,6 @@ void Circumsphere::look(int k, int N, const double* const* corners) {
     sphere_kernel::look<Number, k_fixed, N_fixed>(sphere_, k, N, corners, room.data());
 }
 
-bool Circumsphere::look_at(std::span<const Index> vertices) {
-    return look_at(Corners{*points_, vertices});
-}
-
 bool Circumsphere::look_at(const Corners& corners) {
     check_number("vertices of a simplex", std::ssize(corners.vertices), 1, most_vertices);
     const auto k = static_cast<int>(corners.vertices.size()) - 1;
@@ -47,20 +43,17 @@ bool Circumsphere::look_at(const Corners& corners) {
 }
 
 void Circumsphere::look_at(SimplexLayout& layout, int k, Index s) {
-    if (!look_at(layout.at(k, s)))
-        refuse_circumsphere(layout.complex().vertex_numbers(k, s));
+    if (look_at(layout.at(k, s)))
+        return;
+    const auto vertices = layout.complex().vertex_numbers(k, s);
+    throw InvalidInput(fmt::format("the {}-simplex with vertices {} has no volume, and so no "
+                                   "circumsphere: remove it or move a vertex",
+                                   k, fmt::join(vertices, ", ")),
+                       {.degree = k, .vertices = vertices});
 }
 
 void Circumsphere::refuse_flat() {
     throw InvalidInput("a simplex without volume has no circumsphere: remove it or move a vertex");
-}
-
-void refuse_circumsphere(std::span<const Index> vertices) {
-    throw InvalidInput(fmt::format("the {}-simplex with vertices {} has no volume, and so no "
-                                   "circumsphere: remove it or move a vertex",
-                                   vertices.size() - 1, fmt::join(vertices, ", ")),
-                       {.degree = static_cast<int>(vertices.size()) - 1,
-                        .vertices = {vertices.begin(), vertices.end()}});
 }
 
 } // namespace polydec

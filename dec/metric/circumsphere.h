@@ -5,7 +5,6 @@
 #include "dec/metric/sphere_kernel.h"
 
 #include <cmath>
-#include <span>
 #include <tuple>
 #include <vector>
 
@@ -18,16 +17,9 @@ namespace polydec {
 /// throw InvalidInput for a simplex without volume, and before the first look_at.
 class Circumsphere {
 public:
-    /// For simplices whose corners are placed by a SimplexLayout.
-    Circumsphere() = default;
-
-    /// For simplices between these points, which must outlive this object.
-    explicit Circumsphere(const Points& points) : points_(&points) {}
-
-    /// Looks at the simplex with these k+1 vertex numbers; throws InvalidInput unless there are 1
-    /// to 32. Returns false iff the edge vectors are linearly dependent to the last digit: then
-    /// volume() is 0 and there is no sphere.
-    [[nodiscard]] bool look_at(std::span<const Index> vertices);
+    /// Looks at the simplex with these k+1 corners; throws InvalidInput unless there are 1 to 32.
+    /// Returns false iff the edge vectors are linearly dependent to the last digit: then volume()
+    /// is 0 and there is no sphere.
     [[nodiscard]] bool look_at(const Corners& corners);
 
     /// Looks at k-simplex s of the layout's complex. Throws InvalidInput, naming its vertices, if
@@ -84,13 +76,9 @@ private:
     }
     [[noreturn]] static void refuse_flat();
 
-    const Points* points_ = nullptr;
     int dimension_ = 0;
     SphereOf<double> sphere_;
     std::tuple<std::vector<double>, std::vector<TwoDoubles>> rooms_;
 };
-
-/// Throws InvalidInput: a simplex with these vertices has no circumsphere.
-[[noreturn]] void refuse_circumsphere(std::span<const Index> vertices);
 
 } // namespace polydec

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/simplex_metric.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
-#include "dec/metric/simplex_layout.h"
+#include "base/parallel.h"
+#include "dec/metric/circumsphere.h"
 #include "dec/metric/triangle.h"
 #include "meshes/distance.h"
 
@@ -141,6 +143,21 @@ Corners SimplexLayout::lay_out(int k, Index s) {
         }
     }
     return corners;
+}
+
+Vector circumradii(const Pieces& complex, const SimplexMetric& metric, int k) {
+    check_number("circumradii in degree", k, 0, complex.dimension());
+    constexpr Index part_size = 1 << 13;
+    Vector radii(complex.size(k));
+    for_each_part(complex.size(k), part_size, [&](Index begin, Index end) {
+        SimplexLayout layout(complex, metric);
+        Circumsphere sphere;
+        for (Index s = begin; s < end; ++s) {
+            sphere.look_at(layout, k, s);
+            radii[s] = sphere.radius();
+        }
+    });
+    return radii;
 }
 
 Vector edge_lengths(const Pieces& complex, const Points& points) {

@@ -68,16 +68,8 @@ void require_points(const Pieces& complex, const Points& points, std::string_vie
 /// The same; also throws if the pieces are not straight simplices between points (flipped edges).
 void require_straight(const Pieces& complex, const Points& points, std::string_view what);
 
-/// Circumradii of all k-simplices in the given table (rows of vertex numbers). These functions
-/// throw InvalidInput, naming the vertices, for a simplex without volume and for a vertex without
-/// point.
-Vector circumradii(const Points& points, const Simplices& simplices);
-
-/// Circumradii of all k-simplices of the complex.
+/// Circumradii of all k-simplices of the complex. Throws InvalidInput, naming the vertices, for a
+/// simplex without volume.
 Vector circumradii(const Pieces& complex, const SimplexMetric& metric, int k);
-
-/// Circumcenters of all k-simplices in the given table: one row of N coordinates each. Throws like
-/// circumradii.
-Points circumcenters(const Points& points, const Simplices& simplices);
 
 } // namespace polydec

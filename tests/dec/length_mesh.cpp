@@ -144,8 +144,6 @@ TEST(LengthMesh, says_what_needs_points) {
     EXPECT_TRUE(says(refusal([&] { sharp_pd(mesh, edges); }), needs("sharp")));
     EXPECT_TRUE(says(refusal([&] { flux_sharp(mesh, edges); }), needs("sharp")));
     EXPECT_TRUE(says(refusal([&] { cell_centroids(mesh, 2); }), needs("cell's centroid")));
-    EXPECT_TRUE(says(refusal([&] { circumcenters(mesh.points(), K.simplices(2)); }),
-                     needs("circumcenter")));
     EXPECT_TRUE(says(refusal([&] { interior_product(mesh, Points(none), 1, Sampling::centered); }),
                      needs("vector field")));
     EXPECT_TRUE(

@@ -52,10 +52,9 @@ CellVolumes signed_by_top_simplex(const SimplicialComplex& K, const Points& poin
     std::vector<Vector> duals;
     for (int k = 0; k < n; ++k)
         duals.emplace_back(Vector::Zero(K.size(k)));
-    Circumsphere sphere(points);
+    Circumsphere sphere;
     const auto height = [&](int k, Index t, int omitted) {
-        const auto& simplices = K.simplices(k);
-        EXPECT_TRUE(sphere.look_at({&simplices(t, 0), static_cast<std::size_t>(k + 1)}));
+        EXPECT_TRUE(sphere.look_at({points, vertices(K.simplices(k), t)}));
         return sphere.height(omitted, volumes.primal(k - 1)[K.face(k, t, omitted)]);
     };
     const auto descend = [&](const auto& self, int k, Index t, double product) -> void {
@@ -179,17 +178,18 @@ TEST(VolumesOf, cells_too_large_or_small_for_products_are_not_called_flat) {
                           "volume", "0", "scale"}));
 }
 
-TEST(Circumradii, of_more_vertices_than_a_simplex_can_have_are_refused) {
-    Simplices row(1, 40);
-    for (Index i = 0; i < 40; ++i)
-        row(0, i) = i;
-    EXPECT_TRUE(says(refusal([&] { circumradii(DenseMatrix::Identity(40, 40), row); }),
+TEST(Circumsphere, of_more_vertices_than_a_simplex_can_have_is_refused) {
+    std::vector<Index> row(40);
+    std::iota(row.begin(), row.end(), 0);
+    const Points axes = Points::Identity(40, 40);
+    EXPECT_TRUE(says(refusal([&] {
+                         return Circumsphere().look_at({axes, row});
+                     }),
                      {"vertices", "simplex 40"}));
-    // twelve points of the plane are dependent
-    Points plane = Points::Random(12, 2);
-    EXPECT_TRUE(
-        says(refusal([&] { circumradii(plane, row.leftCols(12)); }), {"11-simplex", "volume"}));
-    EXPECT_FALSE(Circumsphere(plane).look_at(std::vector<Index>{0, 1, 2, 3}));
+    // twelve points of the plane are dependent, and so are four
+    const Points plane = Points::Random(12, 2);
+    for (const std::size_t count : {12, 4})
+        EXPECT_FALSE(Circumsphere().look_at({plane, std::span(row).first(count)}));
 }
 
 /// How many times its bound the worst circumcenter of random simplices is off over a facet. The
@@ -204,9 +204,9 @@ double worst_rounding(int k, int N) {
             x = coordinate(random);
         std::vector<Index> corners(k + 1);
         std::iota(corners.begin(), corners.end(), 0);
-        Circumsphere sphere(points);
+        Circumsphere sphere;
         constexpr double double_digits = 2; // of what is done with more, growth is nearly 1
-        if (!sphere.look_at(corners) || sphere.rounding().growth < double_digits)
+        if (!sphere.look_at({points, corners}) || sphere.rounding().growth < double_digits)
             continue;
         const Extended edges =
             points.bottomRows(k).cast<long double>().rowwise() - points.row(0).cast<long double>();
@@ -236,8 +236,9 @@ TEST(Circumsphere, of_random_simplices_is_within_its_rounding_and_not_within_a_h
 TEST(Circumsphere, tells_what_flat_simplices_lose) {
     Points flat(4, 3);
     flat << 0, 0, 0, 1, 0, 0, 0.3, 1e-9, 0, 0.6, 2e-9, 1e-9;
-    Circumsphere sphere(flat);
-    ASSERT_TRUE(sphere.look_at(std::vector<Index>{0, 1, 2, 3}));
+    Circumsphere sphere;
+    const std::vector<Index> corners{0, 1, 2, 3};
+    ASSERT_TRUE(sphere.look_at({flat, corners}));
     EXPECT_GT(sphere.rounding().growth, 100);
     EXPECT_LT(sphere.rounding().growth, 1e4);
 }

@@ -171,7 +171,7 @@ const std::vector<Refusal>& refusals() {
         {"no radius",
          [] {
              const auto mesh = made_of({{0, 0}, {1, 0}, {2, 0}}, {{0, 1, 2}});
-             circumradii(mesh.points, mesh.simplices);
+             circumradii(SimplicialComplex(mesh.simplices), mesh.points, 2);
          }},
         {"no triangle",
          [] {
