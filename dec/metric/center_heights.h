@@ -18,14 +18,9 @@ public:
         return kind_ == Kind::circumcenters || (kind_ == Kind::of_cells && !know(k));
     }
 
-    /// Signed distance from the facet without corner i to the center of k-simplex s, positive
-    /// towards that corner, times the volume of the facet. The sphere must have looked at s.
-    double moment(int k, Index s, int i, const Circumsphere& sphere) const {
-        return know(k) ? given_->front()(s, i)
-                       : coordinate(k, s, i, sphere) * (k * sphere.volume());
-    }
-
-    /// The moments of all corners: these numbers times the factor.
+    /// For each corner, the signed distance from the facet without it to the center of k-simplex s,
+    /// positive towards the corner, times the volume of the facet: these numbers times the factor.
+    /// The sphere must have looked at s.
     struct Moments {
         const double* numbers;
         double factor;
@@ -39,17 +34,10 @@ public:
                    : Moments{&(*given_)[k](kind_ == Kind::centroids ? 0 : s, 0), factor};
     }
 
-    double height(int k, Index s, int i, const Circumsphere& sphere, double facet_volume) const {
-        return moment(k, s, i, sphere) / facet_volume;
-    }
-
     /// Coordinate of the center of k-simplex s at corner i; the sphere must have looked at s. The
     /// centroid's for an n-simplex without volume that shares its center: it has weight zero.
     double coordinate(int k, Index s, int i, const Circumsphere& sphere) const {
-        return know(k)                    ? shared_coordinate(s, i)
-               : kind_ == Kind::centroids ? (*given_)[k](0, i)
-               : kind_ == Kind::given     ? (*given_)[k](s, i)
-                                          : sphere.barycentric(i);
+        return know(k) ? shared_coordinate(s, i) : moments(k, s, sphere).numbers[i];
     }
 
     /// Scale of the errors of heights in k-simplex s; the sphere must have looked at s. Given

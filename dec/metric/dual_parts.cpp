@@ -55,8 +55,9 @@ Points parts_of_duals(const Geometry& geometry, const Centers& centers, int k, i
         for (Index t = 0; t < complex.size(j); ++t) {
             if (!from.know(j))
                 sphere.look_at(layout, j, t);
+            const auto [moments, factor] = from.moments(j, t, sphere);
             for (int i = 0; i <= j; ++i)
-                heights[i] = from.height(j, t, i, sphere, facets[complex.face(j, t, i)]);
+                heights[i] = moments[i] * factor / facets[complex.face(j, t, i)];
             for (const auto& [face, omitted, below] : steps)
                 next(t, face) +=
                     heights[omitted] * parts(complex.face(j, t, omitted), below) / (j - k);
