@@ -7,7 +7,7 @@
 
 #include <memory>
 
-/// Factories of the built-in engines, one .cpp each; the registry knows them by name.
+/// Factories of the built-in engines; the registry knows them by name.
 namespace polydec::builtin {
 
 std::unique_ptr<LinearSolver> make_auto(const LinearSolverOptions& options);

@@ -3,8 +3,6 @@
 
 #include "backends/linear/checked_solver.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace polydec {
@@ -39,35 +37,5 @@ constexpr EngineTraits of_conjugate_gradients{.method = Method::iterative,
                                               .symmetry = Symmetry::symmetric,
                                               .definiteness = Definiteness::semidefinite,
                                               .kernel = KernelTreatment::projection};
-
-/// An engine from one of Eigen's iterations; advice: shown if it does not converge.
-template <class Iteration>
-class EigenIteration : public IterativeSolver {
-protected:
-    EigenIteration(const char* name, const EngineTraits& traits, const LinearSolverOptions& options,
-                   const char* advice)
-        : IterativeSolver(name, traits, options), advice_(advice) {}
-
-    void compute(const SparseMatrix& A, const MatrixFacts&, Pattern) override {
-        iteration_.setTolerance(options().tolerance);
-        iteration_.setMaxIterations(iteration_limit(options(), A.rows()));
-        iteration_.compute(A);
-    }
-
-    Index iterate(const Vector& b, Eigen::Ref<Vector> x) final {
-        x = iteration_.solve(b);
-        const auto iterations = static_cast<Index>(iteration_.iterations());
-        if (iteration_.info() != Eigen::Success || !x.allFinite())
-            fail(fmt::format("no convergence after {} iterations, residual {:.2g}: {}", iterations,
-                             iteration_.error(), advice_),
-                 SolveReport::failed(name(), iterations, iteration_.error()));
-        return iterations;
-    }
-
-    Iteration iteration_;
-
-private:
-    const char* advice_;
-};
 
 } // namespace polydec
