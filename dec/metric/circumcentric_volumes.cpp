@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.h"
-#include "base/prefetch.h"
 #include "dec/metric/center_heights.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/geometry.h"
@@ -84,7 +83,7 @@ public:
             for (int l = 0; l < Pack::size; ++l) {
                 corners[i * Pack::size + l] = place(t + l, i, N);
                 if (i > 0) // the first corner of several is the same
-                    prefetch(place(soon + l, i, N));
+                    __builtin_prefetch(place(soon + l, i, N));
             }
     }
 
@@ -197,7 +196,7 @@ private:
             const Pack products = share.errors.first(), shifts = share.errors.second();
             constexpr Index ahead = 8;
             const Index soon = std::min(batch.first + t + ahead, complex_.size(k) - 1);
-            prefetch(&below[faces(soon, 0)]); // the others share a corner, so are nearby
+            __builtin_prefetch(&below[faces(soon, 0)]); // the others share a corner, so are nearby
             for (int i = 0; i <= k; ++i, ++number) {
                 Sum& face = below[faces(batch.first + t, i)];
                 face.dual += *number * share.dual;

@@ -68,7 +68,7 @@ MUTANTS = {
                                 "InputUnits.are_those_of_places"),
     "dual_volumes_in_the_unit": ("dec/metric/cell_volumes.cpp", "of(k, n - k, dual(k))",
                                  "of(k, k, dual(k))", "InputUnits.are_those_of_operators"),
-    "vertices_of_splits_in_front": ("dec/discretization/input_vertices.cpp", ": v + unused;", ": v;",
+    "vertices_of_splits_in_front": ("dec/discretization/cell_data.cpp", ": v + unused;", ": v;",
                                     "Vertices.that_splits_make_are_behind_those_of_the_input"),
     "fixed_vertices_free": ("dec/boundary/boundary_conditions.cpp",
                             "marks[0][v] || conditions.fixed_vertices[v]", "marks[0][v]",
