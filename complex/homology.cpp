@@ -3,17 +3,139 @@
 
 #include "base/errors.h"
 #include "complex/coreduction.h"
-#include "complex/elimination.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace polydec {
 
 namespace {
+
+/// Elimination computes modulo this prime, 2^31 - 1: products of residues fit 64 bits.
+constexpr std::int64_t prime = 2147483647;
+
+/// A chain with coefficients modulo the prime: ascending cells.
+using ModularChain = std::vector<std::pair<Index, std::int64_t>>;
+
+std::int64_t inverse_mod_prime(std::int64_t a) {
+    std::int64_t result = 1;
+    for (std::int64_t power = prime - 2; power > 0; power /= 2, a = a * a % prime)
+        if (power % 2 == 1)
+            result = result * a % prime;
+    return result;
+}
+
+/// a - factor * b
+ModularChain subtract(const ModularChain& a, std::int64_t factor, const ModularChain& b) {
+    ModularChain result;
+    auto i = a.begin();
+    auto j = b.begin();
+    while (i != a.end() || j != b.end()) {
+        if (j == b.end() || (i != a.end() && i->first < j->first)) {
+            result.push_back(*i++);
+            continue;
+        }
+        const bool both = i != a.end() && i->first == j->first;
+        const auto value = ((both ? i->second : 0) + (prime - factor) * j->second) % prime;
+        if (value != 0)
+            result.emplace_back(j->first, value);
+        i += both ? 1 : 0;
+        ++j;
+    }
+    return result;
+}
+
+/// A boundary under reduction, and the combination of cells that it is the boundary of.
+struct Reduced {
+    ModularChain boundary, cells;
+};
+
+ModularChain core_boundary(const Incidences& D, Index t, const std::vector<bool>& core) {
+    ModularChain boundary;
+    for (const auto& [face, sign] : D[t])
+        if (core[face])
+            boundary.emplace_back(face, (sign + prime) % prime);
+    return boundary;
+}
+
+void scale_last_to_one(Reduced& row) {
+    const auto scale = inverse_mod_prime(row.boundary.back().second);
+    for (auto* chain : {&row.boundary, &row.cells})
+        for (auto& entry : *chain)
+            entry.second = entry.second * scale % prime;
+}
+
+/// Sparse elimination of what coreduction leaves of the coboundary matrices. Boundaries of cells
+/// are reduced by earlier ones with the same last face. The last face of a reduced boundary one
+/// degree above is itself a boundary up to earlier cells, and needs no reduction.
+class CoreElimination {
+public:
+    /// Eliminates in every degree; in degree `cycles_of` it keeps the combinations with zero
+    /// boundary.
+    CoreElimination(const CellComplex& complex, const Coreduction& reduction, int cycles_of = -1)
+        : columns_(complex.dimension() + 2), rows_(complex.dimension() + 2) {
+        for (int k = complex.dimension(); k >= 0; --k)
+            eliminate(complex, reduction, k, k == cycles_of);
+    }
+
+    /// Rank of d_k on the core; 0 for k = -1 and n.
+    Index rank(int k) const { return static_cast<Index>(pivot_columns(k).size()); }
+
+    /// k-cells and (k+1)-cells of the core on which d_k attains its rank; ascending rows.
+    const std::vector<Index>& pivot_columns(int k) const { return columns_.at(k + 1); }
+    const std::vector<Index>& pivot_rows(int k) const { return rows_.at(k + 1); }
+
+    /// Cycles of the core in degree `cycles_of` that span its homology, b_k in number (for k = 0,
+    /// minus the base vertices).
+    const std::vector<ModularChain>& cycles() const { return cycles_; }
+
+private:
+    /// Reduces the boundaries of the k-cells of the core.
+    void eliminate(const CellComplex& complex, const Coreduction& reduction, int k,
+                   bool keep_cycles) {
+        const Incidences& D = complex.incidences(k - 1);
+        const std::vector<bool> none;
+        const auto& faces = k > 0 ? reduction.core(k - 1) : none;
+        std::vector<bool> is_boundary(complex.size(k), false);
+        for (const Index t : pivot_columns(k))
+            is_boundary[t] = true;
+
+        std::vector<Index> row_of_pivot(D.cols(), -1);
+        std::vector<Reduced> reduced;
+        for (Index t = 0; t < complex.size(k); ++t) {
+            if (!reduction.core(k)[t] || is_boundary[t])
+                continue;
+            Reduced row{core_boundary(D, t, faces), {}};
+            if (keep_cycles)
+                row.cells.emplace_back(t, 1);
+            while (!row.boundary.empty() && row_of_pivot[row.boundary.back().first] >= 0) {
+                const auto& pivot = reduced[row_of_pivot[row.boundary.back().first]];
+                const auto factor = row.boundary.back().second;
+                row = {subtract(row.boundary, factor, pivot.boundary),
+                       subtract(row.cells, factor, pivot.cells)};
+            }
+            if (row.boundary.empty()) {
+                if (keep_cycles)
+                    cycles_.push_back(std::move(row.cells));
+                continue;
+            }
+            scale_last_to_one(row);
+            const Index pivot = row.boundary.back().first;
+            row_of_pivot[pivot] = static_cast<Index>(reduced.size());
+            reduced.push_back(std::move(row));
+            columns_[k].push_back(pivot);
+            rows_[k].push_back(t);
+        }
+    }
+
+    std::vector<std::vector<Index>> columns_, rows_; // at k + 1: of d_k
+    std::vector<ModularChain> cycles_;
+};
 
 using IntegerChain = std::map<Index, std::int64_t>;
 
@@ -31,9 +153,8 @@ IntegerChain integral(const ModularChain& chain) {
     for (std::int64_t factor = 1; factor < 1000; ++factor) {
         IntegerChain result;
         for (const auto& [cell, value] : chain) {
-            const auto residue = factor * value % elimination_prime;
-            const auto integer =
-                residue > elimination_prime / 2 ? residue - elimination_prime : residue;
+            const auto residue = factor * value % prime;
+            const auto integer = residue > prime / 2 ? residue - prime : residue;
             if (std::abs(integer) > small)
                 break;
             result[cell] = integer;
