@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 #include <mutex>
 #include <utility>
 
@@ -124,87 +125,121 @@ std::string take_missed_engines() {
     return missed ? std::exchange(*missed, {}) : std::string{};
 }
 
-void AutoSolver::factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) {
-    matrix_ = nullptr;
-    report_ = {};
-    if (!A)
-        throw InvalidInput("auto: the pointer to the matrix is null");
-    candidates_ = suitable_engines(*A, facts);
-    note_missed_engines(*A, facts);
-    facts_ = facts;
-    matrix_ = std::move(A);
-    try {
-        start();
-    } catch (...) {
+namespace {
+
+/// The engine `auto`: uses the first of suitable_engines() with a good factorization and good
+/// solves, and switches to the next after a failure; report().tried lists the attempts. Throws
+/// SolverFailure with all failures if none is left, OutOfMemory if one of them needed more memory;
+/// bad input throws as in every engine.
+class AutoSolver final : public LinearSolver {
+public:
+    explicit AutoSolver(const LinearSolverOptions& options) : options_(options) {}
+
+    std::string name() const override { return "auto"; }
+    EngineTraits traits() const override { return {.inertia = Inertia::wanted}; }
+    using LinearSolver::factorize;
+
+    void factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) override {
         matrix_ = nullptr;
-        engine_ = nullptr;
-        throw;
+        report_ = {};
+        if (!A)
+            throw InvalidInput("auto: the pointer to the matrix is null");
+        candidates_ = suitable_engines(*A, facts);
+        note_missed_engines(*A, facts);
+        facts_ = facts;
+        matrix_ = std::move(A);
+        try {
+            start();
+        } catch (...) {
+            matrix_ = nullptr;
+            engine_ = nullptr;
+            throw;
+        }
     }
-}
 
-void AutoSolver::start() {
-    next_ = 0;
-    failures_.clear();
-    lacks_memory_ = false;
-    advance();
-}
-
-template <typename Work>
-bool AutoSolver::succeeds(Work work) {
-    try {
-        work();
-        return true;
-    } catch (const SolverFailure& failure) {
-        lacks_memory_ |= dynamic_cast<const OutOfMemory*>(&failure) != nullptr;
-        failures_.push_back(first_line(failure.what()));
-    } catch (const BackendUnavailable& failure) {
-        failures_.push_back(first_line(failure.what()));
+    std::optional<Index> negative_pivots() const override {
+        return engine_ ? engine_->negative_pivots() : std::nullopt;
     }
-    return false;
-}
+    const SolveReport& report() const override { return report_; }
 
-void AutoSolver::advance() {
-    while (next_ < candidates_.size()) {
-        const std::string& candidate = candidates_[next_++];
-        if (succeeds([&] {
-                // An engine that is there already keeps its analysis.
-                if (!engine_ || engine_->name() != candidate)
-                    engine_ = make_linear_solver(candidate, options_);
-                if (lacks_memory_ && engine_->traits().method == Method::direct)
-                    throw OutOfMemory(candidate + ": another factor would not fit either");
-                engine_->factorize(matrix_, facts_);
-            }))
-            return;
+protected:
+    DenseMatrix solve_columns(const Eigen::Ref<const DenseMatrix>& B) override {
+        if (!matrix_)
+            throw InvalidInput("auto: call factorize() successfully before solve()");
+        if (!engine_)
+            start();
+        DenseMatrix X;
+        while (!succeeds([&] { X = engine_->solve(B); }))
+            advance();
+        report_ = engine_->report();
+        report_.tried.insert(report_.tried.begin(), failures_.begin(), failures_.end());
+        return X;
     }
-    engine_ = nullptr;
-    fail();
-}
 
-void AutoSolver::fail() const {
-    const auto story = fmt::format("auto: no engine solves this {0} x {0} system: {1}\n",
-                                   matrix_->rows(), fmt::join(failures_, "; "));
-    SolveReport report = SolveReport::failed("auto");
-    report.tried = failures_;
-    if (lacks_memory_)
-        throw OutOfMemory(story + "Raise the limit (set_memory_limit), or use fewer cells.",
-                          report);
-    throw SolverFailure(story + "The matrix is singular, or its facts are wrong; if it has a "
-                                "kernel, give it in the facts.",
-                        report);
-}
-
-DenseMatrix AutoSolver::solve_columns(const Eigen::Ref<const DenseMatrix>& B) {
-    if (!matrix_)
-        throw InvalidInput("auto: call factorize() successfully before solve()");
-    if (!engine_)
-        start();
-    DenseMatrix X;
-    while (!succeeds([&] { X = engine_->solve(B); }))
+private:
+    void start() {
+        next_ = 0;
+        failures_.clear();
+        lacks_memory_ = false;
         advance();
-    report_ = engine_->report();
-    report_.tried.insert(report_.tried.begin(), failures_.begin(), failures_.end());
-    return X;
-}
+    }
+
+    void advance() {
+        while (next_ < candidates_.size()) {
+            const std::string& candidate = candidates_[next_++];
+            if (succeeds([&] {
+                    // An engine that is there already keeps its analysis.
+                    if (!engine_ || engine_->name() != candidate)
+                        engine_ = make_linear_solver(candidate, options_);
+                    if (lacks_memory_ && engine_->traits().method == Method::direct)
+                        throw OutOfMemory(candidate + ": another factor would not fit either");
+                    engine_->factorize(matrix_, facts_);
+                }))
+                return;
+        }
+        engine_ = nullptr;
+        fail();
+    }
+
+    template <typename Work>
+    bool succeeds(Work work) {
+        try {
+            work();
+            return true;
+        } catch (const SolverFailure& failure) {
+            lacks_memory_ |= dynamic_cast<const OutOfMemory*>(&failure) != nullptr;
+            failures_.push_back(first_line(failure.what()));
+        } catch (const BackendUnavailable& failure) {
+            failures_.push_back(first_line(failure.what()));
+        }
+        return false;
+    }
+
+    [[noreturn]] void fail() const {
+        const auto story = fmt::format("auto: no engine solves this {0} x {0} system: {1}\n",
+                                       matrix_->rows(), fmt::join(failures_, "; "));
+        SolveReport report = SolveReport::failed("auto");
+        report.tried = failures_;
+        if (lacks_memory_)
+            throw OutOfMemory(story + "Raise the limit (set_memory_limit), or use fewer cells.",
+                              report);
+        throw SolverFailure(story + "The matrix is singular, or its facts are wrong; if it has a "
+                                    "kernel, give it in the facts.",
+                            report);
+    }
+
+    LinearSolverOptions options_;
+    std::shared_ptr<const SparseMatrix> matrix_;
+    MatrixFacts facts_;
+    std::vector<std::string> candidates_;
+    std::size_t next_ = 0;                 // the candidate to try when the engine fails
+    std::unique_ptr<LinearSolver> engine_; // null: not factorized
+    std::vector<std::string> failures_;
+    bool lacks_memory_ = false; // whether one of the failures is lack of memory
+    SolveReport report_;
+};
+
+} // namespace
 
 std::unique_ptr<LinearSolver> builtin::make_auto(const LinearSolverOptions& options) {
     return std::make_unique<AutoSolver>(options);

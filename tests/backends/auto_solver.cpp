@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/linear/auto_solver.h"
 
+#include "backends/registry.h"
 #include "base/errors.h"
 #include "system/memory.h"
 #include "tests/backends/matrices.h"
@@ -113,21 +114,21 @@ TEST(auto_solver, what_it_missed_is_given_once) {
     SparseMatrix A(60000, 60000);
     A.setIdentity();
     for (int time = 0; time < 2; ++time) {
-        AutoSolver solver;
-        solver.factorize(A, positive());
+        const auto solver = make_linear_solver("auto");
+        solver->factorize(A, positive());
         take_missed_engines();
         EXPECT_EQ(take_missed_engines(), "");
     }
 }
 
 TEST(auto_solver, it_reports_who_delivered) {
-    AutoSolver solver;
+    const auto solver = make_linear_solver("auto");
     const auto A = grid_laplacian(8);
-    solver.factorize(A, positive());
+    solver->factorize(A, positive());
     const Vector b = random_matrix(64, 1, 1);
-    solver.solve(b);
-    EXPECT_EQ(solver.report().engine, suitable_engines(A, positive()).front());
-    EXPECT_EQ(solver.report().tried, Names{solver.report().engine});
+    solver->solve(b);
+    EXPECT_EQ(solver->report().engine, suitable_engines(A, positive()).front());
+    EXPECT_EQ(solver->report().tried, Names{solver->report().engine});
 }
 
 // A zero pivot stops every L D L^T without pivoting, and nothing else is wrong with this matrix.
@@ -135,15 +136,15 @@ TEST(auto_solver, it_goes_on_to_the_next_engine_and_says_so) {
     DenseMatrix swap = DenseMatrix::Zero(4, 4);
     swap(0, 1) = swap(1, 0) = swap(2, 3) = swap(3, 2) = 1.0;
     const auto A = sparse(swap);
-    AutoSolver solver;
-    solver.factorize(A, indefinite());
+    const auto solver = make_linear_solver("auto");
+    solver->factorize(A, indefinite());
     const Vector b = random_matrix(4, 1, 2);
-    EXPECT_PRED3(solves, A, solver.solve(b), b);
-    EXPECT_EQ(solver.report().engine, "eigen.lu");
-    ASSERT_GE(solver.report().tried.size(), 2u);
-    const auto& failure = solver.report().tried[solver.report().tried.size() - 2];
+    EXPECT_PRED3(solves, A, solver->solve(b), b);
+    EXPECT_EQ(solver->report().engine, "eigen.lu");
+    ASSERT_GE(solver->report().tried.size(), 2u);
+    const auto& failure = solver->report().tried[solver->report().tried.size() - 2];
     EXPECT_TRUE(says(failure, {"eigen.ldlt", "pivot", "singular"}));
-    EXPECT_EQ(solver.report().tried.back(), "eigen.lu");
+    EXPECT_EQ(solver->report().tried.back(), "eigen.lu");
 }
 
 TEST(auto_solver, a_pinned_engine_does_not_go_on) {
@@ -154,33 +155,33 @@ TEST(auto_solver, a_pinned_engine_does_not_go_on) {
 }
 
 TEST(auto_solver, when_no_engine_is_left_the_error_tells_of_all) {
-    AutoSolver solver;
+    const auto solver = make_linear_solver("auto");
     SparseMatrix A(3, 3);
     A.insert(0, 0) = 1.0;
-    const auto message = message_of<SolverFailure>([&] { solver.factorize(A, indefinite()); });
+    const auto message = message_of<SolverFailure>([&] { solver->factorize(A, indefinite()); });
     EXPECT_TRUE(says(message, {"auto", "no engine", "3 x 3"}));
     EXPECT_TRUE(says(message, {"eigen.ldlt", "pivot"}));
     EXPECT_TRUE(says(message, {"eigen.lu", "singular", "row 1"}));
-    EXPECT_THROW(solver.solve(Vector::Ones(3)), InvalidInput);
+    EXPECT_THROW(solver->solve(Vector::Ones(3)), InvalidInput);
 }
 
 TEST(auto_solver, a_hopeless_right_hand_side_does_not_spoil_the_next) {
-    AutoSolver solver;
+    const auto solver = make_linear_solver("auto");
     const auto A = neumann_laplacian(8);
-    solver.factorize(A, semidefinite());
-    EXPECT_THROW(solver.solve(Vector::LinSpaced(64, 0.5, 1.0)), SolverFailure);
+    solver->factorize(A, semidefinite());
+    EXPECT_THROW(solver->solve(Vector::LinSpaced(64, 0.5, 1.0)), SolverFailure);
     const DenseMatrix b = A * random_matrix(64, 1, 3);
-    EXPECT_PRED3(solves, A, solver.solve(b), b);
+    EXPECT_PRED3(solves, A, solver->solve(b), b);
 }
 
 TEST(auto_solver, it_counts_negative_eigenvalues_where_asked) {
     MatrixFacts facts = indefinite();
     facts.inertia = Inertia::wanted;
-    AutoSolver solver;
-    EXPECT_EQ(solver.negative_pivots(), std::nullopt);
+    const auto solver = make_linear_solver("auto");
+    EXPECT_EQ(solver->negative_pivots(), std::nullopt);
     const auto A = shifted(grid_laplacian(7), 2.5);
-    solver.factorize(A, facts);
-    EXPECT_EQ(solver.negative_pivots(), negative_eigenvalues(A));
+    solver->factorize(A, facts);
+    EXPECT_EQ(solver->negative_pivots(), negative_eigenvalues(A));
 }
 
 } // namespace
