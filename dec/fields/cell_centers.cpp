@@ -29,11 +29,10 @@ public:
     /// Mean by volume of a place in each k-piece.
     Points means(const Points& coordinates) {
         Points result(std::ssize(sums_), mesh_.ambient_dimension());
-        const IncidenceMatrix& pieces = mesh_.merging().diamond(n_);
-        for (Index cell = 0; cell < pieces.rows(); ++cell) {
+        for (Index cell = 0; cell < mesh_.complex().size(n_); ++cell) {
             std::vector<Index> begun;
-            for (IncidenceMatrix::InnerIterator t(pieces, cell); t; ++t)
-                add(cell, static_cast<Index>(t.col()), coordinates, begun);
+            for (const Index t : mesh_.merging().pieces_of(n_, cell))
+                add(cell, t, coordinates, begun);
             for (const Index c : begun)
                 result.row(c) = in_space(sums_[c]);
         }
@@ -101,14 +100,13 @@ Points mean_over_cells(const Discretization& mesh, int k, const Points& coordina
         return k == 0 ? mesh.box()->vertices() : PlacesInBox(mesh, k).means(coordinates);
     const Points places =
         Places(mesh.passage(), mesh.measured_points()).at(k, coordinates, mesh.measured_points());
-    const IncidenceMatrix& pieces = mesh.merging().diamond(k);
     const Vector& volumes = mesh.geometry().volumes().primal(k);
-    Points result = Points::Zero(pieces.rows(), places.cols());
+    Points result = Points::Zero(mesh.complex().size(k), places.cols());
     for (Index cell = 0; cell < result.rows(); ++cell) {
         double volume = 0;
-        for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece) {
-            result.row(cell) += volumes[piece.col()] * places.row(piece.col());
-            volume += volumes[piece.col()];
+        for (const Index piece : mesh.merging().pieces_of(k, cell)) {
+            result.row(cell) += volumes[piece] * places.row(piece);
+            volume += volumes[piece];
         }
         result.row(cell) *= 1 / volume;
     }
@@ -158,11 +156,10 @@ Points site_coordinates(const Discretization& discretization) {
         return result;
     const SparseMatrix M = discretization.stars()[n - 1].matrix();
     const Incidences& faces = discretization.complex().incidences(n - 1);
-    const IncidenceMatrix& pieces = discretization.merging().diamond(n);
     for (Index cell = 0; cell < faces.rows(); ++cell)
         if (couples_facets_of(M, faces[cell]))
-            for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece)
-                result.row(piece.col()).setConstant(1.0 / (n + 1));
+            for (const Index piece : discretization.merging().pieces_of(n, cell))
+                result.row(piece).setConstant(1.0 / (n + 1));
     return result;
 }
 

@@ -28,16 +28,14 @@ void refuse_flat_pieces(const Discretization& mesh, std::string_view what) {
 
 void fill_flat_pieces(const Discretization& mesh, Points& rows) {
     const int n = mesh.dimension();
-    const IncidenceMatrix& cells = mesh.merging().diamond(n);
-    check_as_many("rows of pieces", rows.rows(), cells.cols());
-    for (Index t = 0; t < cells.cols(); ++t) {
+    check_as_many("rows of pieces", rows.rows(), mesh.pieces().size(n));
+    for (Index t = 0; t < rows.rows(); ++t) {
         if (!mesh.geometry().is_flat(t))
             continue;
         Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(rows.cols());
         double volume = 0;
         const Index cell = mesh.merging().carriers(n)[t].cell;
-        for (IncidenceMatrix::InnerIterator piece(cells, cell); piece; ++piece) {
-            const auto other = static_cast<Index>(piece.col());
+        for (const Index other : mesh.merging().pieces_of(n, cell)) {
             if (mesh.geometry().is_flat(other))
                 continue;
             sum += mesh.geometry().volumes().primal(n)[other] * rows.row(other);

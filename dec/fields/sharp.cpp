@@ -84,8 +84,7 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
     const Simplices& tops = straight ? mesh.places().corners : mesh.pieces().simplices(n);
     const auto N = points.cols();
     DenseMatrix sum = DenseMatrix::Zero(N, N);
-    for (IncidenceMatrix::InnerIterator piece(mesh.merging().diamond(n), cell); piece; ++piece) {
-        const auto t = static_cast<Index>(piece.col());
+    for (const Index t : mesh.merging().pieces_of(n, cell)) {
         const auto corners = vertices(tops, t);
         const DenseMatrix gradients = barycentric_gradients(points, corners);
         DenseMatrix projection = DenseMatrix::Zero(N, N);
