@@ -116,21 +116,30 @@ void FlipHistory::reverse(Index triangle) {
 }
 
 template <class Values>
-void FlipHistory::apply(const Step& step, int k, Values& values) const {
-    const double part = step.after;
+void FlipHistory::take(const Step& step, bool back, int k, Values& values) const {
+    const double part = back ? step.before : step.after;
     const auto& [jk, ki, il, lj] = step.around;
     if (step.kind == Kind::reverse) {
         if (k == 2)
             turn(values, step.first);
     } else if (step.kind == Kind::flip) {
-        // klj gets its part of the circulation: kl = part (jk + ki + il + lj) - lj - jk
-        const double s = step.sign;
-        const Term kl[] = {signed_term(s * (part - 1), jk), signed_term(s * part, ki),
-                           signed_term(s * part, il), signed_term(s * (part - 1), lj)};
+        // klj gets its part of the circulation: kl = part (jk + ki + il + lj) - lj - jk; back, ijk
+        // gets it: ij = part (jk + ki + il + lj) - jk - ki
+        const double more = step.sign * part, less = step.sign * (part - 1);
+        const Term edge[] = {signed_term(less, jk), signed_term(back ? less : more, ki),
+                             signed_term(more, il), signed_term(back ? more : less, lj)};
         if (k == 1)
-            values[step.edge] = combine(values, kl);
+            values[step.edge] = combine(values, edge);
         else if (k == 2)
             share(values, step.first, step.second, part);
+    } else if (back) {
+        const Term ij[] = {{1, step.edge}, {1, il.edge}};
+        if (k == 1)
+            values[step.edge] = combine(values, ij);
+        const Term ijk[] = {{1, step.first}, {1, step.second}};
+        if (k == 2)
+            values[step.first] = combine(values, ijk);
+        values.resize(values.size() - (k == 1 ? 2 : 1));
     } else if (k == 0) {
         const Term m[] = {{1 - part, step.vertices[0]}, {part, step.vertices[1]}};
         values.push_back(combine(values, m));
@@ -144,33 +153,6 @@ void FlipHistory::apply(const Step& step, int k, Values& values) const {
     } else {
         values.push_back({});
         share(values, step.first, step.second, part);
-    }
-}
-
-template <class Values>
-void FlipHistory::undo(const Step& step, int k, Values& values) const {
-    const double part = step.before;
-    const auto& [jk, ki, il, lj] = step.around;
-    if (step.kind == Kind::reverse) {
-        if (k == 2)
-            turn(values, step.first);
-    } else if (step.kind == Kind::flip) {
-        // ijk gets its part of the circulation: ij = part (jk + ki + il + lj) - jk - ki
-        const double s = step.sign;
-        const Term ij[] = {signed_term(s * (part - 1), jk), signed_term(s * (part - 1), ki),
-                           signed_term(s * part, il), signed_term(s * part, lj)};
-        if (k == 1)
-            values[step.edge] = combine(values, ij);
-        else if (k == 2)
-            share(values, step.first, step.second, part);
-    } else {
-        const Term ij[] = {{1, step.edge}, {1, il.edge}};
-        if (k == 1)
-            values[step.edge] = combine(values, ij);
-        const Term ijk[] = {{1, step.first}, {1, step.second}};
-        if (k == 2)
-            values[step.first] = combine(values, ijk);
-        values.resize(values.size() - (k == 1 ? 2 : 1));
     }
 }
 
@@ -193,7 +175,7 @@ Vector FlipHistory::carry(int k, const Vector& values) const {
     check_size(k, values.size(), first_sizes_, "first");
     std::vector<double> current(values.begin(), values.end());
     for (const Step& step : steps_)
-        apply(step, k, current);
+        take(step, false, k, current);
     return as_vector(current);
 }
 
@@ -201,7 +183,7 @@ Vector FlipHistory::carry_back(int k, const Vector& values) const {
     check_size(k, values.size(), last_sizes_, "last");
     std::vector<double> current(values.begin(), values.end());
     for (auto step = steps_.rbegin(); step != steps_.rend(); ++step)
-        undo(*step, k, current);
+        take(*step, true, k, current);
     return as_vector(current);
 }
 
@@ -246,7 +228,7 @@ SparseMatrix FlipHistory::matrix(int k) const {
     check_size(k, k < 0 || k > 2 ? 0 : first_sizes_[k], first_sizes_, "first");
     auto rows = identity(first_sizes_[k]);
     for (const Step& step : steps_)
-        apply(step, k, rows);
+        take(step, false, k, rows);
     return as_matrix(rows, first_sizes_[k]);
 }
 
@@ -254,7 +236,7 @@ SparseMatrix FlipHistory::matrix_back(int k) const {
     check_size(k, k < 0 || k > 2 ? 0 : last_sizes_[k], last_sizes_, "last");
     auto rows = identity(last_sizes_[k]);
     for (auto step = steps_.rbegin(); step != steps_.rend(); ++step)
-        undo(*step, k, rows);
+        take(*step, true, k, rows);
     return as_matrix(rows, last_sizes_[k]);
 }
 

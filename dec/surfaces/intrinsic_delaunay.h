@@ -58,9 +58,7 @@ private:
     };
 
     template <class Values>
-    void apply(const Step& step, int k, Values& values) const;
-    template <class Values>
-    void undo(const Step& step, int k, Values& values) const;
+    void take(const Step& step, bool back, int k, Values& values) const;
 
     std::array<Index, 3> first_sizes_, last_sizes_;
     std::vector<Step> steps_;
