@@ -148,8 +148,4 @@ Merging::Maps Merging::identity() const {
     return maps;
 }
 
-Merging unmerged(Pieces complex) {
-    return Merging(std::move(complex));
-}
-
 } // namespace polydec

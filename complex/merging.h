@@ -17,6 +17,9 @@ struct Blocks;
 /// Cells of P are numbered in the order of their first pieces and oriented like them.
 class Merging {
 public:
+    /// Merges nothing: P is K and shares its memory.
+    explicit Merging(Pieces pieces);
+
     /// The merged complex of the blocks; d^P d^P = 0 and dia d = d^P dia hold by construction.
     /// Linear time.
     Merging(Pieces pieces, Blocks blocks);
@@ -68,9 +71,6 @@ public:
     std::vector<Index> vertices(int k, Index cell) const;
 
 private:
-    friend Merging unmerged(Pieces complex);
-    explicit Merging(Pieces pieces); // each a cell of its own
-
     struct Maps {
         std::vector<std::vector<Carrier>> carriers;
         std::vector<IncidenceMatrix> diamonds;
@@ -87,8 +87,9 @@ private:
     CellComplex merged_;
 };
 
-/// The merging that merges nothing: P is K and shares its memory.
-Merging unmerged(Pieces complex);
+inline Merging unmerged(Pieces complex) {
+    return Merging(std::move(complex));
+}
 
 /// The corners of a merged 2-cell in the order of its boundary, as vertex numbers, starting with
 /// the smallest edge. A cell glued to itself passes some corners twice. Any dimension n >= 2; time
