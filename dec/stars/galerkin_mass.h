@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/merging/coned_cells.h"
 #include "dec/merging/merged_cells.h"
 
 namespace polydec {
 
 /// Inner products of Whitney forms on the cells, by the lift to their pieces; cells with flat
-/// pieces are coned instead (see cone_flat_cells). Source: Whitney 1957.
+/// pieces are coned instead, from the mean of their vertices. Source: Whitney 1957.
 class GalerkinMass {
 public:
-    /// Throws like cone_flat_cells.
+    /// Throws InvalidInput, naming the cell, unless cells with flat pieces are visible from that
+    /// mean.
     explicit GalerkinMass(const MergedCells& cells);
 
     /// Inner products of k-forms, with the contribution of each n-cell times its weight, at least
