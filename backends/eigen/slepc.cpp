@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "backends/component.h"
+#include "backends/eigen/dense_pairs.h"
 #include "backends/eigen/slepc_session.h"
 
 #include <algorithm>
@@ -13,9 +14,6 @@ using petsc::Owned;
 using petsc::Session;
 using PetscVector = Owned<Vec, VecDestroy>;
 using PetscMatrix = Owned<Mat, MatDestroy>;
-
-// Below this size all eigenpairs of a dense matrix cost less than the iteration.
-constexpr Index dense_size = 40;
 
 // The operator as SLEPc calls it. An exception must not travel through C, so it waits here, and
 // from then on the operator is zero until SLEPc asks whether to stop: what comes back from it by an
@@ -67,13 +65,6 @@ PetscErrorCode stop(EPS solver, PetscInt restarts, PetscInt most_restarts, Petsc
     if (static_cast<Shell*>(shell)->thrown)
         *reason = EPS_CONVERGED_USER;
     return error;
-}
-
-void copy(const Session& session, const Vector& from, Vec to) {
-    double* entries = nullptr;
-    session.require(VecGetArray(to, &entries), "taking over a vector");
-    Eigen::Map<Vector>(entries, from.size()) = from;
-    session.require(VecRestoreArray(to, &entries), "taking over a vector");
 }
 
 // One run of the eigensolver, and what it holds on to.
@@ -129,7 +120,7 @@ private:
 
     void choose_method(Index count, const EigenOptions& options) {
         EPS solver = solver_.get();
-        if (size_ <= dense_size || options.krylov_dimension >= size_) {
+        if (size_ <= builtin::dense_size || options.krylov_dimension >= size_) {
             session_.require(EPSSetType(solver, EPSLAPACK), "choosing the method");
             return;
         }
@@ -143,9 +134,9 @@ private:
         session_.require(EPSSetStoppingTestFunction(solver, stop, &shell_, nullptr),
                          "choosing the method");
 
-        session_.require(VecCreateSeq(PETSC_COMM_SELF, size_, start_.put()),
-                         "taking over the start");
-        copy(session_, options.start, start_.get());
+        session_.require(
+            VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size_, options.start.data(), start_.put()),
+            "taking over the start");
         Vec start = start_.get();
         session_.require(EPSSetInitialSpace(solver, 1, &start), "taking over the start");
     }

@@ -3,6 +3,7 @@
 #include "backends/linear/iterative_solver.h"
 #include "backends/linear/petsc_options.h"
 #include "backends/linear/petsc_session.h"
+#include "base/block_matrix.h"
 #include "base/decompositions.h"
 
 #include <fmt/format.h>
@@ -143,7 +144,7 @@ private:
     const SparseMatrix& without_zero_rows(const SparseMatrix& A, const MatrixFacts& facts) {
         const Vector diagonal = A.diagonal();
         const bool may_be_zero = facts.definiteness == Definiteness::semidefinite;
-        std::vector<Eigen::Triplet<double>> ones;
+        Vector ones = Vector::Zero(A.rows());
         for (Index i = 0; i < static_cast<Index>(A.rows()); ++i) {
             if (diagonal[i] > 0.0)
                 continue;
@@ -151,15 +152,12 @@ private:
                 fail(fmt::format("the matrix is not positive {1}definite, although its facts say "
                                  "so: entry ({0}, {0}) is {2:.3g}",
                                  i, may_be_zero ? "semi" : "", diagonal[i]));
-            ones.emplace_back(i, i, 1.0);
+            ones[i] = 1.0;
         }
-        if (ones.empty())
+        if (ones.isZero(0.0))
             return A;
 
-        SparseMatrix added(A.rows(), A.cols());
-        added.setFromTriplets(ones.begin(), ones.end());
-        changed_ = A + added;
-        changed_.makeCompressed();
+        changed_ = A + diagonal_matrix(ones);
         return changed_;
     }
 
