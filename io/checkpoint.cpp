@@ -4,7 +4,7 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "dec/discretization/fingerprint.h"
-#include "io/byte_reader.h"
+#include "io/byte_order.h"
 #include "io/source_file.h"
 #include "system/atomic_file.h"
 
@@ -20,31 +20,7 @@ namespace {
 constexpr std::string_view heading = "polydec checkpoint 1\n";
 constexpr std::size_t word_size = sizeof(std::uint64_t);
 
-/// Words of a file, the lowest byte first, with a fingerprint of them all behind.
-class WordWriter {
-public:
-    explicit WordWriter(AtomicFile& file) : file_(file) {}
-
-    void write(std::uint64_t word) {
-        fingerprint_.add(word);
-        put(word);
-    }
-    void close() { put(fingerprint_.value()); }
-
-private:
-    void put(std::uint64_t word) {
-        char bytes[word_size];
-        for (char& byte : bytes) {
-            byte = static_cast<char>(word & 0xff);
-            word >>= 8;
-        }
-        file_.write({bytes, word_size});
-    }
-
-    AtomicFile& file_;
-    Fingerprint fingerprint_;
-};
-
+/// Words of a file, the lowest byte first.
 class WordReader {
 public:
     explicit WordReader(const SourceFile& file) : file_(file) {}
@@ -84,10 +60,18 @@ void check_whole(const SourceFile& file) {
 
 } // namespace
 
+/// The file, and the fingerprint of all its words, which is the last one.
 struct CheckpointWriter::Words {
-    explicit Words(const std::filesystem::path& path) : file(path), words(file) {}
+    explicit Words(const std::filesystem::path& path) : file(path) {}
+
+    void write(std::uint64_t word) {
+        fingerprint.add(word);
+        put(word);
+    }
+    void put(std::uint64_t word) { file.write(bytes_of(word)); }
+
     AtomicFile file;
-    WordWriter words;
+    Fingerprint fingerprint;
 };
 
 CheckpointWriter::CheckpointWriter(const std::filesystem::path& path,
@@ -95,24 +79,23 @@ CheckpointWriter::CheckpointWriter(const std::filesystem::path& path,
                                    const std::vector<std::int64_t>& sizes)
     : words_(std::make_unique<Words>(path)) {
     words_->file.write(heading);
-    WordWriter& words = words_->words;
-    words.write(without_state.problem);
-    words.write(without_state.step);
-    words.write(std::bit_cast<std::uint64_t>(without_state.time));
-    words.write(static_cast<std::uint64_t>(sizes.size()));
+    words_->write(without_state.problem);
+    words_->write(without_state.step);
+    words_->write(std::bit_cast<std::uint64_t>(without_state.time));
+    words_->write(sizes.size());
     for (const std::int64_t size : sizes)
-        words.write(static_cast<std::uint64_t>(size));
+        words_->write(static_cast<std::uint64_t>(size));
 }
 
 CheckpointWriter::~CheckpointWriter() = default;
 
 void CheckpointWriter::add(const Vector& values) {
     for (const double value : values)
-        words_->words.write(std::bit_cast<std::uint64_t>(value));
+        words_->write(std::bit_cast<std::uint64_t>(value));
 }
 
 void CheckpointWriter::commit() {
-    words_->words.close();
+    words_->put(words_->fingerprint.value());
     words_->file.commit();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/byte_reader.h"
+#include "io/byte_order.h"
 
 #include <array>
 #include <cstddef>

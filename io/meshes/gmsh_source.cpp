@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/gmsh_source.h"
 
-#include "io/byte_reader.h"
+#include "io/byte_order.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "io/meshes/pdm.h"
 
 #include "base/errors.h"
-#include "io/byte_reader.h"
+#include "io/byte_order.h"
 #include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
 #include "system/atomic_file.h"
@@ -11,10 +11,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <zlib.h>
 
 namespace polydec {
@@ -23,23 +20,6 @@ namespace {
 
 constexpr std::string_view magic = "pdmesh1\n";
 constexpr std::size_t header_words = 7; // behind the magic; a checksum follows
-
-template <typename Number>
-std::string little_endian(const Number* numbers, std::size_t count) {
-    if (count == 0) // of no numbers there is no address
-        return {};
-    std::string bytes(count * sizeof(Number), '\0');
-    if constexpr (std::endian::native == std::endian::little) {
-        std::memcpy(bytes.data(), numbers, bytes.size());
-    } else {
-        for (std::size_t i = 0; i < count; ++i) {
-            char* place = bytes.data() + i * sizeof(Number);
-            std::memcpy(place, numbers + i, sizeof(Number));
-            std::reverse(place, place + sizeof(Number));
-        }
-    }
-    return bytes;
-}
 
 template <typename Number>
 Number little(const std::string& bytes, std::size_t place) {
@@ -56,7 +36,7 @@ std::string header_of(const PdmLayout& layout) {
         layout.ambient_dimension, layout.dimension, layout.vertices,       layout.cells,
         layout.number_bytes(),    layout.has_tags,  PdmLayout::block_bytes};
     std::string header(magic);
-    header += little_endian(words.data(), words.size());
+    header += bytes_of_all<std::int64_t>(words);
     header += checksum_of(header);
     header.resize(PdmLayout::header_bytes, '\0');
     return header;
@@ -65,22 +45,21 @@ std::string header_of(const PdmLayout& layout) {
 std::string checksum_of(std::string_view block) {
     const auto sum = static_cast<std::uint32_t>(
         ::crc32(0, reinterpret_cast<const Bytef*>(block.data()), static_cast<uInt>(block.size())));
-    return little_endian(&sum, 1);
+    return bytes_of(sum);
 }
 
 std::string pdm_bytes(const Eigen::Ref<const Points>& points) {
-    return little_endian(points.data(), static_cast<std::size_t>(points.size()));
+    return bytes_of_all<double>({points.data(), static_cast<std::size_t>(points.size())});
 }
 
 std::string pdm_bytes(const std::vector<Index>& tags) {
-    return little_endian(tags.data(), tags.size());
+    return bytes_of_all<Index>(tags);
 }
 
 std::string pdm_bytes(const std::vector<std::int64_t>& vertices, std::int64_t bytes_each) {
     if (bytes_each == sizeof(std::int64_t))
-        return little_endian(vertices.data(), vertices.size());
-    const std::vector<std::int32_t> narrow(vertices.begin(), vertices.end());
-    return little_endian(narrow.data(), narrow.size());
+        return bytes_of_all<std::int64_t>(vertices);
+    return pdm_bytes(std::vector<Index>(vertices.begin(), vertices.end()));
 }
 
 PdmReader::PdmReader(PartialFile file) : file_(std::move(file)) {

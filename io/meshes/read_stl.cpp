@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "io/byte_reader.h"
+#include "io/byte_order.h"
 #include "io/meshes/readers.h"
 #include "io/scanner.h"
 #include "meshes/weld.h"

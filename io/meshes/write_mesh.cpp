@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
+#include "io/byte_order.h"
 #include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
 #include "io/number_text.h"
@@ -10,8 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -146,15 +145,6 @@ void write_obj(const Path& path, const SurfaceFaces& faces) {
     lines.commit();
 }
 
-/// Appends the bytes of a number, the lowest first.
-template <typename Number>
-void append_bytes(std::string& bytes, Number number) {
-    auto of_number = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-    if constexpr (std::endian::native == std::endian::big)
-        std::reverse(of_number.begin(), of_number.end());
-    bytes.append(of_number.data(), of_number.size());
-}
-
 Eigen::Vector3d padded(const Points& points, Index vertex) {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
     place.head(points.cols()) = points.row(vertex);
@@ -183,31 +173,22 @@ void write_ply(const Path& path, const SurfaceFaces& faces) {
                            "property double x\nproperty double y\nproperty double z\n"
                            "element face {}\nproperty list {} int vertex_indices\nend_header\n",
                            faces.points.rows(), faces.count, is_short ? "uchar" : "uint"));
-    std::string bytes;
-    for (Index vertex = 0; vertex < faces.points.rows(); ++vertex) {
-        bytes.clear();
+    for (Index vertex = 0; vertex < faces.points.rows(); ++vertex)
         for (const double value : padded(faces.points, vertex))
-            append_bytes(bytes, value);
-        file.write(bytes);
-    }
+            file.write(bytes_of(value));
     for (std::size_t face = 0; face < faces.count; ++face) {
-        bytes.clear();
-        if (is_short)
-            append_bytes(bytes, static_cast<std::uint8_t>(faces[face].size()));
-        else
-            append_bytes(bytes, static_cast<std::uint32_t>(faces[face].size()));
+        const auto size = static_cast<std::uint32_t>(faces[face].size());
+        file.write(is_short ? bytes_of(static_cast<std::uint8_t>(size)) : bytes_of(size));
         for (const Index corner : faces[face])
-            append_bytes(bytes, corner);
-        file.write(bytes);
+            file.write(bytes_of(corner));
     }
     file.commit();
 }
 
 void write_stl(const Path& path, const SurfaceFaces& faces) {
     AtomicFile file(path);
-    std::string bytes = "binary STL";
-    bytes.resize(80, ' ');
-    append_bytes(bytes, static_cast<std::uint32_t>(faces.count));
+    file.write(fmt::format("{:80}", "binary STL"));
+    file.write(bytes_of(static_cast<std::uint32_t>(faces.count)));
     for (std::size_t face = 0; face < faces.count; ++face) {
         const auto corners = faces[face];
         const Eigen::Vector3d origin = padded(faces.points, corners[0]);
@@ -215,15 +196,12 @@ void write_stl(const Path& path, const SurfaceFaces& faces) {
                                            .cross(padded(faces.points, corners[2]) - origin)
                                            .stableNormalized();
         for (const double value : normal)
-            append_bytes(bytes, std::isfinite(value) ? static_cast<float>(value) : 0.0F);
+            file.write(bytes_of(std::isfinite(value) ? static_cast<float>(value) : 0.0F));
         for (const Index vertex : corners)
             for (const double value : padded(faces.points, vertex))
-                append_bytes(bytes, to_float(path, value, vertex));
-        bytes.append(2, '\0');
-        file.write(bytes);
-        bytes.clear();
+                file.write(bytes_of(to_float(path, value, vertex)));
+        file.write(bytes_of(std::uint16_t{0}));
     }
-    file.write(bytes);
     file.commit();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/pictures/raster.h"
 
+#include "io/byte_order.h"
 #include "io/deflate.h"
 #include "io/pictures/stroke_font.h"
 
@@ -12,20 +13,18 @@ namespace polydec {
 
 namespace {
 
-std::string big_endian(unsigned long number) {
-    std::string bytes;
-    for (int shift = 24; shift >= 0; shift -= 8)
-        bytes += static_cast<char>(number >> shift & 255U);
-    return bytes;
+/// PNG has numbers of four bytes.
+std::string number(unsigned long value) {
+    return bytes_of(static_cast<std::uint32_t>(value), std::endian::big);
 }
 
-const Bytef* bytes_of(const std::string& text) {
+const Bytef* bytes_in(const std::string& text) {
     return reinterpret_cast<const Bytef*>(text.data());
 }
 
 std::string chunk(const std::string& type, const std::string& data) {
     const std::string text = type + data;
-    return big_endian(data.size()) + text + big_endian(crc32_z(0, bytes_of(text), text.size()));
+    return number(data.size()) + text + number(crc32_z(0, bytes_in(text), text.size()));
 }
 
 double distance(double x, double y, const SvgPoint& a, const SvgPoint& b) {
@@ -129,11 +128,10 @@ std::string Raster::to_png() const {
             [](std::uint8_t own, std::uint8_t other) { return static_cast<char>(own - other); });
         above.assign(bytes, bytes + length);
     }
-    const std::string header = big_endian(static_cast<unsigned long>(width_)) +
-                               big_endian(static_cast<unsigned long>(height_)) +
-                               std::string("\x08\x02\x00\x00\x00", 5);
+    const std::string header =
+        number(width_) + number(height_) + std::string("\x08\x02\x00\x00\x00", 5);
     const std::string stream =
-        "\x78\x9c" + deflate(rows) + big_endian(adler32_z(1, bytes_of(rows), rows.size()));
+        "\x78\x9c" + deflate(rows) + number(adler32_z(1, bytes_in(rows), rows.size()));
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stream) + chunk("IEND", "");
 }
 
