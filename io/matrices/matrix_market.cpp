@@ -2,8 +2,7 @@
 #include "io/matrices/matrix_market.h"
 
 #include "base/errors.h"
-#include "io/number_text.h"
-#include "system/atomic_file.h"
+#include "io/number_lines.h"
 
 #include <fmt/format.h>
 
@@ -25,24 +24,15 @@ void check_finite(double value, const std::filesystem::path& path, Eigen::Index 
 
 template <typename Matrix>
 void write_coordinates(const std::filesystem::path& path, const Matrix& matrix, const char* field) {
-    AtomicFile file(path);
-    file.write(fmt::format("%%MatrixMarket matrix coordinate {} general\n{} {} {}\n", field,
+    NumberLines lines(path);
+    lines.text(fmt::format("%%MatrixMarket matrix coordinate {} general\n{} {} {}\n", field,
                            matrix.rows(), matrix.cols(), matrix.nonZeros()));
-    std::string line;
-    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row)
         for (typename Matrix::InnerIterator entry(matrix, row); entry; ++entry) {
             check_finite(entry.value(), path, row, entry.col());
-            line.clear();
-            append_number(line, row + 1);
-            line += ' ';
-            append_number(line, entry.col() + 1);
-            line += ' ';
-            append_number(line, +entry.value());
-            line += '\n';
-            file.write(line);
+            lines.line(row + 1, entry.col() + 1, +entry.value());
         }
-    }
-    file.commit();
+    lines.commit();
 }
 
 } // namespace
@@ -57,19 +47,15 @@ void write_matrix_market(const std::filesystem::path& path, const IncidenceMatri
 
 void write_matrix_market(const std::filesystem::path& path,
                          const Eigen::Ref<const DenseMatrix>& matrix) {
-    AtomicFile file(path);
-    file.write(fmt::format("%%MatrixMarket matrix array real general\n{} {}\n", matrix.rows(),
+    NumberLines lines(path);
+    lines.text(fmt::format("%%MatrixMarket matrix array real general\n{} {}\n", matrix.rows(),
                            matrix.cols()));
-    std::string line;
     for (Eigen::Index column = 0; column < matrix.cols(); ++column)
         for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
             check_finite(matrix(row, column), path, row, column);
-            line.clear();
-            append_number(line, matrix(row, column));
-            line += '\n';
-            file.write(line);
+            lines.line(matrix(row, column));
         }
-    file.commit();
+    lines.commit();
 }
 
 } // namespace polydec

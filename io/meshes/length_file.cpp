@@ -2,9 +2,8 @@
 #include "base/errors.h"
 #include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
-#include "io/number_text.h"
+#include "io/number_lines.h"
 #include "io/scanner.h"
-#include "system/atomic_file.h"
 
 #include <fmt/format.h>
 
@@ -66,19 +65,6 @@ void check_edges(Scanner& scanner, const LengthMesh& mesh, const std::vector<std
     scanner.fail(fmt::format("{} belongs to no simplex; expected edges of the simplices; remove "
                              "the line or correct its vertices",
                              name));
-}
-
-void write_row(AtomicFile& file, const Simplices& rows, Index row, const double* length) {
-    std::string line;
-    for (const Index v : rows.row(row)) {
-        line += line.empty() ? "" : " ";
-        append_number(line, v);
-    }
-    if (length != nullptr) {
-        line += ' ';
-        append_number(line, *length);
-    }
-    file.write(line + '\n');
 }
 
 } // namespace
@@ -147,14 +133,16 @@ void write_lengths(const std::filesystem::path& path, const LengthMesh& mesh) {
                                 .cells = {e},
                                 .vertices = {mesh.edges(e, 0), mesh.edges(e, 1)},
                                 .path = path});
-    AtomicFile file(path);
-    file.write(fmt::format("{} {} {} {}\n", mesh.dimension(), mesh.vertices, mesh.simplices.rows(),
+    NumberLines lines(path);
+    lines.text(fmt::format("{} {} {} {}\n", mesh.dimension(), mesh.vertices, mesh.simplices.rows(),
                            mesh.edges.rows()));
-    for (Index s = 0; s < mesh.simplices.rows(); ++s)
-        write_row(file, mesh.simplices, s, nullptr);
+    for (Index s = 0; s < mesh.simplices.rows(); ++s) {
+        lines.numbers(mesh.simplices.row(s));
+        lines.end();
+    }
     for (Index e = 0; e < mesh.edges.rows(); ++e)
-        write_row(file, mesh.edges, e, &mesh.lengths[e]);
-    file.commit();
+        lines.line(mesh.edges(e, 0), mesh.edges(e, 1), mesh.lengths[e]);
+    lines.commit();
 }
 
 } // namespace polydec

@@ -3,7 +3,7 @@
 #include "io/byte_order.h"
 #include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
-#include "io/number_text.h"
+#include "io/number_lines.h"
 #include "io/source_file.h"
 #include "system/atomic_file.h"
 
@@ -55,40 +55,6 @@ void check_simplices(const Path& path, const Mesh& mesh) {
     }
 }
 
-/// Writes lines of numbers.
-class Lines {
-public:
-    explicit Lines(const Path& path) : file_(path) {}
-
-    void text(std::string_view text) { file_.write(text); }
-
-    template <typename Number>
-    void number(Number value) {
-        line_ += line_.empty() ? "" : " ";
-        append_number(line_, value);
-    }
-
-    void word(std::string_view word) { line_ += word; }
-
-    void end() {
-        line_ += '\n';
-        file_.write(line_);
-        line_.clear();
-    }
-
-    /// The coordinates of a vertex, with zeros up to `axes`.
-    void coordinates(const Points& points, Eigen::Index vertex, Eigen::Index axes) {
-        for (Eigen::Index axis = 0; axis < axes; ++axis)
-            number(axis < points.cols() ? points(vertex, axis) : 0.0);
-    }
-
-    void commit() { file_.commit(); }
-
-private:
-    AtomicFile file_;
-    std::string line_;
-};
-
 /// Triangles and polygons alike, for the formats of surfaces; or edges.
 struct SurfaceFaces {
     const Points& points;
@@ -105,37 +71,33 @@ struct SurfaceFaces {
     }
 };
 
-void write_faces(Lines& lines, const SurfaceFaces& faces) {
-    for (std::size_t face = 0; face < faces.count; ++face) {
-        lines.number(faces[face].size());
-        for (const Index corner : faces[face])
-            lines.number(corner);
-        lines.end();
-    }
-}
-
-void write_vertices(Lines& lines, const Points& points) {
+/// The coordinates of each vertex, with zeros up to `axes`, between these words.
+void write_vertices(NumberLines& lines, const Points& points, Eigen::Index axes,
+                    const char* before = "", const char* behind = "") {
     for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex) {
-        lines.coordinates(points, vertex, 3);
+        lines.word(before);
+        for (Eigen::Index axis = 0; axis < axes; ++axis)
+            lines.number(axis < points.cols() ? points(vertex, axis) : 0.0);
+        lines.word(behind);
         lines.end();
     }
 }
 
 void write_off(const Path& path, const SurfaceFaces& faces) {
-    Lines lines(path);
+    NumberLines lines(path);
     lines.text(fmt::format("OFF\n{} {} 0\n", faces.points.rows(), faces.count));
-    write_vertices(lines, faces.points);
-    write_faces(lines, faces);
+    write_vertices(lines, faces.points, 3);
+    for (std::size_t face = 0; face < faces.count; ++face) {
+        lines.number(faces[face].size());
+        lines.numbers(faces[face]);
+        lines.end();
+    }
     lines.commit();
 }
 
 void write_obj(const Path& path, const SurfaceFaces& faces) {
-    Lines lines(path);
-    for (Eigen::Index vertex = 0; vertex < faces.points.rows(); ++vertex) {
-        lines.word("v");
-        lines.coordinates(faces.points, vertex, 3);
-        lines.end();
-    }
+    NumberLines lines(path);
+    write_vertices(lines, faces.points, 3, "v");
     for (std::size_t face = 0; face < faces.count; ++face) {
         lines.word(faces.offsets == nullptr && faces.size == 2 ? "l" : "f");
         for (const Index corner : faces[face])
@@ -206,22 +168,18 @@ void write_stl(const Path& path, const SurfaceFaces& faces) {
 }
 
 void write_nsc(const Path& path, const Mesh& mesh) {
-    Lines lines(path);
+    NumberLines lines(path);
     lines.text(fmt::format("{} {} {} {}\n", mesh.ambient_dimension(), mesh.dimension(),
                            mesh.points.rows(), mesh.simplices.rows()));
-    for (Eigen::Index vertex = 0; vertex < mesh.points.rows(); ++vertex) {
-        lines.coordinates(mesh.points, vertex, mesh.points.cols());
-        lines.end();
-    }
+    write_vertices(lines, mesh.points, mesh.points.cols());
     for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
-        for (const Index vertex : mesh.simplices.row(cell))
-            lines.number(vertex);
+        lines.numbers(mesh.simplices.row(cell));
         lines.end();
     }
     lines.commit();
 }
 
-void write_medit_cells(Lines& lines, const Simplices& cells, const std::vector<Index>& tags) {
+void write_medit_cells(NumberLines& lines, const Simplices& cells, const std::vector<Index>& tags) {
     constexpr const char* keywords[] = {"Edges", "Triangles", "Tetrahedra"};
     lines.text(fmt::format("{}\n{}\n", keywords[cells.cols() - 2], cells.rows()));
     for (Eigen::Index cell = 0; cell < cells.rows(); ++cell) {
@@ -240,14 +198,10 @@ void write_medit(const Path& path, const Mesh& mesh) {
                                  "{}-simplices in R^{}; use .nsc",
                                  dimension, axes));
     }
-    Lines lines(path);
+    NumberLines lines(path);
     lines.text(fmt::format("MeshVersionFormatted 2\nDimension {}\nVertices\n{}\n", axes,
                            mesh.points.rows()));
-    for (Eigen::Index vertex = 0; vertex < mesh.points.rows(); ++vertex) {
-        lines.coordinates(mesh.points, vertex, axes);
-        lines.word(" 0");
-        lines.end();
-    }
+    write_vertices(lines, mesh.points, axes, "", " 0");
     write_medit_cells(lines, mesh.simplices, mesh.tags);
     if (dimension > 1 && !mesh.facet_tags.tags.empty())
         write_medit_cells(lines, mesh.facet_tags.simplices, mesh.facet_tags.tags);
