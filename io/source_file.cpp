@@ -43,11 +43,15 @@ SourceFile read_source_file(const std::filesystem::path& path) {
     }
 }
 
-std::string lower_extension(const std::filesystem::path& path) {
-    auto extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
+std::string lower_case(std::string_view word) {
+    std::string result(word);
+    std::transform(result.begin(), result.end(), result.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return extension;
+    return result;
+}
+
+std::string lower_extension(const std::filesystem::path& path) {
+    return lower_case(path.extension().string());
 }
 
 } // namespace polydec

@@ -16,6 +16,9 @@ struct SourceFile {
 /// Reads a whole regular file. Throws IoError, naming path and reason.
 SourceFile read_source_file(const std::filesystem::path& path);
 
+/// A word in lower case; letters beyond ASCII stay.
+std::string lower_case(std::string_view word);
+
 /// The extension with its dot, in lower case.
 std::string lower_extension(const std::filesystem::path& path);
 

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -81,12 +80,6 @@ Mesh read_binary(const SourceFile& file) {
     return mesh;
 }
 
-bool equal_ignoring_case(std::string_view word, std::string_view small) {
-    return std::equal(word.begin(), word.end(), small.begin(), small.end(), [](char a, char b) {
-        return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + 32) : a) == b;
-    });
-}
-
 /// The words of a text file, in which any letter may be a capital.
 class TextReader {
 public:
@@ -114,7 +107,7 @@ private:
 
     bool comes(std::string_view keyword, std::string_view expected) const {
         Scanner ahead = scanner_;
-        return equal_ignoring_case(ahead.word(expected), keyword);
+        return lower_case(ahead.word(expected)) == keyword;
     }
 
     /// The normal follows from the vertices; in many files it is wrong, NaN or left out.
@@ -141,7 +134,7 @@ private:
 
     void expect(std::string_view keyword) {
         const auto word = scanner_.word(keyword);
-        if (!equal_ignoring_case(word, keyword)) {
+        if (lower_case(word) != keyword) {
             scanner_.fail(
                 fmt::format("found {}; expected {}; correct the line or export the file again",
                             quote_word(word), keyword));
@@ -158,7 +151,7 @@ bool begins_like_text(const SourceFile& file) {
     if (file.text.find('\0') < header_bytes)
         return false;
     Scanner scanner(file.name, file.text);
-    return !scanner.at_end() && equal_ignoring_case(scanner.word("solid"), "solid");
+    return !scanner.at_end() && lower_case(scanner.word("solid")) == "solid";
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/vtk_source.h"
 
+#include "io/source_file.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,13 +42,6 @@ constexpr std::array named_types{NamedType{"char", NumberType::int8},
                                  NamedType{"vtktypefloat64", NumberType::float64}};
 
 } // namespace
-
-std::string lower_case(std::string_view word) {
-    std::string result(word);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return result;
-}
 
 double VtkSource::read_header() {
     const auto mark = scanner_.word("# vtk DataFile Version");

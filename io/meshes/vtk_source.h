@@ -50,7 +50,4 @@ private:
     bool is_binary_ = false;
 };
 
-/// A word in lower case.
-std::string lower_case(std::string_view word);
-
 } // namespace polydec

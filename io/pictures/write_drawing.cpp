@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "io/pictures/svg_drawing.h"
+#include "io/source_file.h"
 #include "system/atomic_file.h"
 #include "system/child_process.h"
 #include "system/held_signals.h"
@@ -8,8 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -28,9 +27,7 @@ struct SvgConverter {
 };
 
 std::string drawing_format(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lower_extension(path);
     if (extension != ".svg" && extension != ".png" && extension != ".pdf")
         throw InvalidInput(
             fmt::format("{}: a drawing is written as .svg, .png or .pdf", path.string()),
