@@ -351,10 +351,8 @@ void add_polyhedron(VtuGrid& grid, const std::vector<std::vector<Index>>& faces)
         grid.faces.insert(grid.faces.end(), face.begin(), face.end());
         corners.insert(face.begin(), face.end());
     }
-    grid.types.push_back(VtuCell::polyhedron);
-    grid.corners.insert(grid.corners.end(), corners.begin(), corners.end());
-    grid.offsets.push_back(static_cast<std::int64_t>(grid.corners.size()));
-    grid.face_offsets.push_back(static_cast<std::int64_t>(grid.faces.size()));
+    add_cell(grid, VtuCell::polyhedron, std::vector(corners.begin(), corners.end()));
+    grid.face_offsets.back() = static_cast<std::int64_t>(grid.faces.size());
 }
 
 VtuArray vtu_array(std::string name, const Eigen::Ref<const DenseMatrix>& values) {
