@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/source_file.h"
 
-#include "base/errors.h"
 #include "system/memory.h"
 #include "system/regular_file.h"
 
@@ -11,16 +10,9 @@
 #include <cerrno>
 #include <new>
 #include <system_error>
+#include <utility>
 
 namespace polydec {
-
-namespace {
-
-[[noreturn]] void refuse(const std::string& name, const std::string& reason) {
-    throw IoError(fmt::format("cannot read {}: {}", name, reason), {.path = name});
-}
-
-} // namespace
 
 SourceFile read_source_file(const std::filesystem::path& path) {
     const auto name = path.string();
@@ -28,19 +20,34 @@ SourceFile read_source_file(const std::filesystem::path& path) {
         try {
             return work();
         } catch (const IoError& error) {
-            refuse(name, error.what());
+            refuse_reading(name, error.what());
         }
     };
     const RegularFile file = named([&] { return RegularFile(path); });
     if (!file.is_regular())
-        refuse(name, "it is a folder, pipe or device; name a regular file");
+        refuse_reading(name, "it is a folder, pipe or device; name a regular file");
     constexpr double with_mesh = 2; // what is read of it takes about as much as the text
     check_memory(with_mesh * static_cast<double>(file.size()), fmt::format("reading {}", name));
     try {
         return {name, named([&] { return file.read(); })};
     } catch (const std::bad_alloc&) {
-        refuse(name, fmt::format("not enough memory for its {} bytes", file.size()));
+        refuse_reading(name, fmt::format("not enough memory for its {} bytes", file.size()));
     }
+}
+
+void refuse_reading(const std::string& name, const std::string& reason) {
+    throw IoError(fmt::format("cannot read {}: {}", name, reason), {.path = name});
+}
+
+void refuse_contents(const std::string& name, const std::string& text, Error::Place place) {
+    place.path = name;
+    throw InvalidInput(fmt::format("{}: {}", name, text), std::move(place));
+}
+
+void refuse_writing(const std::filesystem::path& path, const std::string& text,
+                    Error::Place place) {
+    place.path = path;
+    throw InvalidInput(fmt::format("cannot write {}: {}", path.string(), text), std::move(place));
 }
 
 std::string lower_case(std::string_view word) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/errors.h"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -15,6 +17,14 @@ struct SourceFile {
 
 /// Reads a whole regular file. Throws IoError, naming path and reason.
 SourceFile read_source_file(const std::filesystem::path& path);
+
+/// Throw IoError "cannot read name: reason", InvalidInput "name: text", and InvalidInput "cannot
+/// write path: text". The place names the file, and what it is given.
+[[noreturn]] void refuse_reading(const std::string& name, const std::string& reason);
+[[noreturn]] void refuse_contents(const std::string& name, const std::string& text,
+                                  Error::Place place = {});
+[[noreturn]] void refuse_writing(const std::filesystem::path& path, const std::string& text,
+                                 Error::Place place = {});
 
 /// A word in lower case; letters beyond ASCII stay.
 std::string lower_case(std::string_view word);

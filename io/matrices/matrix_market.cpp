@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/matrices/matrix_market.h"
 
-#include "base/errors.h"
 #include "io/number_lines.h"
+#include "io/source_file.h"
 
 #include <fmt/format.h>
 
@@ -14,12 +14,10 @@ namespace {
 
 void check_finite(double value, const std::filesystem::path& path, Eigen::Index row,
                   Eigen::Index column) {
-    if (!std::isfinite(value)) {
-        throw InvalidInput(fmt::format("cannot write {2}: entry ({0}, {1}), counted from 0, is NaN "
-                                       "or infinite; correct the operator that it comes from",
-                                       row, column, path.string()),
-                           {.path = path});
-    }
+    if (!std::isfinite(value))
+        refuse_writing(path, fmt::format("entry ({}, {}), counted from 0, is NaN or infinite; "
+                                         "correct the operator that it comes from",
+                                         row, column));
 }
 
 template <typename Matrix>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
 #include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
 #include "io/number_lines.h"
@@ -52,11 +51,12 @@ void check_edges(Scanner& scanner, const LengthMesh& mesh, const std::vector<std
     const auto line = [&](Index row) { return lines[static_cast<std::size_t>(row)]; };
     const auto name = fmt::format("edge {} {}", fault->a, fault->b);
     if (fault->kind == EdgeFault::Kind::missing)
-        throw InvalidInput(
+        refuse_contents(
+            std::string(scanner.name()),
             fmt::format(
-                "{}: {} of the simplices has no length; expected each edge once; add a line for it",
-                scanner.name(), name),
-            {.degree = 1, .vertices = {fault->a, fault->b}, .path = scanner.name()});
+                "{} of the simplices has no length; expected each edge once; add a line for it",
+                name),
+            {.degree = 1, .vertices = {fault->a, fault->b}});
     scanner.set_line(line(fault->row));
     if (fault->kind == EdgeFault::Kind::repeated)
         scanner.fail(fmt::format("{} already has a length on line {}; expected each edge once; "
@@ -95,44 +95,34 @@ LengthMesh parse_lengths(const SourceFile& file) {
                                      "correct the number in the first line",
                                      edges));
         if (simplices == 0)
-            throw InvalidInput(fmt::format("{}: the file holds no simplices; expected at least "
-                                           "one; write it again",
-                                           file.name),
-                               {.path = file.name});
+            refuse_contents(file.name,
+                            "the file holds no simplices; expected at least one; write it again");
         check_edges(scanner, mesh, lines);
     } catch (const std::bad_alloc&) {
-        throw IoError(fmt::format("cannot read {}: not enough memory", file.name),
-                      {.path = file.name});
+        refuse_reading(file.name, "not enough memory");
     }
     return mesh;
 }
 
 LengthMesh read_lengths(const std::filesystem::path& path) {
     if (!is_length_file(path))
-        throw InvalidInput(fmt::format("{}: read_lengths reads edge lengths from .nsl files; "
-                                       "rename the file, or read it with read_mesh",
-                                       path.string()),
-                           {.path = path});
+        refuse_contents(path.string(), "read_lengths reads edge lengths from .nsl files; rename "
+                                       "the file, or read it with read_mesh");
     return parse_lengths(read_source_file(path));
 }
 
 void write_lengths(const std::filesystem::path& path, const LengthMesh& mesh) {
     if (!is_length_file(path))
-        throw InvalidInput(
-            fmt::format("cannot write {}: edge lengths need a file with the extension .nsl",
-                        path.string()),
-            {.path = path});
+        refuse_writing(path, "edge lengths need a file with the extension .nsl");
     check(mesh);
     for (Index e = 0; e < mesh.edges.rows(); ++e)
         if (!is_length(mesh.lengths[e]))
-            throw InvalidInput(fmt::format("cannot write {}: edge {} with vertices {} and {} has "
-                                           "length {}; expected a finite number above 0",
-                                           path.string(), e, mesh.edges(e, 0), mesh.edges(e, 1),
-                                           mesh.lengths[e]),
-                               {.degree = 1,
-                                .cells = {e},
-                                .vertices = {mesh.edges(e, 0), mesh.edges(e, 1)},
-                                .path = path});
+            refuse_writing(
+                path,
+                fmt::format("edge {} with vertices {} and {} has length {}; expected a finite "
+                            "number above 0",
+                            e, mesh.edges(e, 0), mesh.edges(e, 1), mesh.lengths[e]),
+                {.degree = 1, .cells = {e}, .vertices = {mesh.edges(e, 0), mesh.edges(e, 1)}});
     NumberLines lines(path);
     lines.text(fmt::format("{} {} {} {}\n", mesh.dimension(), mesh.vertices, mesh.simplices.rows(),
                            mesh.edges.rows()));

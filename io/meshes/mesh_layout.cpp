@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/mesh_layout.h"
 
-#include "base/errors.h"
 #include "io/source_file.h"
-
-#include <fmt/format.h>
 
 namespace polydec {
 
@@ -47,7 +44,7 @@ std::optional<MeshLayout> mesh_layout(const PartialFile& file) {
 }
 
 void refuse_layout(const PartialFile& file, const std::string& why) {
-    throw InvalidInput(fmt::format("{}: {}", file.name, why), {.path = file.name});
+    refuse_contents(file.name, why);
 }
 
 } // namespace polydec

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/pdm.h"
 
-#include "base/errors.h"
 #include "io/byte_order.h"
 #include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
@@ -91,7 +90,7 @@ PdmReader::PdmReader(PartialFile file) : file_(std::move(file)) {
 }
 
 void PdmReader::fail(const std::string& text) const {
-    throw InvalidInput(fmt::format("{}: {}", file_.name, text), {.path = file_.name});
+    refuse_contents(file_.name, text);
 }
 
 /// Blocks are read as a whole, because sums are of these.

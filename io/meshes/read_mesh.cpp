@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
 #include "io/meshes/foreign_format.h"
 #include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
@@ -37,14 +36,11 @@ const Format& format_of(const std::filesystem::path& path) {
         known += std::string(known.empty() ? "" : " ") + format.extension;
     }
     if (is_length_file(path))
-        throw InvalidInput(fmt::format("{}: .nsl holds lengths of edges and no points; expected a "
-                                       "mesh with points; read it with read_lengths",
-                                       path.string()),
-                           {.path = path});
-    throw InvalidInput(fmt::format("{}: '{}' is not the extension of a mesh format; expected one "
-                                   "of {}; rename or convert the file",
-                                   path.string(), extension, known),
-                       {.path = path});
+        refuse_contents(path.string(), ".nsl holds lengths of edges and no points; expected a mesh "
+                                       "with points; read it with read_lengths");
+    refuse_contents(path.string(), fmt::format("'{}' is not the extension of a mesh format; "
+                                               "expected one of {}; rename or convert the file",
+                                               extension, known));
 }
 
 } // namespace
@@ -64,29 +60,24 @@ Mesh parse_mesh(const SourceFile& file) {
     const auto& format = format_of(file.name);
     try {
         Mesh mesh = format.read(file);
-        if (mesh.points.rows() == 0) {
-            throw InvalidInput(fmt::format("{}: the file holds no vertices; expected a mesh; "
-                                           "export it again",
-                                           file.name),
-                               {.path = file.name});
-        }
-        if (mesh.simplices.rows() == 0) {
-            throw InvalidInput(fmt::format("{}: the file holds {} vertices but no cells; expected "
-                                           "at least one cell; export it with its cells",
-                                           file.name, mesh.points.rows()),
-                               {.path = file.name});
-        }
+        if (mesh.points.rows() == 0)
+            refuse_contents(file.name,
+                            "the file holds no vertices; expected a mesh; export it again");
+        if (mesh.simplices.rows() == 0)
+            refuse_contents(file.name,
+                            fmt::format("the file holds {} vertices but no cells; expected at "
+                                        "least one cell; export it with its cells",
+                                        mesh.points.rows()));
         return mesh;
     } catch (const InvalidInput&) {
         const auto other = foreign_format(file);
         if (other.empty())
             throw;
-        throw InvalidInput(fmt::format("{}: the extension {} does not match the file, which is {}",
-                                       file.name, format.extension, other),
-                           {.path = file.name});
+        refuse_contents(file.name,
+                        fmt::format("the extension {} does not match the file, which is {}",
+                                    format.extension, other));
     } catch (const std::bad_alloc&) {
-        throw IoError(fmt::format("cannot read {}: not enough memory", file.name),
-                      {.path = file.name});
+        refuse_reading(file.name, "not enough memory");
     }
 }
 
@@ -101,11 +92,10 @@ void close_face(PolygonMesh& polygons, const SourceFile& file) {
 }
 
 Index checked_count(std::size_t count, const char* plural, const SourceFile& file) {
-    if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max())) {
-        throw InvalidInput(fmt::format("{}: more than 2^31 - 1 {}; expected fewer; divide the mesh",
-                                       file.name, plural),
-                           {.path = file.name});
-    }
+    if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+        refuse_contents(
+            file.name,
+            fmt::format("more than 2^31 - 1 {}; expected fewer; divide the mesh", plural));
     return static_cast<Index>(count);
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
 #include "io/meshes/ply_header.h"
 #include "io/meshes/readers.h"
 #include "io/scanner.h"
@@ -54,8 +53,7 @@ public:
     bool at_end() const { return remaining() == 0; }
 
     [[noreturn]] void fail(const std::string& text) const {
-        throw InvalidInput(fmt::format("{}: before byte {}: {}", file_.name, position_, text),
-                           {.path = file_.name});
+        refuse_contents(file_.name, fmt::format("before byte {}: {}", position_, text));
     }
 
 private:

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
 #include "io/byte_order.h"
 #include "io/meshes/readers.h"
 #include "io/scanner.h"
@@ -53,14 +52,14 @@ void read_corner(const SourceFile& file, std::size_t triangle, std::size_t corne
         file.text.data() + header_bytes + triangle_bytes * triangle + normal_bytes * (1 + corner);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double value = number_at<float>(place + 4 * axis, std::endian::little);
-        if (!std::isfinite(value)) {
-            throw InvalidInput(
+        if (!std::isfinite(value))
+            refuse_contents(
+                file.name,
                 fmt::format(
-                    "{}: corner {} of triangle {} (counted from 0) has a coordinate that is NaN or "
+                    "corner {} of triangle {} (counted from 0) has a coordinate that is NaN or "
                     "infinite; expected finite numbers; repair or remove the triangle",
-                    file.name, corner, triangle),
-                {.degree = 2, .cells = {static_cast<Index>(triangle)}, .path = file.name});
-        }
+                    corner, triangle),
+                {.degree = 2, .cells = {static_cast<Index>(triangle)}});
         places(3 * triangle + corner, axis) = value + 0.0; // no zero has a sign
     }
 }
@@ -166,19 +165,18 @@ Mesh read_stl(const SourceFile& file) {
     if (has_header && promised_bytes(file) > header_bytes &&
         promised_bytes(file) < file.text.size())
         return read_binary(file);
-    if (has_header) {
-        throw InvalidInput(
-            fmt::format("{}: the file has {} bytes; expected {} for the {} triangles that its "
-                        "header announces, or a text that begins with solid; export it again{}",
-                        file.name, file.text.size(), promised_bytes(file),
+    if (has_header)
+        refuse_contents(
+            file.name,
+            fmt::format("the file has {} bytes; expected {} for the {} triangles that its header "
+                        "announces, or a text that begins with solid; export it again{}",
+                        file.text.size(), promised_bytes(file),
                         (promised_bytes(file) - header_bytes) / triangle_bytes,
-                        promised_bytes(file) > file.text.size() ? ", it seems cut off" : ""),
-            {.path = file.name});
-    }
-    throw InvalidInput(fmt::format("{}: the file has {} bytes; expected a binary STL of at least "
-                                   "{}, or a text that begins with solid; export it again",
-                                   file.name, file.text.size(), header_bytes),
-                       {.path = file.name});
+                        promised_bytes(file) > file.text.size() ? ", it seems cut off" : ""));
+    refuse_contents(file.name,
+                    fmt::format("the file has {} bytes; expected a binary STL of at least {}, or a "
+                                "text that begins with solid; export it again",
+                                file.text.size(), header_bytes));
 }
 
 } // namespace polydec

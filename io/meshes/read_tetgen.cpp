@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
 #include "io/meshes/cell_lists.h"
 #include "io/meshes/readers.h"
 #include "io/scanner.h"
@@ -171,10 +170,9 @@ std::filesystem::path cells_beside(const std::filesystem::path& path) {
         if (std::filesystem::exists(cells, none))
             return cells;
     }
-    throw InvalidInput(fmt::format("{}: there is neither {} nor .face in the same folder; expected "
-                                   "the file of the cells; add it",
-                                   path.string(), with_extension(path, ".ele").string()),
-                       {.path = path});
+    refuse_contents(path.string(), fmt::format("there is neither {} nor .face in the same folder; "
+                                               "expected the file of the cells; add it",
+                                               with_extension(path, ".ele").string()));
 }
 
 } // namespace

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
 #include "io/meshes/readers.h"
 #include "io/meshes/vtu_file.h"
 #include "io/pages/page.h"
@@ -258,10 +257,10 @@ VtuGrid read_grid(const std::filesystem::path& path) {
         if (!has_arrays_of(grid.point_data, piece.point_data) ||
             !has_arrays_of(grid.cell_data, piece.cell_data) ||
             grid.points.cols() != piece.points.cols())
-            throw InvalidInput(fmt::format("{}: the arrays of {} are not those of {}; expected the "
-                                           "same in all pieces",
-                                           path.string(), files[i], files.front()),
-                               {.path = path});
+            refuse_contents(
+                path.string(),
+                fmt::format("the arrays of {} are not those of {}; expected the same in all pieces",
+                            files[i], files.front()));
         append(grid, piece);
     }
     return grid;
@@ -275,10 +274,9 @@ Page read_series(const std::filesystem::path& path) {
         if (page.steps.size() == 1)
             page.grid = std::move(grid);
         else if (grid.corners != page.grid.corners || grid.points != page.grid.points)
-            throw InvalidInput(fmt::format("{}: the cells or points of {} differ from the first "
-                                           "file; expected the same in all files",
-                                           path.string(), file),
-                               {.path = path});
+            refuse_contents(path.string(), fmt::format("the cells or points of {} differ from the "
+                                                       "first file; expected the same in all files",
+                                                       file));
     }
     return page;
 }

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "io/base64.h"
+#include "io/source_file.h"
 #include "io/xml_text.h"
 #include "system/atomic_file.h"
 
@@ -22,10 +23,6 @@
 namespace polydec {
 
 namespace {
-
-[[noreturn]] void refuse_file(const std::filesystem::path& path, const std::string& text) {
-    throw InvalidInput(fmt::format("cannot write {}: {}", path.string(), text), {.path = path});
-}
 
 /// How many corners a cell may have.
 bool corners_fit(VtuCell type, std::int64_t corners) {
@@ -75,22 +72,22 @@ public:
 private:
     void check_points() const {
         if (grid_.points.cols() > 3) {
-            refuse_file(path_,
-                        fmt::format("VTU holds points of R^3, not of R^{}; project them first",
-                                    grid_.points.cols()));
+            refuse_writing(path_,
+                           fmt::format("VTU holds points of R^3, not of R^{}; project them first",
+                                       grid_.points.cols()));
         }
         for (Eigen::Index point = 0; point < grid_.points.rows(); ++point) {
             if (!grid_.points.row(point).allFinite()) {
-                refuse_file(
+                refuse_writing(
                     path_,
                     fmt::format("point {} has a coordinate that is NaN or infinite; correct it",
                                 point));
             }
             if (!(grid_.points.row(point).array().abs() <= largest_).all())
-                refuse_file(path_,
-                            fmt::format("point {} has a coordinate that Float32 cannot hold; "
-                                        "write Float64",
-                                        point));
+                refuse_writing(path_,
+                               fmt::format("point {} has a coordinate that Float32 cannot hold; "
+                                           "write Float64",
+                                           point));
         }
     }
 
@@ -99,8 +96,9 @@ private:
         const bool same = grid_.offsets.size() == cells && grid_.face_offsets.size() == cells;
         const auto last = grid_.offsets.empty() ? 0 : grid_.offsets.back();
         if (!same || last != static_cast<std::int64_t>(grid_.corners.size())) {
-            refuse_file(path_, "types, offsets and corners of the cells do not match; append cells "
-                               "with add_cell and add_polyhedron");
+            refuse_writing(path_,
+                           "types, offsets and corners of the cells do not match; append cells "
+                           "with add_cell and add_polyhedron");
         }
     }
 
@@ -108,19 +106,20 @@ private:
         const auto end = grid_.offsets[cell];
         const auto all = static_cast<std::int64_t>(grid_.corners.size());
         if (end < begin || end > all || !corners_fit(grid_.types[cell], end - begin)) {
-            refuse_file(path_,
-                        fmt::format("cell {} of VTK's type {} has {} corners; give it the corners "
-                                    "of its type",
-                                    cell, static_cast<int>(grid_.types[cell]), end - begin));
+            refuse_writing(
+                path_, fmt::format("cell {} of VTK's type {} has {} corners; give it the corners "
+                                   "of its type",
+                                   cell, static_cast<int>(grid_.types[cell]), end - begin));
         }
         for (auto i = begin; i < end; ++i)
             check_corner(cell, grid_.corners[static_cast<std::size_t>(i)]);
 
         const bool has_faces = grid_.face_offsets[cell] >= 0;
         if (has_faces != (grid_.types[cell] == VtuCell::polyhedron)) {
-            refuse_file(path_, fmt::format("cell {}: polyhedra have faces, other cells have none; "
-                                           "append it with add_cell or add_polyhedron",
-                                           cell));
+            refuse_writing(path_,
+                           fmt::format("cell {}: polyhedra have faces, other cells have none; "
+                                       "append it with add_cell or add_polyhedron",
+                                       cell));
         }
         if (has_faces)
             check_faces(cell, faces_begin);
@@ -128,8 +127,8 @@ private:
 
     void check_corner(std::size_t cell, Index corner) const {
         if (corner < 0 || corner >= grid_.points.rows()) {
-            refuse_file(path_, fmt::format("cell {} has the point {}; expected 0 to {}", cell,
-                                           corner, grid_.points.rows() - 1));
+            refuse_writing(path_, fmt::format("cell {} has the point {}; expected 0 to {}", cell,
+                                              corner, grid_.points.rows() - 1));
         }
     }
 
@@ -147,10 +146,10 @@ private:
             next += fits ? 1 + std::int64_t{corners} : 0;
         }
         if (!fits || next != end) {
-            refuse_file(path_,
-                        fmt::format("the faces of polyhedron {} do not fit together; append it "
-                                    "with add_polyhedron, with at least 3 corners a face",
-                                    cell));
+            refuse_writing(path_,
+                           fmt::format("the faces of polyhedron {} do not fit together; append it "
+                                       "with add_polyhedron, with at least 3 corners a face",
+                                       cell));
         }
     }
 
@@ -166,9 +165,9 @@ private:
             const bool control = std::any_of(array.name.begin(), array.name.end(),
                                              [](char c) { return c >= 0 && c < ' '; });
             if (array.name.empty() || control || !names.insert(array.name).second) {
-                refuse_file(path_, fmt::format("the name '{}' of an array of {} is empty, not "
-                                               "printable or not unique; choose another",
-                                               control ? "?" : array.name, plural));
+                refuse_writing(path_, fmt::format("the name '{}' of an array of {} is empty, not "
+                                                  "printable or not unique; choose another",
+                                                  control ? "?" : array.name, plural));
             }
             check_array(array, count, plural);
             check_numbers(array, count ? largest_ : std::numeric_limits<double>::max(), plural);
@@ -181,13 +180,13 @@ private:
         const auto components = static_cast<std::size_t>(array.components);
         if ((components != 1 && components != 3) ||
             size != count.value_or(size / components) * components) {
-            refuse_file(path_,
-                        fmt::format("the array '{}' has {} values of {} components; expected {}",
-                                    array.name, size, array.components,
-                                    count ? fmt::format("one entry of 1 or 3 components for each "
-                                                        "of {} {}",
-                                                        *count, plural)
-                                          : "entries of 1 or 3 components"));
+            refuse_writing(
+                path_, fmt::format("the array '{}' has {} values of {} components; expected {}",
+                                   array.name, size, array.components,
+                                   count ? fmt::format("one entry of 1 or 3 components for each "
+                                                       "of {} {}",
+                                                       *count, plural)
+                                         : "entries of 1 or 3 components"));
         }
     }
 
@@ -197,15 +196,15 @@ private:
             const double number = (*numbers)[i];
             const auto entry = i / static_cast<std::size_t>(array.components);
             if (!std::isfinite(number))
-                refuse_file(
+                refuse_writing(
                     path_,
                     fmt::format("the array '{}' of {} is NaN or infinite in entry {}; correct it",
                                 array.name, plural, entry));
             if (!(std::abs(number) <= largest))
-                refuse_file(path_,
-                            fmt::format("the array '{}' of {} has {} in entry {}, which Float32 "
-                                        "cannot hold; write Float64",
-                                        array.name, plural, number, entry));
+                refuse_writing(path_,
+                               fmt::format("the array '{}' of {} has {} in entry {}, which Float32 "
+                                           "cannot hold; write Float64",
+                                           array.name, plural, number, entry));
         }
     }
 

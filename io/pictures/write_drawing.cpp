@@ -29,9 +29,7 @@ struct SvgConverter {
 std::string drawing_format(const fs::path& path) {
     const std::string extension = lower_extension(path);
     if (extension != ".svg" && extension != ".png" && extension != ".pdf")
-        throw InvalidInput(
-            fmt::format("{}: a drawing is written as .svg, .png or .pdf", path.string()),
-            {.path = path});
+        refuse_contents(path.string(), "a drawing is written as .svg, .png or .pdf");
     return extension.substr(1);
 }
 
