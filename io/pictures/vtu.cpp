@@ -72,22 +72,14 @@ public:
 private:
     void check_points() const {
         if (grid_.points.cols() > 3) {
-            refuse_writing(path_,
-                           fmt::format("VTU holds points of R^3, not of R^{}; project them first",
-                                       grid_.points.cols()));
+            refuse("VTU holds points of R^3, not of R^{}; project them first", grid_.points.cols());
         }
         for (Eigen::Index point = 0; point < grid_.points.rows(); ++point) {
             if (!grid_.points.row(point).allFinite()) {
-                refuse_writing(
-                    path_,
-                    fmt::format("point {} has a coordinate that is NaN or infinite; correct it",
-                                point));
+                refuse("point {} has a coordinate that is NaN or infinite; correct it", point);
             }
             if (!(grid_.points.row(point).array().abs() <= largest_).all())
-                refuse_writing(path_,
-                               fmt::format("point {} has a coordinate that Float32 cannot hold; "
-                                           "write Float64",
-                                           point));
+                refuse("point {} has a coordinate that Float32 cannot hold; write Float64", point);
         }
     }
 
@@ -96,9 +88,8 @@ private:
         const bool same = grid_.offsets.size() == cells && grid_.face_offsets.size() == cells;
         const auto last = grid_.offsets.empty() ? 0 : grid_.offsets.back();
         if (!same || last != static_cast<std::int64_t>(grid_.corners.size())) {
-            refuse_writing(path_,
-                           "types, offsets and corners of the cells do not match; append cells "
-                           "with add_cell and add_polyhedron");
+            refuse("types, offsets and corners of the cells do not match; append cells with "
+                   "add_cell and add_polyhedron");
         }
     }
 
@@ -106,20 +97,17 @@ private:
         const auto end = grid_.offsets[cell];
         const auto all = static_cast<std::int64_t>(grid_.corners.size());
         if (end < begin || end > all || !corners_fit(grid_.types[cell], end - begin)) {
-            refuse_writing(
-                path_, fmt::format("cell {} of VTK's type {} has {} corners; give it the corners "
-                                   "of its type",
-                                   cell, static_cast<int>(grid_.types[cell]), end - begin));
+            refuse("cell {} of VTK's type {} has {} corners; give it the corners of its type", cell,
+                   static_cast<int>(grid_.types[cell]), end - begin);
         }
         for (auto i = begin; i < end; ++i)
             check_corner(cell, grid_.corners[static_cast<std::size_t>(i)]);
 
         const bool has_faces = grid_.face_offsets[cell] >= 0;
         if (has_faces != (grid_.types[cell] == VtuCell::polyhedron)) {
-            refuse_writing(path_,
-                           fmt::format("cell {}: polyhedra have faces, other cells have none; "
-                                       "append it with add_cell or add_polyhedron",
-                                       cell));
+            refuse("cell {}: polyhedra have faces, other cells have none; append it with add_cell "
+                   "or add_polyhedron",
+                   cell);
         }
         if (has_faces)
             check_faces(cell, faces_begin);
@@ -127,8 +115,8 @@ private:
 
     void check_corner(std::size_t cell, Index corner) const {
         if (corner < 0 || corner >= grid_.points.rows()) {
-            refuse_writing(path_, fmt::format("cell {} has the point {}; expected 0 to {}", cell,
-                                              corner, grid_.points.rows() - 1));
+            refuse("cell {} has the point {}; expected 0 to {}", cell, corner,
+                   grid_.points.rows() - 1);
         }
     }
 
@@ -146,11 +134,15 @@ private:
             next += fits ? 1 + std::int64_t{corners} : 0;
         }
         if (!fits || next != end) {
-            refuse_writing(path_,
-                           fmt::format("the faces of polyhedron {} do not fit together; append it "
-                                       "with add_polyhedron, with at least 3 corners a face",
-                                       cell));
+            refuse("the faces of polyhedron {} do not fit together; append it with add_polyhedron, "
+                   "with at least 3 corners a face",
+                   cell);
         }
+    }
+
+    template <typename... Args>
+    [[noreturn]] void refuse(fmt::format_string<Args...> text, Args&&... args) const {
+        refuse_writing(path_, fmt::format(text, std::forward<Args>(args)...));
     }
 
     Index face_number(std::int64_t place) const {
@@ -165,9 +157,9 @@ private:
             const bool control = std::any_of(array.name.begin(), array.name.end(),
                                              [](char c) { return c >= 0 && c < ' '; });
             if (array.name.empty() || control || !names.insert(array.name).second) {
-                refuse_writing(path_, fmt::format("the name '{}' of an array of {} is empty, not "
-                                                  "printable or not unique; choose another",
-                                                  control ? "?" : array.name, plural));
+                refuse("the name '{}' of an array of {} is empty, not printable or not unique; "
+                       "choose another",
+                       control ? "?" : array.name, plural);
             }
             check_array(array, count, plural);
             check_numbers(array, count ? largest_ : std::numeric_limits<double>::max(), plural);
@@ -180,13 +172,11 @@ private:
         const auto components = static_cast<std::size_t>(array.components);
         if ((components != 1 && components != 3) ||
             size != count.value_or(size / components) * components) {
-            refuse_writing(
-                path_, fmt::format("the array '{}' has {} values of {} components; expected {}",
-                                   array.name, size, array.components,
-                                   count ? fmt::format("one entry of 1 or 3 components for each "
-                                                       "of {} {}",
-                                                       *count, plural)
-                                         : "entries of 1 or 3 components"));
+            refuse("the array '{}' has {} values of {} components; expected {}", array.name, size,
+                   array.components,
+                   count ? fmt::format("one entry of 1 or 3 components for each of {} {}", *count,
+                                       plural)
+                         : "entries of 1 or 3 components");
         }
     }
 
@@ -196,15 +186,12 @@ private:
             const double number = (*numbers)[i];
             const auto entry = i / static_cast<std::size_t>(array.components);
             if (!std::isfinite(number))
-                refuse_writing(
-                    path_,
-                    fmt::format("the array '{}' of {} is NaN or infinite in entry {}; correct it",
-                                array.name, plural, entry));
+                refuse("the array '{}' of {} is NaN or infinite in entry {}; correct it",
+                       array.name, plural, entry);
             if (!(std::abs(number) <= largest))
-                refuse_writing(path_,
-                               fmt::format("the array '{}' of {} has {} in entry {}, which Float32 "
-                                           "cannot hold; write Float64",
-                                           array.name, plural, number, entry));
+                refuse("the array '{}' of {} has {} in entry {}, which Float32 cannot hold; write "
+                       "Float64",
+                       array.name, plural, number, entry);
         }
     }
 
