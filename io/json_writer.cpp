@@ -84,12 +84,11 @@ void JsonWriter::integer(std::int64_t value) {
 }
 
 void JsonWriter::number(double value) {
-    if (!std::isfinite(value)) {
+    if (!std::isfinite(value))
         throw SolverFailure(
             fmt::format("the result for '{}' is {}, not a finite number: coordinates or data are "
                         "too large, too small or too far apart; scale them",
                         state_->last_key, value));
-    }
     state_->writer.Double(value);
 }
 

@@ -145,48 +145,42 @@ Index Scanner::vertex(Index vertices, Index first) {
 }
 
 double Scanner::as_coordinate(double value, Index vertex) const {
-    if (!std::isfinite(value)) {
+    if (!std::isfinite(value))
         fail(fmt::format(
             "vertex {} (counted from 0) has a coordinate that is NaN, infinite or outside the "
             "range of double precision; expected finite numbers; repair or remove the vertex",
             vertex));
-    }
     return value;
 }
 
 Index Scanner::as_count(std::int64_t value, std::string_view plural,
                         std::size_t least_bytes) const {
-    if (value < 0) {
+    if (value < 0)
         fail(fmt::format("{} {} are announced; expected a number of at least 0; correct it", value,
                          plural));
-    }
 
     // The last record needs no separator behind it, hence the one byte more.
-    if (least_bytes > 0 &&
-        static_cast<std::uint64_t>(value) > (bytes_to_come() + 1) / least_bytes) {
+    if (least_bytes > 0 && static_cast<std::uint64_t>(value) > (bytes_to_come() + 1) / least_bytes)
         fail(fmt::format("{} {} are announced, but {} bytes follow; expected at least {} bytes for "
                          "each; correct the number, or export again if the file was cut off",
                          value, plural, bytes_to_come(), least_bytes));
-    }
     if (value > std::numeric_limits<Index>::max())
         fail(fmt::format("more than 2^31 - 1 {}; expected fewer; divide the mesh", plural));
     return static_cast<Index>(value);
 }
 
 Index Scanner::as_vertex(std::int64_t value, Index vertices, Index first) const {
-    if (value < first || value - first >= vertices) {
+    if (value < first || value - first >= vertices)
         fail(fmt::format("vertex number {} is out of range; expected {} to {}; correct the index "
                          "or add the vertex",
                          value, first, std::int64_t{vertices} - 1 + first));
-    }
     return static_cast<Index>(value - first);
 }
 
 std::string_view Scanner::bytes(std::size_t count, std::string_view expected) {
-    if (count > remaining()) {
+    if (count > remaining())
         fail(fmt::format("the file ends here; expected {}; export it again, it seems cut off",
                          expected));
-    }
     const std::string_view result(position_, count);
     line_ += static_cast<std::size_t>(std::count(result.begin(), result.end(), '\n'));
     position_ += count;
@@ -223,10 +217,9 @@ bool Scanner::ends_word(const char* place) const {
 }
 
 void Scanner::go_to_word(std::string_view expected) {
-    if (at_end()) {
+    if (at_end())
         fail(fmt::format("the file ends here; expected {}; export it again, it seems cut off",
                          expected));
-    }
 }
 
 void Scanner::skip_blanks() {

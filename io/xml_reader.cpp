@@ -46,11 +46,10 @@ bool XmlReader::next(XmlTag& tag) {
         go_to_tag();
     }
     if (rest().empty()) {
-        if (!path_.empty()) {
+        if (!path_.empty())
             fail(fmt::format("the file ends within the element {}; expected its end; export it "
                              "again, it seems cut off",
                              quote_word(path_.back())));
-        }
         return false;
     }
     tag = {};
@@ -84,11 +83,10 @@ void XmlReader::go_to(std::size_t position) {
 
 void XmlReader::pass_over(std::string_view end) {
     const auto place = rest().find(end);
-    if (place == std::string_view::npos) {
+    if (place == std::string_view::npos)
         fail(fmt::format("the file ends within a comment or declaration; expected {}; export it "
                          "again, it seems cut off",
                          end));
-    }
     go_to(position_ + place + end.size());
 }
 
@@ -103,11 +101,10 @@ bool XmlReader::starts_with(std::string_view word) const {
 std::string_view XmlReader::read_name() {
     const auto size = std::min(rest().find_first_of(" \t\r\n=/<>\"'&!?"), rest().size());
     const auto name = rest().substr(0, size);
-    if (name.empty()) {
+    if (name.empty())
         fail(fmt::format(
             "found {} in place of a name; expected a tag or attribute of XML; export it again",
             quote_word(rest().substr(0, 10))));
-    }
     go_to(position_ + size);
     return name;
 }
@@ -146,11 +143,10 @@ void XmlReader::keep_path(const XmlTag& tag) {
     if (tag.opens)
         path_.push_back(tag.name);
     if (tag.closes) {
-        if (path_.empty() || path_.back() != tag.name) {
+        if (path_.empty() || path_.back() != tag.name)
             fail(fmt::format("the element {} ends here; expected the end of {}; export it again",
                              quote_word(tag.name),
                              path_.empty() ? "no element" : quote_word(path_.back())));
-        }
         path_.pop_back();
     }
 }

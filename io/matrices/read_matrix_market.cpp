@@ -31,10 +31,9 @@ std::size_t choice(Scanner& scanner, const std::vector<std::string_view>& words)
         expected += std::string(expected.empty() ? "" : " or ") + std::string(word);
     const auto found = scanner.word(expected);
     const auto place = std::find(words.begin(), words.end(), found);
-    if (place == words.end()) {
+    if (place == words.end())
         scanner.fail(
             fmt::format("found {}; expected {}; convert the file", quote_word(found), expected));
-    }
     return static_cast<std::size_t>(place - words.begin());
 }
 
@@ -60,10 +59,9 @@ Scanner behind_banner(const Scanner& scanner) {
 
 double read_value(Scanner& scanner) {
     const double value = scanner.number("a number");
-    if (!std::isfinite(value)) {
+    if (!std::isfinite(value))
         scanner.fail("the entry is NaN, infinite or outside the range of double precision; "
                      "expected a finite number; correct the program that wrote it");
-    }
     return value;
 }
 
@@ -77,10 +75,9 @@ Index read_size(Scanner& scanner, std::string_view what) {
 
 Index read_place(Scanner& scanner, Index size, std::string_view what) {
     const auto place = scanner.integer(what);
-    if (place < 1 || place > size) {
+    if (place < 1 || place > size)
         scanner.fail(fmt::format("{} {} is out of range; expected 1 to {}; correct the line", what,
                                  place, size));
-    }
     return static_cast<Index>(place - 1);
 }
 
@@ -108,21 +105,19 @@ void sort_and_check(std::vector<Entry>& entries, const Scanner& scanner) {
         std::adjacent_find(entries.begin(), entries.end(), [place](const Entry& a, const Entry& b) {
             return place(a) == place(b);
         });
-    if (twice != entries.end()) {
+    if (twice != entries.end())
         scanner.fail(fmt::format("the entry in row {} and column {} occurs twice; expected it "
                                  "once; add the two or remove one",
                                  twice->row + 1, twice->column + 1));
-    }
 }
 
 /// Few entries in very many rows would need memory that the size of the file does not justify.
 void check_rows(const Scanner& scanner, Index rows) {
     constexpr std::size_t always_allowed = std::size_t{1} << 22;
-    if (static_cast<std::size_t>(rows) > always_allowed + 16 * scanner.remaining()) {
+    if (static_cast<std::size_t>(rows) > always_allowed + 16 * scanner.remaining())
         scanner.fail(fmt::format("{} rows, but {} bytes follow; expected fewer rows; correct the "
                                  "line",
                                  rows, scanner.remaining()));
-    }
 }
 
 SparseMatrix matrix_from(const std::vector<Entry>& entries, Index rows, Index columns) {
@@ -139,10 +134,9 @@ SparseMatrix matrix_from(const std::vector<Entry>& entries, Index rows, Index co
 }
 
 void expect_end(Scanner& scanner) {
-    if (!scanner.at_end()) {
+    if (!scanner.at_end())
         scanner.fail("more entries follow than announced; expected the end of the file; correct "
                      "the number of entries");
-    }
 }
 
 } // namespace
@@ -165,11 +159,10 @@ SparseMatrix parse_matrix_market(const SourceFile& file) {
     const Index count = scanner.count("entries", 6);
     scanner.end_line("the line of sizes");
     check_rows(scanner, rows);
-    if (symmetry != MatrixSymmetry::general && rows != columns) {
+    if (symmetry != MatrixSymmetry::general && rows != columns)
         scanner.fail(fmt::format("a symmetric matrix of {} rows and {} columns; expected as many "
                                  "rows as columns; correct the line",
                                  rows, columns));
-    }
 
     auto entries = read_entries(scanner, rows, columns, count, symmetry);
     expect_end(scanner);
@@ -186,11 +179,10 @@ DenseMatrix parse_matrix_market_array(const SourceFile& file) {
     const Index columns = read_size(scanner, "the number of columns");
     scanner.end_line("the line of sizes");
     const auto promised = std::int64_t{rows} * columns;
-    if (static_cast<std::uint64_t>(promised) > (scanner.remaining() + 1) / 2) {
+    if (static_cast<std::uint64_t>(promised) > (scanner.remaining() + 1) / 2)
         scanner.fail(fmt::format("{} entries are announced, but {} bytes follow; expected at least "
                                  "2 bytes for each; correct the line of sizes",
                                  promised, scanner.remaining()));
-    }
 
     DenseMatrix matrix(rows, columns);
     for (double& entry : matrix.reshaped())

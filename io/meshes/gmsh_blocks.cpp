@@ -71,11 +71,10 @@ GmshSection read_gmsh_elements(GmshSource& source) {
 
 void check_all_there(const GmshSource& source, const GmshSection& section, Index records,
                      std::string_view plural) {
-    if (records < section.records) {
+    if (records < section.records)
         source.fail(fmt::format("the section announces {} {}, but its blocks have {}; expected "
                                 "equal numbers; export it again",
                                 section.records, plural, records));
-    }
 }
 
 namespace {
@@ -95,11 +94,10 @@ GmshNodeBlock read_gmsh_node_block(GmshSource& source, Index before, Index promi
     const auto [dimension, entity] = read_entity(source);
     const bool has_parameters = source.integer("0, or 1 with parameters") != 0;
     const Index count = source.count("nodes of a block", {.integers = 1, .reals = 3});
-    if (count > promised - before) {
+    if (count > promised - before)
         source.fail(fmt::format("a block of {} nodes, but only {} of {} are left; expected the "
                                 "announced total; export it again",
                                 count, promised - before, promised));
-    }
     return {count, has_parameters ? static_cast<int>(dimension) : 0};
 }
 
@@ -108,11 +106,10 @@ GmshElementBlock read_gmsh_element_block(GmshSource& source, Index left) {
     const auto& kind = gmsh_kind(source.integer("the type of elements"), source);
     const auto nodes = static_cast<std::size_t>(kind.nodes);
     const Index count = source.count("elements of a block", {.integers = 1 + nodes});
-    if (count > left) {
+    if (count > left)
         source.fail(fmt::format("a block of {} elements, but only {} are left; expected the "
                                 "announced total; export it again",
                                 count, left));
-    }
     return {kind, dimension, entity, count};
 }
 
@@ -131,11 +128,10 @@ OldGmshElementBlock read_old_gmsh_element_block(GmshSource& source, Index left) 
     const auto count =
         source.format().order.has_value() ? source.integer("the number of elements") : 1;
     const auto tags = source.integer("the number of tags");
-    if (count < 1 || count > left || tags < 0) {
+    if (count < 1 || count > left || tags < 0)
         source.fail(fmt::format("a block of {} elements with {} tags, but only {} elements are "
                                 "left; expected the announced total; export it again",
                                 count, tags, left));
-    }
     return {kind, static_cast<Index>(count), tags};
 }
 

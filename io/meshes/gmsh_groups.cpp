@@ -23,11 +23,10 @@ void GmshGroups::read(GmshSource& source, bool is_partitioned) {
     for (std::size_t dimension = 0; dimension < counts.size(); ++dimension) {
         for (Index entity = 0; entity < counts[dimension]; ++entity)
             read_entity(source, dimension, is_partitioned);
-        if (const auto twice = lists_[dimension].close()) {
+        if (const auto twice = lists_[dimension].close())
             source.fail(fmt::format(
                 "the entity {} of dimension {} occurs twice; expected it once; export it again",
                 *twice, dimension));
-        }
     }
 }
 
@@ -90,11 +89,10 @@ std::vector<GroupName> read_gmsh_names(Scanner& scanner, const GmshFormat& forma
 
 Index group_tag(std::int64_t number, const GmshSource& source) {
     constexpr std::int64_t most = std::numeric_limits<Index>::max();
-    if (number > most || number < -most) {
+    if (number > most || number < -most)
         source.fail(fmt::format("the physical group {} is out of range; expected a number of 32 "
                                 "bits; renumber the groups",
                                 number));
-    }
     return static_cast<Index>(number < 0 ? -number : number);
 }
 

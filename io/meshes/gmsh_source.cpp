@@ -30,19 +30,17 @@ GmshFormat read_gmsh_format(Scanner& scanner) {
     const double version = scanner.number("a version");
     const double tenths = std::round(10 * version);
     const bool is_old = tenths >= 20 && tenths <= 22;
-    if (std::abs(10 * version - tenths) > 1e-6 || !(is_old || tenths == 40 || tenths == 41)) {
+    if (std::abs(10 * version - tenths) > 1e-6 || !(is_old || tenths == 40 || tenths == 41))
         scanner.fail(fmt::format("MSH of version {}; expected 1, 2 to 2.2, 4.0 or 4.1; export it "
                                  "again with -format msh41",
                                  version));
-    }
     const auto encoding = scanner.integer("0 for text or 1 for bytes");
     const auto size = scanner.integer("the bytes of a number");
     const bool fits = (encoding == 0 || encoding == 1) && (size == 8 || (!is_old && size == 4));
-    if (!fits) {
+    if (!fits)
         scanner.fail(fmt::format("file type {} and data size {}; expected 0 or 1, and {}; "
                                  "export it again",
                                  encoding, size, is_old ? "8" : "8 or 4"));
-    }
     scanner.end_line("the line of the version");
     GmshFormat format{is_old ? 2 : 4,
                       static_cast<int>(tenths) % 10,

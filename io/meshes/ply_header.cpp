@@ -34,11 +34,10 @@ NumberType read_type(Scanner& scanner) {
     const auto word = scanner.word("a type");
     const auto found = std::find_if(type_names.begin(), type_names.end(),
                                     [word](const TypeName& type) { return type.name == word; });
-    if (found == type_names.end()) {
+    if (found == type_names.end())
         scanner.fail(fmt::format("{} is not a type of PLY; expected char, uchar, short, ushort, "
                                  "int, uint, float or double; correct the header",
                                  quote_word(word)));
-    }
     return found->type;
 }
 
@@ -65,10 +64,9 @@ PlyProperty read_property(Scanner& scanner) {
     if (property.is_list) {
         property.length_type = read_type(scanner);
         if (property.length_type == NumberType::float32 ||
-            property.length_type == NumberType::float64) {
+            property.length_type == NumberType::float64)
             scanner.fail("the length of a list is a floating-point number; expected a whole "
                          "number's type; correct the header");
-        }
     } else {
         scanner = bookmark;
     }
@@ -88,12 +86,11 @@ void check_count(const Scanner& scanner, const PlyElement& element, PlyEncoding 
         bytes += encoding == PlyEncoding::ascii ? 2 : size_of(type);
     }
     const auto count = static_cast<std::size_t>(element.count);
-    if (bytes > 0 && count > (scanner.bytes_to_come() + 1) / bytes) {
+    if (bytes > 0 && count > (scanner.bytes_to_come() + 1) / bytes)
         scanner.fail(fmt::format(
             "{} elements {} are announced in line {}, but {} bytes follow; expected at least {} "
             "bytes for each; correct the number, or export again if the file was cut off",
             count, quote_word(element.name), line, scanner.bytes_to_come(), bytes));
-    }
 }
 
 class HeaderReader {
@@ -113,10 +110,9 @@ public:
 
 private:
     void begin() {
-        if (scanner_.at_end() || scanner_.word("ply") != "ply") {
+        if (scanner_.at_end() || scanner_.word("ply") != "ply")
             scanner_.fail("the file does not begin with the word ply; expected a PLY file; check "
                           "the format");
-        }
         scanner_.end_line("the first line, ply");
     }
 
@@ -131,10 +127,9 @@ private:
         } else if (keyword == "element") {
             read_element();
         } else if (keyword == "property") {
-            if (header_.elements.empty()) {
+            if (header_.elements.empty())
                 scanner_.fail("a property stands before the first element; expected an element; "
                               "correct the header");
-            }
             header_.elements.back().properties.push_back(read_property(scanner_));
         } else if (keyword != "comment" && keyword != "obj_info") {
             scanner_.fail(fmt::format("{} is not a keyword of PLY; expected format, comment, "
@@ -149,13 +144,11 @@ private:
         PlyElement element;
         scanner_.stay_on_line("the name of an element");
         element.name = scanner_.word("the name of an element");
-        for (const auto& other : header_.elements) {
-            if (other.name == element.name) {
+        for (const auto& other : header_.elements)
+            if (other.name == element.name)
                 scanner_.fail(
                     fmt::format("the element {} occurs twice; expected it once; correct the header",
                                 quote_word(element.name)));
-            }
-        }
         scanner_.stay_on_line("the number of elements");
         element.count = scanner_.count(fmt::format("elements {}", quote_word(element.name)), 0);
         header_.elements.push_back(std::move(element));
@@ -164,16 +157,14 @@ private:
 
     /// Only one line break belongs to the header: what follows may be binary.
     void end() {
-        if (!has_format_) {
+        if (!has_format_)
             scanner_.fail("the header names no format; expected a line such as format ascii 1.0; "
                           "correct the header");
-        }
         const auto text = scanner_.rest();
         const auto line_break = text.find_first_of("\r\n");
-        if (line_break == std::string_view::npos) {
+        if (line_break == std::string_view::npos)
             scanner_.fail("the file ends with its header; expected the elements; export it again, "
                           "it seems cut off");
-        }
         const bool two = !breaks_lines_with_cr() && text.substr(line_break, 2) == "\r\n";
         scanner_.skip(line_break);
         header_.body_begin = file_.text.size() - scanner_.remaining() + (two ? 2 : 1);

@@ -25,10 +25,9 @@ public:
     Mesh read() {
         while (!scanner_.at_end())
             read_section();
-        if (!has_elements_) {
+        if (!has_elements_)
             scanner_.fail("the file ends without the section $Elements; expected $MeshFormat, "
                           "$Nodes and $Elements; export it again as MSH 4.1");
-        }
         Mesh mesh = std::move(cells_).mesh(std::move(points_));
         mesh.groups = std::move(names_);
         return mesh;
@@ -38,11 +37,10 @@ private:
     void read_section() {
         const Scanner place = scanner_;
         const auto keyword = scanner_.word("a section");
-        if (!is_gmsh_keyword(keyword)) {
+        if (!is_gmsh_keyword(keyword))
             place.fail(fmt::format(
                 "{} is outside the sections; expected a keyword such as $Nodes; check the format",
                 quote_word(keyword)));
-        }
         const auto name = keyword.substr(1);
         if (name == "MeshFormat") {
             require(place, !has_format_, "no other $MeshFormat");
@@ -71,55 +69,49 @@ private:
     }
 
     void require(const Scanner& place, bool fits, const char* before) const {
-        if (!fits) {
+        if (!fits)
             place.fail(fmt::format("a section at the wrong place; expected {} before it; check "
                                    "the format",
                                    before));
-        }
     }
 
     void read_end(std::string_view name) {
         const bool is_old = name == "NOD" || name == "ELM";
         const auto expected = fmt::format("${}{}", is_old ? "END" : "End", name);
         const auto word = scanner_.word(expected);
-        if (word != expected) {
+        if (word != expected)
             scanner_.fail(fmt::format("{} where the section ends; expected {}; correct the number "
                                       "of its records",
                                       quote_word(word), expected));
-        }
     }
 
     /// What a skipped section holds may be bytes; its end is looked for at the beginning of a line.
     void skip_section(const Scanner& place, std::string_view name) {
-        if (name == "ParametricNodes") {
+        if (name == "ParametricNodes")
             place.fail("the section $ParametricNodes of an old version; expected $Nodes; export it "
                        "again with -format msh41");
-        }
         const auto rest = scanner_.rest();
         const auto mark = fmt::format("$End{}", name);
         auto end = rest.find(mark);
         while (end != std::string_view::npos && rest[end - 1] != '\n' && rest[end - 1] != '\r')
             end = rest.find(mark, end + 1);
-        if (end == std::string_view::npos) {
+        if (end == std::string_view::npos)
             place.fail(fmt::format("the section ${0} has no end; expected $End{0}; export it "
                                    "again, it seems cut off",
                                    name));
-        }
         scanner_.bytes(end, "a section");
     }
 
     void read_point(GmshSource& source, Index vertex) {
-        for (int axis = 0; axis < 3; ++axis) {
+        for (int axis = 0; axis < 3; ++axis)
             points_(vertex, axis) =
                 source.scanner().as_coordinate(source.real("a coordinate"), vertex);
-        }
     }
 
     void close_nodes(const GmshSource& source) {
-        if (const auto twice = nodes_.close()) {
+        if (const auto twice = nodes_.close())
             source.fail(fmt::format(
                 "the node {} occurs twice; expected each number once; renumber the nodes", *twice));
-        }
     }
 
     /// In version 4, bytes begin behind the line of the keyword.
@@ -171,11 +163,10 @@ private:
         for (int i = 0; i < kind.corners; ++i) {
             const auto number = source.number("a node of an element");
             const auto vertex = nodes_.find(number);
-            if (!vertex) {
+            if (!vertex)
                 source.fail(fmt::format("the node {} is not in the section $Nodes; expected one "
                                         "of its numbers; correct it or add the node",
                                         number));
-            }
             corners[static_cast<std::size_t>(i)] = *vertex;
         }
         cells_.add(kind.dimension, std::span(corners).first(static_cast<std::size_t>(kind.corners)),
@@ -230,11 +221,10 @@ private:
 
     static void read_number_of_nodes(GmshSource& source, const GmshKind& kind) {
         const auto nodes = source.integer("the number of nodes");
-        if (nodes != kind.nodes) {
+        if (nodes != kind.nodes)
             source.fail(fmt::format(
                 "an element of Gmsh's type {1} has {0} nodes; expected {2}; export it again", nodes,
                 kind.type, kind.nodes));
-        }
     }
 
     static Index read_tags(GmshSource& source, std::int64_t count) {

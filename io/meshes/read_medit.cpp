@@ -29,11 +29,10 @@ public:
             const auto word = scanner.word("a keyword");
             if (word == "End")
                 break;
-            if (is_letter(word[0]) && !places_.emplace(word, scanner).second) {
+            if (is_letter(word[0]) && !places_.emplace(word, scanner).second)
                 keyword_place.fail(
                     fmt::format("the section {} occurs twice; expected it once; join the two",
                                 quote_word(word)));
-            }
         }
     }
 
@@ -41,11 +40,10 @@ public:
 
     Scanner at(std::string_view keyword) const {
         const auto found = places_.find(keyword);
-        if (found == places_.end()) {
+        if (found == places_.end())
             begin_.fail(fmt::format("the file has no section {}; expected MEDIT's text format with "
                                     "Dimension, Vertices and cells; check the format",
                                     keyword));
-        }
         return found->second;
     }
 
@@ -57,10 +55,9 @@ private:
 int read_dimension(const Sections& sections) {
     Scanner scanner = sections.at("Dimension");
     const auto dimension = scanner.integer("the dimension");
-    if (dimension != 2 && dimension != 3) {
+    if (dimension != 2 && dimension != 3)
         scanner.fail(
             fmt::format("Dimension {}; expected 2 or 3; write the mesh as .nsc", dimension));
-    }
     return static_cast<int>(dimension);
 }
 

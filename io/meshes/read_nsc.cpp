@@ -9,11 +9,10 @@ namespace polydec {
 namespace {
 
 void check_dimensions(const Scanner& scanner, Index ambient, Index dimension) {
-    if (dimension < 1 || dimension > ambient) {
+    if (dimension < 1 || dimension > ambient)
         scanner.fail(fmt::format("dimension {} in ambient dimension {}; expected 1 <= n <= N; the "
                                  "first line is N n, then the numbers of vertices and simplices",
                                  dimension, ambient));
-    }
 }
 
 Points read_points(Scanner& scanner, Index count, Index ambient) {
@@ -60,11 +59,10 @@ Mesh read_nsc(const SourceFile& file) {
     Mesh mesh;
     mesh.points = read_points(scanner, vertices, ambient);
     mesh.simplices = read_simplices(scanner, simplices, dimension, vertices);
-    if (!scanner.at_end()) {
+    if (!scanner.at_end())
         scanner.fail(fmt::format("more follows after {} simplices; expected the end of the file; "
                                  "correct the number in the first line",
                                  simplices));
-    }
     return mesh;
 }
 

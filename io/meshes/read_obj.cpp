@@ -27,11 +27,10 @@ public:
             fail_range(farthest_place_, farthest_ + 1);
         polygons_.points = Eigen::Map<const Points>(coordinates_.data(), vertices(), axes_);
         Mesh mesh = split_polygons(std::move(polygons_));
-        if (left_out_ > 0) {
+        if (left_out_ > 0)
             mesh.warnings.push_back(
                 fmt::format("left out {} records of lines or points; the first is in line {}",
                             left_out_, first_left_out_));
-        }
         return mesh;
     }
 

@@ -37,10 +37,9 @@ struct Beginning {
 Beginning behind_n(Scanner scanner, bool has_four) {
     constexpr std::int64_t most = 1000;
     const auto axes = scanner.integer("the dimension of the points");
-    if (axes < 1 || axes > most) {
+    if (axes < 1 || axes > most)
         scanner.fail(fmt::format("points of dimension {}; expected 1 to {} after nOFF; correct it",
                                  axes, most));
-    }
     return {scanner, axes + (has_four ? 1 : 0)};
 }
 
@@ -103,11 +102,10 @@ void read_faces(Scanner& scanner, Index count, PolygonMesh& polygons, const Sour
     const auto vertices = static_cast<Index>(polygons.points.rows());
     reserve_faces(polygons, count, scanner.remaining());
     for (Index face = 0; face < count; ++face) {
-        if (scanner.at_end()) {
+        if (scanner.at_end())
             scanner.fail(fmt::format("the file ends after {} of {} faces; expected the others; "
                                      "export it again, it seems cut off",
                                      face, count));
-        }
         const Index corners = scanner.count("corners of a face", 2);
         for (Index corner = 0; corner < corners; ++corner)
             polygons.corners.push_back(scanner.vertex(vertices, 0));
@@ -132,10 +130,9 @@ Mesh read_off(const SourceFile& file) {
     read_faces(scanner, faces, polygons, file);
 
     Mesh mesh = split_polygons(std::move(polygons));
-    if (!scanner.at_end()) {
+    if (!scanner.at_end())
         mesh.warnings.push_back(fmt::format("left out everything after the {} faces, from line {}",
                                             faces, scanner.line()));
-    }
     return mesh;
 }
 

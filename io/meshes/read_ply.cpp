@@ -81,10 +81,9 @@ public:
                 pass_over(element);
         const bool is_rest = !source_.at_end();
         Mesh mesh = split_polygons(std::move(polygons_));
-        if (is_rest) {
+        if (is_rest)
             mesh.warnings.push_back(
                 fmt::format("left out {} bytes after the last element", source_.remaining()));
-        }
         return mesh;
     }
 
@@ -95,12 +94,11 @@ private:
         for (int axis = 0; axis < axes; ++axis) {
             const std::string name(1, "xyz"[axis]);
             const auto place = element.find(name);
-            if (place == element.properties.size() || element.properties[place].is_list) {
+            if (place == element.properties.size() || element.properties[place].is_list)
                 source_.fail(
                     fmt::format("the element vertex has no property {}; expected x, y and, except "
                                 "for a mesh of the plane, z; correct the header",
                                 name));
-            }
             axis_of[place] = axis;
         }
         polygons_.points.resize(element.count, axes);
@@ -116,12 +114,11 @@ private:
                 continue;
             }
             const double value = source_.value(property.type);
-            if (!std::isfinite(value)) {
+            if (!std::isfinite(value))
                 source_.fail(fmt::format("vertex {} (counted from 0) has a coordinate that is NaN, "
                                          "infinite or outside the range of double precision; "
                                          "expected finite numbers; repair or remove the vertex",
                                          vertex));
-            }
             polygons_.points(vertex, axis_of[i]) = value;
         }
         source_.end_record();
@@ -129,10 +126,9 @@ private:
 
     void read_faces(const PlyElement& element) {
         const auto list = element.corners();
-        if (list == element.properties.size() || !element.properties[list].is_list) {
+        if (list == element.properties.size() || !element.properties[list].is_list)
             source_.fail("the element face has no list vertex_indices; expected property list "
                          "uchar int vertex_indices; correct the header");
-        }
         reserve_faces(polygons_, element.count, source_.remaining());
         for (Index face = 0; face < element.count; ++face) {
             for (std::size_t i = 0; i < element.properties.size(); ++i)
@@ -149,11 +145,10 @@ private:
         const auto length = read_length(property);
         for (std::size_t i = 0; i < length; ++i) {
             const double value = source_.value(property.type);
-            if (!(value >= 0.0 && value < vertices_) || value != std::floor(value)) {
+            if (!(value >= 0.0 && value < vertices_) || value != std::floor(value))
                 source_.fail(fmt::format("face {} has the vertex number {}; expected 0 to {}; "
                                          "correct the index or add the vertex",
                                          face, value, vertices_ - 1));
-            }
             polygons_.corners.push_back(static_cast<Index>(value));
         }
     }
@@ -161,11 +156,10 @@ private:
     std::size_t read_length(const PlyProperty& list) {
         const double length = source_.value(list.length_type);
         const auto most = static_cast<double>(source_.remaining());
-        if (!(length >= 0.0 && length <= most) || length != std::floor(length)) {
+        if (!(length >= 0.0 && length <= most) || length != std::floor(length))
             source_.fail(fmt::format("a list of length {}, but {} bytes follow; expected a whole "
                                      "number that fits; export it again",
                                      length, source_.remaining()));
-        }
         return static_cast<std::size_t>(length);
     }
 

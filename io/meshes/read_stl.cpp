@@ -72,10 +72,9 @@ Mesh read_binary(const SourceFile& file) {
         for (std::size_t corner = 0; corner < 3; ++corner)
             read_corner(file, triangle, corner, places);
     Mesh mesh = joined(std::move(places));
-    if (file.text.size() > promised_bytes(file)) {
+    if (file.text.size() > promised_bytes(file))
         mesh.warnings.push_back(fmt::format("left out {} bytes after the {} triangles",
                                             file.text.size() - promised_bytes(file), triangles));
-    }
     return mesh;
 }
 
@@ -133,11 +132,10 @@ private:
 
     void expect(std::string_view keyword) {
         const auto word = scanner_.word(keyword);
-        if (lower_case(word) != keyword) {
+        if (lower_case(word) != keyword)
             scanner_.fail(
                 fmt::format("found {}; expected {}; correct the line or export the file again",
                             quote_word(word), keyword));
-        }
     }
 
     const SourceFile& file_;

@@ -28,22 +28,20 @@ struct Nodes {
 /// Records are numbered one after the other; `first` is the number of the first.
 void read_number(Scanner& scanner, const char* record, Index place, std::int64_t first) {
     const auto number = scanner.integer(fmt::format("the number of a {}", record));
-    if (number != first + place) {
+    if (number != first + place)
         scanner.fail(fmt::format(
             "a {} has the number {}; expected {}, since numbers must be consecutive; renumber them",
             record, number, first + place));
-    }
 }
 
 /// Records may be numbered from 0 or from 1; which, the first one tells.
 Index first_number(Scanner scanner, const char* record) {
     const auto first =
         scanner.at_end() ? 0 : scanner.integer(fmt::format("the number of a {}", record));
-    if (first != 0 && first != 1) {
+    if (first != 0 && first != 1)
         scanner.fail(fmt::format("the first {} has the number {}; expected 0 or 1; number them "
                                  "from there",
                                  record, first));
-    }
     return static_cast<Index>(first);
 }
 
@@ -52,10 +50,9 @@ Nodes read_nodes(const SourceFile& file) {
     Scanner scanner(file.name, file.text, syntax);
     const Index count = scanner.count("vertices", 0);
     const auto dimension = scanner.at_line_end() ? 3 : scanner.integer("the dimension");
-    if (dimension != 2 && dimension != 3) {
+    if (dimension != 2 && dimension != 3)
         scanner.fail(fmt::format("points of dimension {}; expected 2 or 3; write the mesh as .nsc",
                                  dimension));
-    }
     const auto least_bytes = 2 * (static_cast<std::size_t>(dimension) + 1);
     scanner.as_count(count, "vertices", least_bytes);
     scanner.next_line();
@@ -132,11 +129,10 @@ Mesh read_elements(Nodes nodes, const SourceFile& file) {
         scanner.at_line_end() ? linear : scanner.integer("the number of corners");
     const int corners = nodes_of_each == 3 || nodes_of_each == 6 ? 3 : 4;
     const auto extra = nodes_of_each - corners;
-    if (corners > linear || (extra != 0 && extra != corners * (corners - 1) / 2)) {
+    if (corners > linear || (extra != 0 && extra != corners * (corners - 1) / 2))
         scanner.fail(fmt::format("cells of {} corners; expected {}, the corners of a simplex, or "
                                  "those and a node on each edge; export it again",
                                  nodes_of_each, linear));
-    }
     const auto attributes = scanner.at_line_end() ? 0 : scanner.integer("the number of attributes");
     if (attributes < 0 || attributes > std::numeric_limits<int>::max())
         scanner.fail(fmt::format("{} attributes; expected 0 or more; correct it", attributes));
@@ -155,10 +151,9 @@ Mesh read_faces(Nodes nodes, const SourceFile& file) {
 /// In capital letters where the file's own extension has no others.
 std::filesystem::path with_extension(std::filesystem::path path, std::string extension) {
     const auto own = path.extension().string();
-    if (std::none_of(own.begin(), own.end(), [](char c) { return c >= 'a' && c <= 'z'; })) {
+    if (std::none_of(own.begin(), own.end(), [](char c) { return c >= 'a' && c <= 'z'; }))
         std::transform(extension.begin(), extension.end(), extension.begin(),
                        [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
-    }
     return path.replace_extension(extension);
 }
 

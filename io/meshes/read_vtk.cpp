@@ -51,12 +51,11 @@ private:
         constexpr std::array<std::string_view, 5> kinds{"unstructured_grid", "polydata",
                                                         "structured_points", "structured_grid",
                                                         "rectilinear_grid"};
-        if (keyword != "dataset" || std::find(kinds.begin(), kinds.end(), kind_) == kinds.end()) {
+        if (keyword != "dataset" || std::find(kinds.begin(), kinds.end(), kind_) == kinds.end())
             scanner_.fail(fmt::format("a data set of the kind {}; expected DATASET "
                                       "UNSTRUCTURED_GRID, POLYDATA or a structured grid; convert "
                                       "it, for instance with ParaView",
                                       quote_word(kind_)));
-        }
     }
 
     /// Cells are numbered, not listed.
@@ -129,11 +128,10 @@ private:
                 make_places(axis);
             arrays_.points = grid_points(grid_, cells_place_);
         }
-        if (arrays_.points.size() != 3 * grid_.points[0] * grid_.points[1] * grid_.points[2]) {
+        if (arrays_.points.size() != 3 * grid_.points[0] * grid_.points[1] * grid_.points[2])
             cells_place_.fail(fmt::format(
                 "{} points for a grid of {} x {} x {}; expected the product; export it again",
                 arrays_.points.size() / 3, grid_.points[0], grid_.points[1], grid_.points[2]));
-        }
         add_grid_cells(grid_, cells_place_, arrays_);
     }
 
@@ -163,20 +161,18 @@ private:
             divide(source_.values(NumberType::int32, second), first, corners, ends);
         }
         const double last = ends.empty() ? 0.0 : ends.back();
-        if (last != static_cast<double>(corners.size())) {
+        if (last != static_cast<double>(corners.size()))
             cells_place_.fail(fmt::format("the offsets end with {}, but there are {} corners of "
                                           "cells; expected that number; export it again",
                                           last, corners.size()));
-        }
     }
 
     void read_keyword(const char* expected) {
         const auto word = scanner_.word(expected);
-        if (lower_case(word) != expected) {
+        if (lower_case(word) != expected)
             scanner_.fail(fmt::format(
                 "found {} among the cells; expected {}, as in version 5; export it again",
                 quote_word(word), expected));
-        }
     }
 
     /// Since version 5, offsets are where the corners of a cell begin, and then where all end.
@@ -184,10 +180,9 @@ private:
         read_keyword("offsets");
         ends = source_.values(source_.read_type(), count);
         if (!ends.empty()) {
-            if (ends.front() != 0.0) {
+            if (ends.front() != 0.0)
                 scanner_.fail(fmt::format("the offsets begin with {}; expected 0; export it again",
                                           ends.front()));
-            }
             ends.erase(ends.begin());
         }
     }
@@ -201,22 +196,20 @@ private:
                 static_cast<double>(numbers.size()) - static_cast<double>(place) - 1;
             const double length = place < numbers.size() ? numbers[place] : -1.0;
             if (!(length >= 0.0 && length <= most) ||
-                length != static_cast<double>(static_cast<std::size_t>(length))) {
+                length != static_cast<double>(static_cast<std::size_t>(length)))
                 cells_place_.fail(fmt::format("the {} numbers of cells end within cell {} of {}; "
                                               "expected a number of corners and these for each; "
                                               "correct the line",
                                               numbers.size(), cell, cells));
-            }
             const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(place) + 1;
             corners.insert(corners.end(), begin, begin + static_cast<std::ptrdiff_t>(length));
             ends.push_back(static_cast<double>(corners.size()));
             place += 1 + static_cast<std::size_t>(length);
         }
-        if (place != numbers.size()) {
+        if (place != numbers.size())
             cells_place_.fail(fmt::format("{} cells have {} numbers, but the line announces {}; "
                                           "expected equal numbers; correct the line",
                                           cells, place, numbers.size()));
-        }
     }
 
     /// Cell data follow the lists in this order, whatever the order in the file.
@@ -249,15 +242,13 @@ private:
             known = read_vectors(keyword);
         }
         const bool has_points = !arrays_.points.empty() || (has_grid() && grid_.points[0] > 0);
-        if (!known && (!has_points || cells_place_.line() == 1)) {
+        if (!known && (!has_points || cells_place_.line() == 1))
             place.fail(fmt::format("found {} before the points or cells; expected POINTS, CELLS, "
                                    "POLYGONS or other keywords of a grid; check the format",
                                    quote_word(keyword)));
-        }
-        if (!known) {
+        if (!known)
             warnings_.push_back(fmt::format("left out everything after {} in line {}",
                                             quote_word(keyword), place.line()));
-        }
         return known && arrays_.tags.empty();
     }
 

@@ -27,10 +27,9 @@ public:
         take_tags();
         const std::size_t joined = vtu_.pieces() > 1 ? join() : 0;
         Mesh mesh = vtk_mesh(arrays_, place_of(vtu_.cells("connectivity")), file_);
-        if (joined > 0) {
+        if (joined > 0)
             mesh.warnings.push_back(fmt::format(
                 "joined {} vertices to coincident vertices of other pieces of the grid", joined));
-        }
         return mesh;
     }
 
@@ -53,12 +52,11 @@ private:
         piece_of_.resize(arrays_.points.size() / 3, piece);
         const auto most = static_cast<double>(points.size() / 3);
         for (const double corner : corners) {
-            if (vtu_.pieces() > 1 && !(corner >= 0 && corner < most)) {
+            if (vtu_.pieces() > 1 && !(corner >= 0 && corner < most))
                 place_of(text).fail(fmt::format("a cell of piece {} has the vertex number {}; "
                                                 "expected 0 to {}; correct the index or add the "
                                                 "vertex",
                                                 piece, corner, most - 1));
-            }
             arrays_.corners.push_back(before + corner);
         }
         for (const double end : ends)

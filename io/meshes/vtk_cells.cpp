@@ -101,11 +101,10 @@ public:
 private:
     Points converted_points() {
         const auto values = arrays_.points.size();
-        if (values % 3 != 0) {
+        if (values % 3 != 0)
             place_.fail(fmt::format("the points have {} coordinates; expected three for each; "
                                     "export it again",
                                     values));
-        }
         vertices_ = checked_count(values / 3, "vertices", file_);
         Points points = points_from(arrays_.points);
         for (Index vertex = 0; vertex < vertices_; ++vertex)
@@ -117,12 +116,11 @@ private:
     void check_sizes() const {
         const auto last = arrays_.ends.empty() ? 0.0 : arrays_.ends.back();
         if (arrays_.ends.size() != arrays_.types.size() ||
-            last != static_cast<double>(arrays_.corners.size())) {
+            last != static_cast<double>(arrays_.corners.size()))
             place_.fail(fmt::format(
                 "{} types, {} offsets up to {} and {} corners of cells do not match; expected an "
                 "offset for each type, up to the number of corners; export it again",
                 arrays_.types.size(), arrays_.ends.size(), last, arrays_.corners.size()));
-        }
     }
 
     /// Numbers that are not whole name no groups, but something else of the same name.
@@ -145,17 +143,15 @@ private:
         const double end = arrays_.ends[cell];
         if (!(end >= static_cast<double>(begin) &&
               end <= static_cast<double>(arrays_.corners.size())) ||
-            end != std::floor(end)) {
+            end != std::floor(end))
             place_.fail(fmt::format("the corners of cell {} end at {}; expected a whole number "
                                     "from {} to {}; export it again",
                                     cell, end, begin, arrays_.corners.size()));
-        }
         const auto nodes = static_cast<std::size_t>(end) - begin;
-        if (!fits(kind, nodes)) {
+        if (!fits(kind, nodes))
             place_.fail(fmt::format("cell {} of VTK's type {} has {} corners; expected the "
                                     "corners of its type; export it again",
                                     cell, kind.type, nodes));
-        }
         corners_.clear();
         for (std::size_t i = begin; i < begin + nodes; ++i)
             corners_.push_back(vertex_at(i, cell));
@@ -190,11 +186,10 @@ private:
 
     Index vertex_at(std::size_t place, std::size_t cell) const {
         const double value = arrays_.corners[place];
-        if (!(value >= 0.0 && value < vertices_) || value != std::floor(value)) {
+        if (!(value >= 0.0 && value < vertices_) || value != std::floor(value))
             place_.fail(fmt::format("cell {} has the vertex number {}; expected 0 to {}; correct "
                                     "the index or add the vertex",
                                     cell, value, vertices_ - 1));
-        }
         return static_cast<Index>(value);
     }
 

@@ -19,10 +19,9 @@ void check_grid(const VtkGrid& grid, const Scanner& place) {
     double points = 1;
     for (const std::size_t along : grid.points)
         points *= static_cast<double>(along);
-    if (points > std::numeric_limits<Index>::max()) {
+    if (points > std::numeric_limits<Index>::max())
         place.fail(fmt::format("a grid of {} x {} x {} points; expected fewer than 2^31; divide it",
                                grid.points[0], grid.points[1], grid.points[2]));
-    }
     check_memory(points * (bytes_of_point + bytes_of_cell),
                  fmt::format("a grid of {} points", points));
 }

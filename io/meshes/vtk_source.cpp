@@ -45,27 +45,23 @@ constexpr std::array named_types{NamedType{"char", NumberType::int8},
 
 double VtkSource::read_header() {
     const auto mark = scanner_.word("# vtk DataFile Version");
-    for (const char* expected : {"vtk", "datafile", "version"}) {
-        if (mark != "#" || keyword(expected) != expected) {
+    for (const char* expected : {"vtk", "datafile", "version"})
+        if (mark != "#" || keyword(expected) != expected)
             scanner_.fail("the file does not begin with # vtk DataFile Version; expected a "
                           "legacy VTK file; check the format");
-        }
-    }
     const double version = scanner_.number("the version");
-    if (!(version >= 1.0 && version < 6.0)) {
+    if (!(version >= 1.0 && version < 6.0))
         scanner_.fail(fmt::format("version {} of the format; expected 1 to 5.1; save the mesh "
                                   "as .vtu",
                                   version));
-    }
     scanner_.next_line();
     scanner_.next_line();
 
     const auto encoding = keyword("ASCII or BINARY");
-    if (encoding != "ascii" && encoding != "binary") {
+    if (encoding != "ascii" && encoding != "binary")
         scanner_.fail(fmt::format(
             "found {} after the title; expected ASCII or BINARY; correct the third line",
             quote_word(encoding)));
-    }
     is_binary_ = encoding == "binary";
     return version;
 }
@@ -88,21 +84,19 @@ std::optional<NumberType> VtkSource::type_of(std::string_view word) {
 NumberType VtkSource::read_type() {
     const auto word = scanner_.word("a type of numbers");
     const auto type = type_of(word);
-    if (!type) {
+    if (!type)
         scanner_.fail(fmt::format("{} is not a supported type of numbers; expected float, double, "
                                   "int or another of VTK's types; export it again",
                                   quote_word(word)));
-    }
     return *type;
 }
 
 void VtkSource::check_room(std::size_t count, std::size_t each) {
-    if (count > (scanner_.remaining() + 1) / each) {
+    if (count > (scanner_.remaining() + 1) / each)
         scanner_.fail(
             fmt::format("{} numbers are announced, but {} bytes follow; expected at least {} bytes "
                         "for each; correct the number, or export again if the file was cut off",
                         count, scanner_.remaining(), each));
-    }
 }
 
 std::vector<double> VtkSource::values(NumberType type, std::size_t count) {

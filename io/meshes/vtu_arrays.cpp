@@ -33,11 +33,10 @@ NumberType type_of(const std::string& name, const Scanner& place) {
          {"Float64", NumberType::float64}}};
     const auto found = std::find_if(names.begin(), names.end(),
                                     [&name](const auto& one) { return one.first == name; });
-    if (found == names.end()) {
+    if (found == names.end())
         place.fail(fmt::format("an array of the type {}; expected Float64, Int32 or another type "
                                "of numbers; export it again",
                                quote_word(name)));
-    }
     return found->second;
 }
 
@@ -60,11 +59,10 @@ public:
         } else {
             fits = base64_.read(bytes, result);
         }
-        if (!fits) {
+        if (!fits)
             place_.fail(fmt::format("an array ends before {} more bytes, or is not {}; expected "
                                     "all of its bytes; export it again, it seems damaged",
                                     bytes, is_raw_ ? "raw" : "base64"));
-        }
         return result;
     }
 
@@ -117,11 +115,10 @@ private:
             const bool is_smaller = block + 1 == blocks_ && last_size_ != 0;
             const auto content =
                 inflate(source_.read(sizes[block]), is_smaller ? last_size_ : size_);
-            if (!content) {
+            if (!content)
                 place_.fail(fmt::format("block {} of a compressed array is damaged; expected a "
                                         "zlib stream of the announced size; export it again",
                                         block));
-            }
             result += *content;
         }
         return result;
@@ -147,11 +144,10 @@ std::size_t offset_of(const VtuText& array, std::size_t appended_bytes, const Sc
     std::size_t begin = 0;
     const auto result = std::from_chars(offset.data(), offset.data() + offset.size(), begin);
     if (result.ec != std::errc{} || result.ptr != offset.data() + offset.size() ||
-        begin >= appended_bytes) {
+        begin >= appended_bytes)
         place.fail(fmt::format("the offset {} of an array in AppendedData; expected a number below "
                                "{}; export it again, it seems cut off",
                                quote_word(offset), appended_bytes));
-    }
     return begin;
 }
 
@@ -165,29 +161,26 @@ Scanner place_of(const VtuText& array, const SourceFile& file) {
 void check_promise(const VtuText& array, const ArrayDecoder& decoder, std::size_t each,
                    const Scanner& place) {
     const double promised = decoder.promised();
-    if (array.numbers && promised != *array.numbers * static_cast<double>(each)) {
+    if (array.numbers && promised != *array.numbers * static_cast<double>(each))
         place.fail(fmt::format(
             "the compressed array {} announces {:.0f} bytes; expected {:.0f}, from the numbers of "
             "points, cells and corners of its piece; export it again",
             quote_word(array.name()), promised, *array.numbers * static_cast<double>(each)));
-    }
-    if (promised > decoder.capacity()) {
+    if (promised > decoder.capacity())
         place.fail(
             fmt::format("the compressed array {} announces {:.0f} bytes; expected at most {:.0f}, "
                         "the capacity of the rest of the file; export it again, it seems cut off",
                         quote_word(array.name()), promised, decoder.capacity()));
-    }
 }
 
 /// The bytes of an array that is not text.
 ArrayDecoder decoder_of(const VtuText& array, const VtuEncoding& encoding, const Scanner& place) {
     const auto format = array.tag.attribute("format", "ascii");
     const bool is_appended = format == "appended";
-    if (!is_appended && format != "binary") {
+    if (!is_appended && format != "binary")
         place.fail(fmt::format("an array in the format {}; expected ascii, binary or appended; "
                                "export it again",
                                quote_word(format)));
-    }
     const auto begin = is_appended ? offset_of(array, encoding.appended.size(), place) : 0;
     return {{is_appended ? encoding.appended.substr(begin) : array.text,
              is_appended && encoding.appended_is_raw, place},
@@ -202,20 +195,17 @@ VtuEncoding vtu_encoding(const XmlTag& tag, const XmlReader& reader) {
     const auto order = tag.attribute("byte_order", "LittleEndian");
     const auto header = tag.attribute("header_type", "UInt32");
     const auto compressor = tag.attribute("compressor");
-    if (order != "LittleEndian" && order != "BigEndian") {
+    if (order != "LittleEndian" && order != "BigEndian")
         reader.fail(fmt::format("the order of bytes {}; expected LittleEndian or BigEndian; export "
                                 "it again",
                                 quote_word(order)));
-    }
-    if (header != "UInt32" && header != "UInt64") {
+    if (header != "UInt32" && header != "UInt64")
         reader.fail(fmt::format("the header_type {}; expected UInt32 or UInt64; export it again",
                                 quote_word(header)));
-    }
-    if (!compressor.empty() && compressor != "vtkZLibDataCompressor") {
+    if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
         reader.fail(fmt::format("the arrays are compressed by {}; expected vtkZLibDataCompressor "
                                 "or none; export it again without compression",
                                 quote_word(compressor)));
-    }
     encoding.order = order == "BigEndian" ? std::endian::big : std::endian::little;
     encoding.header_bytes = header == "UInt64" ? 8 : 4;
     encoding.is_compressed = !compressor.empty();
@@ -252,11 +242,10 @@ std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding
                  fmt::format("{}: the array {}", file.name, quote_word(array.name())));
     const auto bytes = decoder_of(array, encoding, place).bytes();
     const auto each = size_of(type);
-    if (bytes.size() % each != 0) {
+    if (bytes.size() % each != 0)
         place.fail(fmt::format(
             "an array has {} bytes, and each number needs {}; expected a multiple; export it again",
             bytes.size(), each));
-    }
     std::vector<double> values(bytes.size() / each);
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = value_at(bytes.data() + i * each, type, encoding.order);

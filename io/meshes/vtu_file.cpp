@@ -57,11 +57,10 @@ std::string_view VtuFile::outer_element(const XmlTag& tag) const {
 
 void VtuFile::read_file_tag(const XmlTag& tag) {
     const auto type = tag.attribute("type");
-    if (type != "UnstructuredGrid") {
+    if (type != "UnstructuredGrid")
         reader_.fail(fmt::format("a file of the type {}; expected UnstructuredGrid; convert it, "
                                  "for instance with ParaView",
                                  quote_word(type)));
-    }
     encoding_ = vtu_encoding(tag, reader_);
     has_grid_ = true;
 }
@@ -74,21 +73,19 @@ void VtuFile::read_piece(const XmlTag& tag) {
 }
 
 void VtuFile::require_one_piece() const {
-    if (pieces_ > 1) {
+    if (pieces_ > 1)
         reader_.fail(fmt::format("the grid has {} pieces; expected one; merge them, for instance "
                                  "with ParaView's filters Merge Blocks and Clean to Grid",
                                  pieces_));
-    }
 }
 
 void VtuFile::read_appended(const XmlTag& tag) {
     const auto encoding = tag.attribute("encoding", "base64");
     const auto mark = reader_.rest().find('_');
-    if ((encoding != "raw" && encoding != "base64") || mark == std::string_view::npos) {
+    if ((encoding != "raw" && encoding != "base64") || mark == std::string_view::npos)
         reader_.fail(fmt::format("AppendedData in the encoding {}; expected raw or base64, and a _ "
                                  "before the data; export it again",
                                  quote_word(encoding)));
-    }
     encoding_.appended_is_raw = encoding == "raw";
     encoding_.appended = reader_.rest().substr(mark + 1);
     has_appended_ = true;
@@ -101,10 +98,9 @@ void VtuFile::keep_array(XmlTag tag, const std::string& outer) {
     if (piece_is_empty_)
         return;
     const int piece = std::max(0, pieces_ - 1);
-    if (is_needed && find(outer, outer == "Points" ? "" : name, piece) != nullptr) {
+    if (is_needed && find(outer, outer == "Points" ? "" : name, piece) != nullptr)
         reader_.fail(fmt::format("the array {} occurs twice; expected it once; export it again",
                                  quote_word(name)));
-    }
     const bool has_text = !tag.closes;
     const auto line = tag.line;
     const bool is_of_points = outer == "Points" || outer == "PointData";
@@ -159,11 +155,10 @@ std::vector<double> VtuFile::lists(const VtuText& array, const std::vector<doubl
 }
 
 const VtuText& VtuFile::needed(const VtuText* array, const char* name) const {
-    if (array == nullptr) {
+    if (array == nullptr)
         reader_.fail(fmt::format("the grid has no array {}; expected Points and Cells with "
                                  "connectivity, offsets and types; export it again",
                                  name));
-    }
     return *array;
 }
 
@@ -173,10 +168,9 @@ const VtuText& VtuFile::cells(const char* name, int piece) const {
 
 const VtuText& VtuFile::points(int piece) const {
     const auto* array = find("Points", "", piece);
-    if (array != nullptr && array->tag.attribute("NumberOfComponents", "3") != "3") {
+    if (array != nullptr && array->tag.attribute("NumberOfComponents", "3") != "3")
         reader_.fail("the points do not have three components; expected three, the last may be 0; "
                      "export it again");
-    }
     return needed(array, "of points");
 }
 

@@ -25,30 +25,25 @@ namespace {
 using Path = std::filesystem::path;
 
 void check_points(const Path& path, const Points& points) {
-    for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex) {
-        if (!points.row(vertex).allFinite()) {
+    for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
+        if (!points.row(vertex).allFinite())
             refuse_writing(
                 path,
                 fmt::format("vertex {} has a coordinate that is NaN or infinite; correct it",
                             vertex),
                 {.vertices = {static_cast<Index>(vertex)}});
-        }
-    }
 }
 
 void check_simplices(const Path& path, const Mesh& mesh) {
-    for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
-        for (const Index vertex : mesh.simplices.row(cell)) {
-            if (vertex < 0 || vertex >= mesh.points.rows()) {
+    for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell)
+        for (const Index vertex : mesh.simplices.row(cell))
+            if (vertex < 0 || vertex >= mesh.points.rows())
                 refuse_writing(path,
                                fmt::format("cell {} has the vertex {}; expected 0 to {}", cell,
                                            vertex, mesh.points.rows() - 1),
                                {.degree = mesh.dimension(),
                                 .cells = {static_cast<Index>(cell)},
                                 .vertices = {vertex}});
-            }
-        }
-    }
 }
 
 /// Triangles and polygons alike, for the formats of surfaces; or edges.
@@ -111,13 +106,12 @@ Eigen::Vector3d padded(const Points& points, Index vertex) {
 
 /// An STL file has floats, into which not every double fits.
 float to_float(const Path& path, double value, Index vertex) {
-    if (std::abs(value) > std::numeric_limits<float>::max()) {
+    if (std::abs(value) > std::numeric_limits<float>::max())
         refuse_writing(path,
                        fmt::format("a coordinate of vertex {} is too large for the floats of STL; "
                                    "use .off, .obj or .ply",
                                    vertex),
                        {.vertices = {vertex}});
-    }
     return static_cast<float>(value);
 }
 
@@ -189,11 +183,10 @@ void write_medit_cells(NumberLines& lines, const Simplices& cells, const std::ve
 void write_medit(const Path& path, const Mesh& mesh) {
     const auto axes = mesh.ambient_dimension();
     const auto dimension = mesh.dimension();
-    if (axes < 2 || axes > 3 || dimension < 1 || dimension > 3) {
+    if (axes < 2 || axes > 3 || dimension < 1 || dimension > 3)
         refuse_writing(path, fmt::format("MEDIT holds edges, triangles and tetrahedra in R^2 and "
                                          "R^3, not {}-simplices in R^{}; use .nsc",
                                          dimension, axes));
-    }
     NumberLines lines(path);
     lines.text(fmt::format("MeshVersionFormatted 2\nDimension {}\nVertices\n{}\n", axes,
                            mesh.points.rows()));
@@ -236,12 +229,11 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
     } else if (extension == ".off" || extension == ".obj" || extension == ".ply" ||
                extension == ".stl") {
         const bool has_lines = extension == ".obj" && mesh.dimension() == 1;
-        if ((mesh.dimension() != 2 && !has_lines) || mesh.ambient_dimension() > 3) {
+        if ((mesh.dimension() != 2 && !has_lines) || mesh.ambient_dimension() > 3)
             refuse_writing(
                 path,
                 fmt::format("{} holds triangles in R^2 and R^3, not {}-simplices in R^{}; use .nsc",
                             extension, mesh.dimension(), mesh.ambient_dimension()));
-        }
         const auto corners = static_cast<std::size_t>(mesh.simplices.size());
         const auto size = static_cast<std::size_t>(mesh.simplices.cols());
         write_surface(
@@ -258,18 +250,16 @@ void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh) {
     check_polygons(mesh);
     check_points(path, mesh.points);
     const auto extension = lower_extension(path);
-    if (extension != ".off" && extension != ".obj" && extension != ".ply") {
+    if (extension != ".off" && extension != ".obj" && extension != ".ply")
         refuse_writing(
             path, fmt::format(
                       "'{}' is not the extension of a format for polygons; use .off, .obj or .ply",
                       extension));
-    }
-    if (mesh.points.cols() > 3) {
+    if (mesh.points.cols() > 3)
         refuse_writing(
             path, fmt::format(
                       "{} holds polygons in R^2 and R^3, not in R^{}; write the triangles as .nsc",
                       extension, mesh.points.cols()));
-    }
     write_surface(path, extension,
                   {mesh.points, mesh.corners, mesh.offsets.size() - 1, &mesh.offsets});
 }

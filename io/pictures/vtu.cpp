@@ -71,13 +71,11 @@ public:
 
 private:
     void check_points() const {
-        if (grid_.points.cols() > 3) {
+        if (grid_.points.cols() > 3)
             refuse("VTU holds points of R^3, not of R^{}; project them first", grid_.points.cols());
-        }
         for (Eigen::Index point = 0; point < grid_.points.rows(); ++point) {
-            if (!grid_.points.row(point).allFinite()) {
+            if (!grid_.points.row(point).allFinite())
                 refuse("point {} has a coordinate that is NaN or infinite; correct it", point);
-            }
             if (!(grid_.points.row(point).array().abs() <= largest_).all())
                 refuse("point {} has a coordinate that Float32 cannot hold; write Float64", point);
         }
@@ -87,37 +85,33 @@ private:
         const auto cells = grid_.types.size();
         const bool same = grid_.offsets.size() == cells && grid_.face_offsets.size() == cells;
         const auto last = grid_.offsets.empty() ? 0 : grid_.offsets.back();
-        if (!same || last != static_cast<std::int64_t>(grid_.corners.size())) {
+        if (!same || last != static_cast<std::int64_t>(grid_.corners.size()))
             refuse("types, offsets and corners of the cells do not match; append cells with "
                    "add_cell and add_polyhedron");
-        }
     }
 
     void check_cell(std::size_t cell, std::int64_t begin, std::int64_t faces_begin) const {
         const auto end = grid_.offsets[cell];
         const auto all = static_cast<std::int64_t>(grid_.corners.size());
-        if (end < begin || end > all || !corners_fit(grid_.types[cell], end - begin)) {
+        if (end < begin || end > all || !corners_fit(grid_.types[cell], end - begin))
             refuse("cell {} of VTK's type {} has {} corners; give it the corners of its type", cell,
                    static_cast<int>(grid_.types[cell]), end - begin);
-        }
         for (auto i = begin; i < end; ++i)
             check_corner(cell, grid_.corners[static_cast<std::size_t>(i)]);
 
         const bool has_faces = grid_.face_offsets[cell] >= 0;
-        if (has_faces != (grid_.types[cell] == VtuCell::polyhedron)) {
+        if (has_faces != (grid_.types[cell] == VtuCell::polyhedron))
             refuse("cell {}: polyhedra have faces, other cells have none; append it with add_cell "
                    "or add_polyhedron",
                    cell);
-        }
         if (has_faces)
             check_faces(cell, faces_begin);
     }
 
     void check_corner(std::size_t cell, Index corner) const {
-        if (corner < 0 || corner >= grid_.points.rows()) {
+        if (corner < 0 || corner >= grid_.points.rows())
             refuse("cell {} has the point {}; expected 0 to {}", cell, corner,
                    grid_.points.rows() - 1);
-        }
     }
 
     void check_faces(std::size_t cell, std::int64_t begin) const {
@@ -133,11 +127,10 @@ private:
                 check_corner(cell, face_number(next + i));
             next += fits ? 1 + std::int64_t{corners} : 0;
         }
-        if (!fits || next != end) {
+        if (!fits || next != end)
             refuse("the faces of polyhedron {} do not fit together; append it with add_polyhedron, "
                    "with at least 3 corners a face",
                    cell);
-        }
     }
 
     template <typename... Args>
@@ -156,11 +149,10 @@ private:
         for (const auto& array : arrays) {
             const bool control = std::any_of(array.name.begin(), array.name.end(),
                                              [](char c) { return c >= 0 && c < ' '; });
-            if (array.name.empty() || control || !names.insert(array.name).second) {
+            if (array.name.empty() || control || !names.insert(array.name).second)
                 refuse("the name '{}' of an array of {} is empty, not printable or not unique; "
                        "choose another",
                        control ? "?" : array.name, plural);
-            }
             check_array(array, count, plural);
             check_numbers(array, count ? largest_ : std::numeric_limits<double>::max(), plural);
         }
@@ -171,13 +163,12 @@ private:
         const auto size = array.size();
         const auto components = static_cast<std::size_t>(array.components);
         if ((components != 1 && components != 3) ||
-            size != count.value_or(size / components) * components) {
+            size != count.value_or(size / components) * components)
             refuse("the array '{}' has {} values of {} components; expected {}", array.name, size,
                    array.components,
                    count ? fmt::format("one entry of 1 or 3 components for each of {} {}", *count,
                                        plural)
                          : "entries of 1 or 3 components");
-        }
     }
 
     void check_numbers(const VtuArray& array, double largest, const char* plural) const {

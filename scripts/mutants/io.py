@@ -32,7 +32,7 @@ MUTANTS = {
                                       "VtuReading.ClaimsOfGiantPiecesAreRefusedBeforeAnythingIsInflated"),
     "off_plane": ("io/meshes/read_off.cpp", "axes = count_axes(scanner, vertices);", "axes = 3;",
                   "OddFiles.PointsMayHaveTwoOrMoreCoordinates"),
-    "stl_rest_unsaid": ("io/meshes/read_stl.cpp", "if (file.text.size() > promised_bytes(file)) {", "if (false) {",
+    "stl_rest_unsaid": ("io/meshes/read_stl.cpp", "if (file.text.size() > promised_bytes(file))\n", "if (false)\n",
                         "OddFiles.BytesBehindTheTrianglesOfAnStlAreLeftOut"),
     "fortran_exponent": ("io/scanner.cpp", "= 'e';", "= 'E', text += '0';",
                          "OddFiles.FortranWritesExponentsBehindAD"),
