@@ -69,14 +69,9 @@ bool Scanner::at_line_end() {
 }
 
 void Scanner::next_line() {
-    while (position_ != end_ && !is_line_break(*position_)) {
-        if (continues_here()) {
-            ++position_;
+    while (position_ != end_ && !is_line_break(*position_))
+        if (continues_at(position_++))
             skip_line_break();
-        } else {
-            ++position_;
-        }
-    }
     skip_line_break();
 }
 
@@ -140,10 +135,6 @@ Index Scanner::count(std::string_view plural, std::size_t least_bytes) {
     return as_count(integer(fmt::format("the number of {}", plural)), plural, least_bytes);
 }
 
-Index Scanner::vertex(Index vertices, Index first) {
-    return as_vertex(integer("a vertex number"), vertices, first);
-}
-
 double Scanner::as_coordinate(double value, Index vertex) const {
     if (!std::isfinite(value))
         fail(fmt::format(
@@ -169,7 +160,8 @@ Index Scanner::as_count(std::int64_t value, std::string_view plural,
     return static_cast<Index>(value);
 }
 
-Index Scanner::as_vertex(std::int64_t value, Index vertices, Index first) const {
+Index Scanner::vertex(Index vertices, Index first) {
+    const auto value = integer("a vertex number");
     if (value < first || value - first >= vertices)
         fail(fmt::format("vertex number {} is out of range; expected {} to {}; correct the index "
                          "or add the vertex",
@@ -204,16 +196,13 @@ void Scanner::fail(const std::string& text) const {
 }
 
 /// A continuation mark counts only directly in front of a line break.
-bool Scanner::continues_here() const {
-    return syntax_.continuation != '\0' && *position_ == syntax_.continuation &&
-           end_ - position_ > 1 && is_line_break(position_[1]);
+bool Scanner::continues_at(const char* place) const {
+    return syntax_.continuation != '\0' && *place == syntax_.continuation && end_ - place > 1 &&
+           is_line_break(place[1]);
 }
 
 bool Scanner::ends_word(const char* place) const {
-    if (place == end_ || is_space(*place))
-        return true;
-    return syntax_.continuation != '\0' && *place == syntax_.continuation && end_ - place > 1 &&
-           is_line_break(place[1]);
+    return place == end_ || is_space(*place) || continues_at(place);
 }
 
 void Scanner::go_to_word(std::string_view expected) {
@@ -223,16 +212,10 @@ void Scanner::go_to_word(std::string_view expected) {
 }
 
 void Scanner::skip_blanks() {
-    while (position_ != end_ && !is_line_break(*position_)) {
-        if (is_space(*position_)) {
-            ++position_;
-        } else if (continues_here()) {
-            ++position_;
+    while (position_ != end_ && !is_line_break(*position_) &&
+           (is_space(*position_) || continues_at(position_)))
+        if (continues_at(position_++))
             skip_line_break();
-        } else {
-            return;
-        }
-    }
 }
 
 void Scanner::skip_line_break() {

@@ -58,7 +58,6 @@ public:
     /// The same checks for numbers that were already read.
     double as_coordinate(double value, Index vertex) const;
     Index as_count(std::int64_t value, std::string_view plural, std::size_t least_bytes) const;
-    Index as_vertex(std::int64_t value, Index vertices, Index first) const;
 
     /// The next bytes, unrestricted; LF among them counts as the end of a line.
     std::string_view bytes(std::size_t count, std::string_view expected);
@@ -90,7 +89,7 @@ public:
 private:
     bool is_line_break(char c) const { return c == '\n' || c == '\r'; }
     bool is_space(char c) const { return c == ' ' || (c >= '\t' && c <= '\r'); }
-    bool continues_here() const;
+    bool continues_at(const char* place) const;
     bool ends_word(const char* place) const;
     void go_to_word(std::string_view expected);
     double fortran_number(std::string_view expected);
