@@ -3,9 +3,12 @@
 
 #include "io/byte_order.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace polydec {
 
@@ -22,6 +25,17 @@ enum class NumberType {
     float32,
     float64
 };
+
+/// Their names in a format, in the same order; some have several, and some formats lack types.
+using TypeNames = std::array<std::array<std::string_view, 3>, 10>;
+
+/// The type with this name; none for other words.
+inline std::optional<NumberType> type_named(std::string_view name, const TypeNames& names) {
+    for (std::size_t type = 0; type < names.size() && !name.empty(); ++type)
+        if (std::find(names[type].begin(), names[type].end(), name) != names[type].end())
+            return static_cast<NumberType>(type);
+    return std::nullopt;
+}
 
 /// Bytes of one number.
 inline std::size_t size_of(NumberType type) {

@@ -6,51 +6,43 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace polydec {
 
 namespace {
 
-struct TypeName {
-    std::string_view name;
-    NumberType type;
-};
-
-constexpr std::array type_names{
-    TypeName{"char", NumberType::int8},      TypeName{"int8", NumberType::int8},
-    TypeName{"uchar", NumberType::uint8},    TypeName{"uint8", NumberType::uint8},
-    TypeName{"short", NumberType::int16},    TypeName{"int16", NumberType::int16},
-    TypeName{"ushort", NumberType::uint16},  TypeName{"uint16", NumberType::uint16},
-    TypeName{"int", NumberType::int32},      TypeName{"int32", NumberType::int32},
-    TypeName{"uint", NumberType::uint32},    TypeName{"uint32", NumberType::uint32},
-    TypeName{"float", NumberType::float32},  TypeName{"float32", NumberType::float32},
-    TypeName{"double", NumberType::float64}, TypeName{"float64", NumberType::float64},
-};
+constexpr TypeNames type_names{{{"char", "int8"},
+                                {"uchar", "uint8"},
+                                {"short", "int16"},
+                                {"ushort", "uint16"},
+                                {"int", "int32"},
+                                {"uint", "uint32"},
+                                {},
+                                {},
+                                {"float", "float32"},
+                                {"double", "float64"}}};
 
 NumberType read_type(Scanner& scanner) {
     scanner.stay_on_line("a type");
     const auto word = scanner.word("a type");
-    const auto found = std::find_if(type_names.begin(), type_names.end(),
-                                    [word](const TypeName& type) { return type.name == word; });
-    if (found == type_names.end())
+    const auto type = type_named(word, type_names);
+    if (!type)
         scanner.fail(fmt::format("{} is not a type of PLY; expected char, uchar, short, ushort, "
                                  "int, uint, float or double; correct the header",
                                  quote_word(word)));
-    return found->type;
+    return *type;
 }
 
-PlyEncoding read_encoding(Scanner& scanner) {
-    constexpr std::array<std::pair<std::string_view, PlyEncoding>, 3> encodings{{
-        {"ascii", PlyEncoding::ascii},
-        {"binary_little_endian", PlyEncoding::little_endian},
-        {"binary_big_endian", PlyEncoding::big_endian},
-    }};
+/// The order of bytes, or none for text.
+std::optional<std::endian> read_encoding(Scanner& scanner) {
     const auto word = scanner.word("the encoding");
-    for (const auto& [name, encoding] : encodings)
-        if (word == name)
-            return encoding;
+    if (word == "ascii")
+        return std::nullopt;
+    if (word == "binary_little_endian")
+        return std::endian::little;
+    if (word == "binary_big_endian")
+        return std::endian::big;
     scanner.fail(fmt::format("{} is not an encoding of PLY; expected ascii, binary_little_endian "
                              "or binary_big_endian; correct the header",
                              quote_word(word)));
@@ -78,12 +70,12 @@ PlyProperty read_property(Scanner& scanner) {
 
 /// A record without properties takes no bytes in a binary file: nothing bounds its count, and it
 /// can be passed over.
-void check_count(const Scanner& scanner, const PlyElement& element, PlyEncoding encoding,
+void check_count(const Scanner& scanner, const PlyElement& element, bool is_binary,
                  std::size_t line) {
     std::size_t bytes = 0;
     for (const auto& property : element.properties) {
         const auto type = property.is_list ? property.length_type : property.type;
-        bytes += encoding == PlyEncoding::ascii ? 2 : size_of(type);
+        bytes += is_binary ? size_of(type) : 2;
     }
     const auto count = static_cast<std::size_t>(element.count);
     if (bytes > 0 && count > (scanner.bytes_to_come() + 1) / bytes)
@@ -122,7 +114,7 @@ private:
         if (keyword == "end_header")
             return false;
         if (keyword == "format") {
-            header_.encoding = read_encoding(scanner_);
+            header_.order = read_encoding(scanner_);
             has_format_ = true;
         } else if (keyword == "element") {
             read_element();
@@ -170,7 +162,7 @@ private:
         header_.body_begin = file_.text.size() - scanner_.remaining() + (two ? 2 : 1);
         header_.body_line = scanner_.line() + 1;
         for (std::size_t i = 0; i < header_.elements.size(); ++i)
-            check_count(scanner_, header_.elements[i], header_.encoding, lines_[i]);
+            check_count(scanner_, header_.elements[i], header_.order.has_value(), lines_[i]);
     }
 
     /// The first line decides: after a lone CR a binary body may begin with the byte of LF. Where

@@ -5,13 +5,13 @@
 #include "io/number_type.h"
 #include "io/source_file.h"
 
+#include <bit>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace polydec {
-
-enum class PlyEncoding { ascii, little_endian, big_endian };
 
 /// A number, or a list of numbers preceded by its length.
 struct PlyProperty {
@@ -34,7 +34,7 @@ struct PlyElement {
 };
 
 struct PlyHeader {
-    PlyEncoding encoding = PlyEncoding::ascii;
+    std::optional<std::endian> order = {}; ///< of bytes; none in a text file
     std::vector<PlyElement> elements;
     std::size_t body_begin = 0; ///< first byte after the header
     std::size_t body_line = 1;  ///< its line

@@ -68,11 +68,10 @@ std::optional<MeshLayout> ply_layout(const PartialFile& file) {
     const SourceFile front{file.name, file.read(0, std::min(file.size, longest_header))};
     const auto header =
         read_ply_header(front, static_cast<std::size_t>(file.size) - front.text.size());
-    if (header.encoding == PlyEncoding::ascii)
+    if (!header.order)
         return std::nullopt;
     MeshLayout layout;
-    layout.order =
-        header.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little;
+    layout.order = *header.order;
     auto place = static_cast<std::int64_t>(header.body_begin);
     for (const auto& element : header.elements) {
         check_lists(file, element);

@@ -34,10 +34,7 @@ private:
 class BinarySource {
 public:
     BinarySource(const SourceFile& file, const PlyHeader& header)
-        : file_(file),
-          position_(header.body_begin),
-          order_(header.encoding == PlyEncoding::big_endian ? std::endian::big
-                                                            : std::endian::little) {}
+        : file_(file), position_(header.body_begin), order_(*header.order) {}
 
     double value(NumberType type) {
         const auto size = size_of(type);
@@ -191,9 +188,8 @@ private:
 
 Mesh read_ply(const SourceFile& file) {
     const auto header = read_ply_header(file);
-    if (header.encoding == PlyEncoding::ascii)
-        return BodyReader<TextSource>(file, header).read();
-    return BodyReader<BinarySource>(file, header).read();
+    return header.order ? BodyReader<BinarySource>(file, header).read()
+                        : BodyReader<TextSource>(file, header).read();
 }
 
 } // namespace polydec

@@ -5,41 +5,22 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <utility>
 
 namespace polydec {
 
 namespace {
 
-using NamedType = std::pair<std::string_view, NumberType>;
-
 /// A vtkIdType is written with 32 bits, whatever it has in memory.
-constexpr std::array named_types{NamedType{"char", NumberType::int8},
-                                 NamedType{"signed_char", NumberType::int8},
-                                 NamedType{"vtktypeint8", NumberType::int8},
-                                 NamedType{"unsigned_char", NumberType::uint8},
-                                 NamedType{"vtktypeuint8", NumberType::uint8},
-                                 NamedType{"short", NumberType::int16},
-                                 NamedType{"vtktypeint16", NumberType::int16},
-                                 NamedType{"unsigned_short", NumberType::uint16},
-                                 NamedType{"vtktypeuint16", NumberType::uint16},
-                                 NamedType{"int", NumberType::int32},
-                                 NamedType{"vtktypeint32", NumberType::int32},
-                                 NamedType{"unsigned_int", NumberType::uint32},
-                                 NamedType{"vtktypeuint32", NumberType::uint32},
-                                 NamedType{"long", NumberType::int64},
-                                 NamedType{"long_long", NumberType::int64},
-                                 NamedType{"unsigned_long", NumberType::uint64},
-                                 NamedType{"unsigned_long_long", NumberType::uint64},
-                                 NamedType{"vtktypeint64", NumberType::int64},
-                                 NamedType{"vtktypeuint64", NumberType::uint64},
-                                 NamedType{"vtkidtype", NumberType::int32},
-                                 NamedType{"float", NumberType::float32},
-                                 NamedType{"vtktypefloat32", NumberType::float32},
-                                 NamedType{"double", NumberType::float64},
-                                 NamedType{"vtktypefloat64", NumberType::float64}};
+constexpr TypeNames type_names{{{"char", "signed_char", "vtktypeint8"},
+                                {"unsigned_char", "vtktypeuint8"},
+                                {"short", "vtktypeint16"},
+                                {"unsigned_short", "vtktypeuint16"},
+                                {"int", "vtktypeint32", "vtkidtype"},
+                                {"unsigned_int", "vtktypeuint32"},
+                                {"long", "long_long", "vtktypeint64"},
+                                {"unsigned_long", "unsigned_long_long", "vtktypeuint64"},
+                                {"float", "vtktypefloat32"},
+                                {"double", "vtktypefloat64"}}};
 
 } // namespace
 
@@ -75,10 +56,7 @@ std::size_t VtkSource::size(const char* plural) {
 }
 
 std::optional<NumberType> VtkSource::type_of(std::string_view word) {
-    const auto name = lower_case(word);
-    const auto found = std::find_if(named_types.begin(), named_types.end(),
-                                    [&name](const NamedType& one) { return name == one.first; });
-    return found == named_types.end() ? std::nullopt : std::optional(found->second);
+    return type_named(lower_case(word), type_names);
 }
 
 NumberType VtkSource::read_type() {

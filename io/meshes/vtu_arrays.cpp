@@ -19,25 +19,24 @@ namespace polydec {
 
 namespace {
 
-NumberType type_of(const std::string& name, const Scanner& place) {
-    constexpr std::array<std::pair<std::string_view, NumberType>, 10> names{
-        {{"Int8", NumberType::int8},
-         {"UInt8", NumberType::uint8},
-         {"Int16", NumberType::int16},
-         {"UInt16", NumberType::uint16},
-         {"Int32", NumberType::int32},
-         {"UInt32", NumberType::uint32},
-         {"Int64", NumberType::int64},
-         {"UInt64", NumberType::uint64},
-         {"Float32", NumberType::float32},
-         {"Float64", NumberType::float64}}};
-    const auto found = std::find_if(names.begin(), names.end(),
-                                    [&name](const auto& one) { return one.first == name; });
-    if (found == names.end())
+NumberType type_of(const VtuText& array, const Scanner& place) {
+    constexpr TypeNames names{{{"Int8"},
+                               {"UInt8"},
+                               {"Int16"},
+                               {"UInt16"},
+                               {"Int32"},
+                               {"UInt32"},
+                               {"Int64"},
+                               {"UInt64"},
+                               {"Float32"},
+                               {"Float64"}}};
+    const auto name = array.tag.attribute("type");
+    const auto type = type_named(name, names);
+    if (!type)
         place.fail(fmt::format("an array of the type {}; expected Float64, Int32 or another type "
                                "of numbers; export it again",
                                quote_word(name)));
-    return found->second;
+    return *type;
 }
 
 /// The bytes of an array, one piece after the other.
@@ -175,7 +174,7 @@ void check_promise(const VtuText& array, const ArrayDecoder& decoder, std::size_
 
 /// The bytes of an array that is not text.
 ArrayDecoder decoder_of(const VtuText& array, const VtuEncoding& encoding, const Scanner& place) {
-    const auto format = array.tag.attribute("format", "ascii");
+    const auto format = array.format();
     const bool is_appended = format == "appended";
     if (!is_appended && format != "binary")
         place.fail(fmt::format("an array in the format {}; expected ascii, binary or appended; "
@@ -214,18 +213,17 @@ VtuEncoding vtu_encoding(const XmlTag& tag, const XmlReader& reader) {
 
 std::optional<VtuPlace> vtu_place(const VtuText& array, std::size_t appended_bytes,
                                   const SourceFile& file) {
-    if (array.tag.attribute("format", "ascii") != "appended")
+    if (array.format() != "appended")
         return std::nullopt;
     const Scanner place = place_of(array, file);
-    return VtuPlace{type_of(array.tag.attribute("type"), place),
-                    offset_of(array, appended_bytes, place)};
+    return VtuPlace{type_of(array, place), offset_of(array, appended_bytes, place)};
 }
 
 double check_vtu_array(const VtuText& array, const VtuEncoding& encoding, const SourceFile& file) {
-    if (!encoding.is_compressed || array.tag.attribute("format", "ascii") == "ascii")
+    if (!encoding.is_compressed || array.format() == "ascii")
         return 0;
     const Scanner place = place_of(array, file);
-    const auto each = size_of(type_of(array.tag.attribute("type"), place));
+    const auto each = size_of(type_of(array, place));
     const ArrayDecoder decoder = decoder_of(array, encoding, place);
     check_promise(array, decoder, each, place);
     return decoder.promised() *
@@ -235,8 +233,8 @@ double check_vtu_array(const VtuText& array, const VtuEncoding& encoding, const 
 std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding,
                                const SourceFile& file) {
     const Scanner place = place_of(array, file);
-    const auto type = type_of(array.tag.attribute("type"), place);
-    if (array.tag.attribute("format", "ascii") == "ascii")
+    const auto type = type_of(array, place);
+    if (array.format() == "ascii")
         return values_from_text(place);
     check_memory(check_vtu_array(array, encoding, file),
                  fmt::format("{}: the array {}", file.name, quote_word(array.name())));

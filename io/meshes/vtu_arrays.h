@@ -31,6 +31,7 @@ struct VtuText {
     std::optional<double> numbers = {}; ///< count stated by its piece; lists have any
 
     std::string name() const { return tag.attribute("Name"); }
+    std::string format() const { return tag.attribute("format", "ascii"); }
 };
 
 /// Reads the encoding of the tag VTKFile. Throws InvalidInput if it cannot be read.
