@@ -28,6 +28,28 @@ constexpr std::array kinds{
     Kind{119, 3, 5, 55},
 };
 
+GmshSection read_counts(GmshSource& source, std::string_view plural, std::string_view one,
+                        const GmshSource::Record& record) {
+    if (source.format().major_version < 4)
+        return {0, source.count_on_line(plural, record)};
+    const auto blocks = source.size("the number of blocks");
+    const Index records = source.count(plural, record);
+    if (!source.format().is_4_0()) {
+        source.size(fmt::format("the least number of {}", one));
+        source.size(fmt::format("the largest number of {}", one));
+    }
+    return {blocks, records};
+}
+
+std::pair<std::size_t, std::int64_t> read_entity(GmshSource& source) {
+    const bool number_first = source.format().is_4_0();
+    std::int64_t number = number_first ? source.integer("the number of an entity") : 0;
+    const auto dimension = source.dimension();
+    if (!number_first)
+        number = source.integer("the number of an entity");
+    return {dimension, number};
+}
+
 } // namespace
 
 const GmshKind& gmsh_kind(std::int64_t type, const GmshSource& source) {
@@ -49,24 +71,20 @@ bool is_gmsh_keyword(std::string_view word) {
            std::all_of(word.begin() + 1, word.end(), is_letter);
 }
 
+std::size_t end_of_gmsh_section(std::string_view text, std::string_view mark) {
+    auto end = text.find(mark);
+    while (end != std::string_view::npos &&
+           (end == 0 || (text[end - 1] != '\n' && text[end - 1] != '\r')))
+        end = text.find(mark, end + 1);
+    return end;
+}
+
 GmshSection read_gmsh_nodes(GmshSource& source) {
-    const auto blocks = source.size("the number of blocks");
-    const Index nodes = source.count("nodes", {.integers = 1, .reals = 3});
-    if (!source.format().is_4_0()) {
-        source.size("the least number of a node");
-        source.size("the largest number of a node");
-    }
-    return {blocks, nodes};
+    return read_counts(source, "nodes", "a node", {.integers = 1, .reals = 3});
 }
 
 GmshSection read_gmsh_elements(GmshSource& source) {
-    const auto blocks = source.size("the number of blocks");
-    const Index elements = source.count("elements", {.integers = 2});
-    if (!source.format().is_4_0()) {
-        source.size("the least number of an element");
-        source.size("the largest number of an element");
-    }
-    return {blocks, elements};
+    return read_counts(source, "elements", "an element", {.integers = 2});
 }
 
 void check_all_there(const GmshSource& source, const GmshSection& section, Index records,
@@ -76,19 +94,6 @@ void check_all_there(const GmshSource& source, const GmshSection& section, Index
                                 "equal numbers; export it again",
                                 section.records, plural, records));
 }
-
-namespace {
-
-std::pair<std::size_t, std::int64_t> read_entity(GmshSource& source) {
-    const bool number_first = source.format().is_4_0();
-    std::int64_t number = number_first ? source.integer("the number of an entity") : 0;
-    const auto dimension = source.dimension();
-    if (!number_first)
-        number = source.integer("the number of an entity");
-    return {dimension, number};
-}
-
-} // namespace
 
 GmshNodeBlock read_gmsh_node_block(GmshSource& source, Index before, Index promised) {
     const auto [dimension, entity] = read_entity(source);
@@ -111,14 +116,6 @@ GmshElementBlock read_gmsh_element_block(GmshSource& source, Index left) {
                                 "announced total; export it again",
                                 count, left));
     return {kind, dimension, entity, count};
-}
-
-Index read_old_gmsh_node_count(GmshSource& source) {
-    return source.count_on_line("nodes", {.integers = 1, .reals = 3});
-}
-
-Index read_old_gmsh_element_count(GmshSource& source) {
-    return source.count_on_line("elements", {.integers = 2});
 }
 
 OldGmshElementBlock read_old_gmsh_element_block(GmshSource& source, Index left) {

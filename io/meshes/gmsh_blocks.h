@@ -22,7 +22,11 @@ const GmshKind& gmsh_kind(std::int64_t type, const GmshSource& source);
 /// Whether a word begins or ends a section: a dollar sign and a name.
 bool is_gmsh_keyword(std::string_view word);
 
-/// The counts at the start of the sections Nodes and Elements, in version 4.
+/// Where a mark such as $EndNodes stands at the beginning of a line; npos if nowhere. A section
+/// that is skipped may hold bytes.
+std::size_t end_of_gmsh_section(std::string_view text, std::string_view mark);
+
+/// The counts at the start of the sections Nodes and Elements; before version 4 without blocks.
 struct GmshSection {
     std::int64_t blocks = 0;
     Index records = 0;
@@ -49,11 +53,7 @@ struct GmshElementBlock {
 };
 GmshElementBlock read_gmsh_element_block(GmshSource& source, Index left);
 
-/// The same for versions 1 and 2. In text files each element is its own block; nodes have no
-/// blocks.
-Index read_old_gmsh_node_count(GmshSource& source);
-Index read_old_gmsh_element_count(GmshSource& source);
-
+/// The same for versions 1 and 2. In text files each element is its own block.
 struct OldGmshElementBlock {
     GmshKind kind;
     Index count = 1;

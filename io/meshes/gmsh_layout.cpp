@@ -133,7 +133,6 @@ private:
         });
     }
 
-    /// What a skipped section holds may be bytes; its end is looked for at the beginning of a line.
     void skip_section(const std::string& name) {
         if (name == "NOD" || name == "ELM" || name == "ParametricNodes" || name == "MeshFormat" ||
             name == "Nodes" || name == "Elements")
@@ -142,10 +141,7 @@ private:
         constexpr std::int64_t bytes = 4 << 20;
         while (true) {
             const std::string text = file_.read(place_, std::min(file_.size, place_ + bytes));
-            std::size_t found = text.find(mark);
-            while (found != std::string::npos &&
-                   (found == 0 || (text[found - 1] != '\n' && text[found - 1] != '\r')))
-                found = text.find(mark, found + 1);
+            const std::size_t found = end_of_gmsh_section(text, mark);
             if (found != std::string::npos) {
                 place_ += static_cast<std::int64_t>(found);
                 return;
@@ -170,7 +166,7 @@ private:
     void read_old_nodes() {
         layout_.points = table_of(NumberType::float64, 3);
         layout_.nodes = table_of(NumberType::int32, 1);
-        const Index count = read_numbers(read_old_gmsh_node_count);
+        const Index count = read_numbers(read_gmsh_nodes).records;
         constexpr std::int64_t stride = integer_bytes + 3 * real_bytes;
         add_nodes({count, place_, stride}, {count, place_ + integer_bytes, stride});
         hop(count * stride);
@@ -242,7 +238,7 @@ private:
     }
 
     void read_old_elements() {
-        const Index elements = read_numbers(read_old_gmsh_element_count);
+        const Index elements = read_numbers(read_gmsh_elements).records;
         for (Index before = 0; before < elements;) {
             const std::int64_t front = place_;
             const auto block = read_numbers([&](GmshSource& source) {

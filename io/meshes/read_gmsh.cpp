@@ -85,16 +85,11 @@ private:
                                       quote_word(word), expected));
     }
 
-    /// What a skipped section holds may be bytes; its end is looked for at the beginning of a line.
     void skip_section(const Scanner& place, std::string_view name) {
         if (name == "ParametricNodes")
             place.fail("the section $ParametricNodes of an old version; expected $Nodes; export it "
                        "again with -format msh41");
-        const auto rest = scanner_.rest();
-        const auto mark = fmt::format("$End{}", name);
-        auto end = rest.find(mark);
-        while (end != std::string_view::npos && rest[end - 1] != '\n' && rest[end - 1] != '\r')
-            end = rest.find(mark, end + 1);
+        const auto end = end_of_gmsh_section(scanner_.rest(), fmt::format("$End{}", name));
         if (end == std::string_view::npos)
             place.fail(fmt::format("the section ${0} has no end; expected $End{0}; export it "
                                    "again, it seems cut off",
@@ -123,7 +118,7 @@ private:
 
     void read_old_nodes() {
         GmshSource source(scanner_, format_);
-        points_.resize(read_old_gmsh_node_count(source), 3);
+        points_.resize(read_gmsh_nodes(source).records, 3);
         for (Index vertex = 0; vertex < points_.rows(); ++vertex) {
             nodes_.add(source.integer("the number of a node"), vertex);
             read_point(source, vertex);
@@ -202,7 +197,7 @@ private:
     void read_old_elements() {
         GmshSource source(scanner_, format_);
         const bool is_binary = format_.order.has_value();
-        const Index elements = read_old_gmsh_element_count(source);
+        const Index elements = read_gmsh_elements(source).records;
         for (Index element = 0; element < elements;) {
             if (!is_binary)
                 source.integer("the number of an element");
