@@ -28,6 +28,17 @@ constexpr std::array kinds{
     Kind{119, 3, 5, 55},
 };
 
+/// Refuses other types of cells: leaving them out would silently leave a hole.
+const Kind& kind_of(std::int64_t type, const GmshSource& source) {
+    for (const auto& kind : kinds)
+        if (kind.type == type)
+            return kind;
+    source.fail(fmt::format("the mesh has cells of Gmsh's type {}; expected lines, triangles, "
+                            "quadrangles, tetrahedra, hexahedra, prisms or pyramids, of order 4 at "
+                            "most; set Mesh.ElementOrder = 1 and mesh again",
+                            type));
+}
+
 GmshSection read_counts(GmshSource& source, std::string_view plural, std::string_view one,
                         const GmshSource::Record& record) {
     if (source.format().major_version < 4)
@@ -51,16 +62,6 @@ std::pair<std::size_t, std::int64_t> read_entity(GmshSource& source) {
 }
 
 } // namespace
-
-const GmshKind& gmsh_kind(std::int64_t type, const GmshSource& source) {
-    for (const auto& kind : kinds)
-        if (kind.type == type)
-            return kind;
-    source.fail(fmt::format("the mesh has cells of Gmsh's type {}; expected lines, triangles, "
-                            "quadrangles, tetrahedra, hexahedra, prisms or pyramids, of order 4 at "
-                            "most; set Mesh.ElementOrder = 1 and mesh again",
-                            type));
-}
 
 bool is_gmsh_keyword(std::string_view word) {
     constexpr std::size_t longest = 60;
@@ -108,7 +109,7 @@ GmshNodeBlock read_gmsh_node_block(GmshSource& source, Index before, Index promi
 
 GmshElementBlock read_gmsh_element_block(GmshSource& source, Index left) {
     const auto [dimension, entity] = read_entity(source);
-    const auto& kind = gmsh_kind(source.integer("the type of elements"), source);
+    const Kind& kind = kind_of(source.integer("the type of elements"), source);
     const auto nodes = static_cast<std::size_t>(kind.nodes);
     const Index count = source.count("elements of a block", {.integers = 1 + nodes});
     if (count > left)
@@ -119,7 +120,7 @@ GmshElementBlock read_gmsh_element_block(GmshSource& source, Index left) {
 }
 
 OldGmshElementBlock read_old_gmsh_element_block(GmshSource& source, Index left) {
-    const auto& kind = gmsh_kind(source.integer("the type of an element"), source);
+    const Kind& kind = kind_of(source.integer("the type of an element"), source);
     if (source.format().major_version == 1)
         return {kind, 1, 2}; // and behind the tags the number of nodes
     const auto count =

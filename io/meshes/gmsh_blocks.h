@@ -16,9 +16,6 @@ struct GmshKind {
     int nodes = 0; ///< the corners, then for higher-order cells the other nodes
 };
 
-/// Throws InvalidInput for other cell types: omitting them would silently leave a hole.
-const GmshKind& gmsh_kind(std::int64_t type, const GmshSource& source);
-
 /// Whether a word begins or ends a section: a dollar sign and a name.
 bool is_gmsh_keyword(std::string_view word);
 

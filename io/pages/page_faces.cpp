@@ -5,7 +5,7 @@
 #include "meshes/polygons.h"
 
 #include <algorithm>
-#include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -30,58 +30,75 @@ struct Ring {
     }
 };
 
+/// VTK's numbers of types ascend with the dimension.
+int cell_dimension(VtuCell type) {
+    return type <= VtuCell::vertex ? 0 : type <= VtuCell::line ? 1 : type <= VtuCell::quad ? 2 : 3;
+}
+
+std::span<const Index> corners_of(const VtuGrid& grid, Index cell) {
+    const std::int64_t begin = cell > 0 ? grid.offsets[cell - 1] : 0;
+    return std::span(grid.corners).subspan(begin, grid.offsets[cell] - begin);
+}
+
 /// The faces of all 3-cells of a grid, as often as they are met.
 std::vector<Ring> rings_of_solids(const VtuGrid& grid) {
     std::vector<Ring> rings;
-    std::int64_t begin = 0;
     std::size_t faces_begin = 0;
-    for (std::size_t cell = 0; cell < grid.types.size(); ++cell) {
-        const auto owner = static_cast<Index>(cell);
-        const auto* corners = grid.corners.data() + begin;
+    for (Index cell = 0; cell < std::ssize(grid.types); ++cell) {
+        const auto corners = corners_of(grid, cell);
         if (grid.types[cell] == VtuCell::tetra)
             for (const auto& [a, b, c] : tetra_faces)
-                rings.push_back({{corners[a], corners[b], corners[c]}, owner});
+                rings.push_back({{corners[a], corners[b], corners[c]}, cell});
         if (grid.types[cell] == VtuCell::hexahedron)
             for (const auto& [a, b, c, d] : hexahedron_faces)
-                rings.push_back({{corners[a], corners[b], corners[c], corners[d]}, owner});
+                rings.push_back({{corners[a], corners[b], corners[c], corners[d]}, cell});
         if (grid.types[cell] == VtuCell::polyhedron) {
             const Index* next = grid.faces.data() + faces_begin;
             for (Index left = *next++; left > 0; --left) {
                 const Index size = *next++;
-                rings.push_back({{next, next + size}, owner});
+                rings.push_back({{next, next + size}, cell});
                 next += size;
             }
         }
         if (grid.face_offsets[cell] >= 0)
             faces_begin = static_cast<std::size_t>(grid.face_offsets[cell]);
-        begin = grid.offsets[cell];
     }
     return rings;
 }
 
-void add_ring(PageRings& rings, const Index* begin, const Index* end, Index owner, Index other) {
-    rings.corners.insert(rings.corners.end(), begin, end);
-    rings.offsets.push_back(static_cast<Index>(rings.corners.size()));
-    rings.owners.push_back({owner, other});
-}
+/// Polygons without points, which have their own numbers as tags, with the cells at each.
+struct Surface {
+    PolygonMesh polygons;
+    std::vector<std::array<Index, 2>> owners;
 
-/// Faces that two solids share are one.
-PageRings shared_rings(std::vector<Ring> all) {
+    void add(std::span<const Index> corners, Index owner, Index other) {
+        polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
+        polygons.offsets.push_back(static_cast<Index>(polygons.corners.size()));
+        polygons.tags.push_back(static_cast<Index>(owners.size()));
+        owners.push_back({owner, other});
+    }
+};
+
+/// The polygons of a grid, or the faces of its solids; those that two of them share are one.
+Surface surface_of(const VtuGrid& grid) {
+    Surface surface;
+    if (grid_dimension(grid) == 2)
+        for (Index cell = 0; cell < std::ssize(grid.types); ++cell)
+            if (cell_dimension(grid.types[cell]) == 2)
+                surface.add(corners_of(grid, cell), cell, -1);
+    auto all = rings_of_solids(grid);
     std::stable_sort(all.begin(), all.end(),
                      [](const Ring& a, const Ring& b) { return a.sorted < b.sorted; });
-    PageRings rings;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const bool shared = i + 1 < all.size() && all[i].sorted == all[i + 1].sorted;
-        const auto& [sorted, corners, cell] = all[i];
-        add_ring(rings, corners.data(), corners.data() + corners.size(), cell,
-                 shared ? all[i + 1].cell : -1);
+        surface.add(all[i].corners, all[i].cell, shared ? all[i + 1].cell : -1);
         i += shared ? 1 : 0;
     }
-    return rings;
+    return surface;
 }
 
 /// Which sides of the triangles are true edges: those of the ring that they are split from.
-void mark_sides(PageFaces& faces, const PageRings& rings, const std::vector<Index>& ring_of) {
+void mark_sides(PageFaces& faces, const PolygonMesh& rings, const std::vector<Index>& ring_of) {
     std::vector<Ends> sides;
     Index known = -1;
     for (Index t = 0; t < faces.size(); ++t) {
@@ -128,11 +145,11 @@ void mark_removed(PageFaces& faces, const std::vector<Index>& groups) {
 }
 
 void add_lines(PageFaces& faces, const VtuGrid& grid) {
-    std::int64_t begin = 0;
-    for (std::size_t cell = 0; cell < grid.types.size(); begin = grid.offsets[cell++])
+    for (Index cell = 0; cell < std::ssize(grid.types); ++cell)
         if (grid.types[cell] == VtuCell::line) {
-            faces.lines.insert(faces.lines.end(), {grid.corners[begin], grid.corners[begin + 1]});
-            faces.owners.push_back({static_cast<Index>(cell), -1});
+            const auto ends = corners_of(grid, cell);
+            faces.lines.insert(faces.lines.end(), ends.begin(), ends.end());
+            faces.owners.push_back({cell, -1});
         }
 }
 
@@ -198,41 +215,10 @@ Index PageFaces::entry(std::string_view place, Index corner) const {
                              : edges[corner];
 }
 
-int cell_dimension(VtuCell type) {
-    switch (type) {
-    case VtuCell::vertex:
-        return 0;
-    case VtuCell::line:
-        return 1;
-    case VtuCell::triangle:
-    case VtuCell::polygon:
-    case VtuCell::quad:
-        return 2;
-    case VtuCell::tetra:
-    case VtuCell::hexahedron:
-    case VtuCell::polyhedron:
-        return 3;
-    }
-    return 0;
-}
-
 int grid_dimension(const VtuGrid& grid) {
-    int dimension = 0;
-    for (const VtuCell type : grid.types)
-        dimension = std::max(dimension, cell_dimension(type));
-    return dimension;
-}
-
-PageRings page_rings(const VtuGrid& grid) {
-    if (grid_dimension(grid) > 2)
-        return shared_rings(rings_of_solids(grid));
-    PageRings rings;
-    std::int64_t begin = 0;
-    for (std::size_t cell = 0; cell < grid.types.size(); begin = grid.offsets[cell++])
-        if (cell_dimension(grid.types[cell]) == 2)
-            add_ring(rings, grid.corners.data() + begin, grid.corners.data() + grid.offsets[cell],
-                     static_cast<Index>(cell), -1);
-    return rings;
+    return grid.types.empty()
+               ? 0
+               : cell_dimension(*std::max_element(grid.types.begin(), grid.types.end()));
 }
 
 PageFaces page_faces(const VtuGrid& grid, const std::vector<Index>& groups) {
@@ -242,16 +228,13 @@ PageFaces page_faces(const VtuGrid& grid, const std::vector<Index>& groups) {
         add_lines(faces, grid);
         return faces;
     }
-    const PageRings rings = page_rings(grid);
-    std::vector<Index> numbers(rings.owners.size());
-    for (std::size_t ring = 0; ring < numbers.size(); ++ring)
-        numbers[ring] = static_cast<Index>(ring);
+    const auto [polygons, owners] = surface_of(grid);
     const Mesh split =
-        split_polygons({grid.points, rings.corners, rings.offsets, std::move(numbers)});
+        split_polygons({grid.points, polygons.corners, polygons.offsets, polygons.tags});
     faces.corners.assign(split.simplices.data(), split.simplices.data() + split.simplices.size());
     for (const Index ring : split.tags)
-        faces.owners.push_back(rings.owners[ring]);
-    mark_sides(faces, rings, split.tags);
+        faces.owners.push_back(owners[ring]);
+    mark_sides(faces, polygons, split.tags);
     if (!groups.empty())
         mark_removed(faces, groups);
     return faces;

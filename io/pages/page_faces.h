@@ -49,17 +49,7 @@ PageFaces page_faces(const VtuGrid& grid, const std::vector<Index>& groups = {})
 /// to 3.
 PageFaces page_faces(const Merging& merging);
 
-/// The dimension of a cell type, and the largest in a grid.
-int cell_dimension(VtuCell type);
+/// The largest dimension of the cells in a grid.
 int grid_dimension(const VtuGrid& grid);
-
-/// The surface of cells as polygons with their owner cells: the polygons themselves, or the faces
-/// of exactly one polyhedron. Corners as in the grid.
-struct PageRings {
-    std::vector<Index> corners;
-    std::vector<Index> offsets{0};
-    std::vector<std::array<Index, 2>> owners;
-};
-PageRings page_rings(const VtuGrid& grid);
 
 } // namespace polydec
