@@ -17,14 +17,22 @@ namespace polydec {
 namespace {
 
 /// Differences from the row before, modulo 2^32; small ones of either sign are small numbers.
-std::vector<std::uint32_t> differences(std::vector<std::uint32_t> numbers, int width) {
-    for (std::size_t i = numbers.size(); i-- > static_cast<std::size_t>(width);) {
-        const std::uint32_t d = numbers[i] - numbers[i - static_cast<std::size_t>(width)];
+std::vector<std::uint32_t> differences(std::vector<std::uint32_t> numbers, std::size_t width) {
+    for (std::size_t i = numbers.size(); i-- > 0;) {
+        const std::uint32_t d = numbers[i] - (i < width ? 0 : numbers[i - width]);
         numbers[i] = d << 1 ^ (d >> 31 ? 0xFFFFFFFFU : 0U);
     }
-    for (std::size_t i = 0; i < std::min(numbers.size(), static_cast<std::size_t>(width)); ++i)
-        numbers[i] = numbers[i] << 1 ^ (numbers[i] >> 31 ? 0xFFFFFFFFU : 0U);
     return numbers;
+}
+
+/// Each number of the rows as a word.
+template <class Code>
+std::vector<std::uint32_t> words_of(const Eigen::Ref<const DenseMatrix>& rows, Code code) {
+    std::vector<std::uint32_t> words;
+    words.reserve(static_cast<std::size_t>(rows.size()));
+    for (const double number : rows.reshaped<Eigen::RowMajor>())
+        words.push_back(code(number));
+    return words;
 }
 
 } // namespace
@@ -48,12 +56,9 @@ void PageData::add(std::string_view name, std::span<const Index> numbers, int wi
 void PageData::add_floats(std::string_view name, const Eigen::Ref<const DenseMatrix>& rows) {
     const double largest = rows.size() > 0 ? rows.cwiseAbs().maxCoeff() : 0;
     const int exponent = largest > 0 ? std::ilogb(largest) : 0;
-    std::vector<std::uint32_t> words;
-    words.reserve(static_cast<std::size_t>(rows.size()));
-    for (Eigen::Index i = 0; i < rows.rows(); ++i)
-        for (Eigen::Index j = 0; j < rows.cols(); ++j)
-            words.push_back(std::bit_cast<std::uint32_t>(
-                static_cast<float>(std::ldexp(rows(i, j), -exponent))));
+    const auto words = words_of(rows, [&](double number) {
+        return std::bit_cast<std::uint32_t>(static_cast<float>(std::ldexp(number, -exponent)));
+    });
     // a power of two below the least number is told by its exponent
     add(name, words, static_cast<int>(rows.cols()),
         fmt::format(",\"kind\":\"float\",\"exponent\":{}", exponent));
@@ -65,15 +70,12 @@ void PageData::add_rounded(std::string_view name, const Eigen::Ref<const DenseMa
     const double high = rows.size() > 0 ? rows.maxCoeff() : 0;
     const double most = std::ldexp(1.0, bits) - 1;
     const double step = high / most - low / most; // no difference that would be no number
-    std::vector<std::uint32_t> words;
-    words.reserve(static_cast<std::size_t>(rows.size()));
-    for (Eigen::Index i = 0; i < rows.rows(); ++i)
-        for (Eigen::Index j = 0; j < rows.cols(); ++j)
-            words.push_back(step > 0 ? static_cast<std::uint32_t>(std::min(
-                                           most, std::round(rows(i, j) / step - low / step)))
-                                     : 0);
-    add(name, differences(std::move(words), static_cast<int>(rows.cols())),
-        static_cast<int>(rows.cols()),
+    const auto words = words_of(rows, [&](double number) {
+        const double steps = step > 0 ? std::round(number / step - low / step) : 0;
+        return static_cast<std::uint32_t>(std::min(most, steps));
+    });
+    const int width = static_cast<int>(rows.cols());
+    add(name, differences(words, width), width,
         fmt::format(",\"kind\":\"rounded\",\"low\":{},\"step\":{}", json_number(low),
                     json_number(step)));
 }

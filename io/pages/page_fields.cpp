@@ -83,6 +83,31 @@ std::size_t opening_step(const Page& page, const ShownField& shown) {
     return best;
 }
 
+/// The vectors of arrows at every step, one row for each of so many cells that are drawn. Empty
+/// unless the field has values on edges or faces, and each cell has a vector.
+std::vector<Points> vectors_of_cells(const Page& page, const std::vector<PageField>& fields,
+                                     const PageArrows& arrows, std::ptrdiff_t cells) {
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const PageField& field) {
+        return field.array->name == arrows.field;
+    });
+    if (found == fields.end() || found->place == "vertex" || found->place == "cell" ||
+        arrows.vectors.rows() == 0 || arrows.vectors.rows() != cells ||
+        (!page.steps.empty() && !has_moving_arrows(page)) ||
+        (page.mesh && !page.mesh->passage().is_identity())) // cells between flipped edges
+        return {};
+    std::vector<Points> vectors;
+    if (page.steps.empty())
+        vectors.push_back(arrows.vectors);
+    const auto number = static_cast<std::size_t>(&arrows - page.arrows.data());
+    for (const PageStep& step : page.steps)
+        vectors.push_back(step.vectors[number]);
+    if (page.mesh)
+        for (Points& each : vectors)
+            each = Points(
+                each(cells_of_places(*page.mesh, page.mesh->dimension()), Eigen::indexing::all));
+    return vectors;
+}
+
 } // namespace
 
 DenseMatrix rows_of(const VtuArray& array) {
@@ -161,29 +186,6 @@ std::vector<PageField> page_fields(const Page& page, int dimension, const CellCo
 
 bool has_moving_arrows(const Page& page) {
     return !page.steps.empty() && !page.steps.front().vectors.empty();
-}
-
-std::vector<Points> vectors_of_cells(const Page& page, const std::vector<PageField>& fields,
-                                     const PageArrows& arrows, std::ptrdiff_t cells) {
-    const auto found = std::find_if(fields.begin(), fields.end(), [&](const PageField& field) {
-        return field.array->name == arrows.field;
-    });
-    if (found == fields.end() || found->place == "vertex" || found->place == "cell" ||
-        arrows.vectors.rows() == 0 || arrows.vectors.rows() != cells ||
-        (!page.steps.empty() && !has_moving_arrows(page)) ||
-        (page.mesh && !page.mesh->passage().is_identity())) // cells between flipped edges
-        return {};
-    std::vector<Points> vectors;
-    if (page.steps.empty())
-        vectors.push_back(arrows.vectors);
-    const auto number = static_cast<std::size_t>(&arrows - page.arrows.data());
-    for (const PageStep& step : page.steps)
-        vectors.push_back(step.vectors[number]);
-    if (page.mesh)
-        for (Points& each : vectors)
-            each = Points(
-                each(cells_of_places(*page.mesh, page.mesh->dimension()), Eigen::indexing::all));
-    return vectors;
 }
 
 std::vector<VtuArray> strengths(const Page& page, const std::vector<PageField>& fields,

@@ -46,12 +46,8 @@ std::vector<PageField> page_fields(const Page& page, int dimension, const CellCo
 /// Whether the arrows of a page have other vectors at each step.
 bool has_moving_arrows(const Page& page);
 
-/// The vectors of arrows at every step, one row for each of so many cells that are drawn. Empty
-/// unless the field has values on edges or faces, and each cell has a vector.
-std::vector<Points> vectors_of_cells(const Page& page, const std::vector<PageField>& fields,
-                                     const PageArrows& arrows, std::ptrdiff_t cells);
-
-/// The lengths of these vectors, named |field|.
+/// The lengths of the vectors of arrows at every step, named |field|: one for each of so many cells
+/// that are drawn. Empty unless the field has values on edges or faces, and each cell has a vector.
 std::vector<VtuArray> strengths(const Page& page, const std::vector<PageField>& fields,
                                 const PageArrows& arrows, std::ptrdiff_t cells);
 

@@ -117,14 +117,14 @@ private:
 
     static std::string maps() {
         constexpr int steps = 30; // of which both maps have their corners among them
-        std::vector<std::string> sequential, diverging;
-        for (int i = 0; i <= steps; ++i) {
-            const double t = static_cast<double>(i) / steps;
-            sequential.push_back(json_text(color_at(ColorMap::sequential, t)));
-            diverging.push_back(json_text(color_at(ColorMap::diverging, t)));
-        }
-        return fmt::format("{{\"sequential\":{},\"diverging\":{}}}", json_array(sequential),
-                           json_array(diverging));
+        const auto colors = [](ColorMap map) {
+            std::vector<std::string> all;
+            for (int i = 0; i <= steps; ++i)
+                all.push_back(json_text(color_at(map, static_cast<double>(i) / steps)));
+            return json_array(all);
+        };
+        return fmt::format("{{\"sequential\":{},\"diverging\":{}}}", colors(ColorMap::sequential),
+                           colors(ColorMap::diverging));
     }
 
     /// Rows of three coordinates around the middle of the extent.
@@ -144,19 +144,16 @@ private:
     }
 
     void add_faces() {
-        if (faces_.dimension < 2) {
-            std::vector<Index> owners;
-            for (const auto& [cell, other] : faces_.owners)
-                owners.push_back(cell);
-            data_.add("lines", faces_.lines, 2);
-            data_.add("line_cells", owners, 1);
-            return;
-        }
         std::vector<Index> owners;
         for (const auto& [cell, other] : faces_.owners) {
             owners.push_back(cell);
             if (faces_.dimension > 2)
                 owners.push_back(other);
+        }
+        if (faces_.dimension < 2) {
+            data_.add("lines", faces_.lines, 2);
+            data_.add("line_cells", owners, 1);
+            return;
         }
         data_.add("corners", faces_.corners, 3);
         data_.add("owners", owners, faces_.dimension > 2 ? 2 : 1);
