@@ -17,17 +17,6 @@ namespace polydec {
 
 namespace {
 
-/// The corners of a drawing that has polygons alone.
-SvgBox box_of(const SvgDrawing& drawing) {
-    const SvgPoint first = std::get<SvgPolygon>(drawing.shapes.front()).points.front();
-    SvgBox box = box_around(first, 0, 0);
-    for (const auto& shape : drawing.shapes)
-        for (const auto& [x, y] : std::get<SvgPolygon>(shape).points)
-            box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x),
-                   std::max(box.bottom, y)};
-    return box;
-}
-
 /// The cells' numbers on the middle of their nearest faces that nothing hides.
 std::map<Index, SvgPoint> seen_faces(const SvgDrawing& drawing, const std::vector<Index>& cells) {
     std::map<Index, SvgPoint> result;
@@ -50,9 +39,9 @@ std::map<Index, SvgPoint> seen_faces(const SvgDrawing& drawing, const std::vecto
 
 void add_numbers(SvgDrawing& drawing, const std::vector<Index>& cells, bool words) {
     constexpr double size = 14, height = 1.3 * size;
-    const SvgBox box = box_of(drawing);
+    const SvgExtent extent = extent_of_polygons(drawing);
     const double pixel =
-        std::max(box.width(), box.height() / 2) / (drawing.width - 2 * drawing.margin);
+        std::max(extent.size(0), extent.size(1) / 2) / (drawing.width - 2 * drawing.margin);
     SvgObstacles taken;
     for (auto [cell, middle] : seen_faces(drawing, cells)) {
         const std::string text = std::to_string(cell);
@@ -66,8 +55,7 @@ void add_numbers(SvgDrawing& drawing, const std::vector<Index>& cells, bool word
                                             number_colors[3]});
     }
     if (words)
-        tell_lines(drawing, {{{.stroke = "none"}, "numbers of cells (green)"}}, {box.left, box.top},
-                   pixel);
+        tell_lines(drawing, {{{.stroke = "none"}, "numbers of cells (green)"}}, extent.low, pixel);
 }
 
 SvgDrawing draw_apart(const Discretization& mesh, const LessonOptions& options) {

@@ -6,6 +6,7 @@
 #include "dec/discretization/glued_box.h"
 #include "dec/fields/cell_centers.h"
 #include "io/pictures/lighting.h"
+#include "io/pictures/svg_layout.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -163,18 +164,12 @@ struct ColorScale {
 
 /// A bar with the colors below what is drawn, its ends in words beside it.
 void add_legend(SvgDrawing& drawing, const ColorScale& scale) {
-    SvgPoint low = std::get<SvgPolygon>(drawing.shapes.front()).points.front(), high = low;
-    for (const auto& shape : drawing.shapes)
-        for (const auto& p : std::get<SvgPolygon>(shape).points)
-            for (int axis = 0; axis < 2; ++axis) {
-                low[axis] = std::min(low[axis], p[axis]);
-                high[axis] = std::max(high[axis], p[axis]);
-            }
-
     constexpr int pieces = 64;
-    const double pixel = (high[0] - low[0]) / (drawing.width - 2 * drawing.margin);
-    const double width = 0.4 * (high[0] - low[0]), left = 0.5 * (low[0] + high[0] - width);
-    const double top = low[1] - 18 * pixel, bottom = top - 12 * pixel;
+    const SvgExtent extent = extent_of_polygons(drawing);
+    const double pixel = extent.size(0) / (drawing.width - 2 * drawing.margin);
+    const double width = 0.4 * extent.size(0),
+                 left = 0.5 * (extent.low[0] + extent.high[0] - width);
+    const double top = extent.low[1] - 18 * pixel, bottom = top - 12 * pixel;
     for (int i = 0; i < pieces; ++i) {
         const double x = left + width * i / pieces, next = left + width * (i + 1) / pieces;
         const std::string color = color_at(scale.map, (i + 0.5) / pieces);

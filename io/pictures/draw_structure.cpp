@@ -103,36 +103,26 @@ double StructureDrawing::middling_edge() const {
 }
 
 void StructureDrawing::find_extent() {
-    constexpr double most = std::numeric_limits<double>::infinity();
-    low_ = {most, most};
-    high_ = {-most, -most};
-    const auto add = [this](const Point& place, double around) {
-        const SvgPoint p = seen(place);
-        for (int axis = 0; axis < 2; ++axis) {
-            low_[axis] = std::min(low_[axis], p[axis] - around);
-            high_[axis] = std::max(high_[axis], p[axis] + around);
-        }
-    };
     for (Index v = 0; v < mesh_.complex().size(0); ++v)
-        add(at(points_, v), 0);
+        extent_.add(seen(at(points_, v)));
     for (Index cell = 0; cell < mesh_.complex().size(n_); ++cell) {
         const Point center = at(centers_[n_], cell);
         if (options_.circumcircles)
-            add(center, (at(points_, corners_[cell].front()) - center).norm());
+            extent_.add(seen(center), (at(points_, corners_[cell].front()) - center).norm());
         else if (options_.duals)
-            add(center, 0);
+            extent_.add(seen(center));
     }
     for (const auto& ring : rings_)
         for (const auto& [degree, cell] : ring)
-            add(at(centers_[degree], cell), 0);
+            extent_.add(seen(at(centers_[degree], cell)));
 }
 
 /// Numbers are as large as the edges between them allow.
 void StructureDrawing::choose_text_size(std::size_t rows_of_words) {
     const double inside = drawing_.width - 2 * drawing_.margin;
     const double legend = rows_of_words == 0 ? 0 : height_of_lines(rows_of_words);
-    pixel_ = std::max((high_[0] - low_[0]) / inside,
-                      (high_[1] - low_[1]) / std::max(inside, 2 * inside - legend));
+    pixel_ =
+        std::max(extent_.size(0) / inside, extent_.size(1) / std::max(inside, 2 * inside - legend));
     const double fitting = middling_edge() / pixel_ / 5;
     text_size_ = std::clamp(fitting, legible, 15.0);
     if (options_.numbers && fitting < legible)
@@ -269,7 +259,7 @@ SvgDrawing StructureDrawing::draw() {
     if (options_.numbers)
         add_numbers(order);
     if (options_.words)
-        tell_lines(drawing_, rows, low_, pixel_);
+        tell_lines(drawing_, rows, extent_.low, pixel_);
     return std::move(drawing_);
 }
 

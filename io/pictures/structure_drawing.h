@@ -78,7 +78,7 @@ private:
     std::vector<std::vector<DualCorner>> rings_;        ///< of the dual cell that is filled
     std::vector<bool> ends_in_cell_;                    ///< the dual of each facet
     std::array<std::vector<Index>, 3> numbers_;         ///< of the cells, in the mesh that is given
-    SvgPoint low_, high_;
+    SvgExtent extent_;
     double text_size_ = 12, pixel_ = 1; ///< pixels; world units a pixel
     SvgDrawing drawing_;
 };

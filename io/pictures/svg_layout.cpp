@@ -45,6 +45,14 @@ SvgSlopeTriangle triangle_at(SvgPoint middle, double width, double rise, Triangl
 
 } // namespace
 
+SvgExtent extent_of_polygons(const SvgDrawing& drawing) {
+    SvgExtent extent;
+    for (const auto& shape : drawing.shapes)
+        for (const auto& point : std::get<SvgPolygon>(shape).points)
+            extent.add(point);
+    return extent;
+}
+
 void add_line(SvgObstacles& obstacles, const std::vector<SvgPoint>& points) {
     for (const auto& [x, y] : samples(points))
         obstacles.push_back(SvgBox{x, y, x, y}.grown(reach));

@@ -3,6 +3,8 @@
 
 #include "io/pictures/svg_canvas.h"
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,6 +25,23 @@ struct SvgBox {
         return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
     }
 };
+
+/// How far points reach in both directions.
+struct SvgExtent {
+    static constexpr double most = std::numeric_limits<double>::infinity();
+    SvgPoint low{most, most}, high{-most, -most};
+
+    void add(const SvgPoint& point, double around = 0) {
+        for (int axis = 0; axis < 2; ++axis) {
+            low[axis] = std::min(low[axis], point[axis] - around);
+            high[axis] = std::max(high[axis], point[axis] + around);
+        }
+    }
+    double size(int axis) const { return high[axis] - low[axis]; }
+};
+
+/// That of a drawing that has polygons alone.
+SvgExtent extent_of_polygons(const SvgDrawing& drawing);
 
 /// Obstacles for triangles and legends: small boxes along lines, and larger boxes.
 using SvgObstacles = std::vector<SvgBox>;
