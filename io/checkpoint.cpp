@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <string>
 
 namespace polydec {
 

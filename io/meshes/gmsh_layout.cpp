@@ -4,8 +4,6 @@
 #include "io/meshes/gmsh_groups.h"
 #include "io/meshes/mesh_layout.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <map>

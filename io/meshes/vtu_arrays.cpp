@@ -9,11 +9,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdint>
-#include <utility>
 
 namespace polydec {
 

@@ -4,7 +4,6 @@
 #include "io/meshes/vtu_file.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace polydec {
 

@@ -16,7 +16,6 @@
 #include <limits>
 #include <span>
 #include <string>
-#include <utility>
 
 namespace polydec {
 

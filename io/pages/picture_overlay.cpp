@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/picture_overlay.h"
 
-#include <cmath>
-
 namespace polydec {
 
 void add_arrow(PictureOverlay& overlay, SvgPoint from, SvgPoint to, double width, Color color) {

@@ -8,12 +8,12 @@
 #include "io/pages/surface_painter.h"
 #include "io/pictures/lighting.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace polydec {
 

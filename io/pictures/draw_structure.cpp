@@ -14,11 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
-#include <limits>
-#include <numbers>
 #include <numeric>
 #include <utility>
 

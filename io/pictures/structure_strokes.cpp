@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/pictures/structure_drawing.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
