@@ -174,7 +174,7 @@ std::string_view Scanner::bytes(std::size_t count, std::string_view expected) {
         fail(fmt::format("the file ends here; expected {}; export it again, it seems cut off",
                          expected));
     const std::string_view result(position_, count);
-    line_ += static_cast<std::size_t>(std::count(result.begin(), result.end(), '\n'));
+    line_ += std::count(result.begin(), result.end(), '\n');
     position_ += count;
     return result;
 }

@@ -77,7 +77,7 @@ void XmlReader::go_to_tag() {
 
 void XmlReader::go_to(std::size_t position) {
     const auto passed = rest().substr(0, position - position_);
-    line_ += static_cast<std::size_t>(std::count(passed.begin(), passed.end(), '\n'));
+    line_ += std::count(passed.begin(), passed.end(), '\n');
     position_ = position;
 }
 

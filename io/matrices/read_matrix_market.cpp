@@ -84,7 +84,7 @@ Index read_place(Scanner& scanner, Index size, std::string_view what) {
 std::vector<Entry> read_entries(Scanner& scanner, Index rows, Index columns, Index count,
                                 MatrixSymmetry symmetry) {
     std::vector<Entry> entries;
-    entries.reserve(static_cast<std::size_t>(count));
+    entries.reserve(count);
     for (Index i = 0; i < count; ++i) {
         const Index row = read_place(scanner, rows, "row");
         const Index column = read_place(scanner, columns, "column");

@@ -23,30 +23,30 @@ bool are_uniform(const std::vector<Index>& offsets, int corners) {
 
 void CellLists::add(int dimension, std::span<const Index> corners, Index tag,
                     const SourceFile& file) {
-    auto& list = lists_[static_cast<std::size_t>(dimension)];
+    auto& list = lists_[dimension];
     list.corners.insert(list.corners.end(), corners.begin(), corners.end());
     list.offsets.push_back(checked_count(list.corners.size(), "corners of cells", file));
     list.tags.push_back(tag);
 }
 
 void CellLists::add_tag(int dimension, Index tag) {
-    auto& list = lists_[static_cast<std::size_t>(dimension)];
+    auto& list = lists_[dimension];
     list.more.emplace_back(static_cast<Index>(list.tags.size()) - 1, tag);
 }
 
 /// Cells of smaller dimension mostly bound those of the mesh. Others would be missed.
 std::vector<std::string> CellLists::warnings_of_lesser(int dimension, Eigen::Index vertices) {
     std::vector<std::string> warnings;
-    std::vector<char> used(static_cast<std::size_t>(vertices), 0);
+    std::vector<char> used(vertices, 0);
     for (const Index corner : list(dimension).corners)
-        used[static_cast<std::size_t>(corner)] = 1;
+        used[corner] = 1;
     for (int k = dimension - 1; k > 0; --k) {
         const auto& [corners, offsets, tags, more] = list(k);
         std::size_t count = 0, first = 0, most_corners = 0;
         for (std::size_t cell = 0; cell < tags.size(); ++cell) {
             const auto begin = corners.begin() + offsets[cell];
             const auto end = corners.begin() + offsets[cell + 1];
-            if (std::all_of(begin, end, [&](Index v) { return used[static_cast<std::size_t>(v)]; }))
+            if (std::all_of(begin, end, [&](Index v) { return used[v]; }))
                 continue;
             first = count++ == 0 ? cell : first;
             most_corners = std::max(most_corners, static_cast<std::size_t>(end - begin));

@@ -43,7 +43,7 @@ private:
         std::vector<std::pair<Index, Index>> more; ///< cells and their additional groups
     };
 
-    List& list(int dimension) { return lists_[static_cast<std::size_t>(dimension)]; }
+    List& list(int dimension) { return lists_[dimension]; }
     std::vector<std::string> warnings_of_lesser(int dimension, Eigen::Index vertices);
 
     std::array<List, most_dimensions> lists_;

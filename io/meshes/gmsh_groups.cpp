@@ -51,7 +51,7 @@ void GmshGroups::read_entity(GmshSource& source, std::size_t dimension, bool is_
 }
 
 std::span<const Index> GmshGroups::tags_of(std::size_t dimension, std::int64_t entity) const {
-    return tags_[static_cast<std::size_t>(lists_[dimension].find(entity).value_or(0))];
+    return tags_[lists_[dimension].find(entity).value_or(0)];
 }
 
 namespace {

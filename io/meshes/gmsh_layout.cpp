@@ -29,8 +29,7 @@ public:
         if (!has_elements_)
             refuse_layout(file_, "there is no section $Elements");
         take_cells();
-        if (const auto more = second_groups_[static_cast<std::size_t>(layout_.dimension())];
-            more > 0)
+        if (const auto more = second_groups_[layout_.dimension()]; more > 0)
             layout_.warnings.push_back(second_groups_warning(more));
         layout_.order = *format_->order;
         return std::move(layout_);
@@ -208,7 +207,7 @@ private:
     void add_cells(const GmshKind& kind, NumberType type, const Run& run) {
         if (kind.nodes > kind.corners)
             refuse_layout(file_, "there are cells of second or higher order");
-        auto& table = cells_[static_cast<std::size_t>(kind.dimension)][kind.corners];
+        auto& table = cells_[kind.dimension][kind.corners];
         if (table.fields.empty())
             table = table_of(type, kind.corners);
         table.runs.push_back(run);
@@ -227,7 +226,7 @@ private:
             add_cells(block.kind, number_type(), {block.count, place_ + width, stride});
             hop(block.count * stride);
             before += block.count;
-            second_groups_[static_cast<std::size_t>(block.kind.dimension)] +=
+            second_groups_[block.kind.dimension] +=
                 (groups_.tags_of(block.entity_dimension, block.entity).size() - 1) *
                 static_cast<std::size_t>(block.count);
         }
@@ -299,7 +298,7 @@ private:
     /// Those of the largest dimension make the mesh.
     void take_cells() {
         for (int n = CellLists::most_dimensions - 1; n >= 0; --n)
-            for (auto& [corners, table] : cells_[static_cast<std::size_t>(n)]) {
+            for (auto& [corners, table] : cells_[n]) {
                 if (table.count() == 0)
                     continue;
                 const bool are_simplices = corners == n + 1;

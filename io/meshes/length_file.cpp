@@ -27,10 +27,10 @@ std::vector<std::size_t> read_edges(Scanner& scanner, Index count, LengthMesh& m
     const std::string record = "an edge: two vertex numbers and a length";
     mesh.edges.resize(count, 2);
     mesh.lengths.resize(count);
-    std::vector<std::size_t> lines(static_cast<std::size_t>(count));
+    std::vector<std::size_t> lines(count);
     for (Index edge = 0; edge < count; ++edge) {
         const Index a = mesh.edges(edge, 0) = scanner.vertex(mesh.vertices, 0);
-        lines[static_cast<std::size_t>(edge)] = scanner.line();
+        lines[edge] = scanner.line();
         scanner.stay_on_line(record);
         const Index b = mesh.edges(edge, 1) = scanner.vertex(mesh.vertices, 0);
         scanner.stay_on_line(record);
@@ -48,7 +48,7 @@ void check_edges(Scanner& scanner, const LengthMesh& mesh, const std::vector<std
     const auto fault = edge_fault(mesh);
     if (!fault)
         return;
-    const auto line = [&](Index row) { return lines[static_cast<std::size_t>(row)]; };
+    const auto line = [&](Index row) { return lines[row]; };
     const auto name = fmt::format("edge {} {}", fault->a, fault->b);
     if (fault->kind == EdgeFault::Kind::missing)
         refuse_contents(

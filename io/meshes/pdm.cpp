@@ -106,16 +106,16 @@ std::string PdmReader::checked(std::int64_t begin, std::int64_t end) const {
                                         layout_.sums_begin() + last * PdmLayout::sum_bytes);
     for (std::int64_t block = first; block < last; ++block) {
         const std::string_view one = std::string_view(bytes).substr(
-            static_cast<std::size_t>((block - first) * PdmLayout::block_bytes),
-            static_cast<std::size_t>(layout_.block_begin(block + 1) - layout_.block_begin(block)));
-        if (sums.compare(static_cast<std::size_t>((block - first) * PdmLayout::sum_bytes),
-                         PdmLayout::sum_bytes, checksum_of(one)) != 0)
+            (block - first) * PdmLayout::block_bytes,
+            layout_.block_begin(block + 1) - layout_.block_begin(block));
+        if (sums.compare((block - first) * PdmLayout::sum_bytes, PdmLayout::sum_bytes,
+                         checksum_of(one)) != 0)
             fail(fmt::format("the bytes {} to {} are damaged: their checksum does not match; write "
                              "the file again",
                              layout_.block_begin(block), layout_.block_begin(block + 1) - 1));
     }
-    bytes.resize(static_cast<std::size_t>(end - layout_.block_begin(first)));
-    bytes.erase(0, static_cast<std::size_t>(begin - layout_.block_begin(first)));
+    bytes.resize(end - layout_.block_begin(first));
+    bytes.erase(0, begin - layout_.block_begin(first));
     return bytes;
 }
 
@@ -137,7 +137,7 @@ std::vector<std::int64_t> PdmReader::cells(std::int64_t begin, std::int64_t end)
     const std::string bytes = checked(first + begin * each, first + end * each);
     const std::int64_t corners = layout_.dimension + 1;
     const bool is_wide = layout_.number_bytes() == sizeof(std::int64_t);
-    std::vector<std::int64_t> result(static_cast<std::size_t>((end - begin) * corners));
+    std::vector<std::int64_t> result((end - begin) * corners);
     for (std::size_t i = 0; i < result.size(); ++i) {
         result[i] = is_wide ? little<std::int64_t>(bytes, i * sizeof(std::int64_t))
                             : little<std::int32_t>(bytes, i * sizeof(std::int32_t));
@@ -154,7 +154,7 @@ std::vector<Index> PdmReader::tags(std::int64_t begin, std::int64_t end) const {
         return {};
     const std::int64_t first = layout_.tags_begin();
     const std::string bytes = checked(first + begin * 4, first + end * 4);
-    std::vector<Index> result(static_cast<std::size_t>(end - begin));
+    std::vector<Index> result(end - begin);
     for (std::size_t i = 0; i < result.size(); ++i)
         result[i] = little<std::int32_t>(bytes, i * sizeof(std::int32_t));
     return result;
@@ -163,8 +163,7 @@ std::vector<Index> PdmReader::tags(std::int64_t begin, std::int64_t end) const {
 Mesh read_pdm(const SourceFile& file) {
     const PdmReader reader(
         {file.name, std::ssize(file.text), [&](std::int64_t begin, std::int64_t end) {
-             return file.text.substr(static_cast<std::size_t>(begin),
-                                     static_cast<std::size_t>(end - begin));
+             return file.text.substr(begin, end - begin);
          }});
     const PdmLayout& layout = reader.layout();
     checked_count(static_cast<std::size_t>(std::max(layout.vertices, layout.cells)),
@@ -193,8 +192,8 @@ void write_pdm(const std::filesystem::path& path, const Mesh& mesh) {
     file.write(header_of(layout));
     file.write(data);
     for (std::int64_t block = 0; block < layout.blocks(); ++block)
-        file.write(checksum_of(std::string_view(data).substr(
-            static_cast<std::size_t>(block * PdmLayout::block_bytes), PdmLayout::block_bytes)));
+        file.write(checksum_of(
+            std::string_view(data).substr(block * PdmLayout::block_bytes, PdmLayout::block_bytes)));
     file.commit();
 }
 

@@ -161,13 +161,12 @@ private:
                 source.fail(fmt::format("the node {} is not in the section $Nodes; expected one "
                                         "of its numbers; correct it or add the node",
                                         number));
-            corners[static_cast<std::size_t>(i)] = *vertex;
+            corners[i] = *vertex;
         }
-        cells_.add(kind.dimension, std::span(corners).first(static_cast<std::size_t>(kind.corners)),
-                   tag, file_);
+        cells_.add(kind.dimension, std::span(corners).first(kind.corners), tag, file_);
         for (int i = kind.corners; i < kind.nodes; ++i)
             source.number("a node of an element");
-        cells_.leave_out_nodes(static_cast<std::size_t>(kind.nodes - kind.corners));
+        cells_.leave_out_nodes(kind.nodes - kind.corners);
     }
 
     void read_elements() {

@@ -95,7 +95,7 @@ Mesh read_cells(Scanner& scanner, Nodes nodes, Index count, int corners, const E
     scanner.next_line();
     Mesh mesh;
     mesh.simplices.resize(count, corners);
-    mesh.tags.resize(static_cast<std::size_t>(count));
+    mesh.tags.resize(count);
 
     const auto first = first_number(scanner, "cell");
     bool are_tags = true;
@@ -107,14 +107,14 @@ Mesh read_cells(Scanner& scanner, Nodes nodes, Index count, int corners, const E
         }
         for (int node = 0; node < extras.nodes; ++node)
             scanner.vertex(nodes.size(), nodes.first);
-        mesh.tags[static_cast<std::size_t>(cell)] = read_tag(scanner, extras.attributes, are_tags);
+        mesh.tags[cell] = read_tag(scanner, extras.attributes, are_tags);
         for (int word = 0; word < extras.neighbors && !scanner.at_line_end(); ++word)
             scanner.word("a neighbor");
         scanner.end_line("a cell");
     }
     mesh.tags = are_tags ? tags_or_none(std::move(mesh.tags)) : std::vector<Index>();
     if (extras.nodes > 0 && count > 0)
-        mesh.warnings.push_back(higher_order_warning(static_cast<std::size_t>(count)));
+        mesh.warnings.push_back(higher_order_warning(count));
     mesh.points = std::move(nodes.points);
     return mesh;
 }

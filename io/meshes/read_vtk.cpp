@@ -201,7 +201,7 @@ private:
                                               "expected a number of corners and these for each; "
                                               "correct the line",
                                               numbers.size(), cell, cells));
-            const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(place) + 1;
+            const auto begin = numbers.begin() + place + 1;
             corners.insert(corners.end(), begin, begin + static_cast<std::ptrdiff_t>(length));
             ends.push_back(static_cast<double>(corners.size()));
             place += 1 + static_cast<std::size_t>(length);

@@ -20,9 +20,7 @@ public:
 
     /// Rows of so many numbers.
     RecordTable table(const VtuText& array, int fields) const {
-        const auto place = vtu_place(
-            array, static_cast<std::size_t>(std::max<std::int64_t>(0, file_.size - begin_)),
-            front_);
+        const auto place = vtu_place(array, std::max<std::int64_t>(0, file_.size - begin_), front_);
         if (!place)
             refuse_layout(file_, "not all arrays are appended");
         RecordTable table = table_of(place->type, fields);

@@ -174,7 +174,7 @@ void write_medit_cells(NumberLines& lines, const Simplices& cells, const std::ve
     for (Eigen::Index cell = 0; cell < cells.rows(); ++cell) {
         for (const Index vertex : cells.row(cell))
             lines.number(std::int64_t{vertex} + 1);
-        lines.number(tags.empty() ? 0 : tags[static_cast<std::size_t>(cell)]);
+        lines.number(tags.empty() ? 0 : tags[cell]);
         lines.end();
     }
 }

@@ -34,7 +34,7 @@ void add_measures(VtuGrid& grid, const Discretization& mesh) {
     constexpr std::array names{"length", "area", "volume"};
     grid.cell_data.push_back(
         {"corners", corner_counts(mesh), 1, "number of vertices of each cell"});
-    add_form(grid, mesh, names[static_cast<std::size_t>(n - 1)],
+    add_form(grid, mesh, names[n - 1],
              {Side::primal, n,
               in_input_units(mesh.volumes().primal(n), mesh.unit(), n, "volumes of cells")},
              fmt::format("of each cell, in units of length^{}", n));
@@ -74,7 +74,7 @@ PageTable table_of(const Spectrum& spectrum, const std::vector<NamedForm>& modes
         table.rows.push_back({std::to_string(i), fmt::format("{:.12g}", spectrum.eigenvalues[i]),
                               fmt::format("{:.2e}", spectrum.radii[i]),
                               fmt::format("{:.2e}", spectrum.residuals[i])});
-        table.fields.push_back(modes[static_cast<std::size_t>(i)].name);
+        table.fields.push_back(modes[i].name);
     }
     return table;
 }

@@ -232,7 +232,7 @@ Points in_space(const Points& points) {
 }
 
 std::vector<bool> Opening::kept(const PageFaces& faces, const Points& points) const {
-    std::vector<bool> result(static_cast<std::size_t>(faces.count_cells()), true);
+    std::vector<bool> result(faces.count_cells(), true);
     if (percent >= 100)
         return result;
     const Vector heights = heights_of_cells(faces, points, side);

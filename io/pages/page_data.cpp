@@ -29,7 +29,7 @@ std::vector<std::uint32_t> differences(std::vector<std::uint32_t> numbers, std::
 template <class Code>
 std::vector<std::uint32_t> words_of(const Eigen::Ref<const DenseMatrix>& rows, Code code) {
     std::vector<std::uint32_t> words;
-    words.reserve(static_cast<std::size_t>(rows.size()));
+    words.reserve(rows.size());
     for (const double number : rows.reshaped<Eigen::RowMajor>())
         words.push_back(code(number));
     return words;

@@ -155,7 +155,7 @@ void add_lines(PageFaces& faces, const VtuGrid& grid) {
 
 /// The 3-cells on both sides of each 2-cell.
 std::vector<std::array<Index, 2>> cells_at_faces(const CellComplex& complex) {
-    std::vector<std::array<Index, 2>> owners(static_cast<std::size_t>(complex.size(2)), {-1, -1});
+    std::vector<std::array<Index, 2>> owners(complex.size(2), {-1, -1});
     for (Index cell = 0; cell < complex.size(3); ++cell)
         for (const SignedFace& f : complex.incidences(2)[cell]) {
             auto& both = owners[f.face];

@@ -116,8 +116,7 @@ DenseMatrix rows_of(const VtuArray& array) {
             const auto width = array.components;
             DenseMatrix rows(static_cast<Eigen::Index>(values.size()) / width, width);
             for (Eigen::Index i = 0; i < rows.size(); ++i)
-                rows(i / width, i % width) =
-                    static_cast<double>(values[static_cast<std::size_t>(i)]);
+                rows(i / width, i % width) = static_cast<double>(values[i]);
             return rows;
         },
         array.values);

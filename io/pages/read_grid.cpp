@@ -113,7 +113,7 @@ private:
         for (const auto& face : list) {
             faces.emplace_back();
             for (const int corner : face)
-                faces.back().push_back(corners[static_cast<std::size_t>(corner)]);
+                faces.back().push_back(corners[corner]);
         }
         add_polyhedron(grid_, faces);
     }
@@ -236,7 +236,7 @@ void append(VtuGrid& grid, const VtuGrid& piece) {
             const Index size = piece.faces[at];
             grid.faces.push_back(size);
             for (Index i = 1; i <= size; ++i)
-                grid.faces.push_back(points + piece.faces[at + static_cast<std::size_t>(i)]);
+                grid.faces.push_back(points + piece.faces[at + i]);
             at += static_cast<std::size_t>(size) + 1;
         }
     }

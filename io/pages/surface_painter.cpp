@@ -67,7 +67,7 @@ Color SurfacePainter::color(double part) const {
     if (map_.empty())
         return plain_;
     const double at = std::clamp(part, 0.0, 1.0) * static_cast<double>(map_.size() - 1);
-    return map_[static_cast<std::size_t>(std::lround(at))];
+    return map_[std::lround(at)];
 }
 
 Color SurfacePainter::shaded(const SeenTriangle& triangle, double part) const {

@@ -18,7 +18,7 @@ constexpr std::array color_names{"black", "orange", "purple", "green"};
 
 const char* degree_in_words(int k, int n) {
     constexpr std::array names{"vertices", "edges", "faces"};
-    return k == n && n > 1 ? "cells" : names[static_cast<std::size_t>(k)];
+    return k == n && n > 1 ? "cells" : names[k];
 }
 
 SvgText entry_text(SvgPoint at, Index value, const char* color) {

@@ -26,11 +26,10 @@ std::map<Index, SvgPoint> seen_faces(const SvgDrawing& drawing, const std::vecto
         for (const auto& [x, y] : points)
             middle = {middle[0] + x / static_cast<double>(points.size()),
                       middle[1] + y / static_cast<double>(points.size())};
-        const bool hidden =
-            std::any_of(drawing.shapes.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                        drawing.shapes.end(), [&](const SvgShape& nearer) {
-                            return covers(std::get<SvgPolygon>(nearer).points, middle);
-                        });
+        const bool hidden = std::any_of(
+            drawing.shapes.begin() + i + 1, drawing.shapes.end(), [&](const SvgShape& nearer) {
+                return covers(std::get<SvgPolygon>(nearer).points, middle);
+            });
         if (!hidden)
             result[cells[i]] = middle;
     }
@@ -73,7 +72,7 @@ SvgDrawing draw_apart(const Discretization& mesh, const LessonOptions& options) 
     if (structure.numbers) {
         std::vector<Index> cells;
         for (const Index face : painting_order(faces, structure.view))
-            cells.push_back(faces.cells[static_cast<std::size_t>(face)]);
+            cells.push_back(faces.cells[face]);
         add_numbers(drawing, cells, structure.words);
     }
     return drawing;

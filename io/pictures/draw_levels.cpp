@@ -38,9 +38,8 @@ VtuGrid draw_levels(const LevelSets& sets, const Vector& levels, std::string nam
     std::vector<double> values;
     for (Index i = 0; i < sets.mesh.simplices.rows(); ++i) {
         const Index* corners = sets.mesh.simplices.row(i).data();
-        add_cell(grid, types[static_cast<std::size_t>(n)],
-                 std::span(corners, static_cast<std::size_t>(n) + 1));
-        values.push_back(levels[sets.levels[static_cast<std::size_t>(i)]]);
+        add_cell(grid, types[n], std::span(corners, static_cast<std::size_t>(n) + 1));
+        values.push_back(levels[sets.levels[i]]);
     }
     grid.cell_data.push_back({std::move(name), std::move(values)});
     grid.cell_data.push_back({"simplex", sets.owners});

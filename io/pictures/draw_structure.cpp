@@ -53,9 +53,9 @@ StructureDrawing::StructureDrawing(const Discretization& given, const StructureO
         centers_[k] =
             (options.centroids ? cell_centroids(mesh, k) : cell_centers(mesh, k)) / mesh.unit();
     }
-    corners_.resize(static_cast<std::size_t>(mesh.complex().size(n_)));
+    corners_.resize(mesh.complex().size(n_));
     removed_.resize(corners_.size());
-    ends_in_cell_.resize(static_cast<std::size_t>(mesh.complex().size(n_ - 1)));
+    ends_in_cell_.resize(mesh.complex().size(n_ - 1));
     for (Index cell = 0; cell < std::ssize(corners_); ++cell) {
         const auto [a, b] = n_ == 1 ? ends(cell) : std::pair<Index, Index>();
         corners_[cell] = n_ == 1 ? std::vector{a, b} : corners(mesh.merging(), cell);
@@ -133,7 +133,7 @@ void StructureDrawing::choose_text_size(std::size_t rows_of_words) {
 bool StructureDrawing::is_closed() const {
     if (!mesh_.pieces().orientable())
         return false;
-    std::vector<int> sides(static_cast<std::size_t>(mesh_.complex().size(1)), 0);
+    std::vector<int> sides(mesh_.complex().size(1), 0);
     double volume = 0;
     for (Index cell = 0; cell < mesh_.complex().size(n_); ++cell) {
         for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell])

@@ -109,7 +109,7 @@ constexpr std::array<std::string_view, 95> glyphs{
 
 std::string_view glyph(char character) {
     const bool is_known = character >= ' ' && character <= '~';
-    return glyphs[static_cast<std::size_t>((is_known ? character : '?') - ' ')];
+    return glyphs[(is_known ? character : '?') - ' '];
 }
 
 } // namespace polydec

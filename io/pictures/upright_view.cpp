@@ -16,7 +16,7 @@ SolidView upright_view(int up) {
     const std::array eyes{Eigen::Vector3d(1.2, 1, -2), Eigen::Vector3d(1, 1.2, 2),
                           Eigen::Vector3d(1, -2, 1.2)};
     SolidView view;
-    view.eye = eyes[static_cast<std::size_t>(up)];
+    view.eye = eyes[up];
     view.up = Eigen::Vector3d::Unit(up);
     return view;
 }

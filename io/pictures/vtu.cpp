@@ -95,7 +95,7 @@ private:
             refuse("cell {} of VTK's type {} has {} corners; give it the corners of its type", cell,
                    static_cast<int>(grid_.types[cell]), end - begin);
         for (auto i = begin; i < end; ++i)
-            check_corner(cell, grid_.corners[static_cast<std::size_t>(i)]);
+            check_corner(cell, grid_.corners[i]);
 
         const bool has_faces = grid_.face_offsets[cell] >= 0;
         if (has_faces != (grid_.types[cell] == VtuCell::polyhedron))
@@ -136,9 +136,7 @@ private:
         refuse_writing(path_, fmt::format(text, std::forward<Args>(args)...));
     }
 
-    Index face_number(std::int64_t place) const {
-        return grid_.faces[static_cast<std::size_t>(place)];
-    }
+    Index face_number(std::int64_t place) const { return grid_.faces[place]; }
 
     /// Without a number of entries any will do.
     void check_arrays(const std::vector<VtuArray>& arrays, std::optional<std::size_t> count,
@@ -214,7 +212,7 @@ public:
         std::vector<double> padded(static_cast<std::size_t>(points.rows()) * 3, 0.0);
         for (Eigen::Index point = 0; point < points.rows(); ++point)
             for (Eigen::Index axis = 0; axis < points.cols(); ++axis)
-                padded[static_cast<std::size_t>(3 * point + axis)] = points(point, axis);
+                padded[3 * point + axis] = points(point, axis);
         file_.write("<Points>\n");
         reals("Points", columns(3), padded);
         file_.write("</Points>\n");

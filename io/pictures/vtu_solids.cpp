@@ -43,7 +43,7 @@ bool has_faces(const std::vector<Index>& corners,
     for (const auto& face : table) {
         own.emplace_back();
         for (const int corner : face)
-            own.back().push_back(corners[static_cast<std::size_t>(corner)]);
+            own.back().push_back(corners[corner]);
     }
     return as_sets(std::move(own)) == as_sets(faces);
 }
