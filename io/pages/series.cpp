@@ -164,12 +164,11 @@ void Series::check_time(double time) const {
 
 void Series::check_arrays(const std::vector<VtuArray>& arrays,
                           const std::vector<VtuArray>& first) const {
-    bool fits = arrays.size() == first.size();
-    for (std::size_t i = 0; fits && i < arrays.size(); ++i)
-        fits = arrays[i].name == first[i].name && arrays[i].components == first[i].components &&
-               arrays[i].values.index() == first[i].values.index() &&
-               arrays[i].size() == first[i].size();
-    if (!fits)
+    if (!std::equal(arrays.begin(), arrays.end(), first.begin(), first.end(),
+                    [](const VtuArray& a, const VtuArray& b) {
+                        return a.name == b.name && a.components == b.components &&
+                               a.values.index() == b.values.index() && a.size() == b.size();
+                    }))
         throw InvalidInput(fmt::format("step {} of a series has other arrays than the previous "
                                        "steps: expected the same names, kinds and sizes",
                                        steps_.size()));
@@ -294,9 +293,8 @@ void Series::write_due(bool at_end) {
 }
 
 void Series::close() {
-    if (std::exchange(is_closed_, true))
-        return;
-    write_due(true);
+    if (!std::exchange(is_closed_, true))
+        write_due(true);
 }
 
 } // namespace polydec
