@@ -73,7 +73,7 @@ function toWall(p, wall) {
 function chosenSites(sites, distance) {
     const coarse = new Cubes(distance / 2), fine = new Cubes(distance), chosen = [];
     for (let i = 0; i < sites.length / 3; ++i) {
-        const p = [sites[3 * i], sites[3 * i + 1], sites[3 * i + 2]];
+        const p = vectorAt(sites, i);
         if (!coarse.isEmpty(p))
             continue; // the one there is near
         coarse.add(p, p, i);
@@ -110,7 +110,7 @@ function roomsAt(scene, places, distance) {
 function arrowSpots(scene, sites) {
     const distance = 2 / (scene.isSolid ? arrowsAcross.solid : arrowsAcross.surface);
     const chosen = chosenSites(sites, distance);
-    const places = chosen.map(i => [sites[3 * i], sites[3 * i + 1], sites[3 * i + 2]]);
+    const places = chosen.map(i => vectorAt(sites, i));
     return {chosen, places, ...roomsAt(scene, places, distance)};
 }
 
@@ -118,7 +118,7 @@ function arrowSpots(scene, sites) {
     the square root as in still.cpp, so that one long vector does not hide all others. */
 function arrowsAt(spots, vectors, most) {
     return spots.chosen.map((row, i) => {
-        const vector = [0, 1, 2].map(c => vectors[3 * row + c]), size = Math.hypot(...vector);
+        const vector = vectorAt(vectors, row), size = Math.hypot(...vector);
         const length = Math.min(spots.length * Math.sqrt(size / (most || 1)), spots.rooms[i]);
         return [spots.places[i], vector.map(x => size ? x / size * length : 0)];
     });
@@ -127,11 +127,10 @@ function arrowsAt(spots, vectors, most) {
 /** Short arrows on lines, which run along a field: at even distances, and not at their ends. */
 function headsOn(points, ends) {
     const every = 0.25, size = 0.035, heads = [];
-    const at = v => [points[3 * v], points[3 * v + 1], points[3 * v + 2]];
     for (let first = 0, last; first < ends.length; first = last) {
-        const line = [at(ends[first])], lengths = [0];
+        const line = [vectorAt(points, ends[first])], lengths = [0];
         for (last = first; last < ends.length && (last === first || ends[last] === ends[last - 1]); last += 2) {
-            line.push(at(ends[last + 1]));
+            line.push(vectorAt(points, ends[last + 1]));
             lengths.push(lengths.at(-1) + apart(...line.slice(-2)));
         }
         const total = lengths.at(-1), count = Math.max(1, Math.floor(total / every));

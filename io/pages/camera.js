@@ -88,6 +88,11 @@ class Camera {
         this.zoom = zoom;
     }
 
+    /** As it is now, whatever moves later. */
+    copy() {
+        return Object.assign(Object.create(Camera.prototype), this);
+    }
+
     /** Of a point of the scene: right and up, in parts of half the height. */
     seen(p) {
         return [this.zoom * dot(this.axes[0], p) + this.x, this.zoom * dot(this.axes[1], p) + this.y];

@@ -2,6 +2,11 @@
 // The form beside the picture, the table, and the keyboard.
 
 const element = id => document.getElementById(id);
+const elementOf = (tag, text) => Object.assign(document.createElement(tag), {textContent: text});
+
+/** A color of the page's style. */
+const ink = name => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+
 const mostWithEdges = 2000; // cells: edges of more would hide what is shown
 
 class Controls {
@@ -40,12 +45,8 @@ class Controls {
     }
 
     offer(id, choices) {
-        element(id).replaceChildren(...choices.map(([value, text]) => {
-            const option = document.createElement("option");
-            option.value = value;
-            option.textContent = text;
-            return option;
-        }));
+        element(id).replaceChildren(...choices.map(
+            ([value, text]) => Object.assign(elementOf("option", text), {value})));
     }
 
     hideWhatIsNotThere(scene, header, fields) {
@@ -175,9 +176,7 @@ class Controls {
     }
 
     turnTheme() {
-        const root = document.documentElement;
-        const isDark = getComputedStyle(root).getPropertyValue("--ground").trim() === "#14181d";
-        root.dataset.theme = isDark ? "light" : "dark";
+        document.documentElement.dataset.theme = ink("ground") === "#14181d" ? "light" : "dark";
         this.viewer.changed();
     }
 

@@ -31,6 +31,11 @@ function made(Numbers, count, number) {
     return result;
 }
 
+/** Of vectors in space, one after the other. */
+function vectorAt(numbers, i) {
+    return [numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]];
+}
+
 /** From differences with the row before. */
 function sums(words, width) {
     const numbers = new Int32Array(words.buffer);

@@ -24,22 +24,15 @@ function timeTexts(texts) {
     return times.map(time => numberText(rounded(time), 12));
 }
 
-/** The longest of vectors in several lists. */
-function longest(lists) {
-    let most = 0;
-    for (const numbers of lists)
-        for (let i = 0; i < numbers.length; i += 3)
-            most = Math.max(most, Math.hypot(numbers[i], numbers[i + 1], numbers[i + 2]));
-    return most;
+/** Of each vector its length; of numbers these. */
+function lengths(numbers, components) {
+    return components === 1 ? new Float64Array(numbers) : made(Float64Array, numbers.length / 3,
+        i => Math.hypot(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]));
 }
 
-/** Of each vector its length. */
-function lengths(numbers, components) {
-    if (components === 1)
-        return new Float64Array(numbers);
-    return made(Float64Array, numbers.length / components, components === 3
-        ? i => Math.hypot(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2])
-        : i => Math.hypot(...numbers.subarray(i * components, (i + 1) * components)));
+/** The longest of vectors in several lists. */
+function longest(lists) {
+    return lists.reduce((most, numbers) => lengths(numbers, 3).reduce((x, y) => Math.max(x, y), most), 0);
 }
 
 /** Values at every step, their range over all, and the colors that the library chose for it. */
@@ -88,7 +81,7 @@ function scaleOf(field, {map, from, to, log}, maps) {
         ends = asked;
     if (isDiverging) // white stays 0
         ends = [-1, 1].map(sign => sign * Math.max(...ends.map(Math.abs)));
-    return {name, colors: spread(colors.map(colorOf)), ends, isLog, isConstant: field.scale.constant};
+    return {colors: spread(colors.map(colorOf)), ends, isLog, isConstant: field.scale.constant};
 }
 
 function colorOf(text) {
@@ -97,13 +90,7 @@ function colorOf(text) {
 
 const mapSize = 31;
 
-/** Where a value lies between the ends, from 0 to 1. */
-function partOf(value, {ends, isLog}) {
-    const [x, a, b] = [value, ...ends].map(y => isLog ? Math.log(Math.max(y, 1e-300)) : y);
-    return b > a ? Math.min(1, Math.max(0, (x - a) / (b - a))) : 0.5;
-}
-
-/** And back. */
+/** The value at a part of the bar, from 0 to 1. */
 function valueAt(part, {ends: [a, b], isLog}) {
     return isLog ? Math.exp((1 - part) * Math.log(a) + part * Math.log(b)) : (1 - part) * a + part * b;
 }

@@ -68,17 +68,21 @@ class Overlay {
         draw.fillText(words, x, y);
     }
 
+    /** Draws the path in these colors and widths, one over the other. */
+    stroke(...layers) {
+        for (const [color, width] of layers) {
+            this.draw.strokeStyle = color;
+            this.draw.lineWidth = width;
+            this.draw.stroke();
+        }
+    }
+
     /** A line, light around so that it is seen on everything. */
     line(points, color, width) {
-        const {draw} = this;
-        draw.beginPath();
+        this.draw.beginPath();
         for (const [x, y] of points)
-            draw.lineTo(x, y);
-        for (const [style, wide] of [[this.colors.ground, width + 2], [color, width]]) {
-            draw.strokeStyle = style;
-            draw.lineWidth = wide;
-            draw.stroke();
-        }
+            this.draw.lineTo(x, y);
+        this.stroke([this.colors.ground, width + 2], [color, width]);
     }
 
     /** The directions of the coordinates, those towards the eye last. */
@@ -119,12 +123,7 @@ class Overlay {
         draw.beginPath();
         draw.arc(...at, ringRadius, 0, 7);
         draw.setLineDash(isHidden ? [2, 4] : []);
-        for (const [style, wide] of [[this.colors.ground, isHidden ? 0 : 5], [this.colors.text, 2]]) {
-            draw.strokeStyle = style;
-            draw.lineWidth = wide;
-            if (wide)
-                draw.stroke();
-        }
+        this.stroke(...isHidden ? [] : [[this.colors.ground, 5]], [this.colors.text, 2]);
         draw.setLineDash([]);
         const reach = wordsFrom + draw.measureText(words).width + ringRadius;
         const isLeft = at[0] + reach > this.width || others.some(

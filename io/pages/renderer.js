@@ -234,11 +234,12 @@ class Renderer {
         return performance.now() - begin;
     }
 
-    /** Of a scale, as the shaders need it. */
-    range(scale) {
-        const ends = scale ? scale.ends.map(x => x / this.unit) : [0, 0];
-        return scale?.isLog ? {range: ends.map(Math.log), logarithmic: true}
-            : {range: ends, logarithmic: false};
+    /** Of a scale, or null, as the shaders need it. */
+    coloring(scale) {
+        if (!scale)
+            return {range: [0, 0], logarithmic: false, map: new Array(mapSize).fill([0, 0, 0])};
+        const ends = scale.ends.map(x => x / this.unit);
+        return {range: scale.isLog ? ends.map(Math.log) : ends, logarithmic: scale.isLog, map: scale.colors};
     }
 
     drawAll(camera, look) {
@@ -249,8 +250,7 @@ class Renderer {
         gl.enable(gl.DEPTH_TEST);
         const all = {
             ...this.view(camera, canvas.width, canvas.height, look), ids: false,
-            map: look.scale ? look.scale.colors : new Array(mapSize).fill([0, 0, 0]),
-            ...this.range(look.scale),
+            ...this.coloring(look.scale),
         };
         if (!this.scene.isCurve)
             this.drawFaces(all, look);
@@ -282,7 +282,7 @@ class Renderer {
         const {gl, scene} = this, nearer = scene.isSolid ? 0.4 * scene.arrowLength : 0.004;
         for (const [edge, ink] of [[1.2, "arrow_edge"], [0, "arrow_color"]]) {
             this.use("arrows", {...all, ends: "arrows", width: 1.5, edge, nearer: nearer + (edge ? 0 : 0.001),
-                scale: 1, ink: look[ink]});
+                ink: look[ink]});
             gl.drawArrays(gl.TRIANGLES, 0, 4.5 * this.textures.arrows.count);
         }
     }
@@ -295,16 +295,15 @@ class Renderer {
         gl.drawElements(gl.TRIANGLES, this.seen, gl.UNSIGNED_INT, 0);
     }
 
-    /** The triangle at a pixel of so many, counted from below; -1: none. */
-    triangleAt(x, y, width, height, camera, look) {
+    /** The triangle at a place of the view, which has so many pixels; -1: none. */
+    triangleAt([x, y], [width, height], camera, look) {
         const {gl} = this;
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.pickBuffer);
-        gl.viewport(-x, -y, width, height);
+        gl.viewport(-Math.floor((width + x * height) / 2), -Math.floor((1 + y) * height / 2), width, height);
         gl.clearColor(0, 0, 0, 0);
         gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
         gl.enable(gl.DEPTH_TEST);
-        this.drawFaces({...this.view(camera, width, height, look), ids: true,
-            map: new Array(mapSize).fill([0, 0, 0]), ...this.range(null)}, look);
+        this.drawFaces({...this.view(camera, width, height, look), ids: true, ...this.coloring(null)}, look);
         const bytes = new Uint8Array(4);
         gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);

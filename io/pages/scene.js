@@ -50,7 +50,7 @@ class Scene {
     }
 
     point(v) {
-        return [this.points[3 * v], this.points[3 * v + 1], this.points[3 * v + 2]];
+        return vectorAt(this.points, v);
     }
 
     corners(t) {
@@ -80,7 +80,7 @@ class Scene {
     }
 
     center(cell) {
-        return [0, 1, 2].map(i => this.centers[3 * cell + i]);
+        return vectorAt(this.centers, cell);
     }
 
     /** Whether a plane leaves a cell: cells are taken away whole, by their centers. */
@@ -92,10 +92,8 @@ class Scene {
     /** Of the triangles with one side at a cell that is kept, 3 numbers each, as shaders count. */
     seenCorners(cut) {
         const {owners} = this.arrays, sides = this.isSolid ? 2 : 1;
-        const isKept = new Uint8Array(this.header.cells + 1); // -1, no cell, is the last
-        for (let cell = 0; cell < this.header.cells; ++cell)
-            isKept[cell] = this.isKept(cell, cut) ? 1 : 0;
-        const at = cell => isKept[cell < 0 ? this.header.cells : cell];
+        const isKept = made(Uint8Array, this.header.cells, cell => this.isKept(cell, cut));
+        const at = cell => cell < 0 ? 0 : isKept[cell];
         const seen = new Uint32Array(3 * this.size);
         let size = 0;
         for (let t = 0; t < this.size; ++t)
@@ -155,9 +153,8 @@ class Scene {
     /** Each with the number of the point where it begins. */
     segments(points, lines) {
         const places = this.places(points);
-        const place = v => [places[3 * v], places[3 * v + 1], places[3 * v + 2]];
         return this.lineTexels(lines.length / 2, i => [
-            [...place(lines[2 * i]), 0], [...place(lines[2 * i + 1]), lines[2 * i]]]);
+            [...vectorAt(places, lines[2 * i]), 0], [...vectorAt(places, lines[2 * i + 1]), lines[2 * i]]]);
     }
 
     curveLines(field, values) {

@@ -159,11 +159,11 @@ void main() { color = vec4(valued ? color_of(value) : ink, 1.0); }`;
 const arrowVertices = `${common}
 uniform sampler2D ends;
 uniform vec2 half_size;
-uniform float width, nearer, scale, edge; // pixels around the arrow
+uniform float width, nearer, edge; // pixels around the arrow
 void main() {
     int arrow = gl_VertexID / 9, corner = gl_VertexID % 9;
     vec3 from = texelFetch(ends, at(2 * arrow), 0).xyz;
-    vec3 along = scale * texelFetch(ends, at(2 * arrow + 1), 0).xyz;
+    vec3 along = texelFetch(ends, at(2 * arrow + 1), 0).xyz;
     vec4 a = seen(from - 0.5 * along, nearer), b = seen(from + 0.5 * along, nearer);
     vec2 ray = (b.xy - a.xy) * half_size;
     float size = length(ray);

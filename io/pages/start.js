@@ -70,9 +70,7 @@ class Viewer {
 
     /** Colors and switches, as the shaders call them. */
     look() {
-        const state = this.controls.state(), styles = getComputedStyle(document.documentElement);
-        const color = name => colorOf(styles.getPropertyValue(`--${name}`).trim());
-        const field = this.field;
+        const state = this.controls.state(), field = this.field, color = name => colorOf(ink(name));
         return {
             ...state, cut: this.plane(state), pixel: this.pixel, ground: color("ground"),
             plain: color("plain"), edge_color: color("edge"), removed_color: color("removed"),
@@ -160,11 +158,7 @@ class Viewer {
         element("legend-name").textContent = title;
         element("legend-about").textContent = about;
         element("legend-bar").style.background = gradient(look.scale);
-        element("legend-numbers").replaceChildren(...numbers.map(text => {
-            const span = document.createElement("span");
-            span.textContent = text;
-            return span;
-        }));
+        element("legend-numbers").replaceChildren(...numbers.map(text => elementOf("span", text)));
         [["from", numbers[0]], ["to", numbers.at(-1)]].forEach(([id, text]) => {
             element(id).placeholder = text;
         });
@@ -174,20 +168,17 @@ class Viewer {
 
     /** Whether something is nearer to the eye than a place, by more than a little, and not of its cell. */
     isHidden({place, cell}, look) {
-        const {camera, canvas: {width, height}} = this, [x, y] = camera.seen(place);
-        const at = this.renderer.triangleAt(Math.floor((width + x * height) / 2),
-            Math.floor((1 + y) * height / 2), width, height, camera, look);
+        const {camera, canvas: {width, height}} = this, seen = camera.seen(place);
+        const at = this.renderer.triangleAt(seen, [width, height], camera, look);
         if (at < 0 || (cell >= 0 && this.scene.owners(at).includes(cell)))
             return false;
         const corners = [...this.scene.corners(at)].map(v => this.scene.point(v));
-        const weights = coordinatesIn([x, y], corners.map(p => camera.seen(p)));
+        const weights = coordinatesIn(seen, corners.map(p => camera.seen(p)));
         const depth = corners.reduce((sum, p, i) => sum + weights[i] * dot(camera.axes[2], p), 0);
         return depth > dot(camera.axes[2], place) + (this.scene.isSolid ? 0.1 : 0.03);
     }
 
     get inks() {
-        const styles = getComputedStyle(document.documentElement);
-        const ink = name => styles.getPropertyValue(`--${name}`).trim();
         return {ground: ink("ground"), text: ink("text"), axes: ["x", "y", "z"].map(ink)};
     }
 
@@ -221,20 +212,12 @@ class Viewer {
 
     /** Tells of what is at a place of the view, in parts of half its height. */
     pick(place) {
-        const [width, height] = this.size(this.finePixel), look = this.look();
-        const at = this.scene.isCurve ? lineAt(this.scene, place, this.camera, 0.05)
-            : this.renderer.triangleAt(Math.floor((width + place[0] * height) / 2),
-                Math.floor((1 + place[1]) * height / 2), width, height, this.camera, look);
-        this.picked = at < 0 ? null : {at, place: this.within(place)};
+        const {scene, camera} = this;
+        const at = scene.isCurve ? lineAt(scene, place, camera, 0.05)
+            : this.renderer.triangleAt(place, this.size(this.finePixel), camera, this.look());
+        this.picked = at < 0 ? null : {at, place, camera: camera.copy()};
         this.pickedText();
         this.changed();
-    }
-
-    /** A place of the view by what is there, wherever it is seen later. */
-    within(place) {
-        const {camera} = this;
-        return {place, axes: camera.axes, zoom: camera.zoom, x: camera.x, y: camera.y,
-            seen: camera.seen};
     }
 
     pickedText() {
@@ -242,15 +225,11 @@ class Viewer {
         output.hidden = !this.picked;
         if (!this.picked)
             return;
-        const {at, place} = this.picked;
+        const {at, place, camera} = this.picked;
         const facts = this.scene.isCurve ? factsOfLine(this.scene, at, field, look.step)
-            : factsAt(this.scene, at, place.place, place, look, field, look.step);
+            : factsAt(this.scene, at, place, camera, look, field, look.step);
         this.picked.cell = facts.cell;
-        output.replaceChildren(...toldOf(facts, this.scene, field, look.step).map(text => {
-            const line = document.createElement("p");
-            line.textContent = text;
-            return line;
-        }));
+        output.replaceChildren(...toldOf(facts, this.scene, field, look.step).map(text => elementOf("p", text)));
         for (const name of ["cell", "vertex", "number", "value", "here"])
             output.dataset[name] = facts[name] ?? "";
     }
