@@ -69,9 +69,8 @@ private:
 
     void require(const Scanner& place, bool fits, const char* before) const {
         if (!fits)
-            place.fail(fmt::format("a section at the wrong place; expected {} before it; check "
-                                   "the format",
-                                   before));
+            place.fail(fmt::format(
+                "a section at the wrong place; expected {} before it; check the format", before));
     }
 
     void read_end(std::string_view name) {
@@ -79,9 +78,9 @@ private:
         const auto expected = fmt::format("${}{}", is_old ? "END" : "End", name);
         const auto word = scanner_.word(expected);
         if (word != expected)
-            scanner_.fail(fmt::format("{} where the section ends; expected {}; correct the number "
-                                      "of its records",
-                                      quote_word(word), expected));
+            scanner_.fail(fmt::format(
+                "{} where the section ends; expected {}; correct the number of its records",
+                quote_word(word), expected));
     }
 
     void skip_section(const Scanner& place, std::string_view name) {
@@ -90,9 +89,9 @@ private:
                        "again with -format msh41");
         const auto end = end_of_gmsh_section(scanner_.rest(), fmt::format("$End{}", name));
         if (end == std::string_view::npos)
-            place.fail(fmt::format("the section ${0} has no end; expected $End{0}; export it "
-                                   "again, it seems cut off",
-                                   name));
+            place.fail(fmt::format(
+                "the section ${0} has no end; expected $End{0}; export it again, it seems cut off",
+                name));
         scanner_.bytes(end, "a section");
     }
 
@@ -158,8 +157,8 @@ private:
             const auto number = source.number("a node of an element");
             const auto vertex = nodes_.find(number);
             if (!vertex)
-                source.fail(fmt::format("the node {} is not in the section $Nodes; expected one "
-                                        "of its numbers; correct it or add the node",
+                source.fail(fmt::format("the node {} is not in the section $Nodes; expected one of "
+                                        "its numbers; correct it or add the node",
                                         number));
             corners[i] = *vertex;
         }

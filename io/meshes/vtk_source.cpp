@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-
 namespace polydec {
 
 namespace {
@@ -28,13 +27,12 @@ double VtkSource::read_header() {
     const auto mark = scanner_.word("# vtk DataFile Version");
     for (const char* expected : {"vtk", "datafile", "version"})
         if (mark != "#" || keyword(expected) != expected)
-            scanner_.fail("the file does not begin with # vtk DataFile Version; expected a "
-                          "legacy VTK file; check the format");
+            scanner_.fail("the file does not begin with # vtk DataFile Version; expected a legacy "
+                          "VTK file; check the format");
     const double version = scanner_.number("the version");
     if (!(version >= 1.0 && version < 6.0))
-        scanner_.fail(fmt::format("version {} of the format; expected 1 to 5.1; save the mesh "
-                                  "as .vtu",
-                                  version));
+        scanner_.fail(fmt::format(
+            "version {} of the format; expected 1 to 5.1; save the mesh as .vtu", version));
     scanner_.next_line();
     scanner_.next_line();
 

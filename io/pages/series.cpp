@@ -78,11 +78,10 @@ Series::Series(std::filesystem::path path, Page page, const std::vector<double>&
     const std::string extension = lower_extension(path_);
     is_page_ = extension == ".html" || extension == ".png" || extension == ".svg";
     if (!is_page_ && extension != ".pvd")
-        throw InvalidInput(
-            fmt::format("cannot write {}: a series needs the extension .pvd, .html for "
-                        "a page, or .png or .svg for a picture of one step",
-                        printable(path_.string())),
-            {.path = path_});
+        throw InvalidInput(fmt::format("cannot write {}: a series needs the extension .pvd, .html "
+                                       "for a page, or .png or .svg for a picture of one step",
+                                       printable(path_.string())),
+                           {.path = path_});
     check_replaceable(path_);
     page_.steps.clear();
     page_.arrows.clear();

@@ -36,10 +36,10 @@ StructureDrawing::StructureDrawing(const Discretization& given, const StructureO
                 (points_.cols() == 3 && points_.col(2).maxCoeff() == points_.col(2).minCoeff())) {
     const Discretization& mesh = mesh_;
     if (n_ > 2 || points_.cols() < n_ || points_.cols() > 3)
-        throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates: a drawing of the "
-                                       "structure shows edges or polygons in at most three "
-                                       "coordinates; a page shows solids",
-                                       n_, points_.cols()));
+        throw InvalidInput(
+            fmt::format("cells of dimension {} in {} coordinates: a drawing of the structure shows "
+                        "edges or polygons in at most three coordinates; a page shows solids",
+                        n_, points_.cols()));
     if (!mesh.passage().is_identity())
         throw InvalidInput(
             "flipped edges are not straight lines: draw the mesh without flips, or as a page");
@@ -122,11 +122,10 @@ void StructureDrawing::choose_text_size(std::size_t rows_of_words) {
     const double fitting = middling_edge() / pixel_ / 5;
     text_size_ = std::clamp(fitting, legible, 15.0);
     if (options_.numbers && fitting < legible)
-        throw InvalidInput(fmt::format(
-            "{} edges are too many for legible numbers in a drawing {} pixels wide: draw it {:.0f} "
-            "wide, or without numbers",
-            mesh_.complex().size(1), drawing_.width,
-            std::ceil(drawing_.width * legible / fitting)));
+        throw InvalidInput(fmt::format("{} edges are too many for legible numbers in a drawing {} "
+                                       "pixels wide: draw it {:.0f} wide, or without numbers",
+                                       mesh_.complex().size(1), drawing_.width,
+                                       std::ceil(drawing_.width * legible / fitting)));
 }
 
 /// Whether every edge has two cells, which look outward.
@@ -184,9 +183,9 @@ StructureDrawing::layer_to_fill(const std::vector<std::vector<Index>>& layers) c
             if (degree != n_)
                 continue;
             if (of_cell[cell] < 0)
-                throw InvalidInput(fmt::format("the dual cell of vertex {} is turned away in part: "
-                                               "look from another side",
-                                               *options_.cell));
+                throw InvalidInput(fmt::format(
+                    "the dual cell of vertex {} is turned away in part: look from another side",
+                    *options_.cell));
             nearest = std::max(nearest, of_cell[cell]);
         }
     return nearest;
