@@ -82,7 +82,7 @@ public:
             Place middle = Place::Zero();
             for (std::size_t i = 0; i < 3; ++i) {
                 const Index corner = 3 * t + static_cast<Index>(i);
-                seen.corners[i] = project(Place(points_.row(surface.corners[corner])));
+                seen.corners[i] = project(points_, surface.corners[corner]);
                 middle += seen.corners[i] / 3;
             }
             painter.paint(seen);

@@ -21,6 +21,10 @@ public:
         return center_ + (scale_ * (axes_ * point - middle_)).cwiseProduct(Place(1, -1, 1));
     }
 
+    Place operator()(const Points& points, Index row) const {
+        return (*this)(points.row(row).transpose());
+    }
+
     /// A direction, in pixels.
     Place along(const Place& vector) const {
         return (scale_ * (axes_ * vector)).cwiseProduct(Place(1, -1, 1));

@@ -84,8 +84,7 @@ private:
                           std::size_t t) const {
         SeenTriangle seen;
         for (std::size_t i = 0; i < 3; ++i)
-            seen.corners[i] =
-                projection_(scenes_.points().row(scenes_.corners()[3 * t + i]).transpose());
+            seen.corners[i] = projection_(scenes_.points(), scenes_.corners()[3 * t + i]);
         if (!scene.values.empty()) {
             seen.parts.emplace();
             for (std::size_t i = 0; i < 3; ++i)
@@ -127,9 +126,8 @@ private:
             return result;
         std::vector<std::pair<double, PictureOverlay::Stroke>> strokes;
         for (std::size_t i = 0; i + 1 < scenes_.corners().size(); i += 2) {
-            const auto& points = scenes_.points();
-            const Place a = projection_(points.row(scenes_.corners()[i]).transpose());
-            const Place b = projection_(points.row(scenes_.corners()[i + 1]).transpose());
+            const Place a = projection_(scenes_.points(), scenes_.corners()[i]);
+            const Place b = projection_(scenes_.points(), scenes_.corners()[i + 1]);
             Color color = ink;
             if (!scene.values.empty())
                 color = painter.color(scenes_.part(scene.values[i] / 2 + scene.values[i + 1] / 2));
@@ -159,8 +157,8 @@ private:
             const Mesh& lines = arrows.lines;
             const Points points = in_space(lines.points);
             for (Index i = 0; i < lines.simplices.rows(); ++i) {
-                const Place a = projection_(points.row(lines.simplices(i, 0)).transpose());
-                const Place b = projection_(points.row(lines.simplices(i, 1)).transpose());
+                const Place a = projection_(points, lines.simplices(i, 0));
+                const Place b = projection_(points, lines.simplices(i, 1));
                 const double width = painter.shows((a + b) / 2) ? 3 : 0.8; // thin behind the mesh
                 result.strokes.push_back({{on_paper(a), on_paper(b)}, width, ink});
             }
@@ -174,7 +172,7 @@ private:
         std::vector<std::pair<Place, Index>> seen;
         Place low = Place::Constant(picture_width), high = Place::Zero();
         for (Index i = 0; i < scene.sites.rows(); ++i) {
-            const Place at = projection_(scene.sites.row(i).transpose());
+            const Place at = projection_(scene.sites, i);
             if (!painter.shows(at))
                 continue;
             seen.emplace_back(at, i);
@@ -243,15 +241,17 @@ private:
                            scene.time.empty() ? "" : fmt::format(", at t = {}", scene.time));
     }
 
+    static void add_label(PictureOverlay& result, SvgPoint at, std::string text, double size,
+                          SvgAnchor anchor) {
+        result.labels.push_back({at, std::move(text), size, anchor, ink});
+    }
+
     void add_head(PictureOverlay& result, const StillScene& scene) const {
         const std::string time = scene.time.empty() ? "" : "t = " + scene.time;
         const double room = picture_width - 3 * margin - svg_text_width(time, 20);
-        result.labels.push_back({{margin, 38},
-                                 shortened(scenes_.page().text.title, 20, room),
-                                 20,
-                                 SvgAnchor::start,
-                                 ink});
-        result.labels.push_back({{picture_width - margin, 38}, time, 20, SvgAnchor::end, ink});
+        add_label(result, {margin, 38}, shortened(scenes_.page().text.title, 20, room), 20,
+                  SvgAnchor::start);
+        add_label(result, {picture_width - margin, 38}, time, 20, SvgAnchor::end);
     }
 
     /// The bar, the name above it, and its ends and middle in numbers below.
@@ -267,16 +267,10 @@ private:
         const double numbers[] = {range.low, range.middle(), range.high};
         for (int i = 0; i < 3; ++i)
             if (!range.is_constant || i == 1)
-                result.labels.push_back({{left + long_bar * i / 2, picture_height - 16.0},
-                                         number_text(numbers[i]),
-                                         15,
-                                         SvgAnchor::middle,
-                                         ink});
-        result.labels.push_back({{picture_width / 2.0, picture_height - 62.0},
-                                 shortened(legend(), 16, picture_width - 2 * margin),
-                                 16,
-                                 SvgAnchor::middle,
-                                 ink});
+                add_label(result, {left + long_bar * i / 2, picture_height - 16.0},
+                          number_text(numbers[i]), 15, SvgAnchor::middle);
+        add_label(result, {picture_width / 2.0, picture_height - 62.0},
+                  shortened(legend(), 16, picture_width - 2 * margin), 16, SvgAnchor::middle);
     }
 
     /// A part of a triangle in one color, with the lines on its sides.

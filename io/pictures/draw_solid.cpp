@@ -174,17 +174,13 @@ void add_legend(SvgDrawing& drawing, const ColorScale& scale) {
         drawing.shapes.push_back(SvgPolygon{{{x, bottom}, {next, bottom}, {next, top}, {x, top}},
                                             {.stroke = color, .fill = color, .width = 0.5}});
     }
-    const double line = bottom + 1.5 * pixel, space = 8 * pixel;
-    drawing.shapes.push_back(SvgText{{left - space, line},
-                                     fmt::format("{:.3g}", scale.range[0]),
-                                     13,
-                                     SvgAnchor::end,
-                                     "#333333"});
-    drawing.shapes.push_back(SvgText{{left + width + space, line},
-                                     fmt::format("{:.3g}", scale.range[1]),
-                                     13,
-                                     SvgAnchor::start,
-                                     "#333333"});
+    const auto add_number = [&](double x, double value, SvgAnchor anchor) {
+        const std::string text = fmt::format("{:.3g}", value);
+        drawing.shapes.push_back(SvgText{{x, bottom + 1.5 * pixel}, text, 13, anchor, "#333333"});
+    };
+    const double space = 8 * pixel;
+    add_number(left - space, scale.range[0], SvgAnchor::end);
+    add_number(left + width + space, scale.range[1], SvgAnchor::start);
 }
 
 /// The cells of a solid that are kept, with what all their faces have in common.
