@@ -111,9 +111,12 @@ std::string higher_order_warning(std::size_t cells) {
         cells == 1 ? "1 cell" : fmt::format("{} cells", cells));
 }
 
-std::optional<Index> tag_from(double number) {
-    const bool fits = number == std::floor(number) && std::abs(number) < 0x1p31;
-    return fits ? std::optional(static_cast<Index>(number)) : std::nullopt;
+std::vector<Index> tags_from(const std::vector<double>& numbers) {
+    const bool fit = std::all_of(numbers.begin(), numbers.end(), [](double number) {
+        return number == std::floor(number) && std::abs(number) < 0x1p31;
+    });
+    return fit ? std::vector<Index>(numbers.begin(), numbers.end())
+               : std::vector<Index>(numbers.size(), 0);
 }
 
 std::vector<Index> tags_or_none(std::vector<Index> tags) {

@@ -5,7 +5,6 @@
 #include "meshes/mesh.h"
 
 #include <array>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -50,8 +49,8 @@ private:
     std::size_t curved_ = 0;
 };
 
-/// A group number from a file as a tag; none unless it is a 32-bit integer.
-std::optional<Index> tag_from(double number);
+/// Group numbers from a file as tags; all 0 unless each is a 32-bit integer: others name no groups.
+std::vector<Index> tags_from(const std::vector<double>& numbers);
 
 /// The warning about groups of the mesh's own cells besides their first.
 std::string second_groups_warning(std::size_t count);

@@ -101,22 +101,21 @@ std::size_t read_section(const Sections& sections, const CellSection& section, I
     Scanner scanner = sections.at(section.keyword);
     const auto count =
         static_cast<std::size_t>(scanner.count(section.keyword, 2 * (section.nodes + 1)));
-    std::vector<Index> numbers(count * section.corners), tags(count);
-    bool are_tags = true;
+    std::vector<Index> numbers(count * section.corners);
+    std::vector<double> references(count);
     for (std::size_t cell = 0; cell < count; ++cell) {
         for (std::size_t node = 0; node < section.nodes; ++node) {
             const Index vertex = scanner.vertex(vertices, 1);
             if (node < section.corners)
                 numbers[cell * section.corners + node] = vertex;
         }
-        const auto tag = tag_from(scanner.number("a reference"));
-        tags[cell] = tag.value_or(0);
-        are_tags = are_tags && tag.has_value();
+        references[cell] = scanner.number("a reference");
     }
+    const auto tags = tags_from(references);
     for (std::size_t cell = 0; cell < count; ++cell) {
         cells.add(section.dimension,
-                  std::span(numbers).subspan(cell * section.corners, section.corners),
-                  are_tags ? tags[cell] : 0, file);
+                  std::span(numbers).subspan(cell * section.corners, section.corners), tags[cell],
+                  file);
         cells.leave_out_nodes(section.nodes - section.corners);
     }
     return count;

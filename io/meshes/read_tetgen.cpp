@@ -76,15 +76,12 @@ struct Extras {
     int neighbors = 0;
 };
 
-/// Reads the attributes of a cell, as many as there are. TetGen's regions have whole numbers;
-/// others are no tags, which `are_tags` remembers.
-Index read_tag(Scanner& scanner, int attributes, bool& are_tags) {
+/// Reads the attributes of a cell, as many as there are; gives the last one.
+double read_attributes(Scanner& scanner, int attributes) {
     double value = 0.0;
     for (int i = 0; i < attributes && !scanner.at_line_end(); ++i)
         value = scanner.number("an attribute");
-    const auto tag = tag_from(value);
-    are_tags = are_tags && tag.has_value();
-    return tag.value_or(0);
+    return value;
 }
 
 /// The cells, one a line: number, corners, extras.
@@ -95,10 +92,9 @@ Mesh read_cells(Scanner& scanner, Nodes nodes, Index count, int corners, const E
     scanner.next_line();
     Mesh mesh;
     mesh.simplices.resize(count, corners);
-    mesh.tags.resize(count);
+    std::vector<double> regions(count);
 
     const auto first = first_number(scanner, "cell");
-    bool are_tags = true;
     for (Index cell = 0; cell < count; ++cell) {
         read_number(scanner, "cell", cell, first);
         for (int corner = 0; corner < corners; ++corner) {
@@ -107,12 +103,12 @@ Mesh read_cells(Scanner& scanner, Nodes nodes, Index count, int corners, const E
         }
         for (int node = 0; node < extras.nodes; ++node)
             scanner.vertex(nodes.size(), nodes.first);
-        mesh.tags[cell] = read_tag(scanner, extras.attributes, are_tags);
+        regions[cell] = read_attributes(scanner, extras.attributes);
         for (int word = 0; word < extras.neighbors && !scanner.at_line_end(); ++word)
             scanner.word("a neighbor");
         scanner.end_line("a cell");
     }
-    mesh.tags = are_tags ? tags_or_none(std::move(mesh.tags)) : std::vector<Index>();
+    mesh.tags = tags_or_none(tags_from(regions));
     if (extras.nodes > 0 && count > 0)
         mesh.warnings.push_back(higher_order_warning(count));
     mesh.points = std::move(nodes.points);

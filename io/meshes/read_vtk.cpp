@@ -258,16 +258,13 @@ private:
 
     std::size_t entries() const { return in_cell_data_ ? cell_data_ : point_data_; }
 
-    void keep_tags(std::string_view name, std::vector<double> values) {
-        if (in_cell_data_ && is_tag_name(name) && values.size() == cell_data_)
-            arrays_.tags = std::move(values);
-    }
-
     bool read_array(std::string_view name, std::size_t values, std::string_view type_name) {
         const auto type = VtkSource::type_of(type_name);
         if (!type)
             return source_.skip(type_name, values);
-        keep_tags(name, source_.values(*type, values));
+        auto numbers = source_.values(*type, values);
+        if (in_cell_data_ && is_tag_name(name) && values == cell_data_)
+            arrays_.tags = std::move(numbers);
         return true;
     }
 

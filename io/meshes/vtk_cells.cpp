@@ -90,7 +90,9 @@ public:
     Mesh mesh() {
         Points points = converted_points();
         check_sizes();
-        take_tags();
+        tags_ = tags_from(arrays_.tags);
+        if (tags_.size() != arrays_.types.size())
+            tags_.assign(arrays_.types.size(), 0);
         std::size_t begin = 0;
         for (std::size_t cell = 0; cell < arrays_.types.size(); ++cell)
             begin = convert(cell, begin);
@@ -120,21 +122,6 @@ private:
                 "{} types, {} offsets up to {} and {} corners of cells do not match; expected an "
                 "offset for each type, up to the number of corners; export it again",
                 arrays_.types.size(), arrays_.ends.size(), last, arrays_.corners.size()));
-    }
-
-    /// Numbers that are not whole name no groups, but something else of the same name.
-    void take_tags() {
-        tags_.assign(arrays_.types.size(), 0);
-        if (arrays_.tags.size() != tags_.size())
-            return;
-        for (std::size_t cell = 0; cell < tags_.size(); ++cell) {
-            const auto tag = tag_from(arrays_.tags[cell]);
-            if (!tag) {
-                tags_.assign(tags_.size(), 0);
-                return;
-            }
-            tags_[cell] = *tag;
-        }
     }
 
     std::size_t convert(std::size_t cell, std::size_t begin) {

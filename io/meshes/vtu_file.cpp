@@ -38,7 +38,6 @@ VtuFile::VtuFile(const SourceFile& file) : file_(file), reader_(file) {
 }
 
 void VtuFile::read_tag(XmlTag tag) {
-    const auto outer = std::string(outer_element(tag));
     if (tag.name == "VTKFile")
         read_file_tag(tag);
     else if (tag.name == "Piece")
@@ -46,13 +45,7 @@ void VtuFile::read_tag(XmlTag tag) {
     else if (tag.name == "AppendedData")
         read_appended(tag);
     else if (tag.name == "DataArray")
-        keep_array(std::move(tag), outer);
-}
-
-std::string_view VtuFile::outer_element(const XmlTag& tag) const {
-    const auto& path = reader_.path();
-    const std::size_t own = tag.closes ? 0 : 1;
-    return path.size() > own ? path[path.size() - own - 1] : std::string_view();
+        keep_array(std::move(tag));
 }
 
 void VtuFile::read_file_tag(const XmlTag& tag) {
@@ -72,13 +65,6 @@ void VtuFile::read_piece(const XmlTag& tag) {
     pieces_ += piece_is_empty_ ? 0 : 1;
 }
 
-void VtuFile::require_one_piece() const {
-    if (pieces_ > 1)
-        reader_.fail(fmt::format("the grid has {} pieces; expected one; merge them, for instance "
-                                 "with ParaView's filters Merge Blocks and Clean to Grid",
-                                 pieces_));
-}
-
 void VtuFile::read_appended(const XmlTag& tag) {
     const auto encoding = tag.attribute("encoding", "base64");
     const auto mark = reader_.rest().find('_');
@@ -91,7 +77,10 @@ void VtuFile::read_appended(const XmlTag& tag) {
     has_appended_ = true;
 }
 
-void VtuFile::keep_array(XmlTag tag, const std::string& outer) {
+void VtuFile::keep_array(XmlTag tag) {
+    const auto& path = reader_.path();
+    const std::size_t own = tag.closes ? 0 : 1; // the element itself, if it is still open
+    const std::string outer(path.size() > own ? path[path.size() - own - 1] : "");
     const auto name = tag.attribute("Name");
     const bool is_of_cells = name == "connectivity" || name == "offsets" || name == "types";
     const bool is_needed = outer == "Points" || (outer == "Cells" && is_of_cells);

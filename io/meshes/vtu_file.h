@@ -27,7 +27,6 @@ public:
 
     /// Some writers divide a grid into pieces, which repeat the points between them.
     int pieces() const { return pieces_; }
-    void require_one_piece() const;
 
     /// The first array of a section with this name, or any name; null if there is none.
     const VtuText* find(std::string_view section, std::string_view name = "", int piece = 0) const;
@@ -53,12 +52,10 @@ public:
 private:
     const VtuText& needed(const VtuText* array, const char* name) const;
     void read_tag(XmlTag tag);
-    /// The element around the one that this tag opened, and perhaps closed.
-    std::string_view outer_element(const XmlTag& tag) const;
     void read_file_tag(const XmlTag& tag);
     void read_piece(const XmlTag& tag);
     void read_appended(const XmlTag& tag);
-    void keep_array(XmlTag tag, const std::string& outer);
+    void keep_array(XmlTag tag);
     void keep_text(const XmlTag& tag);
 
     const SourceFile& file_;

@@ -25,7 +25,10 @@ const FaceList pyramid_faces{{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 
 class GridReader {
 public:
     explicit GridReader(const SourceFile& source) : vtu_(source) {
-        vtu_.require_one_piece();
+        if (vtu_.pieces() > 1)
+            vtu_.fail(fmt::format("the grid has {} pieces; expected one; merge them, for instance "
+                                  "with ParaView's filters Merge Blocks and Clean to Grid",
+                                  vtu_.pieces()));
         vtu_.check();
         grid_.points = points_from(vtu_.values(vtu_.points()));
         const auto ends = vtu_.values(vtu_.cells("offsets"));
