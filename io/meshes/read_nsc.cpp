@@ -15,34 +15,27 @@ void check_dimensions(const Scanner& scanner, Index ambient, Index dimension) {
                                  dimension, ambient));
 }
 
-Points read_points(Scanner& scanner, Index count, Index ambient) {
-    const auto record = fmt::format("a vertex of {} coordinates", ambient);
-    Points points(count, ambient);
-    for (Index vertex = 0; vertex < count; ++vertex) {
-        points(vertex, 0) = scanner.coordinate(vertex);
-        for (Index axis = 1; axis < ambient; ++axis) {
-            scanner.stay_on_line(record);
-            points(vertex, axis) = scanner.coordinate(vertex);
+/// Rows of so many numbers, one a line.
+template <class Rows, class Read>
+Rows read_rows(Scanner& scanner, Index count, Index width, const std::string& record, Read read) {
+    Rows rows(count, width);
+    for (Index row = 0; row < count; ++row) {
+        for (Index column = 0; column < width; ++column) {
+            if (column > 0)
+                scanner.stay_on_line(record);
+            rows(row, column) = read(row);
         }
         scanner.end_line(record);
     }
-    return points;
+    return rows;
 }
 
 } // namespace
 
 Simplices read_simplices(Scanner& scanner, Index count, Index dimension, Index vertices) {
-    const auto record = fmt::format("a simplex of {} vertex numbers", dimension + 1);
-    Simplices simplices(count, dimension + 1);
-    for (Index simplex = 0; simplex < count; ++simplex) {
-        simplices(simplex, 0) = scanner.vertex(vertices, 0);
-        for (Index corner = 1; corner <= dimension; ++corner) {
-            scanner.stay_on_line(record);
-            simplices(simplex, corner) = scanner.vertex(vertices, 0);
-        }
-        scanner.end_line(record);
-    }
-    return simplices;
+    return read_rows<Simplices>(scanner, count, dimension + 1,
+                                fmt::format("a simplex of {} vertex numbers", dimension + 1),
+                                [&](Index) { return scanner.vertex(vertices, 0); });
 }
 
 Mesh read_nsc(const SourceFile& file) {
@@ -57,7 +50,9 @@ Mesh read_nsc(const SourceFile& file) {
     scanner.end_line("the first line, N n and the numbers of vertices and simplices");
 
     Mesh mesh;
-    mesh.points = read_points(scanner, vertices, ambient);
+    mesh.points = read_rows<Points>(scanner, vertices, ambient,
+                                    fmt::format("a vertex of {} coordinates", ambient),
+                                    [&](Index vertex) { return scanner.coordinate(vertex); });
     mesh.simplices = read_simplices(scanner, simplices, dimension, vertices);
     if (!scanner.at_end())
         scanner.fail(fmt::format("more follows after {} simplices; expected the end of the file; "

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/page_content.h"
 
-#include "io/pages/first_view.h"
+#include "io/meshes/mesh_files.h"
 #include "io/pages/projection.h"
 #include "io/pages/surface_painter.h"
 #include "io/pictures/draw_cells.h"
+#include "io/pictures/upright_view.h"
 
 #include <Eigen/Geometry>
 
@@ -224,6 +225,12 @@ Opening opening_of(const PageContent& content) {
 }
 
 } // namespace
+
+int upward_axis(const Page& page) {
+    const int axis = page.text.up.value_or(up_axis(page.text.file));
+    upright_view(axis); // throws for other axes
+    return axis;
+}
 
 Points in_space(const Points& points) {
     Points result = Points::Zero(points.rows(), 3);

@@ -21,6 +21,10 @@ struct Opening {
     std::vector<bool> kept(const PageFaces& faces, const Points& points) const;
 };
 
+/// The axis of a page that points up, 0 to 2: the one that its text names, else that of its mesh
+/// file. Throws InvalidInput like upright_view.
+int upward_axis(const Page& page);
+
 /// Points or vectors with three coordinates; those that they lack are 0.
 Points in_space(const Points& points);
 

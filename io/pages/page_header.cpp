@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "dec/discretization/glued_box.h"
 #include "dec/fields/cell_centers.h"
-#include "io/pages/first_view.h"
 #include "io/pages/page_content.h"
 #include "io/pages/page_data.h"
 #include "io/pages/page_fields.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/still.h"
 
-#include "io/pages/first_view.h"
 #include "io/pages/picture_overlay.h"
 #include "io/pages/projection.h"
 #include "io/pages/still_scene.h"
 #include "io/pages/surface_painter.h"
 #include "io/pictures/lighting.h"
+#include "io/pictures/upright_view.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -9,6 +9,7 @@
 #include "dec/metric/rounding.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/structure_drawing.h"
+#include "io/pictures/upright_view.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -32,8 +33,7 @@ StructureDrawing::StructureDrawing(const Discretization& given, const StructureO
       points_(mesh_.measured_points()),
       options_(options),
       view_(options.view),
-      is_plane_(points_.cols() < 3 ||
-                (points_.cols() == 3 && points_.col(2).maxCoeff() == points_.col(2).minCoeff())) {
+      is_plane_(is_flat(points_)) {
     const Discretization& mesh = mesh_;
     if (n_ > 2 || points_.cols() < n_ || points_.cols() > 3)
         throw InvalidInput(

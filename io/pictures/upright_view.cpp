@@ -21,4 +21,18 @@ SolidView upright_view(int up) {
     return view;
 }
 
+bool is_flat(const Points& points) {
+    return points.cols() < 3 || points.rows() == 0 ||
+           points.col(2).minCoeff() == points.col(2).maxCoeff();
+}
+
+SolidView first_view(const Points& points, int up) {
+    SolidView view = upright_view(up);
+    if (is_flat(points)) {
+        view.eye = Eigen::Vector3d::UnitZ();
+        view.up = Eigen::Vector3d::UnitY();
+    }
+    return view;
+}
+
 } // namespace polydec

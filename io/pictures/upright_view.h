@@ -9,4 +9,11 @@ namespace polydec {
 /// Throws InvalidInput for other numbers.
 SolidView upright_view(int up);
 
+/// Whether all points lie in one plane z = constant.
+bool is_flat(const Points& points);
+
+/// The direction from which points are seen first: upright_view; from straight above if they are
+/// flat.
+SolidView first_view(const Points& points, int up);
+
 } // namespace polydec

@@ -2,8 +2,8 @@
 //
 // Pages without a browser: which triangles and lines they show, what they refuse, and that they
 // hold what they were given. What a browser makes of them is tested in tests/pages.
-#include "io/pages/first_view.h"
 #include "io/pages/page.h"
+#include "io/pages/page_content.h"
 #include "io/pages/page_faces.h"
 #include "io/pages/page_text.h"
 #include "io/pictures/draw_cells.h"
