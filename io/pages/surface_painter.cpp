@@ -61,7 +61,7 @@ SurfacePainter::SurfacePainter(int width, int height, std::vector<Color> map, Co
     : map_(std::move(map)),
       plain_(plain),
       samples_(factor * width, factor * height),
-      nearness_(place(0, samples_.height()), nothing) {}
+      nearness_(samples_.place(0, samples_.height()), nothing) {}
 
 Color SurfacePainter::color(double part) const {
     if (map_.empty())
@@ -115,7 +115,7 @@ void SurfacePainter::paint(const SeenTriangle& triangle) {
             if (a < 0 || b < 0 || c < 0)
                 continue;
             const auto nearer = static_cast<float>(near(at_x, at_y));
-            float& known = nearness_[place(column, row)];
+            float& known = nearness_[samples_.place(column, row)];
             if (nearer <= known)
                 continue;
             known = nearer;
@@ -128,7 +128,7 @@ bool SurfacePainter::shows(const Eigen::Vector3d& point) const {
     const double x = factor * point[0], y = factor * point[1];
     if (!(x >= 0 && y >= 0 && x < samples_.width() && y < samples_.height()))
         return false;
-    const float known = nearness_[place(static_cast<int>(x), static_cast<int>(y))];
+    const float known = nearness_[samples_.place(static_cast<int>(x), static_cast<int>(y))];
     return known != nothing && known <= factor * (point[2] + near_enough);
 }
 

@@ -50,11 +50,6 @@ private:
     /// The color of a triangle at a place with this part on the map.
     Color shaded(const SeenTriangle& triangle, double part) const;
 
-    std::size_t place(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(samples_.width()) +
-               static_cast<std::size_t>(x);
-    }
-
     std::vector<Color> map_;
     Color plain_;
     Raster samples_;

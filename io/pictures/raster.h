@@ -37,12 +37,13 @@ public:
     /// As a PNG file: 8 bits a channel, without time stamp; equal images give equal files.
     std::string to_png() const;
 
-private:
+    /// The number of a pixel, row by row.
     std::size_t place(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                static_cast<std::size_t>(x);
     }
 
+private:
     int width_, height_;
     std::vector<Color> pixels_;
 };
