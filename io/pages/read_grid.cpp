@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -82,29 +83,19 @@ private:
     }
 
     void add(std::size_t cell, const std::vector<Index>& corners) {
-        switch (types_[cell]) {
-        case 1:
-        case 3:
-        case 5:
-        case 7:
-        case 9:
-        case 10:
-        case 12:
-            return add_cell(grid_, static_cast<VtuCell>(types_[cell]), corners);
-        case 8:
-            if (corners.size() == 4)
-                return add_cell(grid_, VtuCell::quad,
-                                std::array{corners[0], corners[1], corners[3], corners[2]});
-            break;
-        case 11:
+        constexpr std::array<Index, 7> of_grids{1, 3, 5, 7, 9, 10, 12};
+        const Index type = types_[cell];
+        if (std::find(of_grids.begin(), of_grids.end(), type) != of_grids.end())
+            return add_cell(grid_, static_cast<VtuCell>(type), corners);
+        if (type == 8 && corners.size() == 4)
+            return add_cell(grid_, VtuCell::quad,
+                            std::array{corners[0], corners[1], corners[3], corners[2]});
+        if (type == 11)
             return add_solid(cell, corners, voxel_faces, 8);
-        case 13:
+        if (type == 13)
             return add_solid(cell, corners, wedge_faces, 6);
-        case 14:
+        if (type == 14)
             return add_solid(cell, corners, pyramid_faces, 5);
-        default:
-            break;
-        }
         refuse(cell, "is not supported by pages");
     }
 

@@ -45,14 +45,7 @@ std::string attributes(const SvgStyle& style) {
 }
 
 const char* name(SvgAnchor anchor) {
-    switch (anchor) {
-    case SvgAnchor::start:
-        return "start";
-    case SvgAnchor::middle:
-        return "middle";
-    default:
-        return "end";
-    }
+    return anchor == SvgAnchor::start ? "start" : anchor == SvgAnchor::middle ? "middle" : "end";
 }
 
 } // namespace

@@ -15,7 +15,6 @@
 #include <optional>
 #include <set>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 namespace polydec {
@@ -188,20 +187,17 @@ private:
 };
 
 template <typename Number>
-const char* type_name() {
-    if constexpr (std::is_same_v<Number, double>) {
-        return "Float64";
-    } else if constexpr (std::is_same_v<Number, float>) {
-        return "Float32";
-    } else if constexpr (std::is_same_v<Number, std::int64_t>) {
-        return "Int64";
-    } else if constexpr (std::is_same_v<Number, Index>) {
-        return "Int32";
-    } else {
-        static_assert(std::is_same_v<Number, std::uint8_t>);
-        return "UInt8";
-    }
-}
+constexpr const char* type_name = nullptr;
+template <>
+constexpr const char* type_name<double> = "Float64";
+template <>
+constexpr const char* type_name<float> = "Float32";
+template <>
+constexpr const char* type_name<std::int64_t> = "Int64";
+template <>
+constexpr const char* type_name<Index> = "Int32";
+template <>
+constexpr const char* type_name<std::uint8_t> = "UInt8";
 
 /// Writes the parts of one file.
 class Writer {
@@ -272,7 +268,7 @@ private:
     template <typename Number>
     void array(std::string_view name, const std::string& more, const std::vector<Number>& values) {
         file_.write(fmt::format("<DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">\n",
-                                type_name<Number>(), xml_escaped(name), more));
+                                type_name<Number>, xml_escaped(name), more));
         Base64Writer writer([this](std::string_view text) { file_.write(text); });
         writer.write(std::uint64_t{values.size() * sizeof(Number)});
         writer.write(std::span<const Number>(values));
