@@ -15,9 +15,6 @@ namespace polydec {
 
 namespace {
 
-constexpr const char* first_line = "the first line, n V S E: dimension and numbers of vertices, "
-                                   "simplices and edges";
-
 bool is_length(double value) {
     return value > 0 && std::isfinite(value);
 }
@@ -86,7 +83,8 @@ LengthMesh parse_lengths(const SourceFile& file) {
     const Index simplices =
         scanner.count("simplices", bytes * (static_cast<std::size_t>(dimension) + 1));
     const Index edges = scanner.count("edges", 3 * bytes);
-    scanner.end_line(first_line);
+    scanner.end_line("the first line, n V S E: dimension and numbers of vertices, simplices and "
+                     "edges");
     try {
         mesh.simplices = read_simplices(scanner, simplices, dimension, mesh.vertices);
         const auto lines = read_edges(scanner, edges, mesh);

@@ -21,10 +21,6 @@ std::vector<std::int64_t> offsets_of(const PlyElement& element, int length) {
     return offsets;
 }
 
-RecordTable::Run run_of(const PlyElement& element, std::int64_t begin, std::int64_t width) {
-    return {element.count, begin, width};
-}
-
 RecordTable points_of(const PartialFile& file, const PlyElement& element, std::int64_t begin) {
     const auto offsets = offsets_of(element, 0);
     RecordTable table;
@@ -34,7 +30,7 @@ RecordTable points_of(const PartialFile& file, const PlyElement& element, std::i
             refuse_layout(file, "vertices lack coordinates");
         table.fields.push_back({offsets[place], element.properties[place].type});
     }
-    table.runs = {run_of(element, begin, offsets.back())};
+    table.runs = {{element.count, begin, offsets.back()}};
     return table;
 }
 
@@ -48,7 +44,7 @@ void add_faces(MeshLayout& layout, const PlyElement& element, std::int64_t begin
     layout.cells = table_of(list.type, corners);
     for (auto& field : layout.cells.fields)
         field.offset += first;
-    layout.cells.runs = {run_of(element, begin, offsets.back())};
+    layout.cells.runs = {{element.count, begin, offsets.back()}};
     layout.expected.push_back({{{{length, list.length_type}}, layout.cells.runs}, corners, 0});
 }
 

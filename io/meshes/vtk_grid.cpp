@@ -9,12 +9,6 @@
 
 namespace polydec {
 
-namespace {
-
-constexpr double bytes_of_point = 24, bytes_of_cell = 120;
-
-} // namespace
-
 void check_grid(const VtkGrid& grid, const Scanner& place) {
     double points = 1;
     for (const std::size_t along : grid.points)
@@ -22,6 +16,7 @@ void check_grid(const VtkGrid& grid, const Scanner& place) {
     if (points > std::numeric_limits<Index>::max())
         place.fail(fmt::format("a grid of {} x {} x {} points; expected fewer than 2^31; divide it",
                                grid.points[0], grid.points[1], grid.points[2]));
+    constexpr double bytes_of_point = 24, bytes_of_cell = 120;
     check_memory(points * (bytes_of_point + bytes_of_cell),
                  fmt::format("a grid of {} points", points));
 }

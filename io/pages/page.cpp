@@ -56,8 +56,7 @@ std::string section_html(const char* id, const char* heading,
     std::string html = fmt::format("<section id=\"{}\"><h2>{}</h2>\n", id, heading);
     for (const auto& paragraph : paragraphs)
         html +=
-            fmt::format(fmt::runtime(paragraph.find('\n') == std::string::npos ? "<p>{}</p>\n"
-                                                                               : "<pre>{}</pre>\n"),
+            fmt::format("<{0}>{1}</{0}>\n", paragraph.find('\n') == std::string::npos ? "p" : "pre",
                         html_text(paragraph));
     return html + "</section>\n";
 }

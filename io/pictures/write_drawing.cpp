@@ -74,10 +74,7 @@ void check_drawing_file(const fs::path& path) {
 void write_drawing(const fs::path& path, std::string_view svg) {
     const std::string format = drawing_format(path);
     AtomicFile file(path);
-    if (format == "svg")
-        file.write(svg);
-    else
-        file.write(converted_svg(svg, format));
+    file.write(format == "svg" ? std::string(svg) : converted_svg(svg, format));
     file.commit();
 }
 
