@@ -51,16 +51,14 @@ std::optional<std::endian> read_encoding(Scanner& scanner) {
 PlyProperty read_property(Scanner& scanner) {
     PlyProperty property;
     scanner.stay_on_line("a type");
-    const Scanner bookmark = scanner;
-    property.is_list = scanner.word("a type") == "list";
+    property.is_list = Scanner(scanner).word("a type") == "list";
     if (property.is_list) {
+        scanner.word("list");
         property.length_type = read_type(scanner);
         if (property.length_type == NumberType::float32 ||
             property.length_type == NumberType::float64)
             scanner.fail("the length of a list is a floating-point number; expected a whole "
                          "number's type; correct the header");
-    } else {
-        scanner = bookmark;
     }
     property.type = read_type(scanner);
     scanner.stay_on_line("the name of a property");
