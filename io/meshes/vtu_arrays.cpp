@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "io/base64.h"
-#include "io/inflate.h"
+#include "io/deflate.h"
 #include "io/scanner.h"
 #include "system/memory.h"
 

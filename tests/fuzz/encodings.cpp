@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/base64.h"
-#include "io/inflate.h"
+#include "io/deflate.h"
 #include "io/xml_reader.h"
 #include "io/xml_text.h"
 #include "tests/fuzz/targets.h"

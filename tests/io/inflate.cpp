@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/inflate.h"
-
+#include "io/deflate.h"
 #include "tests/io/bytes.h"
 
 #include <gtest/gtest.h>

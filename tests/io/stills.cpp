@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Parts of still pictures. Whole pictures are tested in tests/tools/stills.py.
-#include "io/inflate.h"
+#include "io/deflate.h"
 #include "io/pages/surface_painter.h"
 #include "io/pictures/stroke_font.h"
 
