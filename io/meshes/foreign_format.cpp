@@ -17,12 +17,11 @@ using namespace std::string_view_literals;
 struct Mark {
     std::string_view begin;
     const char* name;
-    const char* extension = ""; ///< of formats that are read
+    const char* extension = ""; ///< of formats that are read: such files need another name
     const char* advice = "convert it, for instance with meshio";
 };
 
 constexpr const char* unpack = "unpack it";
-constexpr const char* rename_it = "";
 constexpr const char* download = "download the file itself";
 constexpr std::array marks{
     Mark{"version https://git-lfs"sv, "a pointer of Git LFS", "", "run git lfs pull"},
@@ -78,18 +77,18 @@ constexpr std::array marks{
     Mark{"<dolfin"sv, "a mesh of FEniCS"},
     Mark{"<Xdmf"sv, "an XDMF file"},
     Mark{"<COLLADA"sv, "a COLLADA file"},
-    Mark{"# vtk DataFile"sv, "a legacy VTK file", ".vtk", rename_it},
-    Mark{"<VTKFile"sv, "an XML file of VTK", ".vtu", rename_it},
-    Mark{"$MeshFormat"sv, "a Gmsh mesh", ".msh", rename_it},
-    Mark{"$NOD"sv, "a Gmsh mesh", ".msh", rename_it},
-    Mark{"MeshVersionFormatted"sv, "a MEDIT mesh", ".mesh", rename_it},
-    Mark{"ply\n"sv, "a PLY file", ".ply", rename_it},
-    Mark{"ply\r"sv, "a PLY file", ".ply", rename_it},
-    Mark{"OFF"sv, "an OFF file", ".off", rename_it},
-    Mark{"COFF"sv, "an OFF file", ".off", rename_it},
-    Mark{"solid "sv, "an STL file", ".stl", rename_it},
-    Mark{"v "sv, "an OBJ file", ".obj", rename_it},
-    Mark{"# Blender"sv, "an OBJ file", ".obj", rename_it},
+    Mark{"# vtk DataFile"sv, "a legacy VTK file", ".vtk"},
+    Mark{"<VTKFile"sv, "an XML file of VTK", ".vtu"},
+    Mark{"$MeshFormat"sv, "a Gmsh mesh", ".msh"},
+    Mark{"$NOD"sv, "a Gmsh mesh", ".msh"},
+    Mark{"MeshVersionFormatted"sv, "a MEDIT mesh", ".mesh"},
+    Mark{"ply\n"sv, "a PLY file", ".ply"},
+    Mark{"ply\r"sv, "a PLY file", ".ply"},
+    Mark{"OFF"sv, "an OFF file", ".off"},
+    Mark{"COFF"sv, "an OFF file", ".off"},
+    Mark{"solid "sv, "an STL file", ".stl"},
+    Mark{"v "sv, "an OBJ file", ".obj"},
+    Mark{"# Blender"sv, "an OBJ file", ".obj"},
 };
 
 /// Behind a byte order mark, blanks and, of XML, the declaration and comments.
@@ -124,7 +123,7 @@ std::string foreign_format(const SourceFile& file) {
         if (own == mark.extension)
             return {};
         return fmt::format("{}; {}", mark.name,
-                           mark.advice[0] != '\0'
+                           mark.extension[0] == '\0'
                                ? mark.advice
                                : fmt::format("rename it to end with {}", mark.extension));
     }
