@@ -189,23 +189,22 @@ public:
     Kept(const Discretization& given, const std::function<bool(const Vector&)>& keep,
          const Vector& values)
         : mesh_(placed(given)), values_(values) {
-        const Discretization& mesh = mesh_;
         const Index n_cells = given.complex().size(3);
-        require_points(mesh.points().cols(), "a drawing");
-        if (mesh.dimension() != 3 || mesh.points().cols() != 3)
+        require_points(mesh_.points().cols(), "a drawing");
+        if (mesh_.dimension() != 3 || mesh_.points().cols() != 3)
             throw InvalidInput(fmt::format(
                 "cells of dimension {} in {} coordinates are not a solid: expected 3 and 3",
-                mesh.dimension(), mesh.points().cols()));
+                mesh_.dimension(), mesh_.points().cols()));
         if (values.size() != 0 && values.size() != n_cells)
             throw InvalidInput(fmt::format(
                 "{} values are given: expected one for each of the {} merged 3-cells, or none",
                 values.size(), n_cells));
         numbers_ = cells_of_places(given, 3);
-        centroids_ = cell_centroids(mesh, 3);
+        centroids_ = cell_centroids(mesh_, 3);
         // cells on one sphere share a center; their centroids tell which is nearer
-        centers_ = cell_centers(mesh, 3);
+        centers_ = cell_centers(mesh_, 3);
         centers_ += 1e-6 * (centroids_ - centers_);
-        for (Index cell = 0; cell < mesh.complex().size(3); ++cell)
+        for (Index cell = 0; cell < mesh_.complex().size(3); ++cell)
             if (keep(centroids_.row(cell).transpose()))
                 cells_.push_back(cell);
         if (cells_.empty())

@@ -34,13 +34,12 @@ StructureDrawing::StructureDrawing(const Discretization& given, const StructureO
       options_(options),
       view_(options.view),
       is_plane_(is_flat(points_)) {
-    const Discretization& mesh = mesh_;
     if (n_ > 2 || points_.cols() < n_ || points_.cols() > 3)
         throw InvalidInput(
             fmt::format("cells of dimension {} in {} coordinates: a drawing of the structure shows "
                         "edges or polygons in at most three coordinates; a page shows solids",
                         n_, points_.cols()));
-    if (!mesh.passage().is_identity())
+    if (!mesh_.passage().is_identity())
         throw InvalidInput(
             "flipped edges are not straight lines: draw the mesh without flips, or as a page");
     if (is_plane_) {
@@ -51,18 +50,18 @@ StructureDrawing::StructureDrawing(const Discretization& given, const StructureO
     for (int k = 0; k <= n_; ++k) {
         numbers_[k] = cells_of_places(given, k);
         centers_[k] =
-            (options.centroids ? cell_centroids(mesh, k) : cell_centers(mesh, k)) / mesh.unit();
+            (options.centroids ? cell_centroids(mesh_, k) : cell_centers(mesh_, k)) / mesh_.unit();
     }
-    corners_.resize(mesh.complex().size(n_));
+    corners_.resize(mesh_.complex().size(n_));
     removed_.resize(corners_.size());
-    ends_in_cell_.resize(mesh.complex().size(n_ - 1));
+    ends_in_cell_.resize(mesh_.complex().size(n_ - 1));
     for (Index cell = 0; cell < std::ssize(corners_); ++cell) {
         const auto [a, b] = n_ == 1 ? ends(cell) : std::pair<Index, Index>();
-        corners_[cell] = n_ == 1 ? std::vector{a, b} : corners(mesh.merging(), cell);
-        for (const auto& [facet, sign] : mesh.complex().incidences(n_ - 1)[cell])
+        corners_[cell] = n_ == 1 ? std::vector{a, b} : corners(mesh_.merging(), cell);
+        for (const auto& [facet, sign] : mesh_.complex().incidences(n_ - 1)[cell])
             ends_in_cell_[facet] = ends_in_cell_[facet] || is_end_of_dual(sign);
     }
-    const auto& carriers = mesh.merging().carriers(n_ - 1);
+    const auto& carriers = mesh_.merging().carriers(n_ - 1);
     for (Index facet = 0; facet < std::ssize(carriers); ++facet)
         if (carriers[facet].dimension == n_)
             removed_[carriers[facet].cell].push_back(facet);
