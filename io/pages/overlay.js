@@ -104,7 +104,8 @@ class Overlay {
         const perPixel = 2 * scene.extent * scene.radius / (camera.zoom * this.height);
         const length = roundLength(Math.min(150, 0.3 * this.width) * perPixel);
         const right = this.width - 16, left = right - length / perPixel;
-        const isTaken = marks.some(at => at[1] > this.height - 3 * lineHeight && at[0] > left - 100);
+        const aside = 100; // as wide as the words beside a mark
+        const isTaken = marks.some(at => at[1] > this.height - 3 * lineHeight && at[0] > left - aside);
         const y = isTaken ? 2 * lineHeight : this.height - 16;
         this.line([[left, y - 5], [left, y], [right, y], [right, y - 5]], this.colors.text, 2);
         this.text(`${numberText(length, 3)} ${unit || "(unit of the file)"}`, right, y - 13, "right");

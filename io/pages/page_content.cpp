@@ -51,7 +51,7 @@ Vector heights_of_cells(const PageFaces& faces, const Points& points, int side) 
 class Opener {
 public:
     static constexpr double nearly = 0.95;  // as large as the largest
-    static constexpr double clearly = 1.25; // wider, so that rounding decides nothing
+    static constexpr double clearly = 1.25; // wider: a quarter is seen, and is no error of rounding
 
     explicit Opener(const PageContent& content)
         : page_(content.page),
@@ -149,7 +149,8 @@ public:
     };
 
     /// A cut in half across an axis, towards the eye, or, if the field's largest value is not seen
-    /// there, through it; of a field with vectors always in the middle part.
+    /// there, through it; of a field with vectors always in the middle part, where the section is
+    /// wide enough for arrows.
     Cut cut(Opening opening, int axis) const {
         opening.side = opening.view.eye[axis] < 0 ? axis + 3 : axis;
         opening.percent = 50;

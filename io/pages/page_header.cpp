@@ -31,16 +31,13 @@ constexpr std::size_t most_exact_values = 600000;
 constexpr Eigen::Index most_exact_points = 100000;
 
 /// Rows of three numbers, as many as sites; every stride-th one.
-DenseMatrix some_vectors(const PageArrows& arrows, const Points& vectors, Index stride) {
+Points some_vectors(const PageArrows& arrows, const Points& vectors, Index stride) {
     if (arrows.sites.rows() != vectors.rows())
         throw InvalidInput(fmt::format(
             "{} vectors are given for {} sites of the arrows `{}`: expected equal numbers",
             vectors.rows(), arrows.sites.rows(), arrows.field));
-    const auto rows = static_cast<Index>(vectors.rows());
-    DenseMatrix some = DenseMatrix::Zero((rows + stride - 1) / stride, 3);
-    for (Index i = 0; i < rows; i += stride)
-        some.row(i / stride).head(vectors.cols()) = vectors.row(i);
-    return some;
+    const auto some = Eigen::seqN(0, (vectors.rows() + stride - 1) / stride, stride);
+    return in_space(vectors)(some, Eigen::indexing::all);
 }
 
 /// The rule of color_range, in JSON.
