@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace polydec {
 
@@ -83,8 +84,7 @@ private:
     /// may have a slit. The others stay, so that vertices keep their numbers. How many there are.
     std::size_t join() {
         std::vector<std::size_t> order(arrays_.points.size() / 3);
-        for (std::size_t v = 0; v < order.size(); ++v)
-            order[v] = v;
+        std::iota(order.begin(), order.end(), 0);
         if (!std::all_of(arrays_.points.begin(), arrays_.points.end(),
                          [](double value) { return std::isfinite(value); }))
             return 0; // to be refused

@@ -65,7 +65,7 @@ constexpr std::array cell_kinds{
     CellKind{35, 1, 2, 4},
     CellKind{36, 2, any_number, any_number, Order::half_are_corners},
     CellKind{37, 3, 5, 19},
-    // Lagrange's and Bezier's cells of any order
+    // Lagrange's cells of any order
     CellKind{68, 1, 2, any_number},
     CellKind{69, 2, 3, any_number},
     CellKind{70, 2, 4, any_number},
@@ -73,14 +73,8 @@ constexpr std::array cell_kinds{
     CellKind{72, 3, 8, any_number},
     CellKind{73, 3, 6, any_number},
     CellKind{74, 3, 5, any_number},
-    CellKind{75, 1, 2, any_number},
-    CellKind{76, 2, 3, any_number},
-    CellKind{77, 2, 4, any_number},
-    CellKind{78, 3, 4, any_number},
-    CellKind{79, 3, 8, any_number},
-    CellKind{80, 3, 6, any_number},
-    CellKind{81, 3, 5, any_number},
 };
+constexpr int first_lagrange = 68, from_lagrange_to_bezier = 7; // which have the same corners
 
 class Converter {
 public:
@@ -137,7 +131,7 @@ private:
         if (!fits(kind, nodes))
             place_.fail(fmt::format("cell {} of VTK's type {} has {} corners; expected the "
                                     "corners of its type; export it again",
-                                    cell, kind.type, nodes));
+                                    cell, arrays_.types[cell], nodes));
         corners_.clear();
         for (std::size_t i = begin; i < begin + nodes; ++i)
             corners_.push_back(vertex_at(i, cell));
@@ -160,7 +154,8 @@ private:
     const CellKind& kind_of(std::size_t cell) const {
         const double type = arrays_.types[cell];
         for (const auto& kind : cell_kinds)
-            if (kind.type == type)
+            if (kind.type == type ||
+                (kind.type >= first_lagrange && kind.type + from_lagrange_to_bezier == type))
                 return kind;
         constexpr double polyhedron = 42;
         place_.fail(fmt::format(
