@@ -43,12 +43,12 @@ SvgBox frame_of(const StillScenes& scenes) {
 
 class StillPictures {
 public:
-    explicit StillPictures(const StillScenes& scenes)
-        : scenes_(scenes),
-          projection_(scenes.view(), scenes.points(), scenes.corners(), frame_of(scenes)),
-          is_flat_(is_flat(scenes.page().grid.points)) {
-        if (scenes.range())
-            map_ = fine_map(scenes.range()->map);
+    explicit StillPictures(const PageContent& content)
+        : scenes_(content),
+          projection_(scenes_.view(), scenes_.points(), scenes_.corners(), frame_of(scenes_)),
+          is_flat_(is_flat(content.page.grid.points)) {
+        if (scenes_.range())
+            map_ = fine_map(scenes_.range()->map);
     }
 
     StillView view(std::size_t step) const {
@@ -339,7 +339,7 @@ private:
         }
     }
 
-    const StillScenes& scenes_;
+    StillScenes scenes_;
     Projection projection_;
     bool is_flat_;
     std::vector<Color> map_;
@@ -348,8 +348,7 @@ private:
 } // namespace
 
 StillView still_view(const PageContent& content) {
-    const StillScenes scenes(content);
-    return StillPictures(scenes).view(scenes.first_step());
+    return StillPictures(content).view(content.shown.step);
 }
 
 std::string to_png(const Page& page) {
@@ -358,15 +357,13 @@ std::string to_png(const Page& page) {
 
 std::string to_svg(const Page& page) {
     const PageContent content(page);
-    const StillScenes scenes(content);
-    return StillPictures(scenes).svg(scenes.first_step());
+    return StillPictures(content).svg(content.shown.step);
 }
 
 void draw_steps(const Page& page, const std::function<void(const std::string& png)>& take) {
     const PageContent content(page);
-    const StillScenes scenes(content);
-    const StillPictures pictures(scenes);
-    for (std::size_t step = 0; step < scenes.size(); ++step)
+    const StillPictures pictures(content);
+    for (std::size_t step = 0; step < std::max<std::size_t>(1, page.steps.size()); ++step)
         take(pictures.view(step).png);
 }
 

@@ -25,8 +25,6 @@ public:
     /// Throws InvalidInput if the page has no lines or faces. The content must outlive this object.
     explicit StillScenes(const PageContent& content);
 
-    std::size_t size() const { return page().steps.empty() ? 1 : page().steps.size(); }
-    std::size_t first_step() const { return shown_.step; }
     const SolidView& view() const { return content_.opening.view; }
     StillScene at(std::size_t step) const;
 
