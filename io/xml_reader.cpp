@@ -56,7 +56,7 @@ bool XmlReader::next(XmlTag& tag) {
     tag.line = line_;
     tag.closes = starts_with("</");
     tag.opens = !tag.closes;
-    go_to(position_ + (tag.closes ? 2 : 1));
+    pass(tag.closes ? 2 : 1);
     tag.name = read_name();
     read_attributes(tag);
     keep_path(tag);
@@ -72,13 +72,13 @@ void XmlReader::go_to_tag() {
     const auto end = std::min(rest().find('<'), rest().size());
     text_ = rest().substr(0, end);
     text_line_ = line_;
-    go_to(position_ + end);
+    pass(end);
 }
 
-void XmlReader::go_to(std::size_t position) {
-    const auto passed = rest().substr(0, position - position_);
+void XmlReader::pass(std::size_t bytes) {
+    const auto passed = rest().substr(0, bytes);
     line_ += std::count(passed.begin(), passed.end(), '\n');
-    position_ = position;
+    position_ += bytes;
 }
 
 void XmlReader::pass_over(std::string_view end) {
@@ -87,11 +87,11 @@ void XmlReader::pass_over(std::string_view end) {
         fail(fmt::format("the file ends within a comment or declaration; expected {}; export it "
                          "again, it seems cut off",
                          end));
-    go_to(position_ + place + end.size());
+    pass(place + end.size());
 }
 
 void XmlReader::skip_spaces() {
-    go_to(position_ + std::min(rest().find_first_not_of(spaces), rest().size()));
+    pass(std::min(rest().find_first_not_of(spaces), rest().size()));
 }
 
 bool XmlReader::starts_with(std::string_view word) const {
@@ -105,7 +105,7 @@ std::string_view XmlReader::read_name() {
         fail(fmt::format(
             "found {} in place of a name; expected a tag or attribute of XML; export it again",
             quote_word(rest().substr(0, 10))));
-    go_to(position_ + size);
+    pass(size);
     return name;
 }
 
@@ -113,14 +113,14 @@ std::string XmlReader::read_value() {
     skip_spaces();
     if (!starts_with("="))
         fail("an attribute has no value; expected = and a value in quotes; export it again");
-    go_to(position_ + 1);
+    pass(1);
     skip_spaces();
     const auto end = starts_with("\"") || starts_with("'") ? rest().find(rest().front(), 1)
                                                            : std::string_view::npos;
     if (end == std::string_view::npos)
         fail("the value of an attribute is not in quotes; expected two of them; export it again");
     auto value = resolved(rest().substr(1, end - 1));
-    go_to(position_ + end + 1);
+    pass(end + 1);
     return value;
 }
 
@@ -128,7 +128,7 @@ void XmlReader::read_attributes(XmlTag& tag) {
     for (skip_spaces(); !starts_with(">"); skip_spaces()) {
         if (starts_with("/>")) {
             tag.closes = true;
-            go_to(position_ + 1);
+            pass(1);
             break;
         }
         if (rest().empty())
@@ -136,7 +136,7 @@ void XmlReader::read_attributes(XmlTag& tag) {
         const auto key = read_name();
         tag.attributes.emplace_back(key, read_value());
     }
-    go_to(position_ + 1);
+    pass(1);
 }
 
 void XmlReader::keep_path(const XmlTag& tag) {

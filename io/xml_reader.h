@@ -48,7 +48,7 @@ public:
 
 private:
     void go_to_tag();
-    void go_to(std::size_t position);
+    void pass(std::size_t bytes);
     void pass_over(std::string_view end);
     void skip_spaces();
     bool starts_with(std::string_view word) const;

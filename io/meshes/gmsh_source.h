@@ -87,8 +87,6 @@ public:
 
     std::optional<Index> find(std::int64_t number) const;
 
-    std::size_t size() const { return pairs_.size(); }
-
 private:
     std::vector<std::pair<std::int64_t, Index>> pairs_;
 };

@@ -171,11 +171,8 @@ Mesh read_pdm(const SourceFile& file) {
     Mesh mesh;
     mesh.points = reader.points(0, layout.vertices);
     const auto corners = reader.cells(0, layout.cells);
-    mesh.simplices =
-        Eigen::Map<
-            const Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-            corners.data(), layout.cells, layout.dimension + 1)
-            .cast<Index>();
+    mesh.simplices.resize(layout.cells, layout.dimension + 1);
+    std::copy(corners.begin(), corners.end(), mesh.simplices.data());
     mesh.tags = reader.tags(0, layout.cells);
     return mesh;
 }

@@ -54,11 +54,10 @@ class Controls {
             element(id).closest("label, fieldset").hidden = !isThere;
         };
         const kinds = scene.isCurve ? [] : new Set(scene.arrays.sides);
-        hide("field", fields.length > 0);
-        hide("map", fields.length > 0);
+        for (const id of ["field", "map", "from"])
+            hide(id, fields.length > 0);
         hide("step", header.steps.length > 1);
         hide("speed", header.steps.length > 1 && !this.calm.matches);
-        hide("from", fields.length > 0);
         hide("log", fields.some(field => [field, field.strength].some(each => each?.low >= 0 && each.high > 0)));
         hide("values", fields.some(field => field.strength));
         hide("height", scene.isFlat && !scene.isCurve && fields.some(
