@@ -14,8 +14,9 @@ class Controls {
         this.viewer = viewer;
         this.calm = matchMedia("(prefers-reduced-motion: reduce)");
         const {scene, fields} = viewer, {header} = scene;
-        this.offer("field", [["-1", "cells without values"],
-            ...fields.map((field, i) => [String(i), `${field.name} (${field.place})`])]);
+        const choices = ["cells without values", ...fields.map(field => `${field.name} (${field.place})`)];
+        element("field").replaceChildren(...choices.map(
+            (text, i) => Object.assign(elementOf("option", text), {value: i - 1})));
         element("field").value = String(header.shown);
         element("removed").checked = header.shown < 0; // they would drown a field
         const isStrength = fields[header.shown]?.strength !== undefined; // lines run along it
@@ -42,11 +43,6 @@ class Controls {
         this.prepareTable();
         for (const id of ["controls", "theme", "save"])
             element(id).hidden = false;
-    }
-
-    offer(id, choices) {
-        element(id).replaceChildren(...choices.map(
-            ([value, text]) => Object.assign(elementOf("option", text), {value})));
     }
 
     hideWhatIsNotThere(scene, header, fields) {
