@@ -61,6 +61,8 @@ private:
     void add_circle(Index cell, Strokes& strokes) const;
     void add_orientations(Index cell, Strokes& strokes) const;
     Point middle(Index cell) const;
+    std::vector<SvgPoint> arc(const Point& center, const Point& u, const Point& w, double begin,
+                              double end, int parts) const;
     std::vector<LineInWords> words() const;
 
     std::vector<SvgPoint> wishes(int k, Index cell) const;

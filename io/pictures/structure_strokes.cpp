@@ -10,12 +10,9 @@
 
 namespace polydec {
 
-namespace {
-
 /// Points of an arc of an ellipse with these half axes, angles in parts of pi.
-template <class See>
-std::vector<SvgPoint> arc(const Eigen::Vector3d& center, const Eigen::Vector3d& u,
-                          const Eigen::Vector3d& w, double begin, double end, int parts, See seen) {
+std::vector<SvgPoint> StructureDrawing::arc(const Point& center, const Point& u, const Point& w,
+                                            double begin, double end, int parts) const {
     std::vector<SvgPoint> points;
     for (int i = 0; i <= parts; ++i) {
         const double angle = (begin + (end - begin) * i / parts) * std::numbers::pi;
@@ -23,8 +20,6 @@ std::vector<SvgPoint> arc(const Eigen::Vector3d& center, const Eigen::Vector3d& 
     }
     return points;
 }
-
-} // namespace
 
 /// The mean of the corners, inside where cells are convex.
 StructureDrawing::Point StructureDrawing::middle(Index cell) const {
@@ -124,8 +119,7 @@ void StructureDrawing::add_circle(Index cell, Strokes& strokes) const {
         other = across.norm() > other.norm() ? across : other;
     }
     other *= out.norm() / other.norm();
-    const auto see = [this](const Point& point) { return seen(point); };
-    strokes.marks.emplace_back(SvgPolyline{arc(center, out, other, 0, 2, 72, see), style});
+    strokes.marks.emplace_back(SvgPolyline{arc(center, out, other, 0, 2, 72), style});
 }
 
 /// A head on each edge, and three quarters of a circle around the cell as its boundary runs.
@@ -146,8 +140,7 @@ void StructureDrawing::add_orientations(Index cell, Strokes& strokes) const {
     const Point u = first.normalized();
     const Point w = (second - second.dot(u) * u).normalized();
     const double radius = 0.45 * room;
-    const auto turn = arc(center, radius * u, radius * w, 0.25, 1.75, 27,
-                          [this](const Point& point) { return seen(point); });
+    const auto turn = arc(center, radius * u, radius * w, 0.25, 1.75, 27);
     strokes.marks.emplace_back(SvgPolyline{{turn.begin(), turn.end() - 2}, turn_style()});
     strokes.marks.emplace_back(SvgArrow{turn[turn.size() - 4], turn.back(), turn_style()});
 }
