@@ -120,30 +120,6 @@ PolygonMesh polygons(const Merging& merging, Points points, const Naming& named)
     return mesh;
 }
 
-} // namespace
-
-void check_drawable(int dimension, int ambient_dimension) {
-    require_points(ambient_dimension, "a drawing");
-    if (dimension > 3 || ambient_dimension > 3)
-        throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates cannot be drawn: a "
-                                       ".vtu file shows at most 3",
-                                       dimension, ambient_dimension));
-}
-
-VtuGrid draw_cells(const CellComplex& complex, const Points& points, int k) {
-    return draw(
-        complex, points, k, [&](Index cell) { return corners(complex, cell); }, std::identity());
-}
-
-void add_cochain(VtuGrid& grid, const CellComplex& complex, int k, std::string name,
-                 const Eigen::Ref<const DenseMatrix>& values) {
-    cell_degree(complex, Side::primal, k);
-    check_as_many(fmt::format("rows of `{}`", name), values.rows(), complex.size(k));
-    (k > 0 ? grid.cell_data : grid.point_data).push_back(vtu_array(std::move(name), values));
-}
-
-namespace {
-
 /// Rows of the input's vertices where its numbers say, those of vertices of no cell between them.
 Points by_number(const Discretization& mesh, const Points& rows, const Points& others) {
     Points result(rows.rows() + others.rows(), rows.cols());
@@ -166,25 +142,6 @@ Naming numbers_of_input(const Discretization& mesh) {
         [&mesh](std::vector<Index> list) { return mesh.input().vertex_numbers(std::move(list)); };
 }
 
-} // namespace
-
-Merging drawn_cells(const Discretization& given) {
-    const Discretization& mesh = placed(given);
-    return mesh.passage().is_identity() ? mesh.merging() : unmerged(mesh.input());
-}
-
-VtuGrid draw_cells(const Discretization& given, int k) {
-    const Discretization& mesh = placed(given);
-    const Merging cells = drawn_cells(mesh);
-    auto grid = draw(
-        cells.merged(), mesh.input_points(), k, [&](Index cell) { return corners(cells, cell); },
-        numbers_of_input(mesh));
-    grid.points = points_of_input(mesh);
-    return grid;
-}
-
-namespace {
-
 Vector drawn_values(const Discretization& given, const Cochain& form) {
     const int k = cell_degree(given.complex(), form.side, form.degree);
     check(given.complex(), form);
@@ -202,6 +159,41 @@ Vector drawn_values(const Discretization& given, const Cochain& form) {
 }
 
 } // namespace
+
+void check_drawable(int dimension, int ambient_dimension) {
+    require_points(ambient_dimension, "a drawing");
+    if (dimension > 3 || ambient_dimension > 3)
+        throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates cannot be drawn: a "
+                                       ".vtu file shows at most 3",
+                                       dimension, ambient_dimension));
+}
+
+VtuGrid draw_cells(const CellComplex& complex, const Points& points, int k) {
+    return draw(
+        complex, points, k, [&](Index cell) { return corners(complex, cell); }, std::identity());
+}
+
+void add_cochain(VtuGrid& grid, const CellComplex& complex, int k, std::string name,
+                 const Eigen::Ref<const DenseMatrix>& values) {
+    cell_degree(complex, Side::primal, k);
+    check_as_many(fmt::format("rows of `{}`", name), values.rows(), complex.size(k));
+    (k > 0 ? grid.cell_data : grid.point_data).push_back(vtu_array(std::move(name), values));
+}
+
+Merging drawn_cells(const Discretization& given) {
+    const Discretization& mesh = placed(given);
+    return mesh.passage().is_identity() ? mesh.merging() : unmerged(mesh.input());
+}
+
+VtuGrid draw_cells(const Discretization& given, int k) {
+    const Discretization& mesh = placed(given);
+    const Merging cells = drawn_cells(mesh);
+    auto grid = draw(
+        cells.merged(), mesh.input_points(), k, [&](Index cell) { return corners(cells, cell); },
+        numbers_of_input(mesh));
+    grid.points = points_of_input(mesh);
+    return grid;
+}
 
 DenseMatrix drawn_values(const Discretization& given, Side side, int degree,
                          const Eigen::Ref<const DenseMatrix>& columns) {
