@@ -132,8 +132,7 @@ void write_generated(const std::filesystem::path& out, const Mesh& mesh, Log& lo
     if (is_page(out)) {
         const Discretization cells = discretize(mesh);
         check_drawable(cells);
-        for (const auto& warning : cells.warnings())
-            log.warn(warning);
+        log.warn(cells.warnings());
         write_page(out, draw_page(cells, out.stem().string()), log);
     } else
         write_mesh(out, mesh);

@@ -4,6 +4,7 @@
 #include "tools/generate.h"
 #include "tools/help.h"
 #include "tools/outputs.h"
+#include "tools/picture.h"
 
 #include <array>
 #include <memory>
@@ -37,9 +38,8 @@ void fill(const FillArguments& arguments) {
         mesh = tetrahedralize(surface, arguments.options, holes);
     }
     Log log;
-    for (const Mesh* told : {&surface, &mesh})
-        for (const auto& warning : told->warnings)
-            log.warn(warning);
+    log.warn(surface.warnings);
+    log.warn(mesh.warnings);
     write_generated(arguments.out, mesh, log, arguments.tell);
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "base/printable.h"
 #include "io/meshes/mesh_files.h"
 #include "io/pictures/draw_cells.h"
 #include "io/source_file.h"
@@ -8,10 +7,9 @@
 #include "tools/common.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
+#include "tools/written.h"
 
 #include <fmt/format.h>
-
-#include <utility>
 
 namespace polydec::tools {
 
@@ -39,31 +37,6 @@ void write_merged(const MergeArguments& arguments, const Discretization& mesh, c
                                        "format: use .vtu",
                                        out.string(), mesh.dimension()));
 }
-
-class Merged : public Answer {
-public:
-    Merged(std::string out, int dimension, Index input, Index merged)
-        : out_(std::move(out)), dimension_(dimension), input_(input), merged_(merged) {}
-
-    void write(JsonWriter& json) const override {
-        json.member("out", out_);
-        json.member("dimension", dimension_);
-        json.object("cells", [&] {
-            json.member("input", input_);
-            json.member("merged", merged_);
-        });
-    }
-
-    void write(Text& text) const override {
-        text("{}: {} cells of dimension {} merged into {}\n", printable(out_), input_, dimension_,
-             merged_);
-    }
-
-private:
-    std::string out_;
-    int dimension_;
-    Index input_, merged_;
-};
 
 void run_merge(const MergeArguments& arguments) {
     Log log;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "base/printable.h"
 #include "dec/forms/laplacian.h"
 #include "io/matrices/matrix_market.h"
 #include "meshes/unit_of_length.h"
@@ -11,6 +10,7 @@
 #include "tools/common.h"
 #include "tools/manifest.h"
 #include "tools/outputs.h"
+#include "tools/written.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -167,24 +167,6 @@ AtomicFolder::IsOurs earlier_result(const std::filesystem::path& folder) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
 }
-
-class Operators : public Answer {
-public:
-    Operators(std::string out, int dimension) : out_(std::move(out)), dimension_(dimension) {}
-
-    void write(JsonWriter& json) const override {
-        json.member("out", out_);
-        json.member("dimension", dimension_);
-    }
-
-    void write(Text& text) const override {
-        text("operators of degrees 0 .. {} written to {}\n", dimension_, printable(out_));
-    }
-
-private:
-    std::string out_;
-    int dimension_;
-};
 
 void run_operators(const OperatorsArguments& arguments) {
     Log log;

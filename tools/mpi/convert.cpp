@@ -50,8 +50,7 @@ void run_convert(const Ranks& ranks, const ConvertArguments& arguments) {
     log.timing.begin("read");
     const MeshSlice slice =
         computed_on(arguments.mesh, [&] { return read_slice(ranks, arguments.mesh); });
-    for (const auto& warning : slice.warnings)
-        log.warn(warning);
+    log.warn(slice.warnings);
     log.timing.begin("write");
     write_slice(ranks, arguments.out, slice);
     tell(Converted(arguments.out.string(), slice, ranks.size()), log, arguments.tell);

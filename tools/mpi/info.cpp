@@ -67,11 +67,8 @@ struct SharedInfo : Answer {
     }
 
     void write(Text& text) const override {
-        const auto shown = [](const std::optional<double>& number) {
-            return number ? fmt::format("{:.6g}", *number) : std::string("out of range");
-        };
         text("{}\ndimension {} in {} coordinates, volume {}\n", printable(mesh), dimension,
-             ambient_dimension, shown(volume));
+             ambient_dimension, in_digits(volume, 6));
         text("cells of degree 0 .. {}\n  input    {}\n  merged   {}\n", dimension,
              fmt::join(cells.input, ", "), fmt::join(cells.merged, ", "));
         std::vector<std::string> sizes;
@@ -86,8 +83,9 @@ struct SharedInfo : Answer {
         text("Hodge stars after merging\n  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}\n", "degree", "min",
              "max", "min abs", "negative", "zero");
         for (std::size_t k = 0; k < stars.size(); ++k)
-            text("  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}\n", k, shown(stars[k].min),
-                 shown(stars[k].max), shown(stars[k].min_abs), stars[k].negative, stars[k].zero);
+            text("  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}\n", k, in_digits(stars[k].min, 6),
+                 in_digits(stars[k].max, 6), in_digits(stars[k].min_abs, 6), stars[k].negative,
+                 stars[k].zero);
     }
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "base/printable.h"
 #include "distributed/shared_picture.h"
 #include "tools/mpi/commands.h"
 #include "tools/mpi/shared_mesh.h"
+#include "tools/written.h"
 
 namespace polydec::tools {
 
@@ -13,40 +13,15 @@ struct SharedMergeArguments {
     std::filesystem::path out;
 };
 
-class SharedMerged : public Answer {
-public:
-    SharedMerged(std::string out, const DistributedMesh& mesh)
-        : out_(std::move(out)),
-          dimension_(mesh.dimension()),
-          input_(mesh.local.degrees.back().count),
-          merged_(mesh.cells.degrees.back().count) {}
-
-    void write(JsonWriter& json) const override {
-        json.member("out", out_);
-        json.member("dimension", dimension_);
-        json.object("cells", [&] {
-            json.member("input", input_);
-            json.member("merged", merged_);
-        });
-    }
-    void write(Text& text) const override {
-        text("{}: {} cells of dimension {} merged into {}\n", printable(out_), input_, dimension_,
-             merged_);
-    }
-
-private:
-    std::string out_;
-    int dimension_;
-    GlobalIndex input_, merged_;
-};
-
 void run_merge(const Ranks& ranks, const SharedMergeArguments& arguments) {
     SharedLog log(ranks);
     check_picture(ranks, arguments.out, arguments.mesh);
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     log.begin("write");
     write_pvtu(ranks, arguments.out, mesh, {});
-    tell(ranks, mesh, SharedMerged(arguments.out.string(), mesh), log, arguments.mesh.mesh.tell);
+    const Merged answer(arguments.out.string(), mesh.dimension(), mesh.local.degrees.back().count,
+                        mesh.cells.degrees.back().count);
+    tell(ranks, mesh, answer, log, arguments.mesh.mesh.tell);
 }
 
 } // namespace

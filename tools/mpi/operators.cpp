@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "base/printable.h"
 #include "distributed/operator_files.h"
 #include "tools/mpi/commands.h"
 #include "tools/mpi/shared_mesh.h"
 #include "tools/outputs.h"
+#include "tools/written.h"
 
 namespace polydec::tools {
 
@@ -14,23 +14,6 @@ struct SharedOperatorsArguments {
     std::filesystem::path out;
 };
 
-class SharedOperators : public Answer {
-public:
-    SharedOperators(std::string out, int dimension) : out_(std::move(out)), dimension_(dimension) {}
-
-    void write(JsonWriter& json) const override {
-        json.member("out", out_);
-        json.member("dimension", dimension_);
-    }
-    void write(Text& text) const override {
-        text("operators of degrees 0 .. {} written to {}\n", dimension_, printable(out_));
-    }
-
-private:
-    std::string out_;
-    int dimension_;
-};
-
 void run_operators(const Ranks& ranks, const SharedOperatorsArguments& arguments) {
     SharedLog log(ranks);
     ranks.together("output", [&] {
@@ -39,9 +22,8 @@ void run_operators(const Ranks& ranks, const SharedOperatorsArguments& arguments
     });
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     log.begin("write");
-    for (const auto& why : write_operators(ranks, mesh, arguments.out))
-        log.warn(why);
-    tell(ranks, mesh, SharedOperators(arguments.out.string(), mesh.dimension()), log,
+    log.warn(write_operators(ranks, mesh, arguments.out));
+    tell(ranks, mesh, Operators(arguments.out.string(), mesh.dimension()), log,
          arguments.mesh.mesh.tell);
 }
 

@@ -140,8 +140,7 @@ DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Share
     });
     mesh.star = arguments.mesh.star;
     log.end();
-    for (const auto& warning : mesh.warnings)
-        log.warn(warning);
+    log.warn(mesh.warnings);
     return mesh;
 }
 
