@@ -79,12 +79,11 @@ std::optional<BoundaryConditions> ConditionValues::without_robin(const Discretiz
     return result;
 }
 
-std::optional<std::filesystem::path> ConditionValues::file() const {
-    return essential_where_ ? essential_where_->file() : std::nullopt;
-}
-
-std::optional<std::filesystem::path> ConditionValues::fixed_file() const {
-    return fixed_where_ ? fixed_where_->file() : std::nullopt;
+std::vector<std::filesystem::path> ConditionValues::files() const {
+    auto files = files_of(essential_where_);
+    const auto fixed = files_of(fixed_where_);
+    files.insert(files.end(), fixed.begin(), fixed.end());
+    return files;
 }
 
 } // namespace polydec::tools

@@ -52,8 +52,7 @@ public:
     FormSpace space(const Discretization& mesh, Side side, int degree) const;
 
     /// The file with the facets, and the file with the vertices, if any.
-    std::optional<std::filesystem::path> file() const;
-    std::optional<std::filesystem::path> fixed_file() const;
+    std::vector<std::filesystem::path> files() const;
 
 private:
     std::optional<BoundaryConditions> without_robin(const Discretization& mesh) const;

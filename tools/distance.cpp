@@ -142,8 +142,7 @@ void run_distance(const DistanceArguments& arguments) {
     if (!where && arguments.from.empty() && arguments.from_on.empty())
         throw CLI::ValidationError(
             "distance needs sources: --from VERTEX, --from-where EXPR or --from-on GROUP");
-    check_picture(arguments.picture, arguments.mesh.mesh,
-                  where && where->file() ? Paths{*where->file()} : Paths{});
+    check_picture(arguments.picture, input_files(arguments.mesh.mesh, {files_of(where)}));
     const Discretization mesh = load(arguments.mesh, log);
     if (mesh.dimension() != 2)
         throw InvalidInput(fmt::format("{} has cells of dimension {}: distances need a surface",

@@ -187,7 +187,7 @@ SiteValues::SiteValues(const std::string& option, const std::string& text,
         expression_ = std::make_unique<Expression>(option, text, label);
         return;
     }
-    file_ = text;
+    files_ = {text};
     try {
         const Expression also(option, text, label);
     } catch (const CLI::ValidationError&) {
@@ -199,9 +199,6 @@ SiteValues::SiteValues(const std::string& option, const std::string& text,
         option, fmt::format("'{0}' is both an expression and a file: write ({0}) or ./{0}",
                             printable(text)));
 }
-
-SiteValues::SiteValues(SiteValues&&) noexcept = default;
-SiteValues::~SiteValues() = default;
 
 Vector SiteValues::at(const Points& sites, const std::vector<Index>& labels) const {
     if (expression_)
@@ -228,7 +225,7 @@ Vector SiteValues::at(const Points& sites, const std::vector<std::int64_t>& numb
 void SiteValues::check_count(std::int64_t places) const {
     if (values_.size() != places)
         throw InvalidInput(fmt::format("{}: {} numbers, expected {}, one per site",
-                                       printable(file_->string()), values_.size(), places));
+                                       printable(files_.front().string()), values_.size(), places));
 }
 
 } // namespace polydec::tools

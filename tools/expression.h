@@ -50,8 +50,6 @@ public:
     /// Throws like Expression; also for text that is both a file and an expression. Throws
     /// InvalidInput for a file with anything but finite numbers, IoError for an unreadable one.
     SiteValues(const std::string& option, const std::string& text, const std::string& label = "");
-    SiteValues(SiteValues&&) noexcept;
-    ~SiteValues();
 
     /// Throws InvalidInput for a file with a wrong number of values, else like Expression.
     Vector at(const Points& sites, const std::vector<Index>& labels = {}) const;
@@ -64,13 +62,15 @@ public:
     Vector at(const Points& sites, const std::vector<std::int64_t>& numbers,
               std::int64_t count) const;
 
+    bool are_of_file() const { return !files_.empty(); }
+
     /// The file, if it is one.
-    const std::optional<std::filesystem::path>& file() const { return file_; }
+    const std::vector<std::filesystem::path>& files() const { return files_; }
 
 private:
     void check_count(std::int64_t places) const;
 
-    std::optional<std::filesystem::path> file_;
+    std::vector<std::filesystem::path> files_; ///< at most one
     Vector values_;
     std::unique_ptr<const Expression> expression_;
 };
@@ -80,6 +80,12 @@ template <class Values>
 std::optional<Values> if_given(const std::string& option, const std::string& text,
                                const std::string& label = "") {
     return text.empty() ? std::nullopt : std::optional<Values>(std::in_place, option, text, label);
+}
+
+/// The files of values that an option may give.
+template <class Values>
+std::vector<std::filesystem::path> files_of(const std::optional<Values>& values) {
+    return values ? values->files() : std::vector<std::filesystem::path>();
 }
 
 } // namespace polydec::tools

@@ -44,7 +44,7 @@ Vector integrals(const Discretization& mesh, Side side, int degree,
 } // namespace
 
 CellData cell_values(const Discretization& mesh, const SiteValues& values) {
-    if (values.file())
+    if (values.are_of_file())
         return values.at(Points(count_input_cells(mesh), 0));
     const int n = mesh.dimension();
     const bool has_points = mesh.ambient_dimension() > 0;
@@ -54,7 +54,7 @@ CellData cell_values(const Discretization& mesh, const SiteValues& values) {
 
 Vector vertex_values(const Discretization& mesh, const SiteValues& values, const Points& places,
                      double time) {
-    if (!values.file())
+    if (!values.are_of_file())
         return values.at(places, time);
     return values.at(Points(count_vertices(mesh), 0))(vertices_of_cells(mesh));
 }
@@ -92,9 +92,9 @@ Cochain FormValues::on(const Discretization& mesh, Side side, int degree, double
         throw InvalidInput(
             fmt::format("there are no forms of degree {}: expected 0 to {}", degree, n));
     const int k = cell_degree(mesh.complex(), side, degree);
-    if (coefficients_.front().file() && k == 0)
+    if (coefficients_.front().are_of_file() && k == 0)
         return {side, degree, vertex_values(mesh, coefficients_.front(), {})};
-    if (coefficients_.front().file())
+    if (coefficients_.front().are_of_file())
         return {side, degree, coefficients_.front().at(Points(mesh.complex().size(k), 0))};
     check_count(mesh, degree);
     if (degree > 0)
@@ -130,15 +130,10 @@ bool FormValues::uses_time() const {
                        [](const SiteValues& each) { return each.uses_label(); });
 }
 
-Paths FormValues::inputs(const std::filesystem::path& mesh,
-                         const std::vector<std::optional<std::filesystem::path>>& others) const {
-    Paths files = mesh_files(mesh);
+std::vector<std::filesystem::path> FormValues::files() const {
+    std::vector<std::filesystem::path> files;
     for (const SiteValues& each : coefficients_)
-        if (each.file())
-            files.push_back(*each.file());
-    for (const auto& other : others)
-        if (other)
-            files.push_back(*other);
+        files.insert(files.end(), each.files().begin(), each.files().end());
     return files;
 }
 

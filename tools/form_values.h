@@ -51,10 +51,8 @@ public:
 
     bool uses_time() const;
 
-    /// All input files: of the mesh, of this form, and the given others.
-    std::vector<std::filesystem::path>
-    inputs(const std::filesystem::path& mesh,
-           const std::vector<std::optional<std::filesystem::path>>& others) const;
+    /// The files that hold coefficients.
+    std::vector<std::filesystem::path> files() const;
 
 private:
     void check_count(const Discretization& mesh, int degree) const;

@@ -218,11 +218,9 @@ void run_heat(HeatArguments arguments) {
     const ConditionValues asked(arguments.conditions);
     check_boundary(arguments);
     arguments.choose_integrator();
-    auto inputs = initial.inputs(arguments.mesh.mesh, {asked.file(), asked.fixed_file()});
-    for (const auto* form : {&source, &boundary, &flux})
-        if (*form)
-            inputs = (*form)->inputs(arguments.mesh.mesh, {inputs.begin(), inputs.end()});
-    check_time(arguments.time, inputs);
+    check_time(arguments.time,
+               input_files(arguments.mesh.mesh, {initial.files(), asked.files(), files_of(source),
+                                                 files_of(boundary), files_of(flux)}));
     const Side side = arguments.side;
     const int degree = arguments.degree;
     auto time = arguments.time;

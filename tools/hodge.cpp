@@ -81,7 +81,8 @@ void run_hodge(const HodgeArguments& arguments) {
     Log log;
     const FormValues given("--form", arguments.form);
     const ConditionValues asked(arguments.conditions);
-    check_picture(arguments.picture, arguments.mesh.mesh, given.inputs({}, {asked.file()}));
+    check_picture(arguments.picture,
+                  input_files(arguments.mesh.mesh, {given.files(), asked.files()}));
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.picture.out.empty())
         check_drawable(mesh);

@@ -39,10 +39,6 @@ struct Material {
         : permittivity(if_given<SiteValues>("--permittivity", arguments.permittivity, "group")),
           permeability(if_given<SiteValues>("--permeability", arguments.permeability, "group")),
           conductivity(if_given<SiteValues>("--conductivity", arguments.conductivity, "group")) {}
-
-    static std::optional<std::filesystem::path> file(const std::optional<SiteValues>& values) {
-        return values ? values->file() : std::nullopt;
-    }
 };
 
 /// What materials make of a field of one side and degree: energies are of permittivity |E|^2 and
@@ -129,13 +125,11 @@ void run_maxwell(const MaxwellArguments& arguments) {
     const Material material(arguments);
     const ConditionValues asked(arguments.conditions);
     const FormValues& first = initial ? *initial : *current;
-    auto inputs =
-        first.inputs(arguments.mesh.mesh, {asked.file(), Material::file(material.permittivity),
-                                           Material::file(material.permeability),
-                                           Material::file(material.conductivity)});
-    if (initial && current)
-        inputs = current->inputs(inputs.front(), {inputs.begin() + 1, inputs.end()});
-    check_time(arguments.time, inputs);
+    check_time(arguments.time,
+               input_files(arguments.mesh.mesh,
+                           {files_of(initial), files_of(current), asked.files(),
+                            files_of(material.permittivity), files_of(material.permeability),
+                            files_of(material.conductivity)}));
 
     const Discretization empty = load(arguments.mesh, log);
     if (!arguments.time.out.empty())

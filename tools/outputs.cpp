@@ -67,6 +67,13 @@ Paths mesh_files(const Path& mesh) {
     return files;
 }
 
+Paths input_files(const Path& mesh, std::initializer_list<Paths> of_options) {
+    Paths files = mesh_files(mesh);
+    for (const Paths& more : of_options)
+        files.insert(files.end(), more.begin(), more.end());
+    return files;
+}
+
 void check_output_file(const Path& out, const std::vector<const char*>& extensions,
                        const Paths& inputs) {
     check_extension(out, extensions);

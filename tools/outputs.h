@@ -4,6 +4,7 @@
 #include "dec/discretization/discretization.h"
 
 #include <filesystem>
+#include <initializer_list>
 #include <vector>
 
 /// Checks of output paths, before any work is done.
@@ -13,6 +14,9 @@ using Paths = std::vector<std::filesystem::path>;
 
 /// The files of a mesh with this name; TetGen's has several.
 Paths mesh_files(const std::filesystem::path& mesh);
+
+/// The same, and the files of options.
+Paths input_files(const std::filesystem::path& mesh, std::initializer_list<Paths> of_options);
 
 /// Throws InvalidInput if the extension, in any case, is not in the list, or the file is one of the
 /// inputs, under any name; IoError if it is not writable: its folder is missing or not writable, it

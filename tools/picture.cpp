@@ -128,12 +128,9 @@ void check_float32(const PictureArguments& picture) {
                            {.path = picture.out});
 }
 
-void check_picture(const PictureArguments& picture, const std::filesystem::path& mesh,
-                   const Paths& others) {
+void check_picture(const PictureArguments& picture, const Paths& inputs) {
     if (picture.out.empty())
         return;
-    Paths inputs = mesh_files(mesh);
-    inputs.insert(inputs.end(), others.begin(), others.end());
     check_output_file(picture.out,
                       picture.isolines > 0 ? std::vector{".vtu", ".obj"} : and_pages({".vtu"}),
                       inputs);

@@ -32,10 +32,9 @@ void add_isolines(CLI::App& command, PictureArguments& picture);
 /// Throws for --float32 with files other than .vtu.
 void check_float32(const PictureArguments& picture);
 
-/// Checks the requested file, if any, by check_float32 and check_output_file; inputs are the mesh's
-/// files and `others`.
-void check_picture(const PictureArguments& picture, const std::filesystem::path& mesh,
-                   const std::vector<std::filesystem::path>& others = {});
+/// Checks the requested file, if any, by check_float32 and check_output_file.
+void check_picture(const PictureArguments& picture,
+                   const std::vector<std::filesystem::path>& inputs);
 
 /// The command line as text, for pages; main sets it once.
 void set_command_text(int argc, const char* const* argv);

@@ -94,14 +94,9 @@ struct Data {
           exact(if_given<SiteValues>("--exact", arguments.exact)),
           conductivity(if_given<SiteValues>("--conductivity", arguments.conductivity, "group")) {}
 
-    Paths files() const {
-        Paths list;
-        for (const auto& file : {rhs.file(), boundary.file(), flux.file(), conditions.file(),
-                                 conditions.fixed_file(), exact ? exact->file() : std::nullopt,
-                                 conductivity ? conductivity->file() : std::nullopt})
-            if (file)
-                list.push_back(*file);
-        return list;
+    Paths inputs(const std::filesystem::path& mesh) const {
+        return input_files(mesh, {rhs.files(), boundary.files(), flux.files(), conditions.files(),
+                                  files_of(exact), files_of(conductivity)});
     }
 
     SiteValues rhs, boundary, flux;
@@ -142,7 +137,7 @@ void add_bound(Solved& answer, const Discretization& mesh, const FormSpace& spac
 void run_poisson(PoissonArguments arguments) {
     Log log;
     const Data data(arguments);
-    check_picture(arguments.picture, arguments.mesh.mesh, data.files());
+    check_picture(arguments.picture, data.inputs(arguments.mesh.mesh));
     if (arguments.picture.isolines > 0 && arguments.side == Side::dual)
         throw InvalidInput("--isolines need values at vertices: use --side primal");
     const Discretization mesh = load(arguments.mesh, log);

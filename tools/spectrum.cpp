@@ -107,11 +107,7 @@ void draw(const SpectrumArguments& arguments, const Discretization& mesh, const 
 void run_spectrum(SpectrumArguments arguments) {
     Log log;
     const ConditionValues asked(arguments.conditions);
-    Paths files;
-    for (const auto& file : {asked.file(), asked.fixed_file()})
-        if (file)
-            files.push_back(*file);
-    check_picture(arguments.picture, arguments.mesh.mesh, files);
+    check_picture(arguments.picture, input_files(arguments.mesh.mesh, {asked.files()}));
     if (!arguments.checkpoint.empty())
         check_output_file(arguments.checkpoint, {".checkpoint"}, mesh_files(arguments.mesh.mesh));
     const Discretization mesh = load(arguments.mesh, log);

@@ -27,7 +27,7 @@ void run_wave(const WaveArguments& arguments) {
     Log log;
     const FormValues initial("--initial", arguments.initial);
     const ConditionValues asked(arguments.conditions);
-    check_time(arguments.time, initial.inputs(arguments.mesh.mesh, {asked.file()}));
+    check_time(arguments.time, input_files(arguments.mesh.mesh, {initial.files(), asked.files()}));
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.time.out.empty())
         check_drawable(mesh);
