@@ -10,6 +10,7 @@
 #include "meshes/tidy.h"
 #include "tools/component_values.h"
 #include "tools/messages.h"
+#include "tools/outputs.h"
 
 #include <fmt/format.h>
 
@@ -26,18 +27,15 @@ template <class Read>
 Discretization discretize_checked(const MeshArguments& arguments, Read mesh,
                                   const DiscretizeOptions& options,
                                   const std::function<void(std::string_view)>& stage) {
-    if (arguments.angle_tolerance && mesh.dimension() != 2)
-        throw InvalidInput(fmt::format("--angle-tolerance is for surfaces, but {} has cells of "
-                                       "dimension {}: use --tolerance",
-                                       arguments.mesh.string(), mesh.dimension()));
-    if (options.delaunay != Delaunay::off && mesh.dimension() != 2)
-        throw InvalidInput(fmt::format("--delaunay is for surfaces, but {} has cells of dimension "
-                                       "{}: omit the option",
-                                       arguments.mesh.string(), mesh.dimension()));
-    if (options.star == StarKind::hybrid && mesh.dimension() != 2)
-        throw InvalidInput(fmt::format("--star hybrid is for surfaces, but {} has cells of "
-                                       "dimension {}: use galerkin or automatic",
-                                       arguments.mesh.string(), mesh.dimension()));
+    const auto check = [&](bool is_asked, const char* option, const char* remedy) {
+        if (is_asked && mesh.dimension() != 2)
+            throw InvalidInput(
+                fmt::format("{} is for surfaces, but {} has cells of dimension {}: {}", option,
+                            arguments.mesh.string(), mesh.dimension(), remedy));
+    };
+    check(arguments.angle_tolerance.has_value(), "--angle-tolerance", "use --tolerance");
+    check(options.delaunay != Delaunay::off, "--delaunay", "omit the option");
+    check(options.star == StarKind::hybrid, "--star hybrid", "use galerkin or automatic");
     return discretize(std::move(mesh), options, stage);
 }
 
@@ -222,6 +220,14 @@ Discretization load(const MeshArguments& arguments, Log& log) {
     log.warn(result.warnings());
     log.mesh = arguments.mesh;
     return result;
+}
+
+Discretization load_to_draw(const MeshArguments& arguments, const std::filesystem::path& picture,
+                            Log& log) {
+    Discretization mesh = load(arguments, log);
+    if (!picture.empty())
+        check_drawable(mesh);
+    return mesh;
 }
 
 std::string in_words(const ChosenStars& stars) {

@@ -63,6 +63,10 @@ std::string in_words(const ChosenStars& stars);
 /// Reads, merges and measures the mesh; reports its warnings.
 Discretization load(const MeshArguments& arguments, Log& log);
 
+/// The same; throws like check_drawable if there is a path of a picture.
+Discretization load_to_draw(const MeshArguments& arguments, const std::filesystem::path& picture,
+                            Log& log);
+
 /// A progress line on stderr; on a terminal only, and erased at the end.
 class Progress {
 public:

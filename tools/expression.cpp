@@ -75,6 +75,21 @@ struct Expression::State {
     int used = 0; ///< the coordinates up to this one
     double label_value = 0;
     bool uses_label = false;
+
+    /// At the values that the variables have; place() names them in the error if it is undefined.
+    template <class Place>
+    double value(Place place) const {
+        double result = 0;
+        try {
+            result = parser.Eval();
+        } catch (const mu::Parser::exception_type& error) {
+            refuse(option, text, error.GetMsg());
+        }
+        if (!std::isfinite(result))
+            throw InvalidInput(fmt::format("{}: '{}' is {} at {}: change the expression", option,
+                                           printable(text), result, place()));
+        return result;
+    }
 };
 
 Expression::Expression(const std::string& option, const std::string& text, const std::string& label)
@@ -148,15 +163,8 @@ Vector Expression::values(const Points& sites, const std::vector<Index>& labels)
             position[c] = sites(i, c);
         if (uses_label && !labels.empty())
             label_value = labels[i];
-        try {
-            values[i] = parser.Eval();
-        } catch (const mu::Parser::exception_type& error) {
-            refuse(option, text, error.GetMsg());
-        }
-        if (!std::isfinite(values[i]))
-            throw InvalidInput(fmt::format("{}: '{}' is {} at ({}): change the expression", option,
-                                           printable(text), values[i],
-                                           fmt::join(sites.row(i), ", ")));
+        values[i] =
+            state_->value([&] { return fmt::format("({})", fmt::join(sites.row(i), ", ")); });
     }
     return values;
 }
@@ -167,17 +175,7 @@ double Expression::of_label(double label) const {
                                        "in {}",
                                        state_->option, printable(state_->text), state_->label));
     state_->label_value = label;
-    double value = 0;
-    try {
-        value = state_->parser.Eval();
-    } catch (const mu::Parser::exception_type& error) {
-        refuse(state_->option, state_->text, error.GetMsg());
-    }
-    if (!std::isfinite(value))
-        throw InvalidInput(fmt::format("{}: '{}' is {} at {} = {}: change the expression",
-                                       state_->option, printable(state_->text), value,
-                                       state_->label, label));
-    return value;
+    return state_->value([&] { return fmt::format("{} = {}", state_->label, label); });
 }
 
 SiteValues::SiteValues(const std::string& option, const std::string& text,

@@ -13,7 +13,6 @@
 #include "tools/form_values.h"
 #include "tools/in_time.h"
 #include "tools/messages.h"
-#include "tools/outputs.h"
 #include "tools/picture.h"
 
 #include <fmt/format.h>
@@ -180,9 +179,7 @@ void run_flow(const FlowArguments& arguments) {
         throw CLI::ValidationError("flow needs --vorticity EXPR, --velocity VECTOR or "
                                    "--boundary-velocity VECTOR: else the fluid stays at rest");
     check_time(arguments.time, {arguments.mesh.mesh});
-    const Discretization mesh = load(arguments.mesh, log);
-    if (!arguments.time.out.empty())
-        check_drawable(mesh);
+    const Discretization mesh = load_to_draw(arguments.mesh, arguments.time.out, log);
     const FlowOptions options = given.options(mesh, arguments.flow);
     log.timing.begin("solve");
     const auto flow = computed_on(arguments.mesh.mesh, [&] {

@@ -227,9 +227,7 @@ void run_heat(HeatArguments arguments) {
     if (!arguments.has_equal_steps())
         time.time_step = 0; // which is the integrator's
     const TimeSteps steps = time_steps(time, time.until / (arguments.has_equal_steps() ? 100 : 1));
-    const Discretization mesh = load(arguments.mesh, log);
-    if (!arguments.time.out.empty())
-        check_drawable(mesh);
+    const Discretization mesh = load_to_draw(arguments.mesh, arguments.time.out, log);
     const auto space =
         computed_on(arguments.mesh.mesh, [&] { return asked.space(mesh, side, degree); });
     const Heat heat{arguments,

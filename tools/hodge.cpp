@@ -83,9 +83,7 @@ void run_hodge(const HodgeArguments& arguments) {
     const ConditionValues asked(arguments.conditions);
     check_picture(arguments.picture,
                   input_files(arguments.mesh.mesh, {given.files(), asked.files()}));
-    const Discretization mesh = load(arguments.mesh, log);
-    if (!arguments.picture.out.empty())
-        check_drawable(mesh);
+    const Discretization mesh = load_to_draw(arguments.mesh, arguments.picture.out, log);
     Cochain form = given.on(mesh, arguments.side, arguments.degree);
     const auto space = computed_on(
         arguments.mesh.mesh, [&] { return asked.space(mesh, arguments.side, arguments.degree); });

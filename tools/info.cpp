@@ -207,9 +207,7 @@ void run(const InfoArguments& arguments) {
     Log log;
     if (!arguments.out.empty())
         check_output_file(arguments.out, and_pages({}), mesh_files(arguments.mesh.mesh));
-    const Discretization mesh = load(arguments.mesh, log);
-    if (!arguments.out.empty())
-        check_drawable(mesh);
+    const Discretization mesh = load_to_draw(arguments.mesh, arguments.out, log);
     const Info answer(arguments.mesh.mesh.string(),
                       diagnose(mesh, [&](std::string_view stage) { log.timing.begin(stage); }),
                       mesh.chosen_stars());

@@ -131,9 +131,7 @@ void run_maxwell(const MaxwellArguments& arguments) {
                             files_of(material.permittivity), files_of(material.permeability),
                             files_of(material.conductivity)}));
 
-    const Discretization empty = load(arguments.mesh, log);
-    if (!arguments.time.out.empty())
-        check_drawable(empty);
+    const Discretization empty = load_to_draw(arguments.mesh, arguments.time.out, log);
     const Filling filling(empty, arguments, material);
     const auto on_cells = [&](const FormValues& values) {
         return values.on(empty, arguments.side, arguments.degree);

@@ -140,9 +140,7 @@ void run_poisson(PoissonArguments arguments) {
     check_picture(arguments.picture, data.inputs(arguments.mesh.mesh));
     if (arguments.picture.isolines > 0 && arguments.side == Side::dual)
         throw InvalidInput("--isolines need values at vertices: use --side primal");
-    const Discretization mesh = load(arguments.mesh, log);
-    if (!arguments.picture.out.empty())
-        check_drawable(mesh);
+    const Discretization mesh = load_to_draw(arguments.mesh, arguments.picture.out, log);
     const CellData conductivity =
         data.conductivity ? cell_values(mesh, *data.conductivity) : CellData();
     const auto cells = computed_on(arguments.mesh.mesh, [&] {

@@ -110,9 +110,7 @@ void run_spectrum(SpectrumArguments arguments) {
     check_picture(arguments.picture, input_files(arguments.mesh.mesh, {asked.files()}));
     if (!arguments.checkpoint.empty())
         check_output_file(arguments.checkpoint, {".checkpoint"}, mesh_files(arguments.mesh.mesh));
-    const Discretization mesh = load(arguments.mesh, log);
-    if (!arguments.picture.out.empty())
-        check_drawable(mesh);
+    const Discretization mesh = load_to_draw(arguments.mesh, arguments.picture.out, log);
     const auto space = computed_on(
         arguments.mesh.mesh, [&] { return asked.space(mesh, arguments.side, arguments.degree); });
     check_cost(space, arguments.spectrum.count);

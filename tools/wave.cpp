@@ -28,9 +28,7 @@ void run_wave(const WaveArguments& arguments) {
     const FormValues initial("--initial", arguments.initial);
     const ConditionValues asked(arguments.conditions);
     check_time(arguments.time, input_files(arguments.mesh.mesh, {initial.files(), asked.files()}));
-    const Discretization mesh = load(arguments.mesh, log);
-    if (!arguments.time.out.empty())
-        check_drawable(mesh);
+    const Discretization mesh = load_to_draw(arguments.mesh, arguments.time.out, log);
     const WaveWords words{
         "wave",
         fmt::format("{}: waves", arguments.mesh.mesh.filename().string()),
