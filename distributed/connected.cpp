@@ -121,18 +121,14 @@ SharedComponents::SharedComponents(const Ranks& ranks, Mat graph, const HeldUnkn
         }
 
     // what hangs together here, numbered over all ranks
-    std::vector<Index> part_of_root(static_cast<std::size_t>(n), -1);
-    std::vector<Index> part_of(static_cast<std::size_t>(n), -1);
-    std::vector<Index> first;
+    std::vector<Index> part_of(static_cast<std::size_t>(n), -1), first;
     for (Index i = 0; i < n; ++i) {
         if (fixed[i])
             continue;
-        Index& part = part_of_root[sets.find(i).element];
-        if (part < 0) {
-            part = static_cast<Index>(first.size());
+        const Index root = sets.find(i).element;
+        part_of[i] = root == i ? static_cast<Index>(first.size()) : part_of[root];
+        if (root == i)
             first.push_back(i);
-        }
-        part_of[i] = part;
     }
     const auto parts = static_cast<Index>(first.size());
     OverAll over_all{ranks, ranks.sum_before(parts), {}};

@@ -136,12 +136,9 @@ Parcels<SimplexClass> FacetJoining::classes_of(const Parcels<SentLink>& arrived)
     DisjointSets classes(static_cast<Index>(simplices.size()));
     join_links(by_place, tolerance_, classes);
     auto parcels = ranks_.empty_parcels<SimplexClass>();
-    std::vector<GlobalIndex> first(simplices.size(), -1);
-    for (std::size_t i = 0; i < simplices.size(); ++i) {
-        GlobalIndex& of_class = first[classes.find(static_cast<Index>(i)).element];
-        of_class = of_class < 0 ? simplices[i] : of_class;
-        parcels[owners[i]].push_back({simplices[i], of_class});
-    }
+    const auto first = classes.firsts();
+    for (std::size_t i = 0; i < simplices.size(); ++i)
+        parcels[owners[i]].push_back({simplices[i], simplices[first[i]]});
     return parcels;
 }
 

@@ -26,15 +26,6 @@ std::vector<Index> names_of(const std::vector<GlobalIndex>& vertices) {
     return names;
 }
 
-/// The cells with the places of their vertices.
-Simplices by_local_vertex(const Stars& stars) {
-    const NumberPlaces place(stars.vertices);
-    Simplices tops(stars.cells.rows(), stars.cells.cols());
-    for (Eigen::Index i = 0; i < tops.size(); ++i)
-        tops.data()[i] = place(stars.cells.data()[i]);
-    return tops;
-}
-
 /// The complex of the cells; errors tell of cells by their numbers in the file.
 SimplicialComplex complex_of(const Stars& stars) {
     try {
@@ -149,6 +140,11 @@ void number(const Ranks& ranks, const SimplicialComplex& complex,
 }
 
 } // namespace
+
+Simplices by_local_vertex(const Stars& stars) {
+    const NumberPlaces place(stars.vertices);
+    return stars.cells.unaryExpr([&](GlobalIndex vertex) { return place(vertex); });
+}
 
 Index LocalComplex::Degree::own() const {
     GlobalIndex copied = 0;

@@ -59,6 +59,9 @@ struct Stars {
     std::vector<GlobalIndex> file_places; ///< number of each cell in the file
 };
 
+/// The cells with the places of their vertices.
+Simplices by_local_vertex(const Stars& stars);
+
 /// Collective: the stars of the vertices that this rank owns.
 Stars own_stars(const Ranks& ranks, const MeshSlice& slice, const std::vector<int>& owners);
 

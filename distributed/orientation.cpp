@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/orientation.h"
 
+#include "base/permutation_sign.h"
 #include "complex/disjoint_sets.h"
-#include "distributed/number_places.h"
 #include "distributed/shared_classes.h"
 
-#include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <map>
 
@@ -35,16 +35,6 @@ struct Vote {
     }
 };
 
-/// The sign of the permutation that sorts a list.
-std::int8_t sign_of(const Simplices& rows, Index row) {
-    int sign = 1;
-    for (Eigen::Index i = 0; i < rows.cols(); ++i)
-        for (Eigen::Index j = 0; j < i; ++j)
-            if (rows(row, j) > rows(row, i))
-                sign = -sign;
-    return static_cast<std::int8_t>(sign);
-}
-
 /// Parts of this rank, numbered from 0 on, and the sign of each simplex in its part.
 struct LocalParts {
     std::vector<Index> of;
@@ -71,14 +61,11 @@ LocalParts parts_of(const LocalComplex& local) {
                 conflicts.push_back(t);
         }
     LocalParts parts;
-    std::vector<Index> number(static_cast<std::size_t>(size), -1);
     Index next = 0;
     for (Index t = 0; t < size; ++t) {
-        const auto root = sets.find(t);
-        Index& part = number[root.element];
-        part = part < 0 ? next++ : part;
-        parts.of.push_back(part);
-        parts.signs.push_back(root.sign);
+        const auto [first, sign] = sets.find(t);
+        parts.of.push_back(first == t ? next++ : parts.of[first]);
+        parts.signs.push_back(sign);
     }
     parts.one_sided.assign(static_cast<std::size_t>(next), false);
     for (const Index t : conflicts)
@@ -118,12 +105,11 @@ void orient(const Ranks& ranks, const Stars& stars, LocalComplex& local) {
     std::vector<std::int8_t> given;
     ranks.together("orientation", [&] {
         parts = parts_of(local);
-        Simplices rows(stars.cells.rows(), stars.cells.cols());
-        const NumberPlaces place(stars.vertices);
-        for (Eigen::Index i = 0; i < rows.size(); ++i) // their order is all that matters
-            rows.data()[i] = place(stars.cells.data()[i]);
-        for (Index t = 0; t < tops.size(); ++t)
-            given.push_back(sign_of(rows, local.complex.input_row(t)));
+        const Simplices rows = by_local_vertex(stars); // their order is all that matters
+        for (Index t = 0; t < tops.size(); ++t) {
+            const auto row = rows.row(local.complex.input_row(t));
+            given.push_back(static_cast<std::int8_t>(permutation_sign({row.begin(), row.end()})));
+        }
     });
     const auto shared = join_parts(ranks, tops.copies, parts.of, parts.signs,
                                    static_cast<Index>(parts.one_sided.size()));

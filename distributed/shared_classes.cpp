@@ -2,6 +2,7 @@
 #include "distributed/shared_classes.h"
 
 #include "complex/disjoint_sets.h"
+#include "distributed/number_places.h"
 
 #include <algorithm>
 
@@ -16,17 +17,11 @@ struct Solved {
 };
 
 Solved solve(const std::vector<SharedElement>& shared) {
-    Solved solved;
-    auto& numbers = solved.numbers;
-    auto& classes = solved.classes;
+    std::vector<GlobalIndex> ends;
     for (const auto& [a, b, sign] : shared)
-        numbers.insert(numbers.end(), {a, b});
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    const auto place = [&](GlobalIndex number) {
-        return static_cast<Index>(std::lower_bound(numbers.begin(), numbers.end(), number) -
-                                  numbers.begin());
-    };
+        ends.insert(ends.end(), {a, b});
+    const NumberPlaces place(ends);
+    const auto& numbers = place.numbers();
     const auto count = static_cast<Index>(numbers.size());
     DisjointSets sets(count);
     std::vector<Index> clashing;
@@ -36,14 +31,10 @@ Solved solve(const std::vector<SharedElement>& shared) {
     std::vector<bool> clashes(numbers.size(), false);
     for (const Index i : clashing)
         clashes[sets.find(i).element] = true;
-    std::vector<Index> first(numbers.size(), -1);
+    Solved solved{numbers, {}};
     for (Index i = 0; i < count; ++i) {
-        const auto root = sets.find(i);
-        Index& of_class = first[root.element];
-        of_class = of_class < 0 ? i : of_class;
-        classes.push_back({numbers[of_class],
-                           static_cast<std::int8_t>(root.sign * sets.find(of_class).sign),
-                           clashes[root.element]});
+        const auto [first, sign] = sets.find(i);
+        solved.classes.push_back({numbers[first], sign, clashes[first]});
     }
     return solved;
 }

@@ -74,16 +74,11 @@ std::vector<Index> free_components(const SparseMatrix& graph, const std::vector<
     for (Index i = 0; i < n; ++i)
         if (held[i] && !fixed[i])
             held_root[sets.find(i).element] = true;
-    std::vector<Index> number(n, -1), component(n, -1);
+    std::vector<Index> component(n, -1);
     Index count = 0;
-    for (Index i = 0; i < n; ++i) {
-        const Index root = sets.find(i).element;
-        if (fixed[i] || held_root[root])
-            continue;
-        if (number[root] < 0)
-            number[root] = count++;
-        component[i] = number[root];
-    }
+    for (Index i = 0; i < n; ++i)
+        if (const Index root = sets.find(i).element; !fixed[i] && !held_root[root])
+            component[i] = root == i ? count++ : component[root];
     return component;
 }
 

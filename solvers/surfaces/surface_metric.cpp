@@ -21,13 +21,10 @@ void find_components(const Triangles& surface, SurfaceMetric& metric) {
         sets.join(surface.tail(h), surface.head(h));
         vertex_of_edge[surface.edge(h)] = surface.tail(h);
     }
-    std::vector<Index> number(std::size_t(surface.vertices()), -1);
     Index count = 0;
     for (Index v = 0; v < surface.vertices(); ++v) {
-        Index& c = number[sets.find(v).element];
-        if (c < 0)
-            c = count++;
-        metric.component.push_back(c);
+        const Index first = sets.find(v).element;
+        metric.component.push_back(first == v ? count++ : metric.component[first]);
     }
     Vector edges = Vector::Zero(count);
     metric.mean_lengths = Vector::Zero(count);
