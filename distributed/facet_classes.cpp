@@ -112,9 +112,7 @@ private:
 
 /// Links in the order of facets, as one process has them.
 Parcels<SimplexClass> FacetJoining::classes_of(const Parcels<SentLink>& arrived) const {
-    std::vector<SentLink> links;
-    for (const auto& parcel : arrived)
-        links.insert(links.end(), parcel.begin(), parcel.end());
+    std::vector<SentLink> links = unpacked(arrived);
     const auto is_before = [](const SentLink& x, const SentLink& y) { return x.facet < y.facet; };
     if (!std::is_sorted(links.begin(), links.end(), is_before))
         std::sort(links.begin(), links.end(), is_before);

@@ -44,9 +44,7 @@ std::vector<Neighbors> neighbors_of(const Ranks& ranks, const MeshSlice& slice) 
             parcel.erase(std::unique(parcel.begin(), parcel.end()), parcel.end());
         }
     });
-    std::vector<Neighbors> list;
-    for (const auto& parcel : ranks.deliver(std::move(parcels)))
-        list.insert(list.end(), parcel.begin(), parcel.end());
+    auto list = unpacked(ranks.deliver(std::move(parcels)));
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
     return list;

@@ -75,11 +75,9 @@ Ordered places_in_order(const Ranks& ranks, const std::vector<GlobalIndex>& list
     for (auto& of_rank : places)
         for (GlobalIndex& place : of_rank)
             place += before;
-    Ordered result{{}, ranks.sum(count)};
+    const GlobalIndex all = ranks.sum(count);
     // lists ascend, and so do the ranks that ordered them
-    for (const auto& of_rank : ranks.deliver(std::move(places)))
-        result.places.insert(result.places.end(), of_rank.begin(), of_rank.end());
-    return result;
+    return {unpacked(ranks.deliver(std::move(places))), all};
 }
 
 } // namespace polydec

@@ -166,11 +166,8 @@ std::vector<CellName> Rounds::bad_cells(const std::vector<Flaw>& flaws) const {
     }
     const auto arrived = ranks_.deliver(std::move(parcels));
     auto bad = ranks_.of_all(ranks_.together("cells", [&] {
-        std::vector<Flaw> all;
-        for (const auto& parcel : arrived)
-            all.insert(all.end(), parcel.begin(), parcel.end());
         std::vector<CellName> own;
-        for (const Flaw& flaw : summed(std::move(all)))
+        for (const Flaw& flaw : summed(unpacked(arrived)))
             if (flaw.euler != 0 || flaw.is_amiss != 0)
                 own.push_back(flaw.cell);
         return own;

@@ -140,12 +140,6 @@ private:
         }
     }
 
-    static OwnedMat multiplied(Mat A, Mat B) {
-        return made("multiplying", [&](Mat* result) {
-            return MatMatMult(A, B, MAT_INITIAL_MATRIX, PETSC_DEFAULT, result);
-        });
-    }
-
     const Ranks& ranks_;
     const DistributedMesh& mesh_;
     std::filesystem::path folder_;

@@ -35,11 +35,6 @@ OwnedMat transposed_coboundary(const Ranks& ranks, const DistributedCells& cells
     });
 }
 
-OwnedMat transposed(Mat matrix) {
-    return made("transposing",
-                [&](Mat* result) { return MatTranspose(matrix, MAT_INITIAL_MATRIX, result); });
-}
-
 OwnedVec inverse_star(const Ranks& ranks, const DistributedCells& cells, int k) {
     return vector_of(ranks, ranks.together("inverse star",
                                            [&] { return HodgeStar(cells.volumes, k).inverse(); }));
@@ -48,14 +43,7 @@ OwnedVec inverse_star(const Ranks& ranks, const DistributedCells& cells, int k) 
 /// left diag(weights) right.
 OwnedMat scaled_product(OwnedMat left, Vec weights, Mat right) {
     require(MatDiagonalScale(left.get(), nullptr, weights), "scaling");
-    return made("multiplying", [&](Mat* result) {
-        return MatMatMult(left.get(), right, MAT_INITIAL_MATRIX, PETSC_DEFAULT, result);
-    });
-}
-
-OwnedMat copied(Mat matrix) {
-    return made("copying",
-                [&](Mat* result) { return MatDuplicate(matrix, MAT_COPY_VALUES, result); });
+    return multiplied(left.get(), right);
 }
 
 } // namespace

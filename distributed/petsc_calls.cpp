@@ -50,6 +50,22 @@ Vector own_entries(Vec vector) {
     return result;
 }
 
+OwnedMat copied(Mat matrix) {
+    return made("copying",
+                [&](Mat* result) { return MatDuplicate(matrix, MAT_COPY_VALUES, result); });
+}
+
+OwnedMat transposed(Mat matrix) {
+    return made("transposing",
+                [&](Mat* result) { return MatTranspose(matrix, MAT_INITIAL_MATRIX, result); });
+}
+
+OwnedMat multiplied(Mat A, Mat B) {
+    return made("multiplying", [&](Mat* result) {
+        return MatMatMult(A, B, MAT_INITIAL_MATRIX, PETSC_DEFAULT, result);
+    });
+}
+
 Vector product(const Ranks& ranks, Mat A, const Vector& x) {
     PetscInt rows = 0;
     require(MatGetLocalSize(A, &rows, nullptr), "multiplying");

@@ -25,6 +25,10 @@ OwnedMat made(const char* what, Make make) {
     return OwnedMat(matrix);
 }
 
+OwnedMat copied(Mat matrix);
+OwnedMat transposed(Mat matrix);
+OwnedMat multiplied(Mat A, Mat B);
+
 /// Collective: A x, own rows.
 Vector product(const Ranks& ranks, Mat A, const Vector& x);
 

@@ -58,9 +58,7 @@ OwnPieces::OwnPieces(const Ranks& ranks, const LocalComplex& local,
         away_[owner(row)].push_back(s);
         sent[owner(row)].push_back({row, degree.number[s]});
     }
-    std::vector<Sent> came;
-    for (const auto& parcel : ranks.deliver(std::move(sent)))
-        came.insert(came.end(), parcel.begin(), parcel.end());
+    const auto came = unpacked(ranks.deliver(std::move(sent)));
     const auto cell_of = [&](const Sent& piece) { return piece.row - cells.first_row; };
     for (const Sent& piece : came)
         ++begins_[cell_of(piece) + 1];
@@ -122,9 +120,8 @@ Points spread_to_pieces(const Ranks& ranks, const DistributedCells::Degree& cell
             const double* const begin = of_cells.data() + (row - cells.first_row) * width;
             answers[r].insert(answers[r].end(), begin, begin + width);
         }
-    std::vector<double> came; // of others in their order, since rows ascend with ranks
-    for (const auto& parcel : ranks.deliver(std::move(answers)))
-        came.insert(came.end(), parcel.begin(), parcel.end());
+    // of others in their order, since rows ascend with ranks
+    const auto came = unpacked(ranks.deliver(std::move(answers)));
     const Points of_others = Eigen::Map<const Points>(came.data(), std::ssize(cells.others), width);
 
     Points result = Points::Zero(std::ssize(cells.of_simplex), width);

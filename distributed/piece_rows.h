@@ -26,16 +26,14 @@ public:
                 write(s, row.data());
                 parcels[r].insert(parcels[r].end(), row.begin(), row.end());
             }
-        std::vector<Item> came;
-        for (const auto& parcel : ranks_.deliver(std::move(parcels)))
-            came.insert(came.end(), parcel.begin(), parcel.end());
+        const auto came = unpacked(ranks_.deliver(std::move(parcels)));
         for (Index cell = 0; cell + 1 < std::ssize(begins_); ++cell)
             for (Index place = begins_[cell]; place < begins_[cell + 1]; ++place)
                 if (const Index s = pieces_[place]; s >= 0) {
                     write(s, row.data());
                     take(cell, static_cast<const Item*>(row.data()));
                 } else {
-                    take(cell, static_cast<const Item*>(came.data() + (-1 - s) * width));
+                    take(cell, came.data() + (-1 - s) * width);
                 }
     }
 

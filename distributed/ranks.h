@@ -25,6 +25,15 @@ using GlobalIndex = std::int64_t;
 template <class Item>
 using Parcels = std::vector<std::vector<Item>>;
 
+/// The items of all parcels, in the order of ranks.
+template <class Item>
+std::vector<Item> unpacked(const Parcels<Item>& parcels) {
+    std::vector<Item> items;
+    for (const auto& parcel : parcels)
+        items.insert(items.end(), parcel.begin(), parcel.end());
+    return items;
+}
+
 /// Divides items 0 .. count - 1 into one range per rank, of equal lengths except for the last ones.
 class EqualStretches {
 public:
@@ -153,10 +162,7 @@ public:
     /// Collective: the items of all ranks, in the order of ranks.
     template <class Item>
     std::vector<Item> of_all(const std::vector<Item>& own) const {
-        std::vector<Item> result;
-        for (const auto& parcel : deliver(Parcels<Item>(static_cast<std::size_t>(size()), own)))
-            result.insert(result.end(), parcel.begin(), parcel.end());
-        return result;
+        return unpacked(deliver(Parcels<Item>(static_cast<std::size_t>(size()), own)));
     }
 
     /// An empty parcel for each rank.

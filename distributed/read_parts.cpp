@@ -101,8 +101,7 @@ private:
         });
         const auto arrived = ranks_.deliver(std::move(parcels));
         ranks_.together("nodes", [&] {
-            for (const auto& parcel : arrived)
-                nodes_.insert(nodes_.end(), parcel.begin(), parcel.end());
+            nodes_ = unpacked(arrived);
             std::sort(nodes_.begin(), nodes_.end());
             const auto is_same = [](const Node& a, const Node& b) { return a[0] == b[0]; };
             if (std::adjacent_find(nodes_.begin(), nodes_.end(), is_same) != nodes_.end())

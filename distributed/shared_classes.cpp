@@ -47,13 +47,9 @@ std::vector<SharedClass> join_shared(const Ranks& ranks, GlobalIndex first, Inde
     shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
     auto edges = ranks.empty_parcels<SharedElement>();
     edges[0] = std::move(shared);
-    auto at_first = ranks.deliver(std::move(edges));
-    const Solved solved = ranks.together("shared classes", [&] {
-        std::vector<SharedElement> all;
-        for (const auto& parcel : at_first)
-            all.insert(all.end(), parcel.begin(), parcel.end());
-        return solve(all);
-    });
+    const auto at_first = ranks.deliver(std::move(edges));
+    const Solved solved =
+        ranks.together("shared classes", [&] { return solve(unpacked(at_first)); });
 
     // back to the ranks whose classes they are
     const auto begins = ranks.of_all(std::vector<GlobalIndex>{first});

@@ -33,6 +33,17 @@ struct Gathered {
     Parcels<double> values;
 };
 
+/// Joins those of equal class.
+void join_equal(const std::vector<GlobalIndex>& classes, DisjointSets& sets) {
+    const NumberPlaces place(classes);
+    std::vector<Index> member(place.numbers().size(), -1);
+    for (Index t = 0; t < std::ssize(classes); ++t) {
+        Index& known = member[place(classes[t])];
+        known = known < 0 ? t : known;
+        sets.join(known, t);
+    }
+}
+
 class Sending {
 public:
     Sending(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
@@ -78,13 +89,7 @@ private:
 LocalClasses Sending::parts_of() const {
     const auto size = static_cast<std::size_t>(tops().size());
     DisjointSets sets(tops().size());
-    const NumberPlaces place(first_);
-    std::vector<Index> member(place.numbers().size(), -1);
-    for (Index t = 0; t < tops().size(); ++t) {
-        Index& known = member[place(first_[t])];
-        known = known < 0 ? t : known;
-        sets.join(known, t);
-    }
+    join_equal(first_, sets);
     const Cofaces cofaces(local_.complex, n_);
     for (Index f = 0; f < local_.degree(n_ - 1).size(); ++f)
         if (const auto sides = cofaces.of(f); free_[f] != 0 && sides.size() == 2 &&
@@ -104,9 +109,7 @@ std::vector<bool> Sending::ask_for_flat() const {
         if (is_flat(t))
             told[labels_[t].owner].push_back(labels_[t].number);
     }
-    std::vector<GlobalIndex> with_flat;
-    for (const auto& parcel : ranks_.deliver(std::move(told)))
-        with_flat.insert(with_flat.end(), parcel.begin(), parcel.end());
+    auto with_flat = unpacked(ranks_.deliver(std::move(told)));
     std::sort(with_flat.begin(), with_flat.end());
 
     const NumberPlaces place(own);
@@ -250,14 +253,8 @@ Parcels<SimplexClass> Deciding::classes(double tolerance) const {
     std::vector<GlobalIndex> before;
     for (const Row& row : rows_)
         before.push_back(row.numbers[Layout::of_class]);
-    const NumberPlaces place(before);
-    std::vector<Index> member(place.numbers().size(), -1);
     DisjointSets classes(static_cast<Index>(rows_.size()));
-    for (Index t = 0; t < std::ssize(rows_); ++t) {
-        Index& known = member[place(before[t])];
-        known = known < 0 ? t : known;
-        classes.join(known, t);
-    }
+    join_equal(before, classes);
     absorb_flat({complex_, points_, {}, FlatSimplices::passed_over}, flat_, around_, tolerance,
                 classes);
     const auto firsts = classes.firsts();

@@ -34,8 +34,7 @@ void check_positive(const HodgeStar& star, bool zeros_too) {
 }
 
 OwnedMat absolute(Mat matrix) {
-    OwnedMat result =
-        made("copying", [&](Mat* copy) { return MatDuplicate(matrix, MAT_COPY_VALUES, copy); });
+    OwnedMat result = copied(matrix);
     Mat diagonal = nullptr, others = nullptr;
     require(MatMPIAIJGetSeqAIJ(result.get(), &diagonal, &others, nullptr), "copying");
     for (Mat part : {diagonal, others}) {
@@ -69,11 +68,6 @@ void scale(const Ranks& ranks, Mat A, const Vector& left, const Vector& right) {
     require(MatDiagonalScale(A, l.get(), r.get()), "scaling");
 }
 
-OwnedMat transposed_of(Mat matrix) {
-    return made("transposing",
-                [&](Mat* result) { return MatTranspose(matrix, MAT_INITIAL_MATRIX, result); });
-}
-
 } // namespace
 
 SharedPencil::SharedPencil(const Ranks& ranks, const DistributedCells& cells, int k)
@@ -97,9 +91,8 @@ SharedPencil::SharedPencil(const Ranks& ranks, const DistributedCells& cells, in
     if (k < cells.dimension()) {
         const HodgeStar above = star_of(k + 1);
         OwnedMat d = coboundary(ranks, cells, k);
-        OwnedMat transposed = transposed_of(d.get());
-        add_part(std::move(d), std::move(transposed), above.diagonal().cwiseMax(0),
-                 above.uncertainty());
+        OwnedMat back = transposed(d.get());
+        add_part(std::move(d), std::move(back), above.diagonal().cwiseMax(0), above.uncertainty());
     }
     if (k > 0) {
         const HodgeStar below = star_of(k - 1);
@@ -107,7 +100,7 @@ SharedPencil::SharedPencil(const Ranks& ranks, const DistributedCells& cells, in
         const Vector shares = below.uncertainty().cwiseProduct(inverse.cwiseAbs()).cwiseMin(0.5);
         OwnedMat up = coboundary(ranks, cells, k - 1); // F^T = star_k d
         scale(ranks, up.get(), mass_, Vector::Ones(inverse.size()));
-        OwnedMat down = transposed_of(up.get());
+        OwnedMat down = transposed(up.get());
         add_part(std::move(down), std::move(up), inverse,
                  (inverse.array() * shares.array() / (1 - shares.array())).matrix());
     }
@@ -126,14 +119,9 @@ void SharedPencil::add_part(OwnedMat F, OwnedMat transposed, Vector weights, Vec
 void SharedPencil::measure() {
     const Vector root = mass_.cwiseSqrt().cwiseInverse();
     for (const Part& part : parts_) {
-        OwnedMat right = made("copying", [&](Mat* copy) {
-            return MatDuplicate(part.F.get(), MAT_COPY_VALUES, copy);
-        });
+        OwnedMat right = copied(part.F.get());
         scale(ranks_, right.get(), part.weights, Vector::Ones(mass_.size()));
-        OwnedMat product = made("multiplying", [&](Mat* result) {
-            return MatMatMult(part.transposed.get(), right.get(), MAT_INITIAL_MATRIX, PETSC_DEFAULT,
-                              result);
-        });
+        OwnedMat product = multiplied(part.transposed.get(), right.get());
         if (!B_)
             B_ = std::move(product);
         else
