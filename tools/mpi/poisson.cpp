@@ -65,23 +65,6 @@ BoundaryConditions conditions_on(const Ranks& ranks, const DistributedMesh& mesh
     return result;
 }
 
-std::string known(const Ranks& ranks, const DistributedMesh& mesh,
-                  const SharedPoissonArguments& arguments) {
-    const int n = mesh.dimension();
-    const auto& first = mesh.cells.degree(n - 1).first;
-    GlobalIndex facets = 0, essential = 0;
-    for (std::size_t f = 0; f < first.size(); ++f)
-        if (mesh.local.complex.coface_counts(n - 1)[first[f]] == 1) {
-            ++facets;
-            if (arguments.poisson.boundary.at(static_cast<Index>(f)) ==
-                BoundaryCondition::essential)
-                ++essential;
-        }
-    return polydec::in_words(
-        ranks.sum(facets), ranks.sum(essential), 0, n,
-        {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
-}
-
 Errors errors_of(const Ranks& ranks, const DistributedMesh& mesh, Side side,
                  const Vector& difference) {
     const Vector& volumes = side == Side::primal ? mesh.cells.volumes.dual(0)
@@ -143,7 +126,9 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
     answer.max = ranks.largest(u.size() > 0 ? u.maxCoeff() : -infinity);
     answer.report = solution.report;
     answer.free_components = solution.compatibility.free_components;
-    answer.conditions = known(ranks, mesh, arguments);
+    answer.conditions =
+        in_words(ranks, mesh, arguments.poisson.boundary, 0,
+                 {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
     if (data.exact)
         answer.errors = errors_of(ranks, mesh, side,
                                   u - values_at(ranks, mesh, *data.exact, k, solver.sites()));

@@ -144,6 +144,20 @@ DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Share
     return mesh;
 }
 
+std::string in_words(const Ranks& ranks, const DistributedMesh& mesh,
+                     const BoundaryConditions& conditions, int degree, const BoundaryData& data) {
+    const int n = mesh.dimension();
+    const auto& first = mesh.cells.degree(n - 1).first;
+    GlobalIndex facets = 0, essential = 0;
+    for (std::size_t f = 0; f < first.size(); ++f)
+        if (mesh.local.complex.coface_counts(n - 1)[first[f]] == 1) {
+            ++facets;
+            if (conditions.at(static_cast<Index>(f)) == BoundaryCondition::essential)
+                ++essential;
+        }
+    return polydec::in_words(ranks.sum(facets), ranks.sum(essential), degree, n, data);
+}
+
 void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, SharedLog& log,
           const TellOptions& options) {
     log.end();

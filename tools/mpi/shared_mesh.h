@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dec/boundary/boundary_conditions.h"
 #include "distributed/discretize.h"
 #include "tools/common.h"
 #include "tools/mpi/shared_log.h"
@@ -39,6 +40,11 @@ private:
 
 /// Collective: reads, merges and measures the mesh; reports its warnings.
 DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, SharedLog& log);
+
+/// Collective: the conditions on the boundary in words, as in one process.
+std::string in_words(const Ranks& ranks, const DistributedMesh& mesh,
+                     const BoundaryConditions& conditions, int degree,
+                     const BoundaryData& data = {});
 
 /// Collective: prints the answer, which all ranks have, with its effort and, if timing is
 /// requested, the busiest rank's effort per stage.

@@ -57,15 +57,9 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
     }
     log.warn(warning_of_rough_values(result.rough));
     use_input_units(result, mesh.unit);
-    const auto& facets = mesh.cells.degree(n - 1);
-    GlobalIndex on_boundary = 0;
-    for (const Index piece : facets.first)
-        on_boundary += mesh.local.complex.coface_counts(n - 1)[piece] == 1 ? 1 : 0;
-    on_boundary = ranks.sum(on_boundary);
-    const bool essential = built_in_conditions(side).everywhere == BoundaryCondition::essential;
-    const Eigenvalues answer(
-        result, polydec::in_words(on_boundary, essential ? on_boundary : 0, degree, n),
-        ChosenStars(HodgeStars(mesh.cells.volumes), StarKind::circumcentric), seconds.count());
+    const Eigenvalues answer(result, in_words(ranks, mesh, built_in_conditions(side), degree),
+                             ChosenStars(HodgeStars(mesh.cells.volumes), StarKind::circumcentric),
+                             seconds.count());
     tell(ranks, mesh, answer, log, arguments.mesh.mesh.tell);
 }
 
