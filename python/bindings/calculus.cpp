@@ -17,13 +17,16 @@ py::object matrix(Make make) {
 }
 
 /// Cells of one's own, by their coboundaries and volumes.
-Cells own_cells(const std::vector<MatrixParts>& coboundaries, const std::vector<Numbers>& primal,
-                const std::vector<Numbers>& dual) {
+Cells own_cells(const std::vector<MatrixParts>& coboundaries, std::vector<Vector> primal,
+                std::vector<Vector> dual) {
     std::vector<IncidenceMatrix> incidences;
     for (const MatrixParts& d : coboundaries)
         incidences.emplace_back(sparse(d).cast<std::int8_t>());
-    const CellVolumes volumes(vectors(primal), vectors(dual));
-    return {CellComplex(std::move(incidences)), volumes};
+    return {CellComplex(std::move(incidences)), CellVolumes(std::move(primal), std::move(dual))};
+}
+
+SparseMatrix derivative_of(const Cells& of, Side side, int k) {
+    return side == Side::primal ? derivative(of.complex(), k) : dual_derivative(of.complex(), k);
 }
 
 void add_matrices(py::class_<Cells>& calculus) {
@@ -33,32 +36,22 @@ void add_matrices(py::class_<Cells>& calculus) {
                  // the complex is shared with what C++ keeps, so lives as long as this does
                  return csr(self.cast<Cells&>().complex().coboundary(k), self);
              })
-        .def("d",
-             [](const Cells& of, const std::string& side, int k) {
-                 return matrix([&, side = side_of(side)] {
-                     return side == Side::primal ? derivative(of.complex(), k)
-                                                 : dual_derivative(of.complex(), k);
-                 });
-             })
+        .def("d", [](const Cells& of, Side side,
+                     int k) { return matrix([&] { return derivative_of(of, side, k); }); })
         .def("boundary",
-             [](const Cells& of, const std::string& side, int k) {
-                 return matrix([&, side = side_of(side)] {
-                     return SparseMatrix((side == Side::primal
-                                              ? derivative(of.complex(), k - 1)
-                                              : dual_derivative(of.complex(), k - 1))
-                                             .transpose());
-                 });
+             [](const Cells& of, Side side, int k) {
+                 return matrix([&] { return derivative_of(of, side, k - 1).transpose(); });
              })
         .def("codifferential",
-             [](const Cells& of, const std::string& side, int k) {
-                 return matrix([&, side = side_of(side)] {
+             [](const Cells& of, Side side, int k) {
+                 return matrix([&] {
                      return side == Side::primal ? codifferential(of, k)
                                                  : dual_codifferential(of, k);
                  });
              })
         .def("laplacian",
-             [](const Cells& of, const std::string& side, int k) {
-                 return matrix([&, side = side_of(side)] {
+             [](const Cells& of, Side side, int k) {
+                 return matrix([&] {
                      return side == Side::primal ? laplacian(of, k) : dual_laplacian(of, k);
                  });
              })
@@ -84,13 +77,13 @@ void add_stars(py::class_<Cells>& calculus) {
                      return array(star.diagonal());
                  return csr(star.matrix());
              })
-        .def("inverse_star",
-             [](const Cells& of, int k) { return array(of.input_stars()[k].inverse()); })
-        .def("solve_star",
-             [](const Cells& of, int k, const Numbers& values) {
-                 return array(unlocked(
-                     [&, given = vector(values)] { return of.input_stars()[k].solve(given); }));
-             })
+        .def("inverse_star", [](const Cells& of, int k) { return of.input_stars()[k].inverse(); })
+        .def(
+            "solve_star",
+            [](const Cells& of, int k, const Vector& values) {
+                return of.input_stars()[k].solve(values);
+            },
+            Unlocking())
         .def("zeros", [](const Cells& of, int k) { return array(of.input_stars()[k].zeros()); })
         .def("negatives",
              [](const Cells& of, int k) { return array(of.input_stars()[k].negatives()); })
@@ -111,8 +104,7 @@ void add_forms(py::class_<Cells>& calculus) {
     using Apply = Cochain (*)(const Cells&, const Cochain&);
     calculus
         .def("apply",
-             [](const Cells& of, const std::string& what, const std::string& side, int degree,
-                const Numbers& values) {
+             [](const Cells& of, const std::string& what, const Cochain& given) {
                  const auto apply = chosen<Apply>(
                      "an operator", what,
                      {{"d", [](const Cells& cells,
@@ -120,24 +112,17 @@ void add_forms(py::class_<Cells>& calculus) {
                       {"star", &polydec::star},
                       {"codifferential", &polydec::codifferential},
                       {"laplacian", &polydec::laplacian}});
-                 const Cochain given = form(side, degree, values);
-                 return parts(unlocked([&] { return apply(of, given); }));
+                 return unlocked([&] { return apply(of, given); });
              })
-        .def("inner_product",
-             [](const Cells& of, const std::string& side, int degree, const Numbers& a,
-                const Numbers& b) {
-                 return inner_product(of, form(side, degree, a), form(side, degree, b));
-             })
-        .def("norm", [](const Cells& of, const std::string& side, int degree,
-                        const Numbers& values) { return norm(of, form(side, degree, values)); });
+        .def("inner_product", &inner_product)
+        .def("norm", &norm);
 }
 
 /// One mark for all facets of the boundary, or one for each (n-1)-cell. Those that are not
 /// essential have Robin's condition where their coefficient, if there are any, is not 0. One mark
 /// for each vertex at which values are given, or none.
-BoundaryConditions conditions_of(const std::vector<bool>& essential, const Numbers& coefficients,
+BoundaryConditions conditions_of(const std::vector<bool>& essential, const Vector& robin,
                                  const std::vector<bool>& fixed) {
-    const Vector robin = vector(coefficients);
     const auto condition = [&](std::size_t i) {
         if (essential[essential.size() == 1 ? 0 : i])
             return BoundaryCondition::essential;
@@ -164,8 +149,7 @@ void add_spaces(py::module_& module) {
                      cells.append(array(std::vector<Index>(numbers)));
                  return cells;
              })
-        .def("inside",
-             [](const FormSpace& space) { return unlocked([&] { return space.inside(); }); })
+        .def("inside", &FormSpace::inside, Unlocking())
         .def("stiffness",
              [](const FormSpace& space) {
                  return matrix([&] { return space.stiffness().matrix(); });
@@ -175,9 +159,7 @@ void add_spaces(py::module_& module) {
 
 } // namespace
 
-FormSpace space_of(const Cells& cells, const std::string& given_side, int degree,
-                   const GivenConditions& conditions) {
-    const Side side = side_of(given_side);
+FormSpace space_of(const Cells& cells, Side side, int degree, const GivenConditions& conditions) {
     return unlocked([&] {
         return FormSpace(cells, side, degree, conditions.value_or(built_in_conditions(side)));
     });

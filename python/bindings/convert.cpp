@@ -58,13 +58,6 @@ py::array array(DenseMatrix columns) {
     return array_of(std::move(columns), true);
 }
 
-py::list arrays(std::vector<Vector> values) {
-    py::list result;
-    for (Vector& each : values)
-        result.append(array(std::move(each)));
-    return result;
-}
-
 py::object csr(SparseMatrix matrix) {
     auto kept = std::make_unique<SparseMatrix>();
     kept->swap(matrix); // Eigen would copy it where one moves it
@@ -96,13 +89,6 @@ Simplices rows(const Integers& numbers) {
     return Eigen::Map<const Simplices>(numbers.data(), numbers.shape(0), numbers.shape(1));
 }
 
-std::vector<Vector> vectors(const std::vector<Numbers>& lists) {
-    std::vector<Vector> result;
-    for (const Numbers& numbers : lists)
-        result.push_back(vector(numbers));
-    return result;
-}
-
 std::vector<Index> indices(const Integers& numbers) {
     return {numbers.data(), numbers.data() + numbers.size()};
 }
@@ -128,12 +114,9 @@ Sampling sampling_of(const std::string& name) {
                             {{"centered", Sampling::centered}, {"upwind", Sampling::upwind}});
 }
 
-Cochain form(const std::string& side, int degree, const Numbers& values) {
+Cochain form(const GivenForm& given) {
+    const auto& [side, degree, values] = given;
     return {side_of(side), degree, vector(values)};
-}
-
-py::tuple parts(Cochain form) {
-    return py::make_tuple(name(form.side), form.degree, array(std::move(form.values)));
 }
 
 BoundaryForms boundary_forms(const GivenBoundary& given) {

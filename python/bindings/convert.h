@@ -28,7 +28,8 @@ enum class Sampling;
 /// Between numpy's arrays, scipy's matrices and polydec's. What is handed out shares memory and
 /// keeps alive what it belongs to; it is read-only, unless it was made to be handed out. What comes
 /// in has been made contiguous and of the right type and shape in Python, where it has a name, and
-/// is copied.
+/// is copied. Arguments and results that are vectors, tables, sides, forms and data on the boundary
+/// are converted as the end of this file says.
 namespace polydec::python {
 
 namespace py = pybind11;
@@ -84,7 +85,6 @@ py::array array(Vector values);
 py::array array(Points rows);
 py::array array(Simplices rows);
 py::array array(DenseMatrix columns);
-py::list arrays(std::vector<Vector> values);
 
 /// scipy.sparse.csr_matrix, of this matrix or of one that belongs to the owner. Throws
 /// InvalidInput for one that is not compressed.
@@ -96,7 +96,6 @@ Vector vector(const Numbers& numbers);
 Points rows(const Numbers& numbers);
 DenseMatrix columns(const Numbers& numbers);
 Simplices rows(const Integers& numbers);
-std::vector<Vector> vectors(const std::vector<Numbers>& lists);
 std::vector<Index> indices(const Integers& numbers);
 SparseMatrix sparse(const MatrixParts& matrix);
 
@@ -120,9 +119,9 @@ Value chosen(std::string_view option, const std::string& name,
 Side side_of(const std::string& name);
 Sampling sampling_of(const std::string& name);
 
-/// A form, by its side, degree and values; and the other way round.
-Cochain form(const std::string& side, int degree, const Numbers& values);
-py::tuple parts(Cochain form);
+/// A form, by its side, degree and values.
+using GivenForm = std::tuple<std::string, int, Numbers>;
+Cochain form(const GivenForm& given);
 
 /// Data on the boundary as Python names them: values, codifferential, flow, derivative_flow.
 using GivenBoundary = std::tuple<Numbers, Numbers, Numbers, Numbers>;
@@ -179,6 +178,9 @@ auto unlocked(Work work) {
     return work();
 }
 
+/// Of a function that is called without it, but for its arguments and result.
+using Unlocking = py::call_guard<Unlocked>;
+
 /// What is done with the interpreter's lock, by C++ that runs without it.
 template <class Work>
 auto locked(Work work) {
@@ -204,3 +206,62 @@ void add_spectra(py::module_& module);
 void add_engines(py::module_& module);
 
 } // namespace polydec::python
+
+namespace pybind11::detail {
+
+/// An argument that is made from what Python gives.
+template <class Value, class Given, Value (*from)(const Given&)>
+struct made_from {
+    PYBIND11_TYPE_CASTER(Value, make_caster<Given>::name);
+
+    bool load(handle source, bool convert) {
+        make_caster<Given> given;
+        if (!given.load(source, convert))
+            return false;
+        value = from(cast_op<const Given&>(given));
+        return true;
+    }
+};
+
+template <>
+struct type_caster<polydec::Side>
+    : made_from<polydec::Side, std::string, polydec::python::side_of> {};
+
+template <>
+struct type_caster<polydec::Vector>
+    : made_from<polydec::Vector, polydec::python::Numbers, polydec::python::vector> {
+    static handle cast(polydec::Vector values, return_value_policy, handle) {
+        return polydec::python::array(std::move(values)).release();
+    }
+};
+
+template <>
+struct type_caster<polydec::Points>
+    : made_from<polydec::Points, polydec::python::Numbers, polydec::python::rows> {
+    static handle cast(polydec::Points rows, return_value_policy, handle) {
+        return polydec::python::array(std::move(rows)).release();
+    }
+};
+
+template <>
+struct type_caster<polydec::DenseMatrix>
+    : made_from<polydec::DenseMatrix, polydec::python::Numbers, polydec::python::columns> {
+    static handle cast(polydec::DenseMatrix columns, return_value_policy, handle) {
+        return polydec::python::array(std::move(columns)).release();
+    }
+};
+
+template <>
+struct type_caster<polydec::Cochain>
+    : made_from<polydec::Cochain, polydec::python::GivenForm, polydec::python::form> {
+    static handle cast(polydec::Cochain form, return_value_policy, handle) {
+        return make_tuple(polydec::name(form.side), form.degree, std::move(form.values)).release();
+    }
+};
+
+template <>
+struct type_caster<polydec::BoundaryForms>
+    : made_from<polydec::BoundaryForms, polydec::python::GivenBoundary,
+                polydec::python::boundary_forms> {};
+
+} // namespace pybind11::detail

@@ -110,7 +110,7 @@ std::string report(const Discretization& mesh) {
 
 py::tuple polygons(const Discretization& mesh) {
     PolygonMesh found = unlocked([&] { return polygon_mesh(mesh); });
-    return py::make_tuple(array(std::move(found.points)), array(std::move(found.offsets)),
+    return py::make_tuple(std::move(found.points), array(std::move(found.offsets)),
                           array(std::move(found.corners)));
 }
 
@@ -148,8 +148,8 @@ void add_parts(py::class_<Discretization, Cells>& type) {
         .def_property_readonly(
             "vertices", [](const Discretization& mesh) { return array(vertices_of_cells(mesh)); })
         .def_property_readonly("vertex_count", &count_vertices)
-        .def_property_readonly(
-            "isolated", [](const Discretization& mesh) { return array(Points(mesh.isolated())); })
+        .def_property_readonly("isolated",
+                               [](const Discretization& mesh) { return mesh.isolated(); })
         .def("cells_of_vertices",
              [](const Discretization& mesh, const std::string& what, const Integers& vertices) {
                  return array(cells_of_vertices(mesh, what, indices(vertices)));
@@ -200,15 +200,10 @@ void add_merging(py::class_<Discretization, Cells>& type) {
 
 void add_places(py::class_<Discretization, Cells>& type) {
     using Places = Points (*)(const Discretization&, int);
-    const auto at = [](Places places) {
-        return [places](const Discretization& mesh, int k) {
-            return array(unlocked([&] { return places(mesh, k); }));
-        };
-    };
-    type.def("centers", at(&cell_centers))
-        .def("centroids", at(&cell_centroids))
-        .def("dual_sites", [](const Discretization& mesh) { return array(dual_sites(mesh)); })
-        .def("facet_sites", [](const Discretization& mesh) { return array(facet_sites(mesh)); });
+    type.def("centers", static_cast<Places>(&cell_centers), Unlocking())
+        .def("centroids", static_cast<Places>(&cell_centroids), Unlocking())
+        .def("dual_sites", &dual_sites)
+        .def("facet_sites", &facet_sites);
 }
 
 void add_stars(py::class_<Discretization, Cells>& type) {
@@ -218,26 +213,10 @@ void add_stars(py::class_<Discretization, Cells>& type) {
              })
         .def("with_star", [](const Discretization& mesh, int k,
                              const MatrixParts& star) { return mesh.with_star(k, sparse(star)); })
-        .def("with_conductivity",
-             [](const Discretization& mesh, const std::string& side, const CellData& kappa) {
-                 return unlocked(
-                     [&, on = side_of(side)] { return with_conductivity(mesh, on, kappa); });
-             })
-        .def("with_electric_material",
-             [](const Discretization& mesh, const std::string& side, int k,
-                const CellData& permittivity, const CellData& permeability) {
-                 return unlocked([&, on = side_of(side)] {
-                     return with_electric_material(mesh, on, k, permittivity, permeability);
-                 });
-             })
-        .def("with_material",
-             [](const Discretization& mesh, int k, const CellData& weights) {
-                 return unlocked([&] { return with_material(mesh, k, weights); });
-             })
-        .def("cell_means",
-             [](const Discretization& mesh, int k, const CellData& weights) {
-                 return array(unlocked([&] { return cell_means(mesh, k, weights); }));
-             })
+        .def("with_conductivity", &with_conductivity, Unlocking())
+        .def("with_electric_material", &with_electric_material, Unlocking())
+        .def("with_material", &with_material, Unlocking())
+        .def("cell_means", &cell_means, Unlocking())
         .def("material_star",
              [](const Discretization& mesh, int k, const CellData& weights) {
                  return csr(unlocked([&] {
@@ -256,10 +235,9 @@ void add_stars(py::class_<Discretization, Cells>& type) {
 } // namespace
 
 void add_discretization(py::module_& module) {
-    py::class_<CellData>(module, "CellData")
-        .def(py::init([](const Numbers& values, bool are_on_cells) {
-            return are_on_cells ? CellData::on_cells(vector(values)) : CellData(vector(values));
-        }));
+    py::class_<CellData>(module, "CellData").def(py::init([](Vector values, bool are_on_cells) {
+        return are_on_cells ? CellData::on_cells(std::move(values)) : CellData(std::move(values));
+    }));
     py::class_<Discretization, Cells> type(module, "Discretization");
     add_parts(type);
     add_merging(type);

@@ -10,22 +10,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace polydec::python {
 
 namespace {
 
 const char* kind_name(EngineKind kind) {
-    switch (kind) {
-    case EngineKind::linear:
-        return "linear";
-    case EngineKind::eigen:
-        return "eigen";
-    case EngineKind::integrator:
-        return "integrator";
-    case EngineKind::mesher:
-        return "mesher";
-    }
-    return "";
+    constexpr std::array names{"linear", "eigen", "integrator", "mesher"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 py::dict engine_of(const EngineInfo& info) {
@@ -54,7 +47,7 @@ protected:
     Solution apply_inverse(const DenseMatrix& B) override {
         return locked([&]() -> Solution {
             using Columns = py::array_t<double, py::array::f_style | py::array::forcecast>;
-            const auto found = Columns::ensure(solve_(array(DenseMatrix(B))));
+            const auto found = Columns::ensure(solve_(B));
             if (!found || found.size() != B.size())
                 fail("the Python function did not return as many numbers as it got");
             return {Eigen::Map<const DenseMatrix>(found.data(), B.rows(), B.cols())};
@@ -90,26 +83,24 @@ private:
     EigenPairs computed(const SymmetricOperator& A, Index count,
                         const EigenOptions& options) const {
         Index operations = 0;
-        const py::cpp_function apply([&](const Numbers& values) {
+        const py::cpp_function apply([&](const Vector& x) {
             ++operations;
-            const Vector x = vector(values);
             check_as_many("values for the operator of an eigensolver", x.size(), A.size);
-            return array(unlocked([&] {
+            return unlocked([&] {
                 Vector y(A.size);
                 A.apply(x, y);
                 return y;
-            }));
+            });
         });
         const auto [values, vectors] = (*largest_)(apply, A.size, count, options.krylov_dimension,
-                                                   options.tolerance, array(Vector(options.start)))
-                                           .cast<std::pair<Numbers, Numbers>>();
-        if (values.shape(0) > count || vectors.shape(0) != A.size ||
-            vectors.shape(1) != values.shape(0))
+                                                   options.tolerance, options.start)
+                                           .cast<std::pair<Vector, DenseMatrix>>();
+        if (values.size() > count || vectors.rows() != A.size || vectors.cols() != values.size())
             throw SolverFailure(fmt::format(
                 "{}: the Python function returned {} values and a {} x {} array of vectors: "
                 "expected at most {} values and {} numbers for each",
-                name_, values.shape(0), vectors.shape(0), vectors.shape(1), count, A.size));
-        return {vector(values), columns(vectors), static_cast<Index>(values.shape(0)), operations};
+                name_, values.size(), vectors.rows(), vectors.cols(), count, A.size));
+        return {values, vectors, static_cast<Index>(values.size()), operations};
     }
 
     std::string name_;
@@ -149,9 +140,8 @@ void add_engines(py::module_& module) {
     module.def("use_one_thread", &use_one_thread);
     module.def("register_linear_solver", &register_solver);
     module.def("register_eigen_solver", &register_eigensolver);
-    module.def("solve", [](const MatrixParts& A, const Numbers& right_sides,
-                           const std::string& engine, bool symmetric, bool positive) {
-        const DenseMatrix B = columns(right_sides);
+    module.def("solve", [](const MatrixParts& A, const DenseMatrix& B, const std::string& engine,
+                           bool symmetric, bool positive) {
         auto [X, report] = unlocked([&] {
             const auto solver = make_linear_solver(engine);
             MatrixFacts facts;
@@ -162,7 +152,7 @@ void add_engines(py::module_& module) {
             DenseMatrix found = solver->solve(B);
             return std::pair(std::move(found), solver->report());
         });
-        return py::make_tuple(array(std::move(X)), report_of(report));
+        return py::make_tuple(std::move(X), report_of(report));
     });
 }
 

@@ -51,49 +51,39 @@ int components_of(Index width, int degree) {
     return binomial(static_cast<int>(width), degree);
 }
 
-py::tuple de_rham_of(const Discretization& mesh, const std::string& side, int degree,
-                     const py::function& function, int quadrature_degree) {
-    const bool is_primal = side_of(side) == Side::primal;
+Cochain de_rham_of(const Discretization& mesh, Side side, int degree, const py::function& function,
+                   int quadrature_degree) {
     check_number("the degree of a form", degree, 0, mesh.dimension());
     const auto width = static_cast<Index>(mesh.ambient_dimension());
     const auto integrate = [&](const SmoothForm& form) {
-        return is_primal ? de_rham(mesh, degree, form, quadrature_degree)
-                         : dual_de_rham(mesh, degree, form, quadrature_degree);
+        return side == Side::primal ? de_rham(mesh, degree, form, quadrature_degree)
+                                    : dual_de_rham(mesh, degree, form, quadrature_degree);
     };
-    return parts(integrated(width, components_of(width, degree), function, integrate));
+    return integrated(width, components_of(width, degree), function, integrate);
 }
 
-py::array boundary_de_rham_of(const Discretization& mesh, int degree, const py::function& function,
-                              int quadrature_degree) {
+Vector boundary_de_rham_of(const Discretization& mesh, int degree, const py::function& function,
+                           int quadrature_degree) {
     check_number("the degree of a form on the boundary", degree, 0, mesh.dimension() - 1);
     const auto width = static_cast<Index>(mesh.ambient_dimension());
-    return array(
-        integrated(width, components_of(width, degree), function, [&](const SmoothForm& form) {
-            return boundary_de_rham(mesh, degree, form, quadrature_degree);
-        }));
+    return integrated(width, components_of(width, degree), function, [&](const SmoothForm& form) {
+        return boundary_de_rham(mesh, degree, form, quadrature_degree);
+    });
 }
 
 void add_periodic(py::module_& module) {
-    module.def("periodic", [](const Mesh& box, const std::vector<Numbers>& translations) {
-        return unlocked([&, given = vectors(translations)] { return periodic(box, given); });
-    });
-    module.def("glue", [](const Mesh& box, const std::vector<Numbers>& images) {
-        std::vector<Points> given;
-        for (const Numbers& each : images)
-            given.push_back(rows(each));
-        return unlocked([&] { return glue_by_images(box, given); });
-    });
+    module.def("periodic", &periodic, Unlocking());
+    module.def("glue", &glue_by_images, Unlocking());
     py::class_<PeriodicMesh>(module, "PeriodicMesh")
         .def(py::init([](const Mesh& box, const LengthMesh& quotient, const Integers& vertices,
-                         const Numbers& points) {
-            return PeriodicMesh{box, quotient, indices(vertices), rows(points)};
+                         Points points) {
+            return PeriodicMesh{box, quotient, indices(vertices), std::move(points)};
         }))
         .def_readonly("box", &PeriodicMesh::box)
         .def_readonly("quotient", &PeriodicMesh::quotient)
         .def_property_readonly("vertices",
                                [](const PeriodicMesh& self) { return array(self.vertices); })
-        .def_property_readonly("points",
-                               [](const PeriodicMesh& self) { return array(Points(self.points)); });
+        .def_readonly("points", &PeriodicMesh::points);
 }
 
 using Product = Cochain (*)(const Discretization&, const Cochain&, const Cochain&);
@@ -101,9 +91,8 @@ using Map = Cochain (*)(const Discretization&, const Cochain&);
 using Sharp = DenseMatrix (*)(const Discretization&, const Cochain&);
 
 void add_products(py::module_& module) {
-    module.def("product", [](const Discretization& mesh, const std::string& what,
-                             const std::string& side_a, int degree_a, const Numbers& a,
-                             const std::string& side_b, int degree_b, const Numbers& b) {
+    module.def("product", [](const Discretization& mesh, const std::string& what, const Cochain& a,
+                             const Cochain& b) {
         const auto product =
             chosen<Product>("weights", what,
                             {{"uniform", [](const Discretization& on, const Cochain& x,
@@ -114,20 +103,17 @@ void add_products(py::module_& module) {
                               }},
                              {"dual", [](const Discretization& on, const Cochain& x,
                                          const Cochain& y) { return dual_wedge(on, x, y); }}});
-        const Cochain x = form(side_a, degree_a, a), y = form(side_b, degree_b, b);
-        return parts(unlocked([&] { return product(mesh, x, y); }));
+        return unlocked([&] { return product(mesh, a, b); });
     });
     module.def("primal_dual_wedge",
-               [](const Discretization& mesh, const std::string& side_a, int degree_a,
-                  const Numbers& a, const std::string& side_b, int degree_b, const Numbers& b) {
-                   return array(primal_dual_wedge(mesh.complex(), form(side_a, degree_a, a),
-                                                  form(side_b, degree_b, b)));
+               [](const Discretization& mesh, const Cochain& a, const Cochain& b) {
+                   return primal_dual_wedge(mesh.complex(), a, b);
                });
 }
 
 void add_fields_of_vectors(py::module_& module) {
     module.def("flat",
-               [](const Discretization& mesh, const std::string& kind, const Numbers& field) {
+               [](const Discretization& mesh, const std::string& kind, const Points& field) {
                    const auto flat_kind = chosen<Flat>("flat", kind,
                                                        {{"ppp", Flat::ppp},
                                                         {"pdp", Flat::pdp},
@@ -135,29 +121,26 @@ void add_fields_of_vectors(py::module_& module) {
                                                         {"ppd", Flat::ppd},
                                                         {"pdd", Flat::pdd},
                                                         {"dpd", Flat::dpd}});
-                   const Points given = rows(field);
-                   return parts(unlocked([&] { return flat(mesh, flat_kind, given); }));
+                   return unlocked([&] { return flat(mesh, flat_kind, field); });
                });
-    module.def("sharp", [](const Discretization& mesh, const std::string& kind,
-                           const std::string& side, int degree, const Numbers& values) {
-        const auto sharp =
-            chosen<Sharp>("sharp", kind,
-                          {{"pp", &sharp_pp},
-                           {"pd", &sharp_pd},
-                           {"flux", &flux_sharp},
-                           {"whitney", [](const Discretization& on, const Cochain& given) {
-                                return whitney_at_centroids(on, given);
-                            }}});
-        const Cochain given = form(side, degree, values);
-        return array(unlocked([&] { return sharp(mesh, given); }));
-    });
-    module.def("whitney_form", [](const Discretization& mesh, const std::string& side, int degree,
-                                  const Numbers& values, Index top, const Numbers& barycentric) {
-        return array(whitney_form(mesh, form(side, degree, values), top, vector(barycentric)));
+    module.def(
+        "sharp", [](const Discretization& mesh, const std::string& kind, const Cochain& form) {
+            const auto sharp =
+                chosen<Sharp>("sharp", kind,
+                              {{"pp", &sharp_pp},
+                               {"pd", &sharp_pd},
+                               {"flux", &flux_sharp},
+                               {"whitney", [](const Discretization& on, const Cochain& given) {
+                                    return whitney_at_centroids(on, given);
+                                }}});
+            return unlocked([&] { return sharp(mesh, form); });
+        });
+    module.def("whitney_form", [](const Discretization& mesh, const Cochain& form, Index top,
+                                  const Vector& barycentric) {
+        return whitney_form(mesh, form, top, barycentric);
     });
     module.def("contraction", [](const Discretization& mesh, const std::string& what,
-                                 const Numbers& field, int k, const std::string& sampling) {
-        const Points given = rows(field);
+                                 const Points& field, int k, const std::string& sampling) {
         const Sampling how = sampling_of(sampling);
         using Make = SparseMatrix (*)(const Discretization&, const Points&, int, Sampling);
         const auto make =
@@ -166,7 +149,7 @@ void add_fields_of_vectors(py::module_& module) {
                           {"lie_derivative", &lie_derivative},
                           {"inflow", [](const Discretization& on, const Points& along, int degree,
                                         Sampling) { return inflow(on, along, degree); }}});
-        return csr(unlocked([&] { return make(mesh, given, k, how); }));
+        return csr(unlocked([&] { return make(mesh, field, k, how); }));
     });
 }
 
@@ -178,8 +161,8 @@ void add_lie_derivative(py::module_& module) {
                 return std::make_unique<LieDerivative>(mesh, k, how);
             });
         }))
-        .def("apply", [](const LieDerivative& self, const std::string& what, const Numbers& field,
-                         const std::string& side, int degree, const Numbers& values) {
+        .def("apply", [](const LieDerivative& self, const std::string& what, const Points& field,
+                         const Cochain& form) {
             const auto apply = chosen<Apply>(
                 "an operator", what,
                 {{"lie_derivative", [](const LieDerivative& L, const Points& X,
@@ -189,27 +172,20 @@ void add_lie_derivative(py::module_& module) {
                  {"inflow", [](const LieDerivative& L, const Points& X, const Cochain& a) {
                       return L.inflow(X, a);
                   }}});
-            const Points along = rows(field);
-            const Cochain given = form(side, degree, values);
-            return parts(unlocked([&] { return apply(self, along, given); }));
+            return unlocked([&] { return apply(self, field, form); });
         });
 }
 
 void add_transfer(py::module_& module) {
     module.def("transfer", [](const Discretization& mesh, const std::string& what,
-                              const std::string& side, int degree, const Numbers& values) {
-        const auto map = chosen<Map>("a map", what,
-                                     {{"to_merged", &to_merged},
-                                      {"to_input", &to_input},
-                                      {"on_pieces", &on_pieces},
-                                      {"on_cells", &on_cells},
-                                      {"lifted", &lifted}});
-        const Cochain given = form(side, degree, values);
-        return parts(unlocked([&] { return map(mesh, given); }));
+                              const Cochain& form) {
+        const auto map =
+            chosen<Map>("a map", what,
+                        {{"to_merged", &to_merged}, {"to_input", &to_input}, {"lifted", &lifted}});
+        return unlocked([&] { return map(mesh, form); });
     });
-    module.def("consistency", [](const Discretization& mesh, const std::string& side, int degree,
-                                 const Numbers& values) {
-        const Consistency found = consistency(mesh, form(side, degree, values));
+    module.def("consistency", [](const Discretization& mesh, const Cochain& form) {
+        const Consistency found = consistency(mesh, form);
         return py::dict(py::arg("worst") = found.worst, py::arg("cell") = found.cell,
                         py::arg("found") = found.found, py::arg("expected") = found.expected,
                         py::arg("description") = found.description);

@@ -30,53 +30,40 @@ std::vector<FlowBoundary> boundary_of(const std::vector<bool>& no_slip,
     return result;
 }
 
-using FlowMap = Vector (IncompressibleFlow::*)(const Vector&) const;
-using FlowNumber = double (IncompressibleFlow::*)(const Vector&) const;
-
 void add_flow(py::module_& module) {
     using Flow = Guarded<IncompressibleFlow>;
     py::class_<Flow> flow(module, "IncompressibleFlow");
-    flow.def(py::init([](const Discretization& mesh, double viscosity,
-                         const std::vector<bool>& no_slip, const std::vector<bool>& open,
-                         const Numbers& boundary_flux, const Numbers& wall_velocity,
-                         const Numbers& rotation, const std::string& engine) {
-        const FlowOptions options{.viscosity = viscosity,
-                                  .facets = boundary_of(no_slip, open, FlowBoundary::open,
-                                                        mesh.size(mesh.dimension() - 1)),
-                                  .boundary_flux = vector(boundary_flux),
-                                  .wall_velocity = rows(wall_velocity),
-                                  .rotation = vector(rotation),
-                                  .linear_solver = engine};
-        return guarded<IncompressibleFlow>(mesh, options);
-    }));
-    const std::pair<const char*, FlowMap> maps[] = {
-        {"project", &IncompressibleFlow::project},
-        {"vorticity", &IncompressibleFlow::vorticity},
-        {"inertia", &IncompressibleFlow::inertia},
-        {"friction", &IncompressibleFlow::friction},
-        {"rate", &IncompressibleFlow::rate},
-        {"momentum", &IncompressibleFlow::momentum},
-        {"circulations", &IncompressibleFlow::circulations}};
-    for (const auto& [name, map] : maps)
-        flow.def(name, [map = map](Flow& self, const Numbers& w) {
-            return array(self.use(
-                [&, given = vector(w)](const IncompressibleFlow& of) { return (of.*map)(given); }));
-        });
-    const std::pair<const char*, FlowNumber> numbers[] = {
-        {"energy", &IncompressibleFlow::energy},
-        {"dissipation", &IncompressibleFlow::dissipation},
-        {"divergence", &IncompressibleFlow::divergence},
-        {"exchange_time", &IncompressibleFlow::exchange_time}};
-    for (const auto& [name, number] : numbers)
-        flow.def(name, [number = number](Flow& self, const Numbers& w) {
-            return self.use([&, given = vector(w)](const IncompressibleFlow& of) {
-                return (of.*number)(given);
-            });
-        });
-    flow.def("pressure", [](Flow& self, const Numbers& w) {
-        return array(self.use([&, given = vector(w)](const IncompressibleFlow& of) {
-            return of.pressure(given).values;
+    flow.def(
+        py::init([](const Discretization& mesh, double viscosity, const std::vector<bool>& no_slip,
+                    const std::vector<bool>& open, Vector boundary_flux, Points wall_velocity,
+                    Vector rotation, const std::string& engine) {
+            const FlowOptions options{.viscosity = viscosity,
+                                      .facets = boundary_of(no_slip, open, FlowBoundary::open,
+                                                            mesh.size(mesh.dimension() - 1)),
+                                      .boundary_flux = std::move(boundary_flux),
+                                      .wall_velocity = std::move(wall_velocity),
+                                      .rotation = std::move(rotation),
+                                      .linear_solver = engine};
+            return guarded<IncompressibleFlow>(mesh, options);
         }));
+    const auto add = [&](const char* name, auto member) {
+        flow.def(name, [member](Flow& self, const Vector& w) {
+            return self.use([&](const IncompressibleFlow& of) { return (of.*member)(w); });
+        });
+    };
+    add("project", &IncompressibleFlow::project);
+    add("vorticity", &IncompressibleFlow::vorticity);
+    add("inertia", &IncompressibleFlow::inertia);
+    add("friction", &IncompressibleFlow::friction);
+    add("rate", &IncompressibleFlow::rate);
+    add("momentum", &IncompressibleFlow::momentum);
+    add("circulations", &IncompressibleFlow::circulations);
+    add("energy", &IncompressibleFlow::energy);
+    add("dissipation", &IncompressibleFlow::dissipation);
+    add("divergence", &IncompressibleFlow::divergence);
+    add("exchange_time", &IncompressibleFlow::exchange_time);
+    flow.def("pressure", [](Flow& self, const Vector& w) {
+        return self.use([&](const IncompressibleFlow& of) { return of.pressure(w).values; });
     });
 }
 
@@ -85,71 +72,49 @@ void add_flux_transport(py::module_& module) {
         .def(py::init([](const Discretization& mesh, const std::string& sampling) {
             return std::make_unique<FluxTransport>(mesh, sampling_of(sampling));
         }))
-        .def("mass_flux",
-             [](const FluxTransport& self, const Numbers& flux, const Numbers& density,
-                const Numbers& outside) {
-                 return array(self.mass_flux(vector(flux), vector(density), vector(outside)));
-             })
-        .def("rate",
-             [](const FluxTransport& self, const Numbers& flux, const Numbers& density,
-                const Numbers& outside) {
-                 return array(self.rate(vector(flux), vector(density), vector(outside)));
-             })
-        .def("stable_step", [](const FluxTransport& self,
-                               const Numbers& flux) { return self.stable_step(vector(flux)); })
-        .def("mass", [](const FluxTransport& self,
-                        const Numbers& density) { return self.mass(vector(density)); })
-        .def("outflow", [](const FluxTransport& self, const Numbers& mass_flux) {
-            return self.outflow(vector(mass_flux));
-        });
+        .def("mass_flux", &FluxTransport::mass_flux)
+        .def("rate", &FluxTransport::rate)
+        .def("stable_step", &FluxTransport::stable_step)
+        .def("mass", &FluxTransport::mass)
+        .def("outflow", &FluxTransport::outflow);
 }
 
 using Water = ShallowWater::State;
 
-Water water(const Numbers& depth, const Numbers& flux) {
-    return {vector(depth), vector(flux)};
-}
-
-py::tuple parts_of(Water state) {
-    return py::make_tuple(array(std::move(state.depth)), array(std::move(state.flux)));
+std::pair<Vector, Vector> parts_of(Water state) {
+    return {std::move(state.depth), std::move(state.flux)};
 }
 
 void add_shallow_water(py::module_& module) {
     using Flow = Guarded<ShallowWater>;
     py::class_<Flow> flow(module, "ShallowWater");
-    flow.def(py::init([](const Discretization& mesh, double gravity, const Numbers& rotation,
-                         const Numbers& bottom) {
+    flow.def(py::init([](const Discretization& mesh, double gravity, Vector rotation,
+                         Vector bottom) {
             return guarded<ShallowWater>(
-                mesh, ShallowWaterOptions{gravity, vector(rotation), vector(bottom)});
+                mesh, ShallowWaterOptions{gravity, std::move(rotation), std::move(bottom)});
         }))
         .def("rate",
-             [](Flow& self, const Numbers& depth, const Numbers& flux) {
-                 return parts_of(self.use(
-                     [&, now = water(depth, flux)](ShallowWater& of) { return of.rate(now); }));
+             [](Flow& self, Vector depth, Vector flux) {
+                 const Water now{std::move(depth), std::move(flux)};
+                 return parts_of(self.use([&](const ShallowWater& of) { return of.rate(now); }));
              })
-        .def("reaction",
-             [](Flow& self, double time, const Numbers& depth, const Numbers& flux) {
-                 const std::vector<Cochain> forms{form("dual", 0, depth), form("primal", 1, flux)};
-                 auto rates = self.use([&](const ShallowWater& of) { return of(time, forms); });
-                 return parts_of({std::move(rates[0]), std::move(rates[1])});
-             })
-        .def("potential_vorticity", [](Flow& self, const Numbers& depth, const Numbers& flux) {
-            return array(self.use([&, now = water(depth, flux)](const ShallowWater& of) {
-                return of.potential_vorticity(now);
-            }));
+        .def("reaction", [](Flow& self, double time, Vector depth, Vector flux) {
+            const std::vector<Cochain> forms{{Side::dual, 0, std::move(depth)},
+                                             {Side::primal, 1, std::move(flux)}};
+            auto rates = self.use([&](const ShallowWater& of) { return of(time, forms); });
+            return parts_of({std::move(rates[0]), std::move(rates[1])});
         });
-    using Number = double (ShallowWater::*)(const Water&) const;
-    const std::pair<const char*, Number> numbers[] = {
-        {"mass", &ShallowWater::mass},
-        {"energy", &ShallowWater::energy},
-        {"potential_enstrophy", &ShallowWater::potential_enstrophy},
-        {"stable_step", &ShallowWater::stable_step}};
-    for (const auto& [name, number] : numbers)
-        flow.def(name, [number = number](Flow& self, const Numbers& depth, const Numbers& flux) {
-            return self.use([&, now = water(depth, flux)](const ShallowWater& of) {
-                return (of.*number)(now);
-            });
+    const auto add = [&](const char* name, auto member) {
+        flow.def(name, [member](Flow& self, Vector depth, Vector flux) {
+            const Water now{std::move(depth), std::move(flux)};
+            return self.use([&](const ShallowWater& of) { return (of.*member)(now); });
         });
+    };
+    add("mass", &ShallowWater::mass);
+    add("energy", &ShallowWater::energy);
+    add("potential_vorticity", &ShallowWater::potential_vorticity);
+    add("potential_enstrophy", &ShallowWater::potential_enstrophy);
+    add("stable_step", &ShallowWater::stable_step);
 }
 
 void add_stokes(py::module_& module) {
@@ -164,35 +129,22 @@ void add_stokes(py::module_& module) {
                                         .linear_solver = engine};
             return guarded<StokesSolver>(of, options);
         }))
-        .def("solve", [](Solver& self, int degree, const Numbers& force,
-                         const std::array<Numbers, 4>& known) {
+        .def("solve", [](Solver& self, const Cochain& force, const std::array<Vector, 4>& known) {
             const auto& [through, along, vorticity, pressure] = known;
+            const StokesData data{through, along, vorticity, pressure};
             StokesFlow found =
-                self.use([&, given = form("primal", degree, force),
-                          data = StokesData{vector(through), vector(along), vector(vorticity),
-                                            vector(pressure)}](const StokesSolver& solver) {
-                    return solver.solve(given, data);
-                });
-            return py::make_tuple(parts(std::move(found.flux)), parts(std::move(found.vorticity)),
-                                  parts(std::move(found.pressure)), report_of(found.report));
+                self.use([&](const StokesSolver& solver) { return solver.solve(force, data); });
+            return py::make_tuple(std::move(found.flux), std::move(found.vorticity),
+                                  std::move(found.pressure), report_of(found.report));
         });
 }
 
 } // namespace
 
 void add_flows(py::module_& module) {
-    module.def("flow_of_vorticity", [](const Discretization& mesh, const Numbers& vorticity) {
-        return array(
-            unlocked([&, given = vector(vorticity)] { return flow_of_vorticity(mesh, given); }));
-    });
-    module.def("flow_of_velocity", [](const Discretization& mesh, const Numbers& velocity) {
-        return array(
-            unlocked([&, given = rows(velocity)] { return flow_of_velocity(mesh, given); }));
-    });
-    module.def("flux_through_boundary", [](const Discretization& mesh, const Numbers& velocity) {
-        return array(
-            unlocked([&, given = rows(velocity)] { return flux_through_boundary(mesh, given); }));
-    });
+    module.def("flow_of_vorticity", &flow_of_vorticity, Unlocking());
+    module.def("flow_of_velocity", &flow_of_velocity, Unlocking());
+    module.def("flux_through_boundary", &flux_through_boundary, Unlocking());
     add_flow(module);
     add_shallow_water(module);
     add_flux_transport(module);

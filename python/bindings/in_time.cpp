@@ -13,35 +13,28 @@ namespace polydec::python {
 
 namespace {
 
-/// What a function of Python's gives for a time, an As, made into something of polydec's; without
-/// one nothing.
-template <class As, class Make>
-auto in_time(const py::object& function, Make make) {
-    std::function<decltype(make(std::declval<As>()))(double)> result;
-    if (!function.is_none())
-        result = [kept = shared(function), make](double time) {
-            return locked([&] { return make((*kept)(time).template cast<As>()); });
-        };
-    return result;
+/// What a function of Python's gives for a time; without one nothing.
+template <class Value>
+std::function<Value(double)> in_time(const py::object& function) {
+    if (function.is_none())
+        return {};
+    return [kept = shared(function)](double time) {
+        return locked([&] { return (*kept)(time).template cast<Value>(); });
+    };
 }
 
-std::function<Vector(double)> values_in_time(const py::object& function) {
-    return in_time<Numbers>(function, [](const Numbers& given) { return vector(given); });
-}
-
-py::list arrays_of(const std::vector<Cochain>& forms) {
-    py::list result;
+std::vector<Vector> values_of(const std::vector<Cochain>& forms) {
+    std::vector<Vector> values;
     for (const Cochain& form : forms)
-        result.append(array(Vector(form.values)));
-    return result;
+        values.push_back(form.values);
+    return values;
 }
 
 Reaction reaction_of(const py::object& function) {
     if (function.is_none())
         return {};
     return [kept = shared(function)](double time, const std::vector<Cochain>& forms) {
-        return locked(
-            [&] { return vectors((*kept)(time, arrays_of(forms)).cast<std::vector<Numbers>>()); });
+        return locked([&] { return (*kept)(time, values_of(forms)).cast<std::vector<Vector>>(); });
     };
 }
 
@@ -49,23 +42,21 @@ std::function<double(double, const std::vector<Cochain>&)> event_of(const py::ob
     if (function.is_none())
         return {};
     return [kept = shared(function)](double time, const std::vector<Cochain>& forms) {
-        return locked([&] { return (*kept)(time, arrays_of(forms)).cast<double>(); });
+        return locked([&] { return (*kept)(time, values_of(forms)).cast<double>(); });
     };
 }
 
 /// An unknown as Python names it: side, degree, values, diffusion, conditions, and a function for
 /// the data on the boundary.
-using GivenUnknown = std::tuple<std::string, int, Numbers, double, GivenConditions, py::object>;
+using GivenUnknown = std::tuple<Side, int, Vector, double, GivenConditions, py::object>;
 
-std::vector<Unknown> unknowns_of(const Cells& of, const std::vector<GivenUnknown>& given) {
+std::vector<Unknown> unknowns_of(const Cells& of, std::vector<GivenUnknown> given) {
     std::vector<Unknown> result;
-    for (const auto& [side, degree, values, diffusion, conditions, boundary] : given) {
-        Unknown unknown{.space = space_of(of, side, degree, conditions),
-                        .start = vector(values),
-                        .diffusion = diffusion};
-        unknown.boundary = in_time<GivenBoundary>(boundary, boundary_forms);
-        result.push_back(std::move(unknown));
-    }
+    for (auto& [side, degree, values, diffusion, conditions, boundary] : given)
+        result.push_back({.space = space_of(of, side, degree, conditions),
+                          .start = std::move(values),
+                          .diffusion = diffusion,
+                          .boundary = in_time<BoundaryForms>(boundary)});
     return result;
 }
 
@@ -143,13 +134,12 @@ void add_runs(py::module_& module) {
         .def("time", [](AnyRun& self) { return self.use([](auto& run) { return run->time(); }); })
         .def("forms",
              [](AnyRun& self) {
-                 return arrays_of(self.use([](auto& run) { return run->forms(); }));
+                 return values_of(self.use([](auto& run) { return run->forms(); }));
              })
-        .def("state",
-             [](AnyRun& self) { return arrays(self.use([](auto& run) { return run->state(); })); })
+        .def("state", [](AnyRun& self) { return self.use([](auto& run) { return run->state(); }); })
         .def("resume",
-             [](AnyRun& self, double time, const std::vector<Numbers>& state) {
-                 self.use([&, given = vectors(state)](auto& run) { run->resume(time, given); });
+             [](AnyRun& self, double time, const std::vector<Vector>& state) {
+                 self.use([&](auto& run) { run->resume(time, state); });
              })
         .def("report",
              [](AnyRun& self) {
@@ -169,7 +159,7 @@ void add_runs(py::module_& module) {
         });
 }
 
-std::unique_ptr<AnyRun> evolution_of(const Cells& of, const std::vector<GivenUnknown>& unknowns,
+std::unique_ptr<AnyRun> evolution_of(const Cells& of, std::vector<GivenUnknown> unknowns,
                                      const py::object& reaction, const py::object& event,
                                      double time, const std::string& integrator,
                                      const GivenSteps& steps, const std::string& linear_solver,
@@ -180,7 +170,7 @@ std::unique_ptr<AnyRun> evolution_of(const Cells& of, const std::vector<GivenUnk
                                    .linear_solver = linear_solver,
                                    .event = event_of(event),
                                    .label = label};
-    const auto given = unknowns_of(of, unknowns);
+    const auto given = unknowns_of(of, std::move(unknowns));
     const auto rate = reaction_of(reaction);
     return run_of<Evolution>(given, rate, options);
 }
@@ -205,26 +195,26 @@ std::optional<AbsorbingLayer> layer_of(const GivenLayer& given) {
 }
 
 /// Losses of E and of B, and the B that E begins with; of them any may be empty.
-using GivenWave = std::tuple<Numbers, Numbers, Numbers>;
+using GivenWave = std::tuple<Vector, Vector, Vector>;
 
-std::unique_ptr<AnyRun> waves_of(const Cells& of, const std::string& side, int degree,
-                                 const Numbers& E, double time_step,
-                                 const GivenConditions& conditions, const GivenWave& wave,
-                                 const GivenLayer& layer, const py::object& source,
-                                 const py::object& upper_source, const std::string& label) {
+std::unique_ptr<AnyRun> waves_of(const Cells& of, Side side, int degree, const Vector& E,
+                                 double time_step, const GivenConditions& conditions,
+                                 const GivenWave& wave, const GivenLayer& layer,
+                                 const py::object& source, const py::object& upper_source,
+                                 const std::string& label) {
     const auto& [loss, upper_loss, B] = wave;
     const WaveOptions options{.time_step = time_step,
-                              .loss = vector(loss),
-                              .upper_loss = vector(upper_loss),
+                              .loss = loss,
+                              .upper_loss = upper_loss,
                               .layer = layer_of(layer),
-                              .B = vector(B),
-                              .source = values_in_time(source),
-                              .upper_source = values_in_time(upper_source),
+                              .B = B,
+                              .source = in_time<Vector>(source),
+                              .upper_source = in_time<Vector>(upper_source),
                               .label = label};
-    return run_of<Waves>(space_of(of, side, degree, conditions), vector(E), options);
+    return run_of<Waves>(space_of(of, side, degree, conditions), E, options);
 }
 
-std::unique_ptr<AnyRun> flow_of(const Guarded<IncompressibleFlow>& of, const Numbers& start,
+std::unique_ptr<AnyRun> flow_of(const Guarded<IncompressibleFlow>& of, const Vector& start,
                                 double time_step, const std::string& scheme, double tolerance,
                                 int most_passes) {
     const FlowSteps steps{time_step,
@@ -232,11 +222,10 @@ std::unique_ptr<AnyRun> flow_of(const Guarded<IncompressibleFlow>& of, const Num
                                              {{"implicit_midpoint", FlowScheme::implicit_midpoint},
                                               {"imex", FlowScheme::imex}}),
                           tolerance, most_passes};
-    return run_of<Flow>(of.solver, vector(start), steps);
+    return run_of<Flow>(of.solver, start, steps);
 }
 
-double stable_step_of(const Cells& of, const std::string& side, int degree,
-                      const GivenConditions& conditions) {
+double stable_step_of(const Cells& of, Side side, int degree, const GivenConditions& conditions) {
     const FormSpace space = space_of(of, side, degree, conditions);
     return unlocked([&] { return stable_step(space); });
 }

@@ -15,11 +15,10 @@ namespace polydec::python {
 
 namespace {
 
-Mesh mesh_of(const Numbers& points, const Integers& simplices, const Integers& tags,
-             const Integers& facets, const Integers& facet_tags,
-             const std::vector<std::string>& warnings, const Integers& input_cells,
-             Index input_count) {
-    return {rows(points),
+Mesh mesh_of(Points points, const Integers& simplices, const Integers& tags, const Integers& facets,
+             const Integers& facet_tags, const std::vector<std::string>& warnings,
+             const Integers& input_cells, Index input_count) {
+    return {std::move(points),
             rows(simplices),
             warnings,
             indices(tags),
@@ -31,9 +30,8 @@ Mesh mesh_of(const Numbers& points, const Integers& simplices, const Integers& t
 /// Cells of one kind: dimension, corners, where those of each end, tags, other nodes of each.
 using CellBlock = std::tuple<int, Integers, Integers, Integers, std::size_t>;
 
-Mesh mesh_of_cells(const Numbers& points, const std::vector<CellBlock>& blocks) {
+Mesh mesh_of_cells(Points points, const std::vector<CellBlock>& blocks) {
     const SourceFile given{"the given mesh", ""};
-    Points places = rows(points);
     CellLists cells;
     for (const auto& [dimension, corner_array, end_array, tag_array, nodes] : blocks) {
         const auto corners = indices(corner_array), ends = indices(end_array),
@@ -43,11 +41,11 @@ Mesh mesh_of_cells(const Numbers& points, const std::vector<CellBlock>& blocks) 
             const std::span own(corners.data() + begin,
                                 static_cast<std::size_t>(ends[cell] - begin));
             for (const Index corner : own)
-                if (corner < 0 || corner >= places.rows())
+                if (corner < 0 || corner >= points.rows())
                     throw InvalidInput("cell " + std::to_string(cell) + " of dimension " +
                                            std::to_string(dimension) + " has the vertex " +
                                            std::to_string(corner) + "; expected 0 to " +
-                                           std::to_string(places.rows() - 1),
+                                           std::to_string(points.rows() - 1),
                                        {.degree = dimension,
                                         .cells = {static_cast<Index>(cell)},
                                         .vertices = {corner}});
@@ -55,7 +53,7 @@ Mesh mesh_of_cells(const Numbers& points, const std::vector<CellBlock>& blocks) 
             cells.leave_out_nodes(nodes);
         }
     }
-    return std::move(cells).mesh(std::move(places));
+    return std::move(cells).mesh(std::move(points));
 }
 
 /// What a mesh holds is shown as long as the mesh lives.
@@ -94,12 +92,12 @@ void add_classes(py::module_& module) {
                                [](const Mesh& mesh) { return mesh.input_cells.count; })
         .def_readonly("warnings", &Mesh::warnings);
     py::class_<LengthMesh>(module, "LengthMesh")
-        .def(py::init([](const Integers& simplices, Index vertices, const Integers& edges,
-                         const Numbers& lengths) {
-            LengthMesh mesh{rows(simplices), vertices, rows(edges), vector(lengths)};
-            check(mesh);
-            return mesh;
-        }))
+        .def(py::init(
+            [](const Integers& simplices, Index vertices, const Integers& edges, Vector lengths) {
+                LengthMesh mesh{rows(simplices), vertices, rows(edges), std::move(lengths)};
+                check(mesh);
+                return mesh;
+            }))
         .def_readonly("vertices", &LengthMesh::vertices)
         .def_property_readonly(
             "simplices",
@@ -107,8 +105,7 @@ void add_classes(py::module_& module) {
         .def_property_readonly(
             "edges",
             [](const py::object& self) { return shown(self, self.cast<LengthMesh&>().edges); })
-        .def_property_readonly("lengths",
-                               [](const LengthMesh& mesh) { return array(mesh.lengths); });
+        .def_readonly("lengths", &LengthMesh::lengths);
 }
 
 void add_files(py::module_& module) {
@@ -130,7 +127,7 @@ void add_files(py::module_& module) {
 void add_generators(py::module_& module) {
     using Counts = std::vector<int>;
     using Lengths = std::vector<double>;
-    const py::call_guard<Unlocked> unlocking;
+    const Unlocking unlocking;
     module.def("grid", &grid, unlocking);
     module.def("hexagons", &hexagons, unlocking);
     module.def("well_centered", &well_centered, unlocking);
@@ -158,24 +155,24 @@ void add_generators(py::module_& module) {
         unlocking);
 }
 
+py::tuple parts_of(Renumbered changed) {
+    return py::make_tuple(std::move(changed.mesh), array(std::move(changed.vertices)),
+                          array(std::move(changed.cells)));
+}
+
 void add_changes(py::module_& module) {
     module.def("perturbed", [](const Mesh& mesh, double amplitude, std::uint64_t seed) {
         return perturbed(mesh, amplitude, seed);
     });
-    module.def("shuffled", [](const Mesh& mesh, std::uint64_t seed) {
-        Renumbered result = shuffled(mesh, seed);
-        return py::make_tuple(std::move(result.mesh), array(std::move(result.vertices)),
-                              array(std::move(result.cells)));
-    });
-    module.def("along_morton_curve", [](const Mesh& mesh) {
-        Renumbered result = along_morton_curve(mesh);
-        return py::make_tuple(std::move(result.mesh), array(std::move(result.vertices)),
-                              array(std::move(result.cells)));
-    });
+    module.def("shuffled",
+               [](const Mesh& mesh, std::uint64_t seed) { return parts_of(shuffled(mesh, seed)); });
+    module.def("along_morton_curve",
+               [](const Mesh& mesh) { return parts_of(along_morton_curve(mesh)); });
     module.def("mesh_of_cells", &mesh_of_cells);
-    module.def("split_polygons", [](const Numbers& points, const Integers& corners,
-                                    const Integers& offsets, const Integers& tags) {
-        return split_polygons({rows(points), indices(corners), indices(offsets), indices(tags)});
+    module.def("split_polygons", [](Points points, const Integers& corners, const Integers& offsets,
+                                    const Integers& tags) {
+        return split_polygons(
+            {std::move(points), indices(corners), indices(offsets), indices(tags)});
     });
     module.def("weld", [](const Mesh& mesh, std::optional<double> length) {
         return unlocked([&] { return weld(mesh, length).mesh; });
@@ -190,14 +187,13 @@ void add_changes(py::module_& module) {
     });
     module.def("length_mesh", &length_mesh);
     module.def("peeled", [](const Mesh& mesh) { return unlocked([&] { return peeled(mesh); }); });
-    module.def("tetrahedralize", [](const Mesh& surface, double largest_volume, double quality,
-                                    const Numbers& holes) {
-        MesherOptions options;
-        options.largest_volume = largest_volume;
-        options.quality = quality;
-        return unlocked(
-            [&, empty = rows(holes)] { return tetrahedralize(surface, options, empty); });
-    });
+    module.def("tetrahedralize",
+               [](const Mesh& surface, double largest_volume, double quality, const Points& holes) {
+                   MesherOptions options;
+                   options.largest_volume = largest_volume;
+                   options.quality = quality;
+                   return unlocked([&] { return tetrahedralize(surface, options, holes); });
+               });
 }
 
 } // namespace

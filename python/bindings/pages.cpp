@@ -18,15 +18,15 @@ namespace {
 
 /// Fields as Python names them: name, side, degree, values, and what they are in words. Values with
 /// a row for each vertex or n-cell are vectors.
-using Given = std::vector<std::tuple<std::string, std::string, int, Numbers, std::string>>;
+using Given = std::vector<std::tuple<std::string, Side, int, Numbers, std::string>>;
 
 std::vector<NamedForm> fields_of(const Given& given) {
     std::vector<NamedForm> fields;
     for (const auto& [name, side, degree, values, about] : given)
         if (values.ndim() == 2)
-            fields.emplace_back(name, side_of(side), rows(values), about);
+            fields.emplace_back(name, side, rows(values), about);
         else
-            fields.emplace_back(name, form(side, degree, values), about);
+            fields.emplace_back(name, Cochain{side, degree, vector(values)}, about);
     return fields;
 }
 
@@ -62,19 +62,19 @@ std::string page(const Discretization& mesh, const Given& given,
 }
 
 /// The page of modes, as the dict of their parts that spectrum() gave.
-std::string page_of_modes(const Discretization& mesh, const std::string& side, int degree,
-                          const Numbers& eigenvalues, const Numbers& modes, const Numbers& radii,
-                          const Numbers& residuals,
+std::string page_of_modes(const Discretization& mesh, Side side, int degree,
+                          const Vector& eigenvalues, const DenseMatrix& modes, const Vector& radii,
+                          const Vector& residuals,
                           const std::tuple<double, Index, Index, bool>& certificate,
                           const std::string& title, const std::vector<std::string>& facts,
                           const Conventions& conventions) {
     Spectrum found;
-    found.side = side_of(side);
+    found.side = side;
     found.degree = degree;
-    found.eigenvalues = vector(eigenvalues);
-    found.modes = columns(modes);
-    found.radii = vector(radii);
-    found.residuals = vector(residuals);
+    found.eigenvalues = eigenvalues;
+    found.modes = modes;
+    found.radii = radii;
+    found.residuals = residuals;
     auto& proof = found.certificate;
     std::tie(proof.shift, proof.below_shift, proof.returned_below_shift, proof.complete) =
         certificate;
@@ -111,18 +111,17 @@ std::tuple<std::vector<std::string>, double, double> colors(double low, double h
 }
 
 /// For each normal, in parts to the right, up and to the eye.
-py::array lights(const Numbers& normals) {
-    const DenseMatrix rows = columns(normals);
-    Vector result(rows.rows());
-    for (Eigen::Index i = 0; i < rows.rows(); ++i)
-        result[i] = brightness(rows.row(i).transpose());
-    return array(result);
+Vector lights(const Points& normals) {
+    Vector result(normals.rows());
+    for (Eigen::Index i = 0; i < normals.rows(); ++i)
+        result[i] = brightness(normals.row(i).transpose());
+    return result;
 }
 
 /// The upward axis, this one or that of the mesh file, and the direction to the eye.
-std::pair<int, py::array> first_view(const std::string& file, std::optional<int> up) {
+std::pair<int, Vector> first_view(const std::string& file, std::optional<int> up) {
     const int axis = up.value_or(up_axis(file));
-    return {axis, array(upright_view(axis).eye)};
+    return {axis, upright_view(axis).eye};
 }
 
 void add_series(py::module_& module) {

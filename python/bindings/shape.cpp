@@ -39,13 +39,12 @@ py::dict shape_spectrum_of(const Discretization& mesh, const GivenConditions& co
         return shape_spectrum(shape.shape, options);
     });
     warn(found.warnings);
-    return py::dict(py::arg("lower") = array(std::move(found.lower)),
-                    py::arg("upper") = array(std::move(found.upper)),
-                    py::arg("zeros") = found.zeros, py::arg("count_at") = found.count_at,
-                    py::arg("count") = py::make_tuple(found.count.at_least, found.count.at_most),
-                    py::arg("modes") = array(std::move(found.modes)),
-                    py::arg("simplices") = found.simplices, py::arg("flips") = flip_count,
-                    py::arg("factorizations") = found.factorizations);
+    return py::dict(
+        py::arg("lower") = std::move(found.lower), py::arg("upper") = std::move(found.upper),
+        py::arg("zeros") = found.zeros, py::arg("count_at") = found.count_at,
+        py::arg("count") = py::make_tuple(found.count.at_least, found.count.at_most),
+        py::arg("modes") = std::move(found.modes), py::arg("simplices") = found.simplices,
+        py::arg("flips") = flip_count, py::arg("factorizations") = found.factorizations);
 }
 
 py::tuple count_of(const Discretization& mesh, const GivenConditions& conditions,
@@ -61,27 +60,26 @@ py::tuple count_of(const Discretization& mesh, const GivenConditions& conditions
 }
 
 py::dict error_of(const Discretization& mesh, const BoundaryConditions& conditions,
-                  const CellData& conductivity, const Numbers& f, const Numbers& flux,
-                  const Numbers& u, bool l2, const std::string& linear_solver) {
-    PoissonError error = unlocked([&, source = vector(f), flow = vector(flux), values = vector(u)] {
-        return poisson_error(poisson_problem(mesh, conditions, conductivity, source, flow), values,
+                  const CellData& conductivity, const Vector& f, const Vector& flux,
+                  const Vector& u, bool l2, const std::string& linear_solver) {
+    PoissonError error = unlocked([&] {
+        return poisson_error(poisson_problem(mesh, conditions, conductivity, f, flux), u,
                              {.l2 = l2, .linear_solver = linear_solver});
     });
     warn(error.warnings);
     return py::dict(py::arg("energy") = error.energy,
                     py::arg("averaged_gradient") = error.averaged_gradient,
                     py::arg("size") = error.size, py::arg("oscillation") = error.oscillation,
-                    py::arg("l2") = error.l2, py::arg("shares") = array(std::move(error.shares)));
+                    py::arg("l2") = error.l2, py::arg("shares") = std::move(error.shares));
 }
 
 py::tuple goal_of(const Discretization& mesh, const BoundaryConditions& conditions,
-                  const CellData& conductivity, const Numbers& f, const Numbers& flux,
-                  const Numbers& u, const Numbers& goal, const std::string& linear_solver) {
-    const Enclosed found = unlocked([&, source = vector(f), flow = vector(flux), values = vector(u),
-                                     wanted = vector(goal)] {
-        const auto problem = poisson_problem(mesh, conditions, conductivity, source, flow);
-        const auto as_source = poisson_problem(mesh, conditions, conductivity, wanted, {}).source;
-        return goal_interval(problem, values, as_source, {.linear_solver = linear_solver});
+                  const CellData& conductivity, const Vector& f, const Vector& flux,
+                  const Vector& u, const Vector& goal, const std::string& linear_solver) {
+    const Enclosed found = unlocked([&] {
+        const auto problem = poisson_problem(mesh, conditions, conductivity, f, flux);
+        const auto as_source = poisson_problem(mesh, conditions, conductivity, goal, {}).source;
+        return goal_interval(problem, u, as_source, {.linear_solver = linear_solver});
     });
     return py::make_tuple(found.lower, found.value, found.upper);
 }

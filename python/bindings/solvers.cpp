@@ -14,23 +14,20 @@ namespace {
 void add_hodge(py::module_& module) {
     using Solver = Guarded<HodgeSolver>;
     py::class_<Solver>(module, "HodgeSolver")
-        .def(py::init([](const Cells& of, const std::string& side, int degree,
-                         const GivenConditions& conditions, const std::string& engine) {
+        .def(py::init([](const Cells& of, Side side, int degree, const GivenConditions& conditions,
+                         const std::string& engine) {
             return guarded<HodgeSolver>(space_of(of, side, degree, conditions), engine);
         }))
         .def("decompose",
-             [](Solver& self, const std::string& side, int degree, const Numbers& values) {
-                 const Cochain given = form(side, degree, values);
+             [](Solver& self, const Cochain& form) {
                  HodgeParts found =
-                     self.use([&](const HodgeSolver& solver) { return solver.decompose(given); });
-                 return py::make_tuple(
-                     parts(std::move(found.exact)), parts(std::move(found.coexact)),
-                     parts(std::move(found.harmonic)), parts(std::move(found.potential)),
-                     parts(std::move(found.copotential)));
+                     self.use([&](const HodgeSolver& solver) { return solver.decompose(form); });
+                 return py::make_tuple(std::move(found.exact), std::move(found.coexact),
+                                       std::move(found.harmonic), std::move(found.potential),
+                                       std::move(found.copotential));
              })
         .def("harmonic_forms", [](Solver& self) {
-            return array(
-                self.use([](const HodgeSolver& solver) { return solver.harmonic_forms(); }));
+            return self.use([](const HodgeSolver& solver) { return solver.harmonic_forms(); });
         });
 }
 
@@ -51,19 +48,16 @@ void add_distance(py::module_& module) {
                     return distance.to(given);
                 });
             warn(found.warnings);
-            return py::make_tuple(array(std::move(found.values)), found.raised);
+            return std::move(found.values);
         });
 }
 
 /// Segments as pairs of points: rows of their beginnings, and of their ends.
-py::tuple ends_of(const Mesh& lines) {
-    std::array<Points, 2> ends;
-    for (int end = 0; end < 2; ++end) {
-        ends[end].resize(lines.simplices.rows(), lines.points.cols());
-        for (Index i = 0; i < lines.simplices.rows(); ++i)
-            ends[end].row(i) = lines.points.row(lines.simplices(i, end));
-    }
-    return py::make_tuple(array(std::move(ends[0])), array(std::move(ends[1])));
+std::pair<Points, Points> ends_of(const Mesh& lines) {
+    const auto ends = [&](int which) {
+        return lines.points(lines.simplices.col(which), Eigen::indexing::all);
+    };
+    return {ends(0), ends(1)};
 }
 
 void add_paths(py::module_& module) {
@@ -78,10 +72,9 @@ void add_paths(py::module_& module) {
                      self.use([&](const SurfacePaths& paths) { return paths.from(vertex); });
                  return py::make_tuple(path.source, path.length, ends_of(path.lines));
              })
-        .def("isolines", [](Paths& self, const Numbers& levels, Index divisions) {
-            const auto lines = self.use([&, given = vector(levels)](const SurfacePaths& paths) {
-                return paths.isolines(given, divisions);
-            });
+        .def("isolines", [](Paths& self, const Vector& levels, Index divisions) {
+            const auto lines = self.use(
+                [&](const SurfacePaths& paths) { return paths.isolines(levels, divisions); });
             return py::make_tuple(ends_of(lines.mesh), array(lines.levels));
         });
 }
@@ -106,16 +99,16 @@ void add_transport(py::module_& module) {
              [](const Solver& self, const Discretization& mesh) {
                  return array(reference_edges(GluedSurface(mesh.pieces()), self.solver.frames()));
              })
-        .def("extend", [](Solver& self, const Integers& sources, const Numbers& real,
-                          const Numbers& imaginary) {
-            TangentVectors given(static_cast<Eigen::Index>(real.size()));
-            given.real() = vector(real);
-            given.imag() = vector(imaginary);
+        .def("extend", [](Solver& self, const Integers& sources, const Vector& real,
+                          const Vector& imaginary) {
+            TangentVectors given(real.size());
+            given.real() = real;
+            given.imag() = imaginary;
             const TangentVectors found =
                 self.use([&, from = indices(sources)](const ParallelTransport& transport) {
                     return transport.extend(from, given);
                 });
-            return py::make_tuple(array(Vector(found.real())), array(Vector(found.imag())));
+            return std::pair(Vector(found.real()), Vector(found.imag()));
         });
 }
 

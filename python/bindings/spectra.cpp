@@ -19,16 +19,15 @@ py::dict certificate_of(const Certificate& certificate) {
 
 /// Of a Spectrum or of CertifiedEigenpairs, whose columns go by other names.
 template <class Pairs>
-py::dict pairs_of(Pairs pairs, Vector values, DenseMatrix columns) {
+py::dict pairs_of(Pairs& pairs, Vector values, DenseMatrix columns) {
     warn_of_missed_engines();
-    return py::dict(py::arg("eigenvalues") = array(std::move(values)),
-                    py::arg("modes") = array(std::move(columns)),
-                    py::arg("radii") = array(std::move(pairs.radii)),
-                    py::arg("residuals") = array(std::move(pairs.residuals)),
-                    py::arg("certificate") = certificate_of(pairs.certificate),
-                    py::arg("linear_solver") = pairs.linear_solver,
-                    py::arg("eigen_solver") = pairs.eigen_solver,
-                    py::arg("rough") = std::move(pairs.rough));
+    return py::dict(
+        py::arg("eigenvalues") = std::move(values), py::arg("modes") = std::move(columns),
+        py::arg("radii") = std::move(pairs.radii),
+        py::arg("residuals") = std::move(pairs.residuals),
+        py::arg("certificate") = certificate_of(pairs.certificate),
+        py::arg("linear_solver") = pairs.linear_solver,
+        py::arg("eigen_solver") = pairs.eigen_solver, py::arg("rough") = std::move(pairs.rough));
 }
 
 Certification certification_of(bool certified) {
@@ -36,7 +35,7 @@ Certification certification_of(bool certified) {
 }
 
 /// Under conditions, if marks are given, modes have values on all cells, 0 where these fix them.
-py::dict spectrum_of(const Cells& of, const std::string& side, int degree, Index count,
+py::dict spectrum_of(const Cells& of, Side side, int degree, Index count,
                      const GivenConditions& conditions, bool coexact, bool certified,
                      const std::string& linear_solver, const std::string& eigen_solver,
                      const py::object& progress) {
@@ -46,15 +45,12 @@ py::dict spectrum_of(const Cells& of, const std::string& side, int degree, Index
     Spectrum found = unlocked(
         [&] { return coexact ? coexact_spectrum(space, options) : spectrum(space, options); });
     warn(found.warnings);
-    auto values = std::move(found.eigenvalues);
-    auto modes = std::move(found.modes);
-    const auto coarseness = found.coarseness;
-    py::dict parts = pairs_of(std::move(found), std::move(values), std::move(modes));
-    parts["coarseness"] = coarseness;
+    py::dict parts = pairs_of(found, std::move(found.eigenvalues), std::move(found.modes));
+    parts["coarseness"] = found.coarseness;
     return parts;
 }
 
-py::dict smallest_eigenpairs(const MatrixParts& A, const std::variant<Numbers, MatrixParts>& M,
+py::dict smallest_eigenpairs(const MatrixParts& A, const std::variant<Vector, MatrixParts>& M,
                              Index count, bool certified, const std::string& linear_solver,
                              const std::string& eigen_solver, const py::object& progress) {
     EigensolverOptions options;
@@ -64,15 +60,13 @@ py::dict smallest_eigenpairs(const MatrixParts& A, const std::variant<Numbers, M
     options.progress = listener(progress);
     Pencil pencil;
     pencil.C = sparse(A);
-    if (const auto* masses = std::get_if<Numbers>(&M))
-        pencil.M = vector(*masses);
+    if (const auto* masses = std::get_if<Vector>(&M))
+        pencil.M = *masses;
     else
         pencil.M = sparse(std::get<MatrixParts>(M));
     CertifiedEigenpairs found =
         unlocked([&] { return CertifiedEigensolver(pencil, options).smallest(count); });
-    auto values = std::move(found.values);
-    auto vectors = std::move(found.vectors);
-    return pairs_of(std::move(found), std::move(values), std::move(vectors));
+    return pairs_of(found, std::move(found.values), std::move(found.vectors));
 }
 
 } // namespace

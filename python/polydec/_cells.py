@@ -199,16 +199,15 @@ class Cells:
 
         Arrays `a` and `b` need a degree and a side; a `Cochain` stores both.
         """
-        a_side, a_degree, a_values = as_form(self, a, k, side)
-        b_side, b_degree, b_values = as_form(self, b, k, side)
-        if (a_side, a_degree) != (b_side, b_degree):
-            raise InvalidInput(f"the inner product of a {a_side} {a_degree}-form and a {b_side} "
-                               f"{b_degree}-form is not defined: expected forms of the same kind")
-        return self._cells.inner_product(a_side, a_degree, a_values, b_values)
+        left, right = as_form(self, a, k, side), as_form(self, b, k, side)
+        if left[:2] != right[:2]:
+            raise InvalidInput(f"the inner product of a {left[0]} {left[1]}-form and a {right[0]} "
+                               f"{right[1]}-form is not defined: expected forms of the same kind")
+        return self._cells.inner_product(left, right)
 
     def norm(self, form: Form, k: int | None = None, side: str = "primal") -> float:
         """Square root of the inner product of a form with itself."""
-        return self._cells.norm(*as_form(self, form, k, side))
+        return self._cells.norm(as_form(self, form, k, side))
 
     # ---- other stars, other cells
 
@@ -228,7 +227,7 @@ class Cells:
 
     def _applied(self, what: str, side: str, k: int, to: int) -> Any:
         return _Operator(self.size(to, side), self.size(k, side),
-                         lambda x: self._cells.apply(what, side, k, x)[2])
+                         lambda x: self._cells.apply(what, (side, k, x))[2])
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(map(str, self.shape))} cells)"

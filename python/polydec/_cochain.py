@@ -63,9 +63,8 @@ class Cochain:
         return self._complex
 
     def _made(self, what: str) -> Cochain:
-        side, degree, values = self.complex._cells.apply(what, self.side, self.degree,
-                                                            self.values)
-        return Cochain(values, degree, side, self.complex if len(values) else None)
+        form = self.side, self.degree, self.values
+        return made(self.complex._cells.apply(what, form), self.complex)
 
     def d(self) -> Cochain:
         """Exterior derivative, a (k+1)-form."""
@@ -147,7 +146,13 @@ def as_form(cells: Cells, form: Form, degree: int | None = None,
     return side, degree, form_at_cells(cells, values, side, degree)
 
 
+def made(form: tuple[str, int, Floats], cells: Cells) -> Cochain:
+    """A form from C++. One of a degree that does not exist has no values and no cells."""
+    side, degree, values = form
+    return Cochain(values, degree, side, cells if len(values) else None)
+
+
 def product(cells: Cells, left: tuple[str, int, Floats], right: tuple[str, int, Floats],
             weights: str = "uniform") -> tuple[str, int, Floats]:
     """Exterior product of two forms on one side; these weights are for primal ones."""
-    return _core.product(mesh_of(cells), weights if left[0] == "primal" else "dual", *left, *right)
+    return _core.product(mesh_of(cells), weights if left[0] == "primal" else "dual", left, right)

@@ -44,7 +44,7 @@ class GeodesicDistance:
 
     def to(self, sources: Any) -> Floats:
         """Distance of every vertex from the nearest source vertex; see `geodesic_distance`."""
-        found = self._solver.to(vertex_numbers(self._complex, sources, "sources"))[0]
+        found = self._solver.to(vertex_numbers(self._complex, sources, "sources"))
         return at_vertices(self._complex, found)
 
 

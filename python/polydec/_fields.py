@@ -154,7 +154,7 @@ def primal_dual_wedge(complex: Complex, a: Form, b: Form, *, degree: int | None 
     """
     left = as_form(complex, a, degree, "primal")
     right = as_form(complex, b, None if degree is None else complex.dim - degree, "dual")
-    return _core.primal_dual_wedge(mesh_of(complex), *left, *right)
+    return _core.primal_dual_wedge(mesh_of(complex), left, right)
 
 
 def flat(complex: Complex, kind: str, field: npt.ArrayLike) -> Cochain:
@@ -187,7 +187,7 @@ def sharp_pp(complex: Complex, form: Form) -> Floats:
     >>> np.allclose(polydec.sharp_pp(square, square.d(0) @ square.points[:, 1]), [0, 1])
     True
     """
-    return at_vertices(complex, _core.sharp(mesh_of(complex), "pp", *as_form(complex, form, 1)))
+    return at_vertices(complex, _core.sharp(mesh_of(complex), "pp", as_form(complex, form, 1)))
 
 
 def sharp_pd(complex: Complex, form: Form) -> Floats:
@@ -201,7 +201,7 @@ def sharp_pd(complex: Complex, form: Form) -> Floats:
     >>> np.allclose(polydec.sharp_pd(square, square.d(0) @ square.points[:, 1]), [0, 1])
     True
     """
-    return _core.sharp(mesh_of(complex), "pd", *as_form(complex, form, 1))
+    return _core.sharp(mesh_of(complex), "pd", as_form(complex, form, 1))
 
 
 def flux_sharp(complex: Complex, form: Form) -> Floats:
@@ -213,7 +213,7 @@ def flux_sharp(complex: Complex, form: Form) -> Floats:
     >>> np.allclose(polydec.flux_sharp(square, polydec.de_rham(square, 1, east)), [1, 0])
     True
     """
-    return _core.sharp(mesh_of(complex), "flux", *as_form(complex, form, complex.dim - 1))
+    return _core.sharp(mesh_of(complex), "flux", as_form(complex, form, complex.dim - 1))
 
 
 def gradient(complex: Complex, u: Form) -> Floats:
@@ -239,7 +239,7 @@ def whitney_at_centroids(complex: Complex, form: Form, *, degree: int | None = N
     >>> np.allclose(polydec.whitney_at_centroids(square, dx), [1, 0])
     True
     """
-    return _core.sharp(mesh_of(complex), "whitney", *as_form(complex, form, degree))
+    return _core.sharp(mesh_of(complex), "whitney", as_form(complex, form, degree))
 
 
 def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayLike, *,
@@ -269,7 +269,7 @@ def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayL
     >>> polydec.whitney_form(square, dx, 0, np.ones(3) / 3).round(12) + 0.0
     array([1., 0.])
     """
-    return _core.whitney_form(mesh_of(complex), *as_form(complex, form, degree), top,
+    return _core.whitney_form(mesh_of(complex), as_form(complex, form, degree), top,
                               floats(barycentric, "barycentric coordinates"))
 
 
@@ -374,4 +374,4 @@ class LieDerivative:
     def _applied(self, what: str, field: npt.ArrayLike, form: Form) -> Any:
         given = as_form(self._complex, form, self._k)
         return _given_back(self._complex,
-                           self._lie.apply(what, _vectors(self._complex, field), *given), form)
+                           self._lie.apply(what, _vectors(self._complex, field), given), form)

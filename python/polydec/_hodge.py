@@ -7,7 +7,7 @@ from typing import Any
 
 from . import _core
 from ._arrays import Floats
-from ._cochain import Cochain, Form, as_form
+from ._cochain import Cochain, Form, as_form, made
 from ._complex import CellsLike, as_cells
 from ._conditions import conditions_or_none
 
@@ -52,11 +52,8 @@ class HodgeSolver:
         """Decomposes a form."""
         side, degree = self._kind
 
-        def made(parts: tuple[str, int, Floats]) -> Cochain:
-            of, k, values = parts
-            return Cochain(values, k, of, self._complex if len(values) else None)
-
-        return HodgeParts(*map(made, self._solver.decompose(*as_form(self._complex, form, degree, side))))
+        parts = self._solver.decompose(as_form(self._complex, form, degree, side))
+        return HodgeParts(*(made(part, self._complex) for part in parts))
 
     def harmonic_forms(self) -> Floats:
         """Harmonic basis: orthonormal columns, closed and coclosed, as many as the Betti number."""

@@ -66,8 +66,8 @@ class Merging:
         Returns a dict: ``worst`` is the largest deviation; ``cell``, ``found``, ``expected`` and
         ``description`` describe its place.
         """
-        return _core.consistency(self._mesh, *as_form(self._complex, form, degree, side))
+        return _core.consistency(self._mesh, as_form(self._complex, form, degree, side))
 
     def _form(self, transfer: str, form: tuple[str, int, Floats], cells: Cells) -> Cochain:
-        side, degree, values = _core.transfer(self._mesh, transfer, *form)
+        side, degree, values = _core.transfer(self._mesh, transfer, form)
         return Cochain(values, degree, side, cells)

@@ -12,16 +12,11 @@ from . import _core
 from ._arrays import Floats, OnFacets, Values, at_places, floats
 from ._cell_data import CellNumbers
 from ._cells import Cells
-from ._cochain import Cochain, Form, as_form
+from ._cochain import Cochain, Form, as_form, made
 from ._complex import CellsLike, Complex, as_cells
 from ._conditions import by_groups, conditions_of, facet_marks
 from ._errors import InvalidInput
 from ._vertices import at_cells, form_at_vertices, mesh_of
-
-
-def _made(parts: tuple[str, int, Floats], cells: Cells) -> Cochain:
-    side, degree, values = parts
-    return Cochain(values, degree, side, cells if len(values) else None)
 
 
 def _or_none(values: npt.ArrayLike | None, name: str) -> Floats:
@@ -198,9 +193,9 @@ class PoissonSolver:
         data = boundary_data(values=trace, codifferential=codifferential, flow=flow,
                              derivative_flow=derivative_flow)
         form, through, removed, report = self._solver.solve(
-            *given, data, _or_none(harmonic, "coefficients of harmonic forms"))
-        return PoissonSolution(_made(form, self._complex), _made(through, self._complex),
-                               _made(removed, self._complex), report)
+            given, data, _or_none(harmonic, "coefficients of harmonic forms"))
+        return PoissonSolution(made(form, self._complex), made(through, self._complex),
+                               made(removed, self._complex), report)
 
     def solve_curl_curl(self, current: Form, *,
                         boundary: npt.ArrayLike | None = None) -> CurlCurlSolution:
@@ -212,9 +207,9 @@ class PoissonSolver:
         side, degree = self._kind
         none = np.zeros(0)
         potential, removed, report = self._solver.solve_curl_curl(
-            *as_form(self._complex, current, degree, side),
+            as_form(self._complex, current, degree, side),
             (_or_none(boundary, "values on the boundary"), none, none, none))
-        return CurlCurlSolution(_made(potential, self._complex), _made(removed, self._complex),
+        return CurlCurlSolution(made(potential, self._complex), made(removed, self._complex),
                                 report)
 
     def harmonic_forms(self) -> Floats:
@@ -395,6 +390,6 @@ class StokesSolver:
         _, degree, values = as_form(self._complex, none if force is None else force, n - 1)
         known = (_or_none(through, "fluxes"), _or_none(along, "velocities along the boundary"),
                  _or_none(vorticity, "vorticities"), _or_none(pressure, "pressures"))
-        flux, found, head, report = self._solver.solve(degree, values, known)
-        return StokesFlow(_made(flux, self._complex), _made(found, self._complex),
-                          _made(head, self._complex), report)
+        flux, found, head, report = self._solver.solve(("primal", degree, values), known)
+        return StokesFlow(made(flux, self._complex), made(found, self._complex),
+                          made(head, self._complex), report)
