@@ -17,19 +17,13 @@ namespace polydec {
 
 namespace {
 
-/// The given rows, ascending, of a matrix.
-SparseMatrix rows_of(const SparseMatrix& A, const std::vector<Index>& rows) {
-    std::vector<Eigen::Triplet<double, Index>> entries;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        for (SparseMatrix::InnerIterator entry(A, rows[i]); entry; ++entry)
-            entries.emplace_back(i, entry.col(), entry.value());
-    SparseMatrix part(static_cast<Index>(rows.size()), A.cols());
-    part.setFromTriplets(entries.begin(), entries.end());
-    return part;
-}
-
 SparseMatrix transposed(const SparseMatrix& A) {
     return A.transpose();
+}
+
+/// The given rows of a matrix.
+SparseMatrix rows_of(const SparseMatrix& A, const std::vector<Index>& rows) {
+    return transposed(inclusion(rows, static_cast<Index>(A.rows()))) * A;
 }
 
 /// The values at the given cells, 0 elsewhere.

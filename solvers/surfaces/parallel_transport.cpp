@@ -176,10 +176,4 @@ TangentVectors ParallelTransport::extend(std::span<const Index> sources,
     return result;
 }
 
-TangentVectors transported(const GluedSurface& surface, const Vector& lengths,
-                           std::span<const Index> sources, const TangentVectors& vectors,
-                           const TransportOptions& options) {
-    return ParallelTransport(surface, lengths, options).extend(sources, vectors);
-}
-
 } // namespace polydec

@@ -81,10 +81,4 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-/// The vectors, with a solver made for them; their coordinates are tangent_frames(surface,
-/// lengths).
-TangentVectors transported(const GluedSurface& surface, const Vector& lengths,
-                           std::span<const Index> sources, const TangentVectors& vectors,
-                           const TransportOptions& options = {});
-
 } // namespace polydec

@@ -158,14 +158,8 @@ void check(const AbsorbingLayer& layer, const FormSpace& space) {
 } // namespace
 
 const char* name(LayerKind kind) {
-    switch (kind) {
-    case LayerKind::stretched:
-        return "stretched";
-    case LayerKind::conducting:
-        return "conducting";
-    default:
-        return "automatic";
-    }
+    constexpr std::array names{"stretched", "conducting", "automatic"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 void LayerMemory::add(const Vector& values, Vector& memory, Vector& derivative) const {

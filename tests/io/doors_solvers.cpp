@@ -147,12 +147,12 @@ Questions of_surfaces(const Sample& s) {
              return fit(exact_distance(surface_of(s), lengths_of(s, in), std::vector<Index>{0}),
                         s.size(0));
          }},
-        {"transported",
+        {"ParallelTransport",
          [&s](Inputs& in) {
              const TangentVectors one(TangentVectors::Ones(in.vector(1).size()));
              const Vector lengths = lengths_of(s, in);
-             const auto all =
-                 transported(surface_of(s), lengths, std::vector<Index>{0}, one, {4, engine});
+             const auto all = ParallelTransport(surface_of(s), lengths, {4, engine})
+                                  .extend(std::vector<Index>{0}, one);
              return fit(Vector(all.cwiseAbs()), s.size(0));
          }},
         {"tangent_frames",

@@ -97,7 +97,9 @@ TEST(ParallelTransport, on_flat_surfaces_is_exact) {
     }
     // the numbers alone are not the same everywhere: frames differ at the boundary
     const auto square = glued(grid(6, 6));
-    EXPECT_GT(spread(transported(square.surface, square.lengths, from_0, one_vector(1))), 0.5);
+    EXPECT_GT(
+        spread(ParallelTransport(square.surface, square.lengths).extend(from_0, one_vector(1))),
+        0.5);
 }
 
 /// Mean error on the unit sphere of the vector that is the first reference direction at the vertex
@@ -147,7 +149,7 @@ TEST(ParallelTransport, with_the_shortest_time_is_near_but_does_not_converge) {
 TEST(ParallelTransport, keeps_the_magnitude_from_one_source) {
     const auto sphere = glued(torus(24, 12));
     const TangentVectors vectors =
-        transported(sphere.surface, sphere.lengths, from_0, one_vector({3, -4}));
+        ParallelTransport(sphere.surface, sphere.lengths).extend(from_0, one_vector({3, -4}));
     for (const Complex& vector : vectors)
         EXPECT_NEAR(std::abs(vector), 5, 1e-12);
 }
@@ -183,20 +185,21 @@ TEST(ParallelTransport, is_linear_in_complex_factors_and_does_not_depend_on_the_
     const auto sphere = glued(icosphere(6));
     const Index sources[] = {0, 100};
     const TangentVectors given{{Complex(1, 2), Complex(-0.5, 0.25)}};
-    const TangentVectors vectors = transported(sphere.surface, sphere.lengths, sources, given);
+    const TangentVectors vectors =
+        ParallelTransport(sphere.surface, sphere.lengths).extend(sources, given);
     for (const Complex factor : {Complex(0, 1), Complex(1e-150, 1e-150), Complex(3e150, 0)}) {
         const TangentVectors other =
-            transported(sphere.surface, sphere.lengths, sources, factor * given);
+            ParallelTransport(sphere.surface, sphere.lengths).extend(sources, factor * given);
         EXPECT_LT((other / factor - vectors).cwiseAbs().maxCoeff(), 1e-12);
     }
     for (const double scale : {1e-150, 1e-8, 1e8, 1e150}) {
         const TangentVectors other =
-            transported(sphere.surface, scale * sphere.lengths, sources, given);
+            ParallelTransport(sphere.surface, scale * sphere.lengths).extend(sources, given);
         EXPECT_LT((other - vectors).cwiseAbs().maxCoeff(), 1e-12);
     }
     // the other source is no copy of the first
     const TangentVectors swapped =
-        transported(sphere.surface, sphere.lengths, sources, given.reverse());
+        ParallelTransport(sphere.surface, sphere.lengths).extend(sources, given.reverse());
     EXPECT_GT((swapped - vectors).cwiseAbs().maxCoeff(), 0.1);
 }
 
@@ -227,7 +230,9 @@ TEST(ParallelTransport, is_0_where_vectors_cancel_and_where_all_are_0) {
 
 TEST(ParallelTransport, refuses_surfaces_without_angles) {
     const auto refused = [](const GluedSample& sample) {
-        return refusal([&] { transported(sample.surface, sample.lengths, from_0, one_vector(1)); });
+        return refusal([&] {
+            ParallelTransport(sample.surface, sample.lengths).extend(from_0, one_vector(1));
+        });
     };
     EXPECT_TRUE(
         says(refused(flat(2, Closing::klein_bottle)), {"one-sided", "edge 8", "vertex 1", "3"}));
@@ -247,18 +252,17 @@ TEST(ParallelTransport, refuses_surfaces_without_angles) {
 TEST(ParallelTransport, refuses_vectors_that_make_no_sense) {
     const auto torus = flat(3);
     const auto refused = [&](std::vector<Index> sources, const TangentVectors& vectors) {
-        return refusal([&] { transported(torus.surface, torus.lengths, sources, vectors); });
+        return refusal(
+            [&] { ParallelTransport(torus.surface, torus.lengths).extend(sources, vectors); });
     };
     EXPECT_TRUE(says(refused({0, 1}, one_vector(1)), {"1 vectors", "2 sources"}));
     EXPECT_TRUE(says(refused({4, 4}, TangentVectors::Ones(2)), {"vertex 4", "source", "twice"}));
     EXPECT_TRUE(says(refused({4}, one_vector({1, NAN})), {"vector", "vertex 4", "(1, nan)"}));
     EXPECT_TRUE(says(refused({9}, one_vector(1)), {"vertex 9", "source", "0", "8"}));
     EXPECT_TRUE(says(refused({}, TangentVectors(0)), {"source", "vertex 0"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         transported(torus.surface, torus.lengths, from_0, one_vector(1),
-                                     {.time_scale = 0});
-                     }),
-                     {"time scale", "0", "1e-6", "1e6"}));
+    EXPECT_TRUE(
+        says(refusal([&] { ParallelTransport(torus.surface, torus.lengths, {.time_scale = 0}); }),
+             {"time scale", "0", "1e-6", "1e6"}));
     EXPECT_EQ(refused({8}, one_vector(1)), "accepted");
 }
 
