@@ -92,7 +92,7 @@ void Numbering::find_others() {
 void Numbering::find_cells() {
     const auto& degree = local_.degree(k_);
     const NumberPlaces place(degree.number);
-    cells_.of_simplex.assign(static_cast<std::size_t>(degree.size()), -1);
+    cells_.of_simplex.assign(degree.size(), -1);
     for (Index cell = 0; cell < cells_.own(); ++cell)
         cells_.of_simplex[cells_.first[cell]] = cell;
     for (Index s = 0; s < degree.size(); ++s)
@@ -112,7 +112,7 @@ void Numbering::find_cells() {
 std::vector<PieceSum> sums_of_volumes(const Ranks& ranks, const LocalComplex& local,
                                       const CellVolumes& of_pieces,
                                       const DistributedCells::Degree& cells, int k) {
-    std::vector<PieceSum> sums(static_cast<std::size_t>(cells.own()));
+    std::vector<PieceSum> sums(cells.own());
     OwnPieces(ranks, local, cells, k)
         .visit<PieceSum>(
             1,
@@ -127,9 +127,8 @@ std::vector<PieceSum> sums_of_volumes(const Ranks& ranks, const LocalComplex& lo
 /// Of simplices that are cells as they are.
 CellVolumes own_volumes(const CellVolumes& all,
                         const std::vector<DistributedCells::Degree>& cells) {
-    return all.mapped([&](int k, int, const Vector& numbers) -> Vector {
-        return numbers(cells[static_cast<std::size_t>(k)].first);
-    });
+    return all.mapped(
+        [&](int k, int, const Vector& numbers) -> Vector { return numbers(cells[k].first); });
 }
 
 /// By which messages name cells; none if they do not fit.

@@ -38,7 +38,7 @@ struct DistributedCells {
     CellVolumes volumes; ///< of own cells, bit by bit as from merged_volumes
 
     int dimension() const { return static_cast<int>(degrees.size()) - 1; }
-    const Degree& degree(int k) const { return degrees[static_cast<std::size_t>(k)]; }
+    const Degree& degree(int k) const { return degrees[k]; }
 };
 
 /// Collective: numbers, volumes and incidences of the merged cells.

@@ -69,10 +69,9 @@ struct OverAll {
         std::vector<long double> totals(component.size(), 0);
         for (const auto& parcel : ranks.deliver(std::move(shares)))
             for (const auto& [whole, value] : parcel)
-                totals[static_cast<std::size_t>(whole - first_part)] += value;
-        const auto result = ranks.ask<long double>("sums", whom, component, [&](GlobalIndex whole) {
-            return totals[static_cast<std::size_t>(whole - first_part)];
-        });
+                totals[whole - first_part] += value;
+        const auto result = ranks.ask<long double>(
+            "sums", whom, component, [&](GlobalIndex whole) { return totals[whole - first_part]; });
         return FreeComponents::Sums::Map(result.data(), static_cast<Index>(result.size()));
     }
 
@@ -100,7 +99,7 @@ GlobalIndex component_count(const Ranks& ranks, const LocalComplex& local) {
     const auto shared = join_parts(ranks, local.degree(0).copies, parts, signs, count);
     GlobalIndex own = 0; // components whose first part is here
     for (Index part = 0; part < count; ++part)
-        own += shared[static_cast<std::size_t>(part)].first == first + part ? 1 : 0;
+        own += shared[part].first == first + part ? 1 : 0;
     return ranks.sum(own);
 }
 
@@ -121,7 +120,7 @@ SharedComponents::SharedComponents(const Ranks& ranks, Mat graph, const HeldUnkn
         }
 
     // what hangs together here, numbered over all ranks
-    std::vector<Index> part_of(static_cast<std::size_t>(n), -1), first;
+    std::vector<Index> part_of(n, -1), first;
     for (Index i = 0; i < n; ++i) {
         if (fixed[i])
             continue;
@@ -140,7 +139,7 @@ SharedComponents::SharedComponents(const Ranks& ranks, Mat graph, const HeldUnkn
         wanted.push_back(row);
     const auto beside =
         ranks.ask<GlobalIndex>("parts", connections.owners, wanted, [&](GlobalIndex row) {
-            const Index part = part_of[static_cast<std::size_t>(row - connections.first_row)];
+            const Index part = part_of[row - connections.first_row];
             return part < 0 ? -1 : first_part + part;
         });
     std::vector<SharedElement> shared;
@@ -161,7 +160,7 @@ SharedComponents::SharedComponents(const Ranks& ranks, Mat graph, const HeldUnkn
         if (part_of[i] >= 0 && is_held[i])
             holds[part_of[i]] = 1;
     holds = over_all(holds);
-    grounded_.assign(static_cast<std::size_t>(n), false);
+    grounded_.assign(n, false);
     for (Index p = 0; p < parts; ++p)
         if (holds[p] == 0 && over_all.component[p] == first_part + p) {
             grounded_[first[p]] = true;

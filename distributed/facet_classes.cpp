@@ -199,7 +199,7 @@ FacetDefects measure_facets(const Ranks& ranks, const LocalComplex& local,
         bool is_degenerate;
     };
     std::vector<Measure> measures;
-    measures.reserve(static_cast<std::size_t>(defects.defect.size()));
+    measures.reserve(defects.defect.size());
     auto& [interior, boundary, branching, marks] = defects.degenerate;
     for (Eigen::Index f = 0; f < defects.defect.size(); ++f)
         measures.push_back({defects.defect[f], defects.scale[f], marks[f]});

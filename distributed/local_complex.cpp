@@ -34,7 +34,7 @@ SimplicialComplex complex_of(const Stars& stars) {
         const Error::Place& place = error.place();
         std::vector<GlobalIndex> cells;
         for (const Index row : place.cells)
-            cells.push_back(stars.file_places[static_cast<std::size_t>(row)]);
+            cells.push_back(stars.file_places[row]);
         if (cells.size() == 1)
             throw InvalidInput(fmt::format("cell {} has a repeated corner: its vertices are {}",
                                            cells[0], fmt::join(place.vertices, ", ")));
@@ -51,8 +51,8 @@ LocalComplex::Degree degree_of(const Ranks& ranks, const SimplicialComplex& comp
                                const std::vector<int>& owners, int k) {
     LocalComplex::Degree degree;
     const Simplices& simplices = complex.simplices(k);
-    degree.owner.reserve(static_cast<std::size_t>(simplices.rows()));
-    degree.complete.reserve(static_cast<std::size_t>(simplices.rows()));
+    degree.owner.reserve(simplices.rows());
+    degree.complete.reserve(simplices.rows());
     for (Eigen::Index s = 0; s < simplices.rows(); ++s) {
         const auto corners = simplices.row(s);
         degree.owner.push_back(owners[corners[0]]);

@@ -38,7 +38,7 @@ struct LocalComplex {
     GlobalIndex turned = 0; ///< see SimplicialComplex, for the whole complex
 
     int dimension() const { return static_cast<int>(degrees.size()) - 1; }
-    const Degree& degree(int k) const { return degrees[static_cast<std::size_t>(k)]; }
+    const Degree& degree(int k) const { return degrees[k]; }
     bool owns(const Ranks& ranks, int k, Index s) const {
         return degree(k).owner[s] == ranks.rank();
     }

@@ -187,7 +187,7 @@ void Rounds::keep_worst(const std::vector<CellName>& bad, const Carriers& carrie
                 const auto found = std::lower_bound(bad.begin(), bad.end(), cell);
                 if (dimension == k + 1 && local_.owns(ranks_, k, s) && found != bad.end() &&
                     *found == cell)
-                    take(k, s, worst[static_cast<std::size_t>(found - bad.begin())]);
+                    take(k, s, worst[found - bad.begin()]);
             }
     };
     for_each_interface([&](int k, Index s, double& of_cell) {

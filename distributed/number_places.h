@@ -30,9 +30,9 @@ public:
             is_stretch_ = true;
             return;
         }
-        table_.assign(static_cast<std::size_t>(range), -1);
+        table_.assign(range, -1);
         for (const GlobalIndex number : list)
-            table_[static_cast<std::size_t>(number - first_)] = 0;
+            table_[number - first_] = 0;
         for (std::size_t i = 0; i < table_.size(); ++i)
             if (table_[i] == 0) {
                 table_[i] = static_cast<Index>(numbers_.size());
@@ -49,7 +49,7 @@ public:
         return table_.empty()
                    ? static_cast<Index>(std::lower_bound(numbers_.begin(), numbers_.end(), number) -
                                         numbers_.begin())
-                   : table_[static_cast<std::size_t>(number - first_)];
+                   : table_[number - first_];
     }
 
 private:

@@ -42,7 +42,7 @@ OwnedMat in_order_of_numbers(const Ranks& ranks, const DistributedCells::Degree&
         columns(static_cast<std::size_t>(count));
     for (const auto& parcel : ranks.deliver(std::move(parcels)))
         for (const auto& [number, row] : parcel)
-            columns[static_cast<std::size_t>(number - begin)] = static_cast<PetscInt>(row);
+            columns[number - begin] = static_cast<PetscInt>(row);
     std::iota(begins.begin(), begins.end(), 0);
     const std::vector<double> ones(columns.size(), 1);
     return made("ordering rows", [&](Mat* matrix) {

@@ -67,7 +67,7 @@ LocalParts parts_of(const LocalComplex& local) {
         parts.of.push_back(first == t ? next++ : parts.of[first]);
         parts.signs.push_back(sign);
     }
-    parts.one_sided.assign(static_cast<std::size_t>(next), false);
+    parts.one_sided.assign(next, false);
     for (const Index t : conflicts)
         parts.one_sided[parts.of[t]] = true;
     return parts;

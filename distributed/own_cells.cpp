@@ -116,8 +116,8 @@ Blocks blocks_of(const SimplicialComplex& complex, const Points& rows, const Row
     };
     std::vector<std::vector<Told>> told(degrees);
     for (int k = 0; k <= row.n; ++k) {
-        numbers[k].resize(static_cast<std::size_t>(complex.size(k)));
-        told[k].resize(static_cast<std::size_t>(complex.size(k)));
+        numbers[k].resize(complex.size(k));
+        told[k].resize(complex.size(k));
     }
     for (Index s = 0; s < complex.size(row.n); ++s) {
         const auto of_simplex = rows.row(complex.input_row(s));

@@ -46,9 +46,8 @@ std::vector<int> owners_of(const Ranks& ranks, const MeshSlice& slice,
     for (const GlobalIndex v : vertices)
         whom.push_back(stretches.rank_of(v));
     const GlobalIndex first = stretches.begin(ranks.rank());
-    return ranks.ask<int>("owners", whom, vertices, [&](GlobalIndex v) {
-        return owners[static_cast<std::size_t>(v - first)];
-    });
+    return ranks.ask<int>("owners", whom, vertices,
+                          [&](GlobalIndex v) { return owners[v - first]; });
 }
 
 } // namespace
@@ -85,7 +84,7 @@ Stars own_stars(const Ranks& ranks, const MeshSlice& slice, const std::vector<in
         for (const auto& parcel : arrived)
             entries += parcel.size();
         stars.cells.resize(static_cast<Eigen::Index>(entries) / (corners + 1), corners);
-        stars.file_places.reserve(static_cast<std::size_t>(stars.cells.rows()));
+        stars.file_places.reserve(stars.cells.rows());
         GlobalIndex* vertex = stars.cells.data();
         for (const auto& parcel : arrived)
             for (auto entry = parcel.begin(); entry != parcel.end(); entry += corners + 1) {

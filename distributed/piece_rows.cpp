@@ -65,7 +65,7 @@ OwnPieces::OwnPieces(const Ranks& ranks, const LocalComplex& local,
     std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
 
     // those here ascend; only where others come to a cell are its pieces not yet in order
-    pieces_.resize(static_cast<std::size_t>(begins_.back()));
+    pieces_.resize(begins_.back());
     std::vector<Index> next(begins_.begin(), begins_.end() - 1);
     for (Index s = 0; s < degree.size(); ++s)
         if (const Index cell = cells.of_simplex[s]; is_own_piece(s) && cell < cells.own())
@@ -126,7 +126,7 @@ Points spread_to_pieces(const Ranks& ranks, const DistributedCells::Degree& cell
 
     Points result = Points::Zero(std::ssize(cells.of_simplex), width);
     for (Eigen::Index s = 0; s < result.rows(); ++s)
-        if (const Index cell = cells.of_simplex[static_cast<std::size_t>(s)]; cell >= 0)
+        if (const Index cell = cells.of_simplex[s]; cell >= 0)
             result.row(s) =
                 cell < cells.own() ? of_cells.row(cell) : of_others.row(cell - cells.own());
     return result;

@@ -19,7 +19,7 @@ public:
     /// items, written by write(simplex, row) on the piece's rank.
     template <class Item, class Write, class Take>
     void visit(Eigen::Index width, Write write, Take take) const {
-        std::vector<Item> row(static_cast<std::size_t>(width));
+        std::vector<Item> row(width);
         auto parcels = ranks_.empty_parcels<Item>();
         for (std::size_t r = 0; r < parcels.size(); ++r)
             for (const Index s : away_[r]) {

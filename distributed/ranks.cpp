@@ -207,8 +207,8 @@ void Ranks::vote(const std::exception_ptr& failure) const {
         packed = pack(describe(failure));
     std::vector<std::int64_t> sizes{std::ssize(packed.numbers), std::ssize(packed.letters)};
     broadcast(communicator, std::span(sizes), MPI_INT64_T, first);
-    packed.numbers.resize(static_cast<std::size_t>(sizes[0]));
-    packed.letters.resize(static_cast<std::size_t>(sizes[1]));
+    packed.numbers.resize(sizes[0]);
+    packed.letters.resize(sizes[1]);
     broadcast(communicator, std::span(packed.numbers), MPI_INT64_T, first);
     broadcast(communicator, std::span(packed.letters), MPI_CHAR, first);
     raise(unpack(packed));

@@ -126,7 +126,7 @@ public:
         std::vector<void*> to;
         [&]() noexcept { // if memory runs out, the program ends: others are waiting
             for (std::size_t r = 0; r < result.size(); ++r) {
-                result[r].resize(static_cast<std::size_t>(arriving[r]));
+                result[r].resize(arriving[r]);
                 to.push_back(result[r].data());
             }
         }();

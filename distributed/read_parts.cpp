@@ -127,7 +127,7 @@ private:
         const auto vertices = ranks_.ask<GlobalIndex>(
             "nodes", whom, here.numbers(), [&](GlobalIndex number) { return vertex_of(number); });
         for (GlobalIndex& vertex : cells.reshaped())
-            vertex = vertices[static_cast<std::size_t>(here(vertex))];
+            vertex = vertices[here(vertex)];
     }
 
     const Ranks& ranks_;

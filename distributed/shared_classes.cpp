@@ -68,7 +68,7 @@ std::vector<SharedClass> join_shared(const Ranks& ranks, GlobalIndex first, Inde
         result.push_back({first + c, 1, false});
     const auto arrived = ranks.deliver(std::move(answers));
     for (const auto& [number, of] : arrived[0])
-        result[static_cast<std::size_t>(number - first)] = of;
+        result[number - first] = of;
     return result;
 }
 

@@ -52,7 +52,7 @@ std::vector<std::uint64_t> morton_keys(const Points& points, const Box& box) {
     constexpr int all_bits = 62;
     const auto N = static_cast<int>(points.cols());
     const int bits = N == 0 ? 0 : std::min(31, all_bits / N);
-    std::vector<std::uint64_t> keys(static_cast<std::size_t>(points.rows()), 0);
+    std::vector<std::uint64_t> keys(points.rows(), 0);
     for (std::size_t v = 0; v < keys.size(); ++v)
         for (int c = 0; c < N; ++c) {
             const double extent = box.largest[c] - box.least[c];
@@ -146,7 +146,7 @@ Points points_of(const Ranks& ranks, const MeshSlice& slice,
 }
 
 std::vector<int> vertex_owners(const Ranks& ranks, const MeshSlice& slice, Ownership by) {
-    std::vector<int> owners(static_cast<std::size_t>(slice.points.rows()), ranks.rank());
+    std::vector<int> owners(slice.points.rows(), ranks.rank());
     if (by == Ownership::graph)
         return owners_by_graph(ranks, slice);
     if (by == Ownership::morton) {

@@ -81,10 +81,10 @@ void warn_of_isolated(const Ranks& ranks, MeshSlice& slice, const NumberPlaces& 
     const auto arrived = ranks.deliver(std::move(parcels));
     std::vector<Index> isolated;
     const GlobalIndex here_isolated = ranks.together("vertices", [&] {
-        std::vector<bool> used(static_cast<std::size_t>(slice.points.rows()), false);
+        std::vector<bool> used(slice.points.rows(), false);
         for (const auto& parcel : arrived)
             for (const GlobalIndex vertex : parcel)
-                used[static_cast<std::size_t>(vertex - first)] = true;
+                used[vertex - first] = true;
         for (std::size_t v = 0; v < used.size() && isolated.size() < most_listed; ++v)
             if (!used[v])
                 isolated.push_back(static_cast<Index>(first + static_cast<GlobalIndex>(v)));

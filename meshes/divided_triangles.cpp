@@ -75,8 +75,7 @@ void DividedTriangles::divide(std::vector<Triangle> triangles, const Points& poi
     const Mesh split = split_polygons(std::move(polygons));
     for (Index t = 0; t < split.simplices.rows(); ++t) {
         const auto part = split.simplices.row(t);
-        parts_.push_back(
-            {divided[static_cast<std::size_t>(split.tags[t])], {part[0], part[1], part[2]}});
+        parts_.push_back({divided[split.tags[t]], {part[0], part[1], part[2]}});
     }
     std::sort(parts_.begin(), parts_.end());
 }

@@ -18,7 +18,7 @@ FacetOverlay::FacetOverlay(const Simplices& triangles,
     : triangles_(triangles), points_(points), length_(length), vertices_(inside) {
     Points least(triangles.rows(), points.cols()), largest = least;
     for (Index f = 0; f < triangles.rows(); ++f) {
-        auto& own = vertices_[static_cast<std::size_t>(f)];
+        auto& own = vertices_[f];
         own.insert(own.end(), triangles.row(f).begin(), triangles.row(f).end());
         std::sort(own.begin(), own.end());
         const Points at = points(triangles.row(f).transpose(), Eigen::indexing::all);
@@ -55,7 +55,7 @@ Points FacetOverlay::with_crossings(const Points& points, const std::vector<Cros
 }
 
 bool FacetOverlay::lies_in(Index v, Index f) const {
-    const auto& own = vertices_[static_cast<std::size_t>(f)];
+    const auto& own = vertices_[f];
     return std::binary_search(own.begin(), own.end(), v);
 }
 
@@ -104,7 +104,7 @@ void FacetOverlay::cross(Index a, Index b, Index c, Index d, std::vector<Index>&
 Eigen::RowVectorXd FacetOverlay::point(Index v) const {
     if (v < points_.rows())
         return points_.row(v);
-    const auto& [a, b, c, d, s, t] = crossings_[static_cast<std::size_t>(v - points_.rows())];
+    const auto& [a, b, c, d, s, t] = crossings_[v - points_.rows()];
     return (1 - s) * points_.row(a) + s * points_.row(b);
 }
 
@@ -252,7 +252,7 @@ void FacetOverlay::add_fan(Index f, const DividedEdges& edges,
     const std::vector<Index> around = outline(f, edges);
     double farthest = 0;
     Index center = -1;
-    for (const Index v : vertices_[static_cast<std::size_t>(f)]) {
+    for (const Index v : vertices_[f]) {
         if (std::find(around.begin(), around.end(), v) != around.end())
             continue;
         double least = std::numeric_limits<double>::infinity();
@@ -277,11 +277,11 @@ std::vector<TrianglePart> FacetOverlay::parts(const DividedEdges& edges) const {
     for (const Common& common : commons_) {
         auto& polygon = polygons.emplace_back();
         add_vertices(common, edges, polygon);
-        covered[static_cast<std::size_t>(common.f)].push_back(polygon);
+        covered[common.f].push_back(polygon);
         auto turned = polygon;
         if (is_turned(common.f, common.g))
             std::reverse(turned.begin(), turned.end());
-        covered[static_cast<std::size_t>(common.g)].push_back(std::move(turned));
+        covered[common.g].push_back(std::move(turned));
         owners.push_back({common.f, common.g});
     }
     std::vector<TrianglePart> result;
@@ -294,7 +294,7 @@ std::vector<TrianglePart> FacetOverlay::parts(const DividedEdges& edges) const {
             add_fan(f, edges, result);
             continue;
         }
-        is_whole[static_cast<std::size_t>(f)] = true;
+        is_whole[f] = true;
         for (auto& remainder : remainders) {
             polygons.push_back(std::move(remainder));
             owners.push_back({f});
@@ -309,8 +309,8 @@ std::vector<TrianglePart> FacetOverlay::parts(const DividedEdges& edges) const {
     }
     const Mesh split = split_polygons(std::move(all));
     for (Index t = 0; t < split.simplices.rows(); ++t)
-        for (const Index f : owners[static_cast<std::size_t>(split.tags[t])])
-            if (is_whole[static_cast<std::size_t>(f)])
+        for (const Index f : owners[split.tags[t]])
+            if (is_whole[f])
                 result.push_back(
                     {corners(f),
                      {split.simplices(t, 0), split.simplices(t, 1), split.simplices(t, 2)}});

@@ -106,7 +106,7 @@ Facet facet(const Simplices& cells, Index cell, Index omitted) {
 class FacetsOf {
 public:
     FacetsOf(const Mesh& mesh, const std::vector<Index>& cells) : cells_(mesh.simplices) {
-        std::vector<bool> marked(static_cast<std::size_t>(mesh.points.rows()), false);
+        std::vector<bool> marked(mesh.points.rows(), false);
         for (const Index cell : cells)
             for (Index i = 0; i < cells_.cols(); ++i) {
                 facets_.push_back(facet(cells_, cell, i));
@@ -158,7 +158,7 @@ private:
 /// away only loosens the others, so the order does not matter.
 FlatCells peel(const Mesh& mesh, const std::vector<Index>& flat) {
     const FacetsOf facets(mesh, flat);
-    std::vector<bool> is_candidate(static_cast<std::size_t>(mesh.simplices.rows()), false);
+    std::vector<bool> is_candidate(mesh.simplices.rows(), false);
     for (const Index cell : flat)
         is_candidate[cell] = true;
     std::vector<std::size_t> staying(facets.around().size()); // cells around each facet
@@ -197,7 +197,7 @@ std::vector<Index> flat_cells(const Mesh& mesh) {
     if (mesh.simplices.size() == 0)
         return flat;
     Points edges(mesh.dimension(), mesh.ambient_dimension());
-    std::vector<double> scratch(static_cast<std::size_t>(edges.size() + edges.rows()));
+    std::vector<double> scratch(edges.size() + edges.rows());
     for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
         if (!is_clearly_thick(mesh, cell, scratch) && is_flat(mesh, cell, edges))
             flat.push_back(cell);

@@ -110,7 +110,7 @@ Mesh sphere_clusters(const ClusterOptions& options) {
 
     Points rows(static_cast<Eigen::Index>(points.size()), n);
     for (Eigen::Index v = 0; v < rows.rows(); ++v)
-        rows.row(v) = points[static_cast<std::size_t>(v)];
+        rows.row(v) = points[v];
     return delaunay_in_cube(rows, spacing, options.seed);
 }
 

@@ -105,7 +105,7 @@ Mesh flange(int segments) {
     check_sizes("flange", segments * profile_size, 2.0 * segments * profile_size);
 
     Profile profile;
-    profile.reserve(static_cast<std::size_t>(profile_size));
+    profile.reserve(profile_size);
     for (std::size_t c = 0; c < outline.size(); ++c) {
         const Eigen::Vector2d& a = outline[c];
         const Eigen::Vector2d& b = outline[(c + 1) % outline.size()];

@@ -189,7 +189,7 @@ private:
     Eigen::RowVectorXd point(Index v) const {
         const auto vertices = static_cast<Index>(points_.rows());
         return v < vertices ? Eigen::RowVectorXd(points_.row(v))
-                            : center(points_, centers_[static_cast<std::size_t>(v - vertices)]);
+                            : center(points_, centers_[v - vertices]);
     }
 
     DenseMatrix edges(const Index* corners) const {

@@ -43,7 +43,7 @@ LengthMesh length_mesh(const Mesh& mesh) {
 }
 
 std::vector<Index> edges_in_order(const LengthMesh& mesh) {
-    std::vector<Index> order(static_cast<std::size_t>(mesh.edges.rows()));
+    std::vector<Index> order(mesh.edges.rows());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
                      [&](Index e, Index f) { return edge(mesh.edges, e) < edge(mesh.edges, f); });

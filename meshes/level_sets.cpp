@@ -26,7 +26,7 @@ struct Crossing {
 
 /// The ways through a lattice of p by q steps, each step along the first axis (0) or the second.
 std::vector<std::vector<int>> lattice_paths(int p, int q) {
-    std::vector<int> path(static_cast<std::size_t>(p), 0);
+    std::vector<int> path(p, 0);
     path.insert(path.end(), static_cast<std::size_t>(q), 1);
     std::vector<std::vector<int>> paths;
     do
@@ -72,7 +72,7 @@ private:
         std::sort(below, places.end(), [&](Index a, Index b) { return corner(a) < corner(b); });
 
         const auto p = below - places.begin() - 1;
-        for (const auto& path : paths_[static_cast<std::size_t>(p)]) {
+        for (const auto& path : paths_[p]) {
             auto a = places.begin(), b = below;
             std::vector<Crossing> cell{crossing(level, corner(*a), corner(*b))};
             for (const int step : path) {
@@ -119,7 +119,7 @@ private:
         Mesh& mesh = sets_.mesh;
         mesh.points.resize(std::ssize(points), mesh_.points.cols());
         for (Index i = 0; i < mesh.points.rows(); ++i)
-            mesh.points.row(i) = place(points[static_cast<std::size_t>(i)]);
+            mesh.points.row(i) = place(points[i]);
         mesh.simplices.resize(std::ssize(sets_.owners), n_);
         for (std::size_t i = 0; i < corners_.size(); ++i)
             mesh.simplices.data()[i] = static_cast<Index>(

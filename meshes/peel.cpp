@@ -43,7 +43,7 @@ public:
 
     /// Marks the rows to be left out.
     const std::vector<bool>& run() {
-        std::vector<Index> last_round(static_cast<std::size_t>(complex_.size(0)), -1);
+        std::vector<Index> last_round(complex_.size(0), -1);
         bool any = true;
         for (Index round = 0; any; ++round) {
             any = false;

@@ -45,7 +45,7 @@ private:
 /// Of each vertex the one where it is taken to, or -1.
 std::vector<Index> numbers(const Places& places, const Points& points, const Points& images,
                            const std::string& name) {
-    std::vector<Index> result(static_cast<std::size_t>(points.rows()), -1);
+    std::vector<Index> result(points.rows(), -1);
     bool moves = false;
     if (images.rows() == points.rows() && images.cols() == points.cols())
         for (Index v = 0; v < points.rows(); ++v) {
@@ -129,8 +129,8 @@ public:
         }
         result.points = box_.points(kept, Eigen::indexing::all);
         result.quotient.vertices = static_cast<Index>(kept.size());
-        result.quotient.simplices = box_.simplices.unaryExpr(
-            [&](Index v) { return result.vertices[static_cast<std::size_t>(v)]; });
+        result.quotient.simplices =
+            box_.simplices.unaryExpr([&](Index v) { return result.vertices[v]; });
         check_simplices(result.quotient.simplices);
         set_edges(result);
         return result;

@@ -42,7 +42,7 @@ std::vector<Index> crowded(const Points& points, double length) {
                                   std::numeric_limits<double>::min()});
     const double margin = length / side + rounding;
 
-    std::vector<std::uint64_t> cells(static_cast<std::size_t>(points.rows()), 0);
+    std::vector<std::uint64_t> cells(points.rows(), 0);
     std::vector<bool> found(cells.size(), false);
     for (Index i = 0; i < points.rows(); ++i)
         for (Index axis = 0; axis < axes; ++axis) {
@@ -74,7 +74,7 @@ void join_near(const Points& points, double length, DisjointSets& sets) {
     tree.join_all(0, length * length, of_near);
     const auto firsts = of_near.firsts();
     for (std::size_t i = 0; i < near.size(); ++i)
-        sets.join(near[static_cast<std::size_t>(firsts[i])], near[i]);
+        sets.join(near[firsts[i]], near[i]);
 }
 
 void PointTree::join_all(Index node, double square, DisjointSets& sets) const {

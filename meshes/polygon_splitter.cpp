@@ -72,7 +72,7 @@ bool PolygonSplitter::split(std::span<const Index> corners, std::span<const Edge
 void PolygonSplitter::scale() {
     scaled_.resize(std::ssize(corners_), points_.cols());
     for (Index corner = 0; corner < scaled_.rows(); ++corner)
-        scaled_.row(corner) = points_.row(corners_[static_cast<std::size_t>(corner)]);
+        scaled_.row(corner) = points_.row(corners_[corner]);
     const double largest = scaled_.size() > 0 ? scaled_.cwiseAbs().maxCoeff() : 0;
     constexpr int most = 1000; // so that the power is a number
     if (largest > 0)
@@ -289,8 +289,8 @@ void PolygonSplitter::flip(std::size_t t, std::size_t i) {
     const auto other = neighbors_[t][i];
     const auto across = [&](std::size_t triangle, std::size_t corner) {
         const auto& places = places_[triangle];
-        return neighbors_[triangle][static_cast<std::size_t>(
-            std::find(places.begin(), places.end(), corner) - places.begin())];
+        return neighbors_[triangle]
+                         [std::find(places.begin(), places.end(), corner) - places.begin()];
     };
     const auto ab = across(t, c), bc = across(t, a), cd = across(other, a), da = across(other, c);
     places_[t] = {a, b, d};

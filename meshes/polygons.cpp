@@ -54,9 +54,8 @@ public:
         std::vector<Index> kept;
         const Corners all = polygons.corners;
         for (std::size_t face = 0; face + 1 < polygons.offsets.size(); ++face) {
-            const auto begin = static_cast<std::size_t>(polygons.offsets[face]);
-            const auto end = static_cast<std::size_t>(polygons.offsets[face + 1]);
-            add_face(all.subspan(begin, end - begin), kept, tallies);
+            const Index begin = polygons.offsets[face];
+            add_face(all.subspan(begin, polygons.offsets[face + 1] - begin), kept, tallies);
         }
     }
 
@@ -190,18 +189,17 @@ private:
 
     /// The sides of faces that somebody claims as a diagonal, sorted.
     std::vector<EdgeEnds> sides_among(const std::vector<Claim>& claims) const {
-        std::vector<std::size_t> first(static_cast<std::size_t>(points_.rows()) + 1, 0);
+        std::vector<std::size_t> first(points_.rows() + 1, 0);
         for (const auto& claim : claims)
-            ++first[static_cast<std::size_t>(claim.diagonal.ends[0]) + 1];
+            ++first[claim.diagonal.ends[0] + 1];
         std::partial_sum(first.begin(), first.end(), first.begin());
         std::vector<EdgeEnds> sides;
         for (std::size_t face = 0; face < faces(); ++face) {
             const auto corners = corners_of(face);
             for (std::size_t i = 0; i < corners.size(); ++i) {
                 const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
-                const auto begin = first[static_cast<std::size_t>(low)];
-                const auto end = first[static_cast<std::size_t>(low) + 1];
-                const auto with_low = std::span(claims).subspan(begin, end - begin);
+                const auto begin = first[low];
+                const auto with_low = std::span(claims).subspan(begin, first[low + 1] - begin);
                 if (std::ranges::binary_search(with_low, high, {}, [](const Claim& claim) {
                         return claim.diagonal.ends[1];
                     }))

@@ -124,7 +124,7 @@ std::vector<Index> ascending_order(const std::vector<std::uint64_t>& keys) {
 }
 
 std::vector<std::uint64_t> morton_keys(const Points& points) {
-    std::vector<std::uint64_t> keys(static_cast<std::size_t>(points.rows()), 0);
+    std::vector<std::uint64_t> keys(points.rows(), 0);
     if (points.size() == 0)
         return keys;
     // halves, whose differences do not overflow
@@ -140,7 +140,7 @@ std::vector<std::uint64_t> morton_keys(const Points& points) {
         for (int digit = 0; digit < byte && digit * axes < 64; ++digit)
             spread[number] |= (number >> digit & 1U) << (digit * axes);
     for (Eigen::Index v = 0; v < points.rows(); ++v) {
-        auto& key = keys[static_cast<std::size_t>(v)];
+        auto& key = keys[v];
         for (Eigen::Index axis = 0; axis < axes; ++axis) {
             const double share = extent > 0 ? (points(v, axis) / 2 - least[axis]) / extent : 0;
             const auto place = static_cast<std::uint64_t>(share * largest);
@@ -170,7 +170,7 @@ Renumbered along_morton_curve(const Mesh& mesh) {
     auto vertices = ascending_order(morton_keys(mesh.points));
     const Simplices renumbered = with_new_numbers(mesh.simplices, vertices, "along_morton_curve");
     std::vector<std::uint64_t> first_vertices;
-    first_vertices.reserve(static_cast<std::size_t>(renumbered.rows()));
+    first_vertices.reserve(renumbered.rows());
     for (Eigen::Index s = 0; s < renumbered.rows(); ++s)
         first_vertices.push_back(static_cast<std::uint64_t>(renumbered.row(s).minCoeff()));
     return arranged(mesh, renumbered, std::move(vertices), ascending_order(first_vertices));

@@ -112,8 +112,7 @@ private:
 
 std::span<const Index> corners_of(const std::vector<Index>& corners,
                                   const std::vector<Index>& offsets, std::size_t cell) {
-    const auto begin = static_cast<std::size_t>(offsets[cell]);
-    return std::span(corners).subspan(begin, static_cast<std::size_t>(offsets[cell + 1]) - begin);
+    return std::span(corners).subspan(offsets[cell], offsets[cell + 1] - offsets[cell]);
 }
 
 /// How many solids were untidy or split, and which was the first.

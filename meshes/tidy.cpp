@@ -56,7 +56,7 @@ void leave_out(Sieve& sieve, const std::vector<Index>& cells, std::string_view f
                                         cells.size() == 1 ? "cell" : "cells", flaw,
                                         listed(cells, name)));
 
-    std::vector<bool> is_left_out(static_cast<std::size_t>(mesh.simplices.rows()), false);
+    std::vector<bool> is_left_out(mesh.simplices.rows(), false);
     for (const Index cell : cells)
         is_left_out[cell] = true;
     const auto rows = keep_rows(mesh, is_left_out);
@@ -156,7 +156,7 @@ FlatCellsKept leave_out_flat_cells(Sieve& sieve) {
 
 FlatCellsKept sift(Sieve& sieve) {
     check_mesh(sieve.mesh);
-    sieve.numbers.resize(static_cast<std::size_t>(sieve.mesh.simplices.rows()));
+    sieve.numbers.resize(sieve.mesh.simplices.rows());
     std::iota(sieve.numbers.begin(), sieve.numbers.end(), 0);
     const auto vertices = static_cast<Index>(sieve.mesh.points.rows());
     if (const Simplices& cells = sieve.mesh.simplices;
@@ -209,7 +209,7 @@ std::string isolated_vertices(const std::vector<Index>& first, std::size_t count
 }
 
 void warn_of_isolated_vertices(Mesh& mesh) {
-    std::vector<bool> used(static_cast<std::size_t>(mesh.points.rows()), false);
+    std::vector<bool> used(mesh.points.rows(), false);
     for (const Index vertex : mesh.simplices.reshaped())
         used[vertex] = true;
     std::vector<Index> isolated;

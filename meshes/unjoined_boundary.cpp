@@ -53,10 +53,10 @@ std::vector<Index> first_at_place(const Simplices& rows, const Points& points, d
     DisjointSets sets(static_cast<Index>(vertices.size()));
     join_near(points(vertices, Eigen::indexing::all), length, sets);
     const auto firsts = sets.firsts();
-    std::vector<Index> result(static_cast<std::size_t>(points.rows()));
+    std::vector<Index> result(points.rows());
     std::iota(result.begin(), result.end(), 0);
     for (std::size_t i = 0; i < vertices.size(); ++i)
-        result[vertices[i]] = vertices[static_cast<std::size_t>(firsts[i])];
+        result[vertices[i]] = vertices[firsts[i]];
     return result;
 }
 

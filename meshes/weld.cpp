@@ -43,7 +43,7 @@ struct DistinctPlaces {
 };
 
 DistinctPlaces places_of(const Mesh& mesh) {
-    std::vector<bool> used(static_cast<std::size_t>(mesh.points.rows()), false);
+    std::vector<bool> used(mesh.points.rows(), false);
     for (const Index v : mesh.simplices.reshaped<Eigen::RowMajor>())
         used[v] = true;
     DistinctPlaces places{std::vector<Index>(used.size(), -1), {}, {}};
@@ -109,7 +109,7 @@ public:
 private:
     /// Again and again, with half the length where the length before joins what must stay apart.
     void find_classes(double length) {
-        std::vector<Index> open(static_cast<std::size_t>(places_.size()));
+        std::vector<Index> open(places_.size());
         std::iota(open.begin(), open.end(), 0);
         leaders_ = open;
         lengths_.resize(open.size());
@@ -120,7 +120,7 @@ private:
                 join_near(scaled_(open, Eigen::indexing::all), length, sets);
             const auto firsts = sets.firsts();
             for (std::size_t i = 0; i < open.size(); ++i) {
-                leaders_[open[i]] = open[static_cast<std::size_t>(firsts[i])];
+                leaders_[open[i]] = open[firsts[i]];
                 lengths_[open[i]] = length;
             }
             sizes_.assign(leaders_.size(), 0);
@@ -304,7 +304,7 @@ Joined weld(Mesh mesh, std::optional<double> length) {
     const auto vertices = static_cast<Index>(made.points.rows());
     const DistinctPlaces places = places_of(made);
     if (places.size() == 0) {
-        result.vertices.resize(static_cast<std::size_t>(vertices));
+        result.vertices.resize(vertices);
         std::iota(result.vertices.begin(), result.vertices.end(), 0);
         return result;
     }
@@ -314,12 +314,12 @@ Joined weld(Mesh mesh, std::optional<double> length) {
                           OwnUnits(made.points(places.vertices(), Eigen::indexing::all)), used);
 
     // numbers in the order of the first vertex of each class
-    std::vector<Index> number_of(static_cast<std::size_t>(places.size()), -1), kept;
+    std::vector<Index> number_of(places.size(), -1), kept;
     Index classes = 0, used_vertices = 0;
     for (Index v = 0; v < vertices; ++v) {
         const Index place = places.of_vertex[v];
-        Index& number = place < 0 ? result.vertices.emplace_back(-1)
-                                  : number_of[static_cast<std::size_t>(welding.leader(place))];
+        Index& number =
+            place < 0 ? result.vertices.emplace_back(-1) : number_of[welding.leader(place)];
         if (number < 0) {
             number = static_cast<Index>(kept.size());
             kept.push_back(v);

@@ -32,7 +32,7 @@ Points ComponentValues::at(const Points& sites, Eigen::Index wanted) const {
                                        option_, size(), size() == 1 ? "" : "s", wanted));
     Points result(sites.rows(), wanted);
     for (Eigen::Index i = 0; i < wanted; ++i)
-        result.col(i) = components_[static_cast<std::size_t>(i)].at(sites);
+        result.col(i) = components_[i].at(sites);
     return result;
 }
 

@@ -50,7 +50,7 @@ struct Given {
 
     FlowOptions options(const Discretization& mesh, FlowOptions options) const {
         const Points facets = facet_sites(mesh);
-        options.facets.assign(static_cast<std::size_t>(facets.rows()), FlowBoundary::free_slip);
+        options.facets.assign(facets.rows(), FlowBoundary::free_slip);
         const auto mark = [&](const ComponentValues& where, const std::vector<std::string>& groups,
                               FlowBoundary kind) {
             Vector marks = Vector::Zero(facets.rows());

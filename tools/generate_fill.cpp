@@ -27,7 +27,7 @@ void fill(const FillArguments& arguments) {
                       mesh_files(arguments.surface));
     Points holes(static_cast<Eigen::Index>(arguments.holes.size()), 3);
     for (Eigen::Index i = 0; i < holes.rows(); ++i)
-        holes.row(i) = Eigen::RowVector3d(arguments.holes[static_cast<std::size_t>(i)].data());
+        holes.row(i) = Eigen::RowVector3d(arguments.holes[i].data());
 
     Mesh surface, mesh;
     {

@@ -38,8 +38,8 @@ SortedRows sorted_edges(const Simplices& triangles, Index points) {
 /// Finds the neighbors, and joins them with the sign that says whether both turn alike.
 void join_neighbors(const SortedRows& sorted, DisjointSets& parts, ClosedSurface& result) {
     const Simplices& edges = *sorted.simplices.rows;
-    const auto side = [&](Index i) { return sorted.order[static_cast<std::size_t>(i)]; };
-    const auto sign = [&](Index i) { return sorted.signs[static_cast<std::size_t>(i)]; };
+    const auto side = [&](Index i) { return sorted.order[i]; };
+    const auto sign = [&](Index i) { return sorted.signs[i]; };
     const auto count = static_cast<Index>(edges.rows());
     for (Index begin = 0, end = 0; begin < count; begin = end) {
         Index first = side(begin);
@@ -64,8 +64,7 @@ void measure(const Points& points, const Simplices& triangles, const std::vector
         const Eigen::Vector3d apex = points.row(triangles(firsts[f], 0));
         const auto [a, b, c] = seen_from(apex, points, triangles, static_cast<Index>(f));
         const Eigen::Vector3d area = (b - a).cross(c - a) / 2.0;
-        result.volumes[static_cast<std::size_t>(result.part[f])] +=
-            result.sense[f] * area.dot(a) / 3.0;
+        result.volumes[result.part[f]] += result.sense[f] * area.dot(a) / 3.0;
         result.reach += area.norm() * std::max({a.norm(), b.norm(), c.norm()});
     }
 }
@@ -83,18 +82,18 @@ ClosedSurface closed_surface(const Points& points, const Simplices& triangles) {
 
     const auto firsts = parts.firsts();
     for (Index f = 0; f < count; ++f) {
-        const Index first = firsts[static_cast<std::size_t>(f)];
+        const Index first = firsts[f];
         if (first == f)
             result.volumes.push_back(0.0);
         result.part.push_back(first == f ? static_cast<Index>(result.volumes.size()) - 1
-                                         : result.part[static_cast<std::size_t>(first)]);
+                                         : result.part[first]);
         result.sense.push_back(parts.find(f).sign);
     }
     measure(points, triangles, firsts, result);
 
     // what was taken for outward in a part may be inward
     for (std::size_t f = 0; f < result.sense.size(); ++f)
-        if (result.volumes[static_cast<std::size_t>(result.part[f])] < 0.0)
+        if (result.volumes[result.part[f]] < 0.0)
             result.sense[f] = static_cast<std::int8_t>(-result.sense[f]);
     for (double& volume : result.volumes)
         volume = std::abs(volume);
@@ -114,7 +113,7 @@ std::vector<double> windings(const Points& points, const Simplices& triangles,
             continue;
         const double cosine =
             lengths + a.dot(b) * c.norm() + b.dot(c) * a.norm() + c.dot(a) * b.norm();
-        turns[static_cast<std::size_t>(surface.part[f])] +=
+        turns[surface.part[f]] +=
             surface.sense[f] * std::atan2(volume, cosine) / (2.0 * std::numbers::pi);
     }
     return turns;

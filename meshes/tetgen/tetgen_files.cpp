@@ -117,7 +117,7 @@ std::string smesh_text(const TetgenInput& input) {
     fmt::format_to(end, "{} 1\n", input.triangles.rows());
     for (Eigen::Index f = 0; f < input.triangles.rows(); ++f)
         fmt::format_to(end, "3 {} {} {} {}\n", input.triangles(f, 0), input.triangles(f, 1),
-                       input.triangles(f, 2), input.patches[static_cast<std::size_t>(f)] + 1);
+                       input.triangles(f, 2), input.patches[f] + 1);
     fmt::format_to(end, "{}\n", input.holes.rows());
     append_places(text, input.holes);
     return fmt::to_string(text);
@@ -169,7 +169,7 @@ std::pair<Simplices, std::vector<Index>> read_tetgen_faces(const std::filesystem
     const Index rows = numbers.count(5);
     numbers.expect(1, "the count of markers");
     Simplices faces(rows, 3);
-    std::vector<Index> markers(static_cast<std::size_t>(rows));
+    std::vector<Index> markers(rows);
     for (Index i = 0; i < rows; ++i) {
         numbers.expect(i, "the number of a face");
         for (int j = 0; j < 3; ++j) {
@@ -180,7 +180,7 @@ std::pair<Simplices, std::vector<Index>> read_tetgen_faces(const std::filesystem
         const Index marker = numbers.next<Index>();
         if (marker < 1 || marker > facets)
             numbers.malformed(fmt::format("face {} is on facet {}", i, marker));
-        markers[static_cast<std::size_t>(i)] = marker - 1;
+        markers[i] = marker - 1;
     }
     numbers.expect_end();
     return {std::move(faces), std::move(markers)};

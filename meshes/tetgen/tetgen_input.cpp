@@ -102,9 +102,7 @@ void check_not_coplanar(const TetgenInput& input) {
     const Eigen::RowVector3d width = beside.row(third);
     const Eigen::Vector3d normal = along.cross(width).normalized();
     if ((off * normal).cwiseAbs().maxCoeff() <= height_tolerance * length) {
-        const auto name = [&](Eigen::Index i) {
-            return input.vertices[static_cast<std::size_t>(i)];
-        };
+        const auto name = [&](Eigen::Index i) { return input.vertices[i]; };
         throw InvalidInput(fmt::format("mesher: all {} points lie in the plane through points {}, "
                                        "{} and {}: expected a point off this plane",
                                        off.rows(), name(0), name(second), name(third)));
@@ -117,8 +115,7 @@ void check_closed(const TetgenInput& input) {
         std::string names;
         for (std::size_t i = 0; i < std::min<std::size_t>(3, odd.size()); ++i)
             names += fmt::format("{}edge {} {} in {} (facet {})", i == 0 ? "" : ", ",
-                                 input.vertices[static_cast<std::size_t>(odd[i].low)],
-                                 input.vertices[static_cast<std::size_t>(odd[i].high)],
+                                 input.vertices[odd[i].low], input.vertices[odd[i].high],
                                  odd[i].triangles, odd[i].first);
         throw InvalidInput(fmt::format("mesher: the surface is not closed: each edge must be in "
                                        "two facets, but {} of them {} not\n"
@@ -165,7 +162,7 @@ void empty_holes(TetgenInput& input) {
 
 std::vector<Index> plane_patches(const TetgenInput& input) {
     const auto count = static_cast<Index>(input.triangles.rows());
-    std::vector<Index> patches(static_cast<std::size_t>(count), -1), open;
+    std::vector<Index> patches(count, -1), open;
     for (Index seed = 0; seed < count; ++seed) {
         const auto plane = triangle_plane(input.points, input.triangles, seed);
         const auto is_in_plane = [&](Index f) {
@@ -176,8 +173,8 @@ std::vector<Index> plane_patches(const TetgenInput& input) {
             });
         };
         const auto take = [&](Index f) {
-            if (patches[static_cast<std::size_t>(f)] < 0 && (f == seed || is_in_plane(f))) {
-                patches[static_cast<std::size_t>(f)] = seed;
+            if (patches[f] < 0 && (f == seed || is_in_plane(f))) {
+                patches[f] = seed;
                 open.push_back(f);
             }
         };

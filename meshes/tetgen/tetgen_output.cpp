@@ -56,7 +56,7 @@ void check_points_kept(const TetgenInput& input, const TetgenOutput& output) {
                 "tetgen left out point {} at ({}, {}, {})\n"
                 "Probable cause: its distance from another point is below 1e-8 of the size of the "
                 "whole, or it lies in a hole; join it or move it.",
-                input.vertices[static_cast<std::size_t>(i)], std::ldexp(given[0], input.exponent),
+                input.vertices[i], std::ldexp(given[0], input.exponent),
                 std::ldexp(given[1], input.exponent), std::ldexp(given[2], input.exponent)));
     }
 }
@@ -80,15 +80,12 @@ double sum_of_positive_volumes(const TetgenOutput& output) {
 /// Each face lies in the plane of its patch, and together they have its area.
 void check_planes(const TetgenInput& input, const TetgenOutput& output) {
     std::vector<double> areas(input.patches.size(), 0.0), found = areas;
-    const auto patch_of = [&](Index facet) {
-        return static_cast<std::size_t>(input.patches[static_cast<std::size_t>(facet)]);
-    };
     for (Index f = 0; f < input.triangles.rows(); ++f)
-        areas[patch_of(f)] += triangle_plane(input.points, input.triangles, f).area;
+        areas[input.patches[f]] += triangle_plane(input.points, input.triangles, f).area;
     for (Index i = 0; i < output.faces.rows(); ++i) {
-        const Index facet = output.facets[static_cast<std::size_t>(i)];
-        const auto patch = patch_of(facet);
-        const auto plane = triangle_plane(input.points, input.triangles, static_cast<Index>(patch));
+        const Index facet = output.facets[i];
+        const Index patch = input.patches[facet];
+        const auto plane = triangle_plane(input.points, input.triangles, patch);
         found[patch] += triangle_plane(output.points, output.faces, i).area;
         for (const Index corner : output.faces.row(i)) {
             if (plane.height(output.points.row(corner)) > patch_tolerance * plane.size)
@@ -120,8 +117,8 @@ void check_parts(const TetgenInput& input, const TetgenOutput& output, const Clo
     std::vector<Index> match(faces.volumes.size(), -1);
     bool fits = match.size() == input.surface.volumes.size();
     for (std::size_t i = 0; i < output.facets.size(); ++i) {
-        Index& there = match[static_cast<std::size_t>(faces.part[i])];
-        const Index part = input.surface.part[static_cast<std::size_t>(output.facets[i])];
+        Index& there = match[faces.part[i]];
+        const Index part = input.surface.part[output.facets[i]];
         fits = fits && (there < 0 || there == part);
         there = part;
     }
@@ -155,11 +152,11 @@ Filling filling_of(const TetgenOutput& output, const ClosedSurface& surface) {
         std::array<Index, 2> cells{-1, -1}; // by the sense in which their boundaries run around it
         Index on_surface = -1, outside = 0; // the sense of a cell there
         for (end = begin; end < rows.rows() && rows.row(end) == rows.row(begin); ++end) {
-            const Index i = sorted.order[static_cast<std::size_t>(end)];
-            const int sign = sorted.signs[static_cast<std::size_t>(end)];
+            const Index i = sorted.order[end];
+            const int sign = sorted.signs[end];
             if (i >= of_cells) {
                 on_surface = i - of_cells;
-                outside = sign * surface.sense[static_cast<std::size_t>(on_surface)] > 0 ? 0 : 1;
+                outside = sign * surface.sense[on_surface] > 0 ? 0 : 1;
                 continue;
             }
             Index& cell = cells[sign > 0 ? 1 : 0];
@@ -169,13 +166,10 @@ Filling filling_of(const TetgenOutput& output, const ClosedSurface& surface) {
                                           cell_name(output, std::max(cell, i / 4))));
             cell = i / 4;
         }
-        if (on_surface >= 0) {
-            result.at_faces[static_cast<std::size_t>(on_surface)] = {
-                cells[static_cast<std::size_t>(1 - outside)] >= 0,
-                cells[static_cast<std::size_t>(outside)] >= 0};
-        } else if (cells[0] < 0 || cells[1] < 0) {
+        if (on_surface >= 0)
+            result.at_faces[on_surface] = {cells[1 - outside] >= 0, cells[outside] >= 0};
+        else if (cells[0] < 0 || cells[1] < 0)
             result.ends_elsewhere = true;
-        }
     }
     return result;
 }
@@ -187,8 +181,7 @@ double check_filled(const TetgenInput& input, const TetgenOutput& output,
     std::vector<int> shares(input.filled.size(), 0); // of the enclosed volume, by the last face
     for (std::size_t i = 0; i < output.facets.size(); ++i) {
         const Index facet = output.facets[i];
-        const auto part =
-            static_cast<std::size_t>(input.surface.part[static_cast<std::size_t>(facet)]);
+        const Index part = input.surface.part[facet];
         const auto [inner, outer] = filling.at_faces[i];
         if (inner != input.filled[part])
             refuse_output(fmt::format("the inside at facet {} is {}",

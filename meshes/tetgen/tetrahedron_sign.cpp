@@ -49,16 +49,16 @@ int exact_sign(const Eigen::Vector3d& a, const std::array<const Eigen::Vector3d*
     std::array<std::array<Pair, 3>, 3> edges;
     for (std::size_t i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-            edges[i][static_cast<std::size_t>(j)] = exact_sum((*corners[i])[j], -a[j]);
+            edges[i][j] = exact_sum((*corners[i])[j], -a[j]);
 
     constexpr int terms[6][4] = {{0, 1, 2, 1},  {1, 2, 0, 1},  {2, 0, 1, 1},
                                  {0, 2, 1, -1}, {2, 1, 0, -1}, {1, 0, 2, -1}};
     ExactSum sum;
     for (const auto& [i, j, k, sign] : terms)
-        for (const double x : edges[0][static_cast<std::size_t>(i)])
-            for (const double y : edges[1][static_cast<std::size_t>(j)])
+        for (const double x : edges[0][i])
+            for (const double y : edges[1][j])
                 for (const double xy : exact_product(sign * x, y))
-                    for (const double z : edges[2][static_cast<std::size_t>(k)])
+                    for (const double z : edges[2][k])
                         for (const double xyz : exact_product(xy, z))
                             sum.add(xyz);
     return sum.sign();

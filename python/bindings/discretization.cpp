@@ -194,7 +194,7 @@ void add_merging(py::class_<Discretization, Cells>& type) {
             check_number("the lift of degree", k, 0, mesh.dimension());
             const auto& lifts = unlocked(
                 [&]() -> const std::vector<SparseMatrix>& { return mesh.merged().lift(); });
-            return csr(SparseMatrix(lifts[static_cast<std::size_t>(k)]));
+            return csr(SparseMatrix(lifts[k]));
         });
 }
 

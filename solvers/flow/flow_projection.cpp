@@ -25,7 +25,7 @@ struct FlowProjection::Solver {
             weights = flow.flux_star.inverse();
             ConstrainedSystem system;
             system.A = divergence * weights.asDiagonal() * SparseMatrix(divergence.transpose());
-            system.fixed.assign(static_cast<std::size_t>(divergence.rows()), false);
+            system.fixed.assign(divergence.rows(), false);
             system.tied = flow.spaces.tied;
             system.weights = flow.mesh.volumes().primal(flow.n);
             system.definiteness = Definiteness::semidefinite;

@@ -70,7 +70,7 @@ struct ShallowWater::Parts {
         check_positive_mass(inner, Side::primal, 1);
         check_positive_mass(mesh.stars()[0], Side::primal, 0);
         star = inside.extend(Vector(inner.diagonal()));
-        wall.assign(static_cast<std::size_t>(star.size()), false);
+        wall.assign(star.size(), false);
         for (const BoundaryFacet& on : boundary_facets(mesh.complex()))
             wall[on.facet] = true;
         if (options.rotation.size() == 0)

@@ -38,7 +38,7 @@ void check_held_back(const CellComplex& complex, const FlowSpaces& spaces) {
                     on.facet),
                 {.degree = n - 1, .cells = {on.facet}});
     CellMarks left_out = spaces.flux.fixed();
-    std::vector<bool> sticks(static_cast<std::size_t>(complex.size(n)), false);
+    std::vector<bool> sticks(complex.size(n), false);
     for (const BoundaryFacet& on : spaces.dragged)
         if (left_out[n - 1][on.facet])
             sticks[on.cell] = true;
