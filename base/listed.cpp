@@ -8,6 +8,10 @@
 
 namespace polydec {
 
+std::string counted(std::size_t count, std::string_view one, std::string_view several) {
+    return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
 std::string listed(const std::vector<Index>& items, const std::function<std::string(Index)>& name) {
     return listed(items, items.size(), name);
 }

@@ -6,9 +6,13 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace polydec {
+
+/// "1 cell" or "7 cells".
+std::string counted(std::size_t count, std::string_view one, std::string_view several);
 
 /// The first five items by name, separated by commas, and the number of others: for messages.
 std::string listed(const std::vector<Index>& items, const std::function<std::string(Index)>& name);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/types.h"
+#include "base/lists.h"
 
 #include <cstdint>
-#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -36,8 +35,7 @@ public:
 
     /// A random order of 0 .. size-1 (Fisher and Yates).
     std::vector<Index> order(Eigen::Index size) {
-        std::vector<Index> result(static_cast<std::size_t>(size));
-        std::iota(result.begin(), result.end(), 0);
+        std::vector<Index> result = numbers_below(size);
         for (std::size_t i = result.size(); i > 1; --i) {
             const double place = fraction() * static_cast<double>(i);
             std::swap(result[i - 1], result[static_cast<std::size_t>(place)]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/cell_numbers.h"
 
+#include "base/lists.h"
 #include "dec/merging/merged_cells.h"
 #include "distributed/in_order.h"
 #include "distributed/number_places.h"
@@ -72,8 +73,7 @@ void Numbering::find_others() {
     for (Index s = 0; s < degree.size(); ++s)
         if (is_piece(s) && carrier(s).owner != ranks_.rank())
             others_.push_back({carrier(s).owner, carrier(s).first});
-    std::sort(others_.begin(), others_.end());
-    others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
+    sort_unique(others_);
 
     std::vector<int> whom;
     std::vector<GlobalIndex> firsts;
@@ -82,9 +82,7 @@ void Numbering::find_others() {
         firsts.push_back(number);
     }
     cells_.others = ranks_.ask<CellNumber>("cell numbers", whom, firsts, [&](GlobalIndex number) {
-        const auto found =
-            std::lower_bound(cells_.first.begin(), cells_.first.end(), degree.find(number));
-        return cells_.cell(static_cast<Index>(found - cells_.first.begin()));
+        return cells_.cell(place_in(cells_.first, degree.find(number)));
     });
 }
 
@@ -98,13 +96,9 @@ void Numbering::find_cells() {
     for (Index s = 0; s < degree.size(); ++s)
         if (is_piece(s)) {
             const auto& [dimension, sign, owner, first] = carrier(s);
-            const FirstPiece of_other{owner, first};
-            cells_.of_simplex[s] =
-                owner == ranks_.rank()
-                    ? cells_.of_simplex[place(first)]
-                    : cells_.own() + static_cast<Index>(std::lower_bound(others_.begin(),
-                                                                         others_.end(), of_other) -
-                                                        others_.begin());
+            cells_.of_simplex[s] = owner == ranks_.rank()
+                                       ? cells_.of_simplex[place(first)]
+                                       : cells_.own() + place_in(others_, {owner, first});
         }
 }
 

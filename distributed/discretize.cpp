@@ -2,6 +2,7 @@
 #include "distributed/discretize.h"
 
 #include "base/errors.h"
+#include "base/listed.h"
 #include "dec/discretization/mesh_warnings.h"
 #include "dec/merging/flat_simplices.h"
 #include "dec/metric/circumsphere.h"
@@ -91,8 +92,7 @@ std::vector<std::string> warnings_of(const Ranks& ranks, const MeshSlice& slice,
     const GlobalIndex unused = slice.vertices - local.degree(0).count;
     if (list.empty() && unused > 0) // else the reader has told which
         list.push_back(fmt::format("{} to no cell, left out of all counts",
-                                   unused == 1 ? "1 vertex belongs"
-                                               : fmt::format("{} vertices belong", unused)));
+                                   counted(unused, "vertex belongs", "vertices belong")));
     warn_of_unit(unit, list);
     warn_of_orientation(local.turned, local.degrees.back().count, local.orientable, list);
     warn_of_branching(branching_facets(ranks, local), list);

@@ -2,6 +2,7 @@
 #include "distributed/graph_owners.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "distributed/petsc_calls.h"
 
 #include <fmt/format.h>
@@ -39,14 +40,11 @@ std::vector<Neighbors> neighbors_of(const Ranks& ranks, const MeshSlice& slice) 
                     if (w != v)
                         parcels[stretches.rank_of(v)].push_back({v, w});
             }
-        for (auto& parcel : parcels) {
-            std::sort(parcel.begin(), parcel.end());
-            parcel.erase(std::unique(parcel.begin(), parcel.end()), parcel.end());
-        }
+        for (auto& parcel : parcels)
+            sort_unique(parcel);
     });
     auto list = unpacked(ranks.deliver(std::move(parcels)));
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
+    sort_unique(list);
     return list;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/lists.h"
 #include "distributed/ranks.h"
 
 namespace polydec {
@@ -19,8 +20,7 @@ public:
         constexpr GlobalIndex most_per_number = 4;
         if (range > most_per_number * std::ssize(list)) {
             numbers_.assign(list.begin(), list.end());
-            std::sort(numbers_.begin(), numbers_.end());
-            numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
+            sort_unique(numbers_);
             return;
         }
         const auto is_next = [](GlobalIndex a, GlobalIndex b) { return b == a + 1; };
@@ -46,10 +46,7 @@ public:
     Index operator()(GlobalIndex number) const {
         if (is_stretch_)
             return static_cast<Index>(number - first_);
-        return table_.empty()
-                   ? static_cast<Index>(std::lower_bound(numbers_.begin(), numbers_.end(), number) -
-                                        numbers_.begin())
-                   : table_[number - first_];
+        return table_.empty() ? place_in(numbers_, number) : table_[number - first_];
     }
 
 private:

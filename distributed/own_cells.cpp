@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/own_cells.h"
 
+#include "base/lists.h"
 #include "complex/blocks.h"
 #include "dec/metric/subsets.h"
 #include "distributed/piece_rows.h"
@@ -84,15 +85,13 @@ Known simplices_of(const Points& rows, const Row& row) {
     for (int i = 0; i <= row.n; ++i)
         numbers.insert(numbers.end(), rows.col(row.corner(i) + row.N).begin(),
                        rows.col(row.corner(i) + row.N).end());
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    sort_unique(numbers);
     Points points(std::ssize(numbers), row.N), at_vertices(std::ssize(numbers), row.data);
     Simplices tops(rows.rows(), row.n + 1);
     for (Index t = 0; t < rows.rows(); ++t)
         for (int i = 0; i <= row.n; ++i) {
             const auto corner = rows.row(t).segment(row.corner(i), row.N + 1 + row.data);
-            tops(t, i) = static_cast<Index>(
-                std::lower_bound(numbers.begin(), numbers.end(), corner[row.N]) - numbers.begin());
+            tops(t, i) = place_in(numbers, corner[row.N]);
             points.row(tops(t, i)) = corner.head(row.N);
             at_vertices.row(tops(t, i)) = corner.tail(row.data);
         }
@@ -136,11 +135,8 @@ Blocks blocks_of(const SimplicialComplex& complex, const Points& rows, const Row
         auto& carriers = blocks.carriers.emplace_back();
         auto& signs = blocks.signs.emplace_back();
         for (const auto& [dimension, first, sign] : told[k]) {
-            const auto& of_degree = numbers[dimension]; // ascending: both orders are lexicographic
-            carriers.push_back(
-                {dimension,
-                 static_cast<Index>(std::lower_bound(of_degree.begin(), of_degree.end(), first) -
-                                    of_degree.begin())});
+            // numbers ascend: both orders are lexicographic
+            carriers.push_back({dimension, place_in(numbers[dimension], first)});
             signs.push_back(dimension == k ? sign : std::int8_t{0});
         }
         blocks.active_cofaces.push_back(complex.coface_counts(k));

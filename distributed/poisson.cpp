@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "complex/relative.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/dual_parts.h"
@@ -221,10 +222,8 @@ SharedPoissonSolver::Problem SharedPoissonSolver::Problem::primal(const Ranks& r
             const SparseMatrix all =
                 dual_parts({mesh.local.complex, mesh.local.points, mesh.merged.of_pieces},
                            mesh.merged.centers, 0, n - 1);
-            SparseMatrix own(std::ssize(vertices.first), mesh.local.complex.size(0));
-            for (std::size_t i = 0; i < vertices.first.size(); ++i)
-                own.insert(static_cast<Index>(i), vertices.first[i]) = 1;
-            return SparseMatrix(own * SparseMatrix(all.transpose()));
+            const SparseMatrix own = inclusion(vertices.first, mesh.local.complex.size(0));
+            return SparseMatrix(SparseMatrix(own.transpose()) * SparseMatrix(all.transpose()));
         });
     const auto load = [ranks, shares, natural = facets.natural,
                        &cells = facets.cells](const Vector&, const Vector& flows) -> Vector {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "base/lists.h"
 #include "dec/merging/mean_spheres.h"
 #include "distributed/facet_classes.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace polydec {
 
@@ -98,8 +98,7 @@ MeanSpheres::Means fetch_means(const Ranks& ranks, const LocalComplex& local,
     const auto& tops = local.degree(n);
     const EqualStretches stretches(tops.count, ranks.size());
     const auto means = ranks.together("centers", [&] { return means_of(arrived, n); });
-    std::vector<Index> order(classes.first.size());
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<Index> order = numbers_below(classes.first.size());
     std::stable_sort(order.begin(), order.end(), [&](Index s, Index t) {
         return stretches.rank_of(classes.first[s]) < stretches.rank_of(classes.first[t]);
     });
@@ -144,8 +143,8 @@ Centers shared_centers(const Ranks& ranks, const LocalComplex& local, const Cell
                           ranks.deliver(std::move(members.values))};
     auto means = fetch_means(ranks, local, classes, arrived);
     return ranks.together("centers", [&] {
-        std::vector<Index> own(classes.first.size()); // each has the means of its class
-        std::iota(own.begin(), own.end(), 0);
+        std::vector<Index> own =
+            numbers_below(classes.first.size()); // each has the means of its class
         spheres.gather(own, std::move(means));
         return spheres.shared_centers();
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/shared_classes.h"
 
+#include "base/lists.h"
 #include "complex/disjoint_sets.h"
 #include "distributed/number_places.h"
 
@@ -43,8 +44,7 @@ Solved solve(const std::vector<SharedElement>& shared) {
 
 std::vector<SharedClass> join_shared(const Ranks& ranks, GlobalIndex first, Index count,
                                      std::vector<SharedElement> shared) {
-    std::sort(shared.begin(), shared.end());
-    shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
+    sort_unique(shared);
     auto edges = ranks.empty_parcels<SharedElement>();
     edges[0] = std::move(shared);
     const auto at_first = ranks.deliver(std::move(edges));

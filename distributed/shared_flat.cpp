@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/shared_flat.h"
 
+#include "base/lists.h"
 #include "dec/merging/absorb_flat.h"
 #include "dec/metric/geometry.h"
 #include "distributed/labels.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 
 namespace polydec {
 
@@ -199,8 +199,7 @@ NumberPlaces Deciding::corners_of(const Gathered& arrived) const {
 
 /// Their places: nothing here is told to anybody.
 std::vector<Index> Deciding::names_of(const NumberPlaces& corners) {
-    std::vector<Index> names(corners.numbers().size());
-    std::iota(names.begin(), names.end(), 0);
+    std::vector<Index> names = numbers_below(corners.numbers().size());
     return names;
 }
 

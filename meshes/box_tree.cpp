@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/box_tree.h"
 
+#include "base/lists.h"
+
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace polydec {
 
 BoxTree::BoxTree(const Points& least, const Points& largest)
-    : N_(static_cast<Index>(least.cols())), order_(static_cast<std::size_t>(least.rows())) {
-    std::iota(order_.begin(), order_.end(), 0);
+    : N_(static_cast<Index>(least.cols())), order_(numbers_below(least.rows())) {
     if (!order_.empty())
         add_node(least, largest, 0, static_cast<Index>(order_.size()));
 }

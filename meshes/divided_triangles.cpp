@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/divided_triangles.h"
 
+#include "base/lists.h"
 #include "meshes/polygons.h"
 
 #include <algorithm>
@@ -8,8 +9,7 @@
 namespace polydec {
 
 DividedEdges::DividedEdges(std::vector<Entry> entries) : entries_(std::move(entries)) {
-    std::sort(entries_.begin(), entries_.end());
-    entries_.erase(std::unique(entries_.begin(), entries_.end()), entries_.end());
+    sort_unique(entries_);
 }
 
 bool DividedEdges::contains(Index a, Index b) const {
@@ -58,8 +58,7 @@ bool DividedTriangles::is_divided(const Triangle& corners) const {
 }
 
 void DividedTriangles::divide(std::vector<Triangle> triangles, const Points& points) {
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    sort_unique(triangles);
     PolygonMesh polygons{points, {}};
     std::vector<Triangle> divided;
     for (const Triangle& triangle : triangles) {

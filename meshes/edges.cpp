@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/edges.h"
 
+#include "base/lists.h"
+
 #include <algorithm>
 
 namespace polydec {
@@ -13,8 +15,13 @@ std::vector<Edge> edges_of(const Simplices& simplices) {
                 if (simplices(s, i) != simplices(s, j)) // a repeated corner is the complex's matter
                     result.emplace_back(
                         std::minmax(Index{simplices(s, i)}, Index{simplices(s, j)}));
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    sort_unique(result);
+    return result;
+}
+
+std::vector<Index> used_vertices(const Simplices& simplices) {
+    std::vector<Index> result(simplices.data(), simplices.data() + simplices.size());
+    sort_unique(result);
     return result;
 }
 

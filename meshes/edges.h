@@ -13,6 +13,9 @@ using Edge = std::pair<Index, Index>; ///< the lesser end first
 /// The edges of all simplices, ascending, each once.
 std::vector<Edge> edges_of(const Simplices& simplices);
 
+/// The vertices of all simplices, ascending, each once.
+std::vector<Index> used_vertices(const Simplices& simplices);
+
 /// The edges from corner 0 of a simplex to its other corners, one a row.
 template <class Corners>
 DenseMatrix edges_at_first(const Points& points, const Corners& corners) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/facet_overlay.h"
 
+#include "base/lists.h"
 #include "meshes/box_tree.h"
 #include "meshes/point_tree.h"
 #include "meshes/polygons.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace polydec {
 
@@ -138,8 +138,7 @@ void FacetOverlay::overlay(Index f, Index g) {
     // around their middle
     const Eigen::MatrixX2d at = in_plane(f, common);
     const Eigen::RowVector2d middle = at.colwise().mean();
-    std::vector<Index> order(common.size());
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<Index> order = numbers_below(common.size());
     std::vector<double> angles;
     for (Index i = 0; i < at.rows(); ++i)
         angles.push_back(std::atan2(at(i, 1) - middle[1], at(i, 0) - middle[0]));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/flat_cells.h"
 
+#include "base/lists.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -112,8 +114,7 @@ public:
                 facets_.push_back(facet(cells_, cell, i));
                 marked[cells_(cell, i)] = true;
             }
-        std::sort(facets_.begin(), facets_.end());
-        facets_.erase(std::unique(facets_.begin(), facets_.end()), facets_.end());
+        sort_unique(facets_);
         around_.resize(facets_.size());
 
         // Of the other cells only those with at most one unmarked vertex can have such a facet.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/permutation_sign.h"
 #include "base/random.h"
 #include "meshes/edges.h"
@@ -11,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <string_view>
 
 namespace polydec {
@@ -91,8 +91,7 @@ Mesh kuhn(const std::vector<int>& cells, const std::vector<double>& lengths) {
 
     // Every order of the axes is a path along the edges of a cube from its origin to the opposite
     // corner; the vertices of the path span a simplex.
-    std::vector<int> axes(n);
-    std::iota(axes.begin(), axes.end(), 0);
+    std::vector<Index> axes = numbers_below(n);
     Eigen::Index simplex = 0;
     do {
         Eigen::Matrix<Index, 1, Eigen::Dynamic> path(n + 1);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/listed.h"
+#include "base/lists.h"
 #include "meshes/boundary_contacts.h"
 #include "meshes/facet_overlay.h"
 #include "meshes/point_tree.h"
@@ -41,8 +43,8 @@ HangingNodes hanging_nodes(const Mesh& mesh, std::optional<double> length) {
         result.vertices.push_back(complex.vertex_numbers(std::move(vertices)));
         all.insert(all.end(), result.vertices.back().begin(), result.vertices.back().end());
     }
-    std::sort(all.begin(), all.end());
-    result.count = static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin());
+    sort_unique(all);
+    result.count = all.size();
     return result;
 }
 
@@ -126,9 +128,9 @@ public:
         follow_rows(result, rows_, static_cast<Index>(mesh_.simplices.rows()));
         result.simplices = simplices_of(all_corners_, mesh_.simplices.cols());
         divide_facets(result.facet_tags);
-        result.warnings.push_back(fmt::format("split {} {} at {} hanging {}", divided_.size(),
-                                              divided_.size() == 1 ? "cell" : "cells", nodes,
-                                              nodes == 1 ? "vertex" : "vertices"));
+        result.warnings.push_back(
+            fmt::format("split {} at {}", counted(divided_.size(), "cell", "cells"),
+                        counted(nodes, "hanging vertex", "hanging vertices")));
         if (crossings > 0)
             result.warnings.back() += fmt::format(" and {} crossings of edges", crossings);
         result.warnings.back() +=

@@ -2,13 +2,13 @@
 #include "meshes/length_mesh.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "meshes/distance.h"
 #include "meshes/edges.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace polydec {
 
@@ -43,8 +43,7 @@ LengthMesh length_mesh(const Mesh& mesh) {
 }
 
 std::vector<Index> edges_in_order(const LengthMesh& mesh) {
-    std::vector<Index> order(mesh.edges.rows());
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<Index> order = numbers_below(mesh.edges.rows());
     std::stable_sort(order.begin(), order.end(),
                      [&](Index e, Index f) { return edge(mesh.edges, e) < edge(mesh.edges, f); });
     return order;

@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/permutation_sign.h"
 
 #include <fmt/format.h>
@@ -114,16 +115,14 @@ private:
 
     LevelSets result() {
         auto points = corners_;
-        std::sort(points.begin(), points.end());
-        points.erase(std::unique(points.begin(), points.end()), points.end());
+        sort_unique(points);
         Mesh& mesh = sets_.mesh;
         mesh.points.resize(std::ssize(points), mesh_.points.cols());
         for (Index i = 0; i < mesh.points.rows(); ++i)
             mesh.points.row(i) = place(points[i]);
         mesh.simplices.resize(std::ssize(sets_.owners), n_);
         for (std::size_t i = 0; i < corners_.size(); ++i)
-            mesh.simplices.data()[i] = static_cast<Index>(
-                std::lower_bound(points.begin(), points.end(), corners_[i]) - points.begin());
+            mesh.simplices.data()[i] = place_in(points, corners_[i]);
         return std::move(sets_);
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/listed.h"
 #include "complex/simplicial_complex.h"
 #include "meshes/distance.h"
 #include "meshes/edges.h"
@@ -177,7 +178,7 @@ Mesh peeled(Mesh mesh) {
         return mesh;
     keep_rows(mesh, is_left_out);
     mesh.warnings.push_back(
-        fmt::format("peeled {} flat cell{} off the boundary", count, count == 1 ? "" : "s"));
+        fmt::format("peeled {} off the boundary", counted(count, "flat cell", "flat cells")));
     return mesh;
 }
 

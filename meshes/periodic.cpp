@@ -82,12 +82,14 @@ void check_simplices(const Simplices& simplices) {
 /// lengths, which are those of one class each.
 class Gluing {
 public:
-    explicit Gluing(const Mesh& box)
-        : box_(box),
-          places_(box.points),
-          edges_(edges_of(box.simplices)),
-          vertex_classes_(static_cast<Index>(box.points.rows())),
+    explicit Gluing(Mesh box)
+        : box_(std::move(box)),
+          places_(box_.points),
+          edges_(edges_of(box_.simplices)),
+          vertex_classes_(static_cast<Index>(box_.points.rows())),
           edge_classes_(static_cast<Index>(edges_.size())) {}
+
+    const Mesh& box() const { return box_; }
 
     void add(const Points& images, const std::string& name) {
         const auto to = numbers(places_, box_.points, images, name);
@@ -133,6 +135,7 @@ public:
             box_.simplices.unaryExpr([&](Index v) { return result.vertices[v]; });
         check_simplices(result.quotient.simplices);
         set_edges(result);
+        result.box = std::move(box_);
         return result;
     }
 
@@ -199,7 +202,7 @@ private:
         }
     }
 
-    const Mesh& box_;
+    Mesh box_;
     Places places_;
     std::vector<Edge> edges_;
     DisjointSets vertex_classes_, edge_classes_;
@@ -208,25 +211,22 @@ private:
 } // namespace
 
 PeriodicMesh periodic(Mesh box, const std::vector<Vector>& translations) {
-    Gluing parts(box);
+    Gluing parts(std::move(box));
+    const Points& points = parts.box().points;
     for (const Vector& by : translations) {
         Points images; // none if it has other coordinates, which is told
-        if (by.size() == box.points.cols())
-            images = box.points.rowwise() + by.transpose();
+        if (by.size() == points.cols())
+            images = points.rowwise() + by.transpose();
         parts.add(images, fmt::format("translation ({})", fmt::join(by, ", ")));
     }
-    auto result = parts.made();
-    result.box = std::move(box);
-    return result;
+    return parts.made();
 }
 
 PeriodicMesh glue_by_images(Mesh box, const std::vector<Points>& images) {
-    Gluing parts(box);
+    Gluing parts(std::move(box));
     for (std::size_t i = 0; i < images.size(); ++i)
         parts.add(images[i], fmt::format("isometry {}", i));
-    auto result = parts.made();
-    result.box = std::move(box);
-    return result;
+    return parts.made();
 }
 
 PeriodicMesh glue(Mesh box, const std::vector<Isometry>& isometries) {

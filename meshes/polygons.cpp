@@ -2,7 +2,10 @@
 #include "meshes/polygons.h"
 
 #include "base/errors.h"
+#include "base/listed.h"
+#include "base/lists.h"
 #include "meshes/polygon_splitter.h"
+#include "meshes/tally.h"
 
 #include <fmt/format.h>
 
@@ -18,17 +21,6 @@ namespace polydec {
 namespace {
 
 using Corners = std::span<const Index>;
-
-/// How often something untidy was met, and where first.
-struct Tally {
-    std::size_t count = 0;
-    std::size_t first_face = 0;
-
-    void add(std::size_t face, std::size_t times = 1) {
-        first_face = count == 0 ? face : first_face;
-        count += times;
-    }
-};
 
 struct Tallies {
     Tally split;
@@ -169,8 +161,7 @@ private:
                 if (!std::ranges::equal(corners_of(claim.face), keeper) && avoid(claim.face, edge))
                     faces.push_back(claim.face);
         }
-        std::sort(faces.begin(), faces.end());
-        faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+        sort_unique(faces);
         return faces;
     }
 
@@ -245,25 +236,21 @@ private:
     std::map<std::size_t, std::vector<EdgeEnds>> avoided_; ///< by face, sorted
 };
 
-std::string counted(std::size_t count, const char* singular, const char* plural) {
-    return fmt::format("{} {}", count, count == 1 ? singular : plural);
-}
-
 std::vector<std::string> warnings_of(const Tallies& tallies) {
     std::vector<std::string> warnings;
     if (tallies.too_small.count > 0)
         warnings.push_back(fmt::format(
             "left out {} with fewer than three corners; the first is face {}",
-            counted(tallies.too_small.count, "face", "faces"), tallies.too_small.first_face));
+            counted(tallies.too_small.count, "face", "faces"), tallies.too_small.first));
     if (tallies.repeats.count > 0)
         warnings.push_back(
             fmt::format("removed {} from polygons; the first is in face {}",
                         counted(tallies.repeats.count, "repeated corner", "repeated corners"),
-                        tallies.repeats.first_face));
+                        tallies.repeats.first));
     if (tallies.split.count > 0)
         warnings.push_back(fmt::format(
             "split {} with more than three corners into triangles; the first is face {}",
-            counted(tallies.split.count, "polygon", "polygons"), tallies.split.first_face));
+            counted(tallies.split.count, "polygon", "polygons"), tallies.split.first));
     return warnings;
 }
 

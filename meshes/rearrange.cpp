@@ -59,10 +59,8 @@ Simplices with_new_numbers(Simplices cells, const std::vector<Index>& vertices, 
 Renumbered arranged(const Mesh& mesh, const Simplices& renumbered, std::vector<Index> vertices,
                     std::vector<Index> cells) {
     Renumbered result{mesh, std::move(vertices), std::move(cells)};
-    for (std::size_t i = 0; i < result.vertices.size(); ++i)
-        result.mesh.points.row(static_cast<Eigen::Index>(i)) = mesh.points.row(result.vertices[i]);
-    for (std::size_t i = 0; i < result.cells.size(); ++i)
-        result.mesh.simplices.row(static_cast<Eigen::Index>(i)) = renumbered.row(result.cells[i]);
+    result.mesh.points = mesh.points(result.vertices, Eigen::indexing::all);
+    result.mesh.simplices = renumbered(result.cells, Eigen::indexing::all);
     follow_rows(result.mesh, result.cells, static_cast<Index>(mesh.simplices.rows()));
     if (mesh.input_cells.of_simplices.empty())
         result.mesh.input_cells = {}; // the simplices have new numbers

@@ -2,6 +2,7 @@
 #include "meshes/refine.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "meshes/edges.h"
 #include "meshes/tidy.h"
 
@@ -161,8 +162,7 @@ public:
                         edges.emplace_back(std::minmax(part.vertices[i], part.vertices[j]),
                                            unit_ * std::sqrt(part.squares(i, j)));
             });
-        std::sort(edges.begin(), edges.end());
-        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        sort_unique(edges);
         LengthMesh result{rows(), of_vertices_.end(), Simplices(std::ssize(edges), 2),
                           Vector(std::ssize(edges))};
         if (!vertices_.empty())

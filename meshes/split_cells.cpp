@@ -3,7 +3,9 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/listed.h"
 #include "meshes/edges.h"
+#include "meshes/tally.h"
 
 #include <fmt/format.h>
 
@@ -115,16 +117,6 @@ std::span<const Index> corners_of(const std::vector<Index>& corners,
     return std::span(corners).subspan(offsets[cell], offsets[cell + 1] - offsets[cell]);
 }
 
-/// How many solids were untidy or split, and which was the first.
-struct Solids {
-    std::size_t count = 0, first = 0;
-
-    void add(std::size_t cell) {
-        first = count == 0 ? cell : first;
-        ++count;
-    }
-};
-
 /// Turns the simplices of a solid in R^n around if its volume is negative: programs differ in how
 /// they list the corners of wedges.
 void orient(const Points& points, int dimension, std::span<Index> simplices) {
@@ -142,7 +134,7 @@ Mesh split_solids(PolygonMesh cells, int dimension) {
     check_polygons(cells);
     Mesh mesh;
     std::vector<Index> simplices, cells_of;
-    Solids split, flat;
+    Tally split, flat;
     for (std::size_t cell = 0; cell + 1 < cells.offsets.size(); ++cell) {
         const auto corners = corners_of(cells.corners, cells.offsets, cell);
         const auto* const shape = cell_shape(dimension, corners.size());
@@ -169,13 +161,12 @@ Mesh split_solids(PolygonMesh cells, int dimension) {
     mesh.points = std::move(cells.points);
     mesh.simplices = simplices_of(simplices, dimension + 1);
     if (split.count > 0)
-        mesh.warnings.push_back(fmt::format(
-            "split {} into tetrahedra; the first is cell {}",
-            split.count == 1 ? "1 solid" : fmt::format("{} solids", split.count), split.first));
+        mesh.warnings.push_back(fmt::format("split {} into tetrahedra; the first is cell {}",
+                                            counted(split.count, "solid", "solids"), split.first));
     if (flat.count > 0)
-        mesh.warnings.push_back(fmt::format(
-            "left out {} with too few different corners; the first is cell {}",
-            flat.count == 1 ? "1 solid" : fmt::format("{} solids", flat.count), flat.first));
+        mesh.warnings.push_back(
+            fmt::format("left out {} with too few different corners; the first is cell {}",
+                        counted(flat.count, "solid", "solids"), flat.first));
     return mesh;
 }
 

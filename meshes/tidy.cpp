@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/listed.h"
+#include "base/lists.h"
 #include "complex/faces.h"
 #include "meshes/flat_cells.h"
 
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -52,9 +52,8 @@ void leave_out(Sieve& sieve, const std::vector<Index>& cells, std::string_view f
     const auto name = [&](Index cell) {
         return fmt::format("{} ({})", sieve.numbers[cell], vertices_of(mesh, cell));
     };
-    mesh.warnings.push_back(fmt::format("left out {} {} {}: {}", cells.size(),
-                                        cells.size() == 1 ? "cell" : "cells", flaw,
-                                        listed(cells, name)));
+    mesh.warnings.push_back(fmt::format(
+        "left out {} {}: {}", counted(cells.size(), "cell", "cells"), flaw, listed(cells, name)));
 
     std::vector<bool> is_left_out(mesh.simplices.rows(), false);
     for (const Index cell : cells)
@@ -146,8 +145,7 @@ FlatCellsKept leave_out_flat_cells(Sieve& sieve) {
     const FlatCells flat = find_flat_cells(sieve.mesh);
     FlatCellsKept kept;
     for (const Index row : flat.stuck) {
-        const auto before = std::lower_bound(flat.removable.begin(), flat.removable.end(), row);
-        kept.rows.push_back(row - static_cast<Index>(before - flat.removable.begin()));
+        kept.rows.push_back(row - place_in(flat.removable, row));
         kept.numbers.push_back(sieve.numbers[row]);
     }
     leave_out(sieve, flat.removable, fmt::format("without {}", measure(sieve.mesh)));
@@ -156,8 +154,7 @@ FlatCellsKept leave_out_flat_cells(Sieve& sieve) {
 
 FlatCellsKept sift(Sieve& sieve) {
     check_mesh(sieve.mesh);
-    sieve.numbers.resize(sieve.mesh.simplices.rows());
-    std::iota(sieve.numbers.begin(), sieve.numbers.end(), 0);
+    sieve.numbers = numbers_below(sieve.mesh.simplices.rows());
     const auto vertices = static_cast<Index>(sieve.mesh.points.rows());
     if (const Simplices& cells = sieve.mesh.simplices;
         !sorted_rows(cells, vertices).are_simplices) {
@@ -202,9 +199,8 @@ void check_mesh(const Mesh& mesh) {
 }
 
 std::string isolated_vertices(const std::vector<Index>& first, std::size_t count) {
-    return fmt::format("{} belong{} to no cell, left out of all counts: {}",
-                       count == 1 ? "1 vertex" : fmt::format("{} vertices", count),
-                       count == 1 ? "s" : "",
+    return fmt::format("{} to no cell, left out of all counts: {}",
+                       counted(count, "vertex belongs", "vertices belong"),
                        listed(first, count, [](Index v) { return fmt::format("{}", v); }));
 }
 
@@ -227,8 +223,7 @@ void warn_of_isolated_vertices(Mesh& mesh) {
 void refuse(const Mesh& mesh, const FlatCellsKept& cells) {
     const Index first = cells.rows.front();
     const auto& numbers = cells.numbers;
-    std::vector<Index> places(numbers.size());
-    std::iota(places.begin(), places.end(), 0);
+    std::vector<Index> places = numbers_below(numbers.size());
     std::string others;
     if (numbers.size() > 1)
         others = fmt::format("\n{} more like it: {}.", numbers.size() - 1,

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "base/checks.h"
+#include "base/lists.h"
 #include "meshes/boundary_contacts.h"
+#include "meshes/edges.h"
 #include "meshes/point_tree.h"
 #include "meshes/tidy.h"
 #include "meshes/weld.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace polydec {
 
@@ -37,24 +38,13 @@ OpenFacets open_facets(const SimplicialComplex& complex) {
     return result;
 }
 
-std::vector<Index> different(std::vector<Index> numbers) {
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    return numbers;
-}
-
-std::vector<Index> different(const Simplices& rows) {
-    return different(std::vector<Index>(rows.data(), rows.data() + rows.size()));
-}
-
 /// Of each vertex of the rows the first vertex at its place; of others, themselves.
 std::vector<Index> first_at_place(const Simplices& rows, const Points& points, double length) {
-    const auto vertices = different(rows);
+    const auto vertices = used_vertices(rows);
     DisjointSets sets(static_cast<Index>(vertices.size()));
     join_near(points(vertices, Eigen::indexing::all), length, sets);
     const auto firsts = sets.firsts();
-    std::vector<Index> result(points.rows());
-    std::iota(result.begin(), result.end(), 0);
+    std::vector<Index> result = numbers_below(points.rows());
     for (std::size_t i = 0; i < vertices.size(); ++i)
         result[vertices[i]] = vertices[firsts[i]];
     return result;
@@ -111,11 +101,7 @@ BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Point
     result.hanging.resize(open.opposite.size());
     if (complex.dimension() < 2)
         return result;
-    const auto vertices = different(open.corners);
-    const auto place = [&](Index v) { // among them, or behind
-        return static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), v) -
-                                  vertices.begin());
-    };
+    const auto vertices = used_vertices(open.corners);
     const PointTree tree(own.points(vertices, Eigen::indexing::all));
     Points centroids(open.corners.rows(), own.points.cols());
     for (Index f = 0; f < centroids.rows(); ++f)
@@ -128,8 +114,8 @@ BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Point
         const Points simplex = own.points(corners.transpose(), Eigen::indexing::all);
         std::vector<Index> of_cell; // those vertices of its cell that are on the boundary
         for (const Index v : corners)
-            of_cell.push_back(place(v));
-        if (const Index i = place(open.opposite[f]);
+            of_cell.push_back(place_in(vertices, v));
+        if (const Index i = place_in(vertices, open.opposite[f]);
             i < std::ssize(vertices) && vertices[i] == open.opposite[f])
             of_cell.push_back(i);
         for (const Index i : tree.near(simplex, scaled, of_cell))
@@ -138,7 +124,8 @@ BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Point
             if (open.cells[other] != open.cells[f])
                 misfits.push_back(other);
     }
-    result.misfits = static_cast<Index>(different(std::move(misfits)).size());
+    sort_unique(misfits);
+    result.misfits = static_cast<Index>(misfits.size());
     return result;
 }
 
@@ -147,8 +134,9 @@ UnjoinedBoundary unjoined_boundary(const SimplicialComplex& complex, const Point
     std::vector<Index> hanging;
     for (const auto& vertices : contacts.hanging)
         hanging.insert(hanging.end(), vertices.begin(), vertices.end());
+    sort_unique(hanging);
     return {complex.vertex_numbers(std::move(contacts.coincident)),
-            complex.vertex_numbers(different(std::move(hanging))), contacts.misfits};
+            complex.vertex_numbers(std::move(hanging)), contacts.misfits};
 }
 
 UnjoinedBoundary unjoined_boundary(const Mesh& mesh) {

@@ -3,6 +3,8 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/listed.h"
+#include "base/lists.h"
 #include "meshes/edges.h"
 #include "meshes/point_tree.h"
 #include "meshes/rearrange.h"
@@ -12,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -109,8 +110,7 @@ public:
 private:
     /// Again and again, with half the length where the length before joins what must stay apart.
     void find_classes(double length) {
-        std::vector<Index> open(places_.size());
-        std::iota(open.begin(), open.end(), 0);
+        std::vector<Index> open = numbers_below(places_.size());
         leaders_ = open;
         lengths_.resize(open.size());
         for (int halvings = 0; !open.empty(); ++halvings, length /= 2) {
@@ -242,8 +242,7 @@ private:
         const auto n = cells_.cols();
         Simplices rows(std::ssize(cells), 2 * n); // classes, then places
         std::vector<std::int8_t> signs;
-        std::vector<Index> order(cells.size()), places;
-        std::iota(order.begin(), order.end(), 0);
+        std::vector<Index> order = numbers_below(std::ssize(cells)), places;
         for (Index i = 0; i < std::ssize(cells); ++i) {
             signs.push_back(arranged(cells[i], places));
             for (Index k = 0; k < n; ++k) {
@@ -304,8 +303,7 @@ Joined weld(Mesh mesh, std::optional<double> length) {
     const auto vertices = static_cast<Index>(made.points.rows());
     const DistinctPlaces places = places_of(made);
     if (places.size() == 0) {
-        result.vertices.resize(vertices);
-        std::iota(result.vertices.begin(), result.vertices.end(), 0);
+        result.vertices = numbers_below(vertices);
         return result;
     }
     const double used =
@@ -341,10 +339,9 @@ Joined weld(Mesh mesh, std::optional<double> length) {
     result.joined = used_vertices - classes;
     result.apart = places.size() - classes;
     if (result.joined > 0)
-        made.warnings.push_back(fmt::format("joined {} {} with {} at most {:.3g} away",
-                                            result.joined,
-                                            result.joined == 1 ? "vertex" : "vertices",
-                                            result.joined == 1 ? "another" : "others", used));
+        made.warnings.push_back(fmt::format(
+            "joined {} at most {:.3g} away",
+            counted(result.joined, "vertex with another", "vertices with others"), used));
     return result;
 }
 

@@ -38,21 +38,21 @@ SortedRows sorted_edges(const Simplices& triangles, Index points) {
 /// Finds the neighbors, and joins them with the sign that says whether both turn alike.
 void join_neighbors(const SortedRows& sorted, DisjointSets& parts, ClosedSurface& result) {
     const Simplices& edges = *sorted.simplices.rows;
-    const auto side = [&](Index i) { return sorted.order[i]; };
-    const auto sign = [&](Index i) { return sorted.signs[i]; };
+    const auto& sides = sorted.order;
     const auto count = static_cast<Index>(edges.rows());
     for (Index begin = 0, end = 0; begin < count; begin = end) {
-        Index first = side(begin);
+        Index first = sides[begin];
         for (end = begin; end < count && edges.row(end) == edges.row(begin); ++end)
-            first = std::min(first, side(end));
+            first = std::min(first, sides[end]);
         if (end - begin != 2) {
             result.odd_edges.push_back({edges(begin, 0), edges(begin, 1), end - begin, first / 3});
             continue;
         }
-        const Index a = side(begin), b = side(begin + 1);
+        const Index a = sides[begin], b = sides[begin + 1];
         result.across(a / 3, a % 3) = b / 3;
         result.across(b / 3, b % 3) = a / 3;
-        if (!parts.join(a / 3, b / 3, -sign(begin) * sign(begin + 1)) && result.twisted < 0)
+        const int sign = -sorted.signs[begin] * sorted.signs[begin + 1];
+        if (!parts.join(a / 3, b / 3, sign) && result.twisted < 0)
             result.twisted = first / 3;
     }
 }

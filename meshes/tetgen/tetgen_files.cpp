@@ -2,6 +2,7 @@
 #include "meshes/tetgen/tetgen_files.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/read_number.h"
 #include "system/regular_file.h"
 
@@ -197,8 +198,7 @@ std::vector<std::pair<Index, Index>> crossing_facets(const std::string& output, 
         if (found && a >= 1 && b >= 1 && a <= facets && b <= facets && a != b)
             pairs.emplace_back(std::min(a, b) - 1, std::max(a, b) - 1);
     }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    sort_unique(pairs);
     return pairs;
 }
 

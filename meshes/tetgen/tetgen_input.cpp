@@ -2,6 +2,8 @@
 #include "meshes/tetgen/tetgen_input.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
+#include "meshes/edges.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -51,14 +53,6 @@ void check_corners(const Mesh& surface) {
     }
 }
 
-/// The vertices of the triangles, ascending.
-std::vector<Index> used_vertices(const Simplices& triangles) {
-    std::vector<Index> used(triangles.data(), triangles.data() + triangles.size());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    return used;
-}
-
 void check_distinct(const Points& points, std::vector<Index> used) {
     const auto less = [&](Index a, Index b) {
         const auto p = points.row(a), q = points.row(b);
@@ -102,10 +96,10 @@ void check_not_coplanar(const TetgenInput& input) {
     const Eigen::RowVector3d width = beside.row(third);
     const Eigen::Vector3d normal = along.cross(width).normalized();
     if ((off * normal).cwiseAbs().maxCoeff() <= height_tolerance * length) {
-        const auto name = [&](Eigen::Index i) { return input.vertices[i]; };
         throw InvalidInput(fmt::format("mesher: all {} points lie in the plane through points {}, "
                                        "{} and {}: expected a point off this plane",
-                                       off.rows(), name(0), name(second), name(third)));
+                                       off.rows(), input.vertices[0], input.vertices[second],
+                                       input.vertices[third]));
     }
 }
 
@@ -206,10 +200,8 @@ TetgenInput tetgen_input(const Mesh& surface, const Points& holes) {
     input.holes = holes;
     input.given = surface.simplices;
     scale(input);
-    input.triangles = surface.simplices.unaryExpr([&](Index vertex) {
-        const auto place = std::lower_bound(input.vertices.begin(), input.vertices.end(), vertex);
-        return static_cast<Index>(place - input.vertices.begin());
-    });
+    input.triangles =
+        surface.simplices.unaryExpr([&](Index vertex) { return place_in(input.vertices, vertex); });
 
     check_areas(input);
     check_not_coplanar(input);

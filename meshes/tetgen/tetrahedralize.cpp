@@ -3,6 +3,7 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/listed.h"
 #include "meshes/tetgen/run_tetgen.h"
 
 #include <fmt/format.h>
@@ -82,8 +83,8 @@ Mesh tetrahedralize(const Mesh& surface, const MesherOptions& options, const Poi
     mesh.points.topRows(input.points.rows()) = surface.points(input.vertices, Eigen::indexing::all);
     mesh.simplices = std::move(output.tetrahedra);
     if (const auto isolated = surface.points.rows() - input.points.rows(); isolated > 0)
-        mesh.warnings.push_back(fmt::format("left out {} {} without a triangle", isolated,
-                                            isolated == 1 ? "vertex" : "vertices"));
+        mesh.warnings.push_back(
+            fmt::format("left out {} without a triangle", counted(isolated, "vertex", "vertices")));
     if (options.quality > 0.0)
         warn_of_quality(mesh, options.quality);
     return mesh;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/surfaces/heat_distance.h"
 
+#include "base/lists.h"
 #include "shape/sources.h"
 #include "solvers/sources/constrained_system.h"
 #include "solvers/surfaces/heat_step.h"
@@ -177,8 +178,7 @@ Vector HeatDistance::to(std::span<const Index> sources) const {
     const SurfaceMetric& metric = parts_->metric;
     check_sources(parts_->surface, sources);
     std::vector<Index> pins(sources.begin(), sources.end());
-    std::sort(pins.begin(), pins.end());
-    pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
+    sort_unique(pins);
     Vector distance = explaining_failure(parts_->surface, metric, [&] {
         const Vector b = against_gradient(parts_->surface, metric, parts_->heat(pins));
         return parts_->fit(b, pins);

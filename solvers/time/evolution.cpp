@@ -4,6 +4,7 @@
 #include "backends/integrators/equal_steps.h"
 #include "backends/registry.h"
 #include "base/errors.h"
+#include "base/lists.h"
 #include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace polydec {
@@ -98,8 +98,7 @@ void Evolution::Equation::add(const Unknown& unknown) {
         throw InvalidInput(fmt::format("unknown {}: data on the boundary are given, but no "
                                        "diffusion uses them; add a diffusion or remove the data",
                                        parts.size()));
-    std::vector<Index> kept(unknown.start.size());
-    std::iota(kept.begin(), kept.end(), 0);
+    std::vector<Index> kept = numbers_below(unknown.start.size());
     if (stiff)
         kept = stiff->kept();
     const Cells cells = space.cells();

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+
+#include <algorithm>
+#include <numeric>
+#include <type_traits>
+#include <vector>
+
+namespace polydec {
+
+/// Sorts a list and keeps one of the items that are equal.
+template <class Item>
+void sort_unique(std::vector<Item>& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// How many items of a sorted list come before one: the place of the first equal to it, if any.
+template <class Item>
+Index place_in(const std::vector<Item>& sorted, const std::type_identity_t<Item>& item) {
+    return static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), item) -
+                              sorted.begin());
+}
+
+/// 0, 1, .. count - 1.
+inline std::vector<Index> numbers_below(Eigen::Index count) {
+    std::vector<Index> result(count);
+    std::iota(result.begin(), result.end(), 0);
+    return result;
+}
+
+} // namespace polydec
