@@ -31,4 +31,13 @@ inline std::vector<Index> numbers_below(Eigen::Index count) {
     return result;
 }
 
+/// Of 0, 1, .. count - 1, whether each is among the numbers.
+template <class Numbers>
+std::vector<bool> marks_at(const Numbers& numbers, Eigen::Index count) {
+    std::vector<bool> result(count, false);
+    for (const Index number : numbers)
+        result[number] = true;
+    return result;
+}
+
 } // namespace polydec

@@ -270,18 +270,23 @@ void FacetOverlay::add_fan(Index f, const DividedEdges& edges,
 }
 
 std::vector<TrianglePart> FacetOverlay::parts(const DividedEdges& edges) const {
-    std::vector<std::vector<Index>> polygons;
+    PolygonMesh all{points_, {}};
     std::vector<std::vector<Index>> owners; // triangles that each is a part of
+    const auto add = [&](const std::vector<Index>& polygon, std::vector<Index> of) {
+        all.corners.insert(all.corners.end(), polygon.begin(), polygon.end());
+        all.offsets.push_back(static_cast<Index>(all.corners.size()));
+        all.tags.push_back(static_cast<Index>(owners.size()));
+        owners.push_back(std::move(of));
+    };
     std::vector<std::vector<std::vector<Index>>> covered(vertices_.size());
     for (const Common& common : commons_) {
-        auto& polygon = polygons.emplace_back();
+        std::vector<Index> polygon;
         add_vertices(common, edges, polygon);
+        add(polygon, {common.f, common.g});
         covered[common.f].push_back(polygon);
-        auto turned = polygon;
         if (is_turned(common.f, common.g))
-            std::reverse(turned.begin(), turned.end());
-        covered[common.g].push_back(std::move(turned));
-        owners.push_back({common.f, common.g});
+            std::reverse(polygon.begin(), polygon.end());
+        covered[common.g].push_back(std::move(polygon));
     }
     std::vector<TrianglePart> result;
     std::vector<bool> is_whole(covered.size(), false);
@@ -294,17 +299,8 @@ std::vector<TrianglePart> FacetOverlay::parts(const DividedEdges& edges) const {
             continue;
         }
         is_whole[f] = true;
-        for (auto& remainder : remainders) {
-            polygons.push_back(std::move(remainder));
-            owners.push_back({f});
-        }
-    }
-
-    PolygonMesh all{points_, {}};
-    for (Index i = 0; i < std::ssize(polygons); ++i) {
-        all.corners.insert(all.corners.end(), polygons[i].begin(), polygons[i].end());
-        all.offsets.push_back(static_cast<Index>(all.corners.size()));
-        all.tags.push_back(i);
+        for (const auto& remainder : remainders)
+            add(remainder, {f});
     }
     const Mesh split = split_polygons(std::move(all));
     for (Index t = 0; t < split.simplices.rows(); ++t)

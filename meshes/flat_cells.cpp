@@ -159,9 +159,7 @@ private:
 /// away only loosens the others, so the order does not matter.
 FlatCells peel(const Mesh& mesh, const std::vector<Index>& flat) {
     const FacetsOf facets(mesh, flat);
-    std::vector<bool> is_candidate(mesh.simplices.rows(), false);
-    for (const Index cell : flat)
-        is_candidate[cell] = true;
+    auto is_candidate = marks_at(flat, mesh.simplices.rows());
     std::vector<std::size_t> staying(facets.around().size()); // cells around each facet
     for (std::size_t f = 0; f < staying.size(); ++f)
         staying[f] = facets.around()[f].size();

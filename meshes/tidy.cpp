@@ -55,10 +55,7 @@ void leave_out(Sieve& sieve, const std::vector<Index>& cells, std::string_view f
     mesh.warnings.push_back(fmt::format(
         "left out {} {}: {}", counted(cells.size(), "cell", "cells"), flaw, listed(cells, name)));
 
-    std::vector<bool> is_left_out(mesh.simplices.rows(), false);
-    for (const Index cell : cells)
-        is_left_out[cell] = true;
-    const auto rows = keep_rows(mesh, is_left_out);
+    const auto rows = keep_rows(mesh, marks_at(cells, mesh.simplices.rows()));
     for (std::size_t to = 0; to < rows.size(); ++to)
         sieve.numbers[to] = sieve.numbers[rows[to]];
     sieve.numbers.resize(rows.size());
@@ -205,9 +202,7 @@ std::string isolated_vertices(const std::vector<Index>& first, std::size_t count
 }
 
 void warn_of_isolated_vertices(Mesh& mesh) {
-    std::vector<bool> used(mesh.points.rows(), false);
-    for (const Index vertex : mesh.simplices.reshaped())
-        used[vertex] = true;
+    const auto used = marks_at(mesh.simplices.reshaped(), mesh.points.rows());
     std::vector<Index> isolated;
     for (Index v = 0; v < mesh.points.rows(); ++v)
         if (!used[v])

@@ -44,9 +44,7 @@ struct DistinctPlaces {
 };
 
 DistinctPlaces places_of(const Mesh& mesh) {
-    std::vector<bool> used(mesh.points.rows(), false);
-    for (const Index v : mesh.simplices.reshaped<Eigen::RowMajor>())
-        used[v] = true;
+    const auto used = marks_at(mesh.simplices.reshaped<Eigen::RowMajor>(), mesh.points.rows());
     DistinctPlaces places{std::vector<Index>(used.size(), -1), {}, {}};
     const auto N = mesh.points.cols();
     const auto row = [&](Index v) { return mesh.points.data() + v * N; };

@@ -35,7 +35,7 @@ MUTANTS = {
                                "JoinHanging.sides_that_were_made_independently_fit_where_they_touch"),
     "edges_never_cross": ("meshes/facet_overlay.cpp", "    cross(f, g, common);\n", "",
                           "UnjoinedBoundary.counts_facets_that_do_not_fit_though_their_vertices_do"),
-    "remainders_lost": ("meshes/facet_overlay.cpp", "owners.push_back({f});", "owners.push_back({});",
+    "remainders_lost": ("meshes/facet_overlay.cpp", "add(remainder, {f});", "add(remainder, {});",
                         "JoinHanging.sides_that_were_made_independently_fit_where_they_touch"),
     "cones_over_any_corner": ("meshes/join_hanging.cpp", "is_fan = is_fan &&", "is_fan = true ||",
                               "UnjoinedBoundary.counts_facets_that_do_not_fit_though_their_vertices_do"),

@@ -20,17 +20,12 @@ namespace {
 /// The cotangent Laplacian with the pins at 0.
 ConstrainedSystem poisson_system(const Triangles& surface, const SurfaceMetric& metric,
                                  std::span<const Index> pins) {
-    const auto n = static_cast<std::size_t>(surface.vertices());
-    ConstrainedSystem system{
-        .A = surface_laplacian(surface, metric, Vector::Ones(metric.mean_lengths.size())),
-        .fixed = std::vector<bool>(n, false),
-        .tied = std::vector<bool>(n, false),
-        .weights = metric.vertex_areas,
-        .definiteness = Definiteness::semidefinite,
-        .domain_dimension = 2};
-    for (const Index v : pins)
-        system.fixed[v] = true;
-    return system;
+    return {.A = surface_laplacian(surface, metric, Vector::Ones(metric.mean_lengths.size())),
+            .fixed = marks_at(pins, surface.vertices()),
+            .tied = std::vector<bool>(surface.vertices(), false),
+            .weights = metric.vertex_areas,
+            .definiteness = Definiteness::semidefinite,
+            .domain_dimension = 2};
 }
 
 /// The values that determine the direction of the heat gradient in a triangle: logarithms, nearly
@@ -92,9 +87,7 @@ std::vector<bool> beside_source_edges(const Triangles& surface,
 Vector shifts(const Triangles& surface, const SurfaceMetric& metric, std::span<const Index> sources,
               const Vector& distance) {
     constexpr double far = std::numeric_limits<double>::infinity();
-    std::vector<bool> is_source(std::size_t(surface.vertices()), false);
-    for (const Index v : sources)
-        is_source[v] = true;
+    const auto is_source = marks_at(sources, surface.vertices());
     Vector known = Vector::Constant(surface.vertices(), far);
     for (Index h = 0; h < 3 * surface.triangles(); ++h) {
         const Index a = surface.tail(h), b = surface.head(h);
