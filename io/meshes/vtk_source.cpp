@@ -10,16 +10,16 @@ namespace polydec {
 namespace {
 
 /// A vtkIdType is written with 32 bits, whatever it has in memory.
-constexpr TypeNames type_names{{{"char", "signed_char", "vtktypeint8"},
-                                {"unsigned_char", "vtktypeuint8"},
-                                {"short", "vtktypeint16"},
-                                {"unsigned_short", "vtktypeuint16"},
-                                {"int", "vtktypeint32", "vtkidtype"},
-                                {"unsigned_int", "vtktypeuint32"},
-                                {"long", "long_long", "vtktypeint64"},
-                                {"unsigned_long", "unsigned_long_long", "vtktypeuint64"},
-                                {"float", "vtktypefloat32"},
-                                {"double", "vtktypefloat64"}}};
+constexpr TypeNames vtk_types{{{"char", "signed_char", "vtktypeint8"},
+                               {"unsigned_char", "vtktypeuint8"},
+                               {"short", "vtktypeint16"},
+                               {"unsigned_short", "vtktypeuint16"},
+                               {"int", "vtktypeint32", "vtkidtype"},
+                               {"unsigned_int", "vtktypeuint32"},
+                               {"long", "long_long", "vtktypeint64"},
+                               {"unsigned_long", "unsigned_long_long", "vtktypeuint64"},
+                               {"float", "vtktypefloat32"},
+                               {"double", "vtktypefloat64"}}};
 
 } // namespace
 
@@ -54,7 +54,7 @@ std::size_t VtkSource::size(const char* plural) {
 }
 
 std::optional<NumberType> VtkSource::type_of(std::string_view word) {
-    return type_named(lower_case(word), type_names);
+    return type_named(lower_case(word), vtk_types);
 }
 
 NumberType VtkSource::read_type() {

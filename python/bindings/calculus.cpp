@@ -40,7 +40,8 @@ void add_matrices(py::class_<Cells>& calculus) {
                      int k) { return matrix([&] { return derivative_of(of, side, k); }); })
         .def("boundary",
              [](const Cells& of, Side side, int k) {
-                 return matrix([&] { return derivative_of(of, side, k - 1).transpose(); });
+                 return matrix(
+                     [&] { return SparseMatrix(derivative_of(of, side, k - 1).transpose()); });
              })
         .def("codifferential",
              [](const Cells& of, Side side, int k) {
