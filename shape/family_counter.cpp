@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 
 namespace polydec {
 
@@ -15,13 +16,15 @@ FamilyCounter::FamilyCounter(const FormFamily& family, const std::string& engine
     : family_(family), inertia_(engine, domain_dimension) {}
 
 std::optional<Index> FamilyCounter::at(double s) {
-    const CountedMatrix Q = family_.at(s);
+    CountedMatrix Q = family_.at(s);
     if (family_.size() == 0)
         return Q.eliminated;
     const auto count = inertia_.negative(*Q.matrix, Q.doubt.sizes, Q.doubt.share);
     if (!count)
         return std::nullopt;
-    return *count + Q.eliminated;
+    counted_ = std::move(Q);
+    counted_at_ = s;
+    return *count + counted_.eliminated;
 }
 
 Index FamilyCounter::near(double s, Direction direction) {

@@ -26,9 +26,16 @@ public:
     /// be trusted.
     Index near(double s, Direction direction);
 
+    /// Q of the last trusted count, its s, and Q^-1 X.
+    const CountedMatrix& counted() const { return counted_; }
+    double counted_at() const { return counted_at_; }
+    DenseMatrix solve(const DenseMatrix& X) const { return inertia_.solve(X); }
+
 private:
     const FormFamily& family_;
     TrustedInertia inertia_;
+    CountedMatrix counted_;
+    double counted_at_ = 0;
 };
 
 /// The eigenvalues below s of a shape with these forms; `ratio` as in metric_ratio.

@@ -74,14 +74,14 @@ std::vector<Index> FormFamily::beyond(double s) const {
 
 void FormFamily::make_pattern() {
     std::vector<Eigen::Triplet<double, Index>> places;
-    std::vector<Index> summands(count_, 0);
+    summands_ = Vector::Zero(count_);
     const auto simplices = static_cast<Index>(reach_.size());
     for (Index s = 0; s < simplices; ++s)
         for (Index i = 0; i < width_; ++i) {
             const Index row = unknowns_[std::size_t(width_) * s + i];
             if (row < 0)
                 continue;
-            most_summands_ = std::max<double>(most_summands_, ++summands[row]);
+            most_summands_ = std::max(most_summands_, ++summands_[row]);
             for (Index j = 0; j < width_; ++j)
                 if (const Index column = unknowns_[std::size_t(width_) * s + j]; column >= 0)
                     places.emplace_back(row, column, 0);
@@ -186,33 +186,84 @@ CountedMatrix FormFamily::sum(const Factors& factors, double s) const {
     return result;
 }
 
-Vector FormFamily::local_values(const Factors& factors, double s, const DenseMatrix& X) const {
-    const auto simplices = static_cast<Index>(reach_.size());
+Vector FormFamily::doubt(Index simplex, double t) const {
+    DenseMatrix Q;
+    Vector sizes;
+    double error = 0;
+    add_local(factors_, simplex, t, Q, sizes, error);
+    return width_ * (error + most_summands_ * unit) * sizes.head(width_);
+}
+
+void FormFamily::drop(Index simplex, double s, double t, const Vector& doubt, DenseMatrix& form,
+                      double& mass) const {
+    const auto at_s = factors_(s, s * reach_[simplex]), at_t = factors_(t, t * reach_[simplex]);
     const std::size_t entries = std::size_t(width_) * width_;
-    Vector result(simplices);
-    const auto sum = [&](const Factors& of, Index t) {
-        const auto each = of(s, s * reach_[t]);
-        DenseMatrix Q = DenseMatrix::Zero(width_, width_);
-        for (Index p = 0; p < parts_; ++p)
-            Q += each[p] *
-                 Eigen::Map<const DenseMatrix>(
-                     values_.data() + entries * (std::size_t(parts_) * t + p), width_, width_);
-        return Q;
-    };
-    for (Index t = 0; t < simplices; ++t) {
-        DenseMatrix Y = DenseMatrix::Zero(width_, X.cols());
-        for (Index i = 0; i < width_; ++i) {
-            const std::size_t at = std::size_t(width_) * t + i;
-            if (unknowns_[at] >= 0)
-                Y.row(i) = signs_[at] * X.row(unknowns_[at]);
-        }
-        if (!cells_.empty()) {
-            const Vector coupling = sum(factors_, t) * cells_[t].column;
-            const double pivot = cells_[t].column.dot(coupling) - s * cells_[t].mass;
-            const Eigen::RowVectorXd u = coupling.transpose() * Y / pivot;
-            Y -= cells_[t].column * u;
-        }
-        result[t] = (Y.transpose() * sum(factors, t) * Y).trace();
+    const double* values = values_.data() + entries * parts_ * simplex;
+    const double error = width_ * errors_[simplex];
+    form.setZero(width_, width_);
+    for (Index p = 0; p < parts_; ++p, values += entries) {
+        const Eigen::Map<const DenseMatrix> part(values, width_, width_);
+        form += (at_s[p] - at_t[p]) * part;
+        form.diagonal() -= error * (std::abs(at_s[p]) + std::abs(at_t[p])) * part.diagonal();
+    }
+    mass = 0;
+    if (cells_.empty()) {
+        form.diagonal() -= doubt;
+        return;
+    }
+    const Cell& cell = cells_[simplex]; // |m|^2 <= 2 |y|^2 + 2 |u cell|^2
+    form.diagonal() -= 2 * doubt;
+    mass = (t - s) * (1 - error) * cell.mass - 2 * doubt.dot(cell.column.cwiseAbs2());
+}
+
+const Vector& FormFamily::cell(Index simplex) const {
+    static const Vector none;
+    return cells_.empty() ? none : cells_[simplex].column;
+}
+
+void FormFamily::restrict_to(Index simplex, const DenseMatrix& X, DenseMatrix& Y) const {
+    Y.setZero(width_, X.cols());
+    for (Index i = 0; i < width_; ++i) {
+        const std::size_t at = std::size_t(width_) * simplex + i;
+        if (unknowns_[at] >= 0)
+            Y.row(i) = signs_[at] * X.row(unknowns_[at]);
+    }
+}
+
+void FormFamily::add_to(DenseMatrix& X, Index simplex, const DenseMatrix& Y) const {
+    for (Index i = 0; i < width_; ++i) {
+        const std::size_t at = std::size_t(width_) * simplex + i;
+        if (unknowns_[at] >= 0)
+            X.row(unknowns_[at]) += signs_[at] * Y.row(i);
+    }
+}
+
+/// Parts with these factors, without Robin's.
+DenseMatrix FormFamily::combined(const Factors& factors, Index simplex, double s) const {
+    const auto each = factors(s, s * reach_[simplex]);
+    const std::size_t entries = std::size_t(width_) * width_;
+    const double* values = values_.data() + entries * parts_ * simplex;
+    DenseMatrix Q = DenseMatrix::Zero(width_, width_);
+    for (Index p = 0; p < parts_; ++p, values += entries)
+        Q += each[p] * Eigen::Map<const DenseMatrix>(values, width_, width_);
+    return Q;
+}
+
+FormFamily::Elimination FormFamily::elimination(Index simplex, double s) const {
+    const Cell& cell = cells_[simplex];
+    const Vector coupling = combined(factors_, simplex, s) * cell.column;
+    const double pivot = cell.column.dot(coupling) - s * cell.mass;
+    return {coupling / pivot, pivot};
+}
+
+Vector FormFamily::local_values(const Factors& factors, double s, const DenseMatrix& X) const {
+    Vector result(simplices());
+    DenseMatrix Y;
+    for (Index t = 0; t < simplices(); ++t) {
+        restrict_to(t, X, Y);
+        if (!cells_.empty())
+            Y -= DenseMatrix(cells_[t].column * (elimination(t, s).weights.transpose() * Y));
+        result[t] = (Y.transpose() * combined(factors, t, s) * Y).trace();
     }
     return result;
 }

@@ -64,12 +64,40 @@ public:
     /// unknowns of cells make Q(s) stationary.
     Vector local_values(const Factors& factors, double s, const DenseMatrix& X) const;
 
+    /// At most this share of the unknowns' squares in a simplex is wrong with its part of at(t).
+    Vector doubt(Index simplex, double t) const;
+
+    /// A lower bound of Q(s) - Q(t) of one simplex for s < t, less this doubt: `form` for
+    /// y = m - u cell, and `mass` for u.
+    void drop(Index simplex, double s, double t, const Vector& doubt, DenseMatrix& form,
+              double& mass) const;
+
+    Index simplices() const { return static_cast<Index>(reach_.size()); }
+    Index width() const { return width_; }               ///< unknowns of a simplex
+    const Vector& summands() const { return summands_; } ///< simplices of each unknown
+
+    /// The rows of X of the unknowns of a simplex, and the transposed map.
+    void restrict_to(Index simplex, const DenseMatrix& X, DenseMatrix& Y) const;
+    void add_to(DenseMatrix& X, Index simplex, const DenseMatrix& Y) const;
+
+    /// LocalForms::cell; no entries without unknowns of cells.
+    const Vector& cell(Index simplex) const;
+
+    /// Where Q(s) is stationary in the unknown of a cell, it is weights . m. Q(s) has pivot times
+    /// its square.
+    struct Elimination {
+        Vector weights;
+        double pivot;
+    };
+    Elimination elimination(Index simplex, double s) const;
+
 private:
     struct Cell {
         Vector column;
         double mass;
     };
 
+    DenseMatrix combined(const Factors& factors, Index simplex, double s) const;
     void add_local(const Factors& factors, Index simplex, double s, DenseMatrix& Q, Vector& sizes,
                    double& error) const;
     void make_pattern();
@@ -86,6 +114,7 @@ private:
     double limit_;
     SparseMatrix pattern_;
     std::vector<Index> slots_; // of local entries in the values of the pattern, or -1
+    Vector summands_;          // of each unknown
     double most_summands_ = 0;
 };
 

@@ -5,8 +5,7 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/metric/simplex_geometry.h"
-#include "shape/family_counter.h"
-#include "shape/lower_guesses.h"
+#include "shape/lower_bounds.h"
 #include "shape/one_forms.h"
 #include "shape/shape.h"
 
@@ -44,8 +43,8 @@ public:
     /// After coarse().
     ShapeSpectrum enclose() {
         take_modes();
-        prove_lower();
         count_all();
+        find_lower();
         warn();
         result_.simplices = shape_.pieces.size(dimension());
         return result_;
@@ -53,7 +52,7 @@ public:
 
     /// The simplices that make enclosures wide: a share of their indicators is that of all. After
     /// enclose().
-    std::vector<Index> marked() const;
+    std::vector<Index> marked();
 
 private:
     void tell(std::string_view what) const {
@@ -64,10 +63,8 @@ private:
 
     void find_upper();
     void take_modes();
-    void prove_lower();
-    void prove(const Vector& guesses, Index j);
-    bool may_prove(double s, Index j) const;
     void count_all();
+    void find_lower();
     void warn();
 
     const Shape& shape_;
@@ -76,10 +73,9 @@ private:
     ConformingForm conforming_;
     FormFamily lower_;
     FamilyCounter counter_; // of it
+    std::optional<CertifiedEigensolver> solver_;
     CertifiedEigenpairs pairs_;
-    DenseMatrix moments_; // of conforming functions
-    LowerGuesses guessed_;
-    std::vector<std::pair<double, Index>> counts_; // s, and at most so many below
+    std::optional<LowerBounds> bounds_;
     ShapeSpectrum result_;
 };
 
@@ -96,16 +92,16 @@ void Enclosing::find_upper() {
         return family.sum([=](double, double) { return std::vector<double>{a, b}; }, 0);
     };
     const CountedMatrix K = one(1, 0), M = one(0, 1);
-    CertifiedEigensolver solver(Pencil{.C = *K.matrix,
-                                       .M = SparseMatrix(*M.matrix),
-                                       .mass_uncertainty = 16 * M.doubt.share},
-                                {.linear_solver = options_.linear_solver,
-                                 .eigen_solver = options_.eigen_solver,
-                                 .domain_dimension = dimension(),
-                                 .definiteness = Definiteness::semidefinite,
-                                 .zeros = result_.zeros,
-                                 .progress = options_.progress});
-    pairs_ = solver.smallest(options_.count);
+    solver_.emplace(Pencil{.C = *K.matrix,
+                           .M = SparseMatrix(*M.matrix),
+                           .mass_uncertainty = 16 * M.doubt.share},
+                    EigensolverOptions{.linear_solver = options_.linear_solver,
+                                       .eigen_solver = options_.eigen_solver,
+                                       .domain_dimension = dimension(),
+                                       .definiteness = Definiteness::semidefinite,
+                                       .zeros = result_.zeros,
+                                       .progress = options_.progress});
+    pairs_ = solver_->smallest(options_.count);
     const Vector energies =
         (pairs_.vectors.cwiseAbs2().transpose() * K.doubt.sizes) * K.doubt.share;
     result_.upper = (pairs_.values + pairs_.radii + energies) * ((1 + 1e-15) / ratio_);
@@ -137,57 +133,6 @@ void Enclosing::take_modes() {
         }
 }
 
-/// Counts grow with s: whether none said that more than j lie below s.
-bool Enclosing::may_prove(double s, Index j) const {
-    return std::none_of(counts_.begin(), counts_.end(),
-                        [&](const auto& count) { return count.first <= s && count.second > j; });
-}
-
-/// The lower bound of eigenvalue j, and of what follows it closely.
-void Enclosing::prove(const Vector& guesses, Index j) {
-    const double upper = result_.upper[j], guess = std::min(guesses[j], upper * ratio_);
-    const double width = std::max(upper - guess, 1e-11 * upper);
-    for (const double share : {1e-2, 0.1, 1.0 / 3, 1.0, 3.0, 9.0}) {
-        const double s = guess - share * width;
-        if (!(s > 0))
-            return;
-        if (!may_prove(s, j))
-            continue;
-        ++result_.factorizations;
-        const auto count = counter_.at(s);
-        if (!count)
-            continue;
-        counts_.emplace_back(s, *count);
-        for (Index i = *count; i < options_.count; ++i)
-            result_.lower[i] = std::max(result_.lower[i], s * ratio_ * (1 - 1e-15));
-        if (*count <= j)
-            return;
-    }
-}
-
-void Enclosing::prove_lower() {
-    tell("lower bounds");
-    const Index count = options_.count;
-    result_.lower = Vector::Zero(count);
-    moments_ = facet_moments(shape_, options_.level, conforming_, pairs_.vectors);
-    guessed_ = lower_guesses(lower_, moments_, result_.upper * ratio_, options_.linear_solver,
-                             dimension());
-    const Vector& guesses = guessed_.values;
-    constexpr double cluster = 1e-2; // of the width
-    for (Index j = count - 1; j >= result_.zeros; --j) {
-        const double width = cluster * (result_.upper[j] - guesses[j]);
-        if (result_.lower[j] >= guesses[j] - 2 * width)
-            continue;
-        Index first = j;
-        while (first > result_.zeros && guesses[j] - guesses[first - 1] <= width)
-            --first;
-        tell("a lower bound");
-        prove(guesses, first);
-    }
-    for (Index j = 1; j < count; ++j)
-        result_.lower[j] = std::max(result_.lower[j], result_.lower[j - 1]);
-}
-
 /// How many eigenvalues lie below the gap behind them.
 void Enclosing::count_all() {
     result_.count_at =
@@ -197,21 +142,32 @@ void Enclosing::count_all() {
     result_.factorizations += result_.count.at_most ? 2 : 1;
 }
 
-std::vector<Index> Enclosing::marked() const {
+void Enclosing::find_lower() {
+    tell("lower bounds");
+    const auto vectors = [&](Index count) {
+        return facet_moments(shape_, options_.level, conforming_,
+                             count == options_.count ? pairs_.vectors
+                                                     : solver_->smallest(count).vectors);
+    };
+    bounds_.emplace(counter_, options_, dimension(), result_.upper * ratio_, result_.zeros,
+                    vectors);
+    result_.lower = bounds_->prove(result_.count.at_most) * (ratio_ * (1 - 1e-15));
+    result_.factorizations += bounds_->counts();
+}
+
+std::vector<Index> Enclosing::marked() {
     // at level 2 the gradient that no quadratic function has, and the doubt of the mass; at level 1
     // the gradient that conforming functions do not have
     const bool by_means = options_.level == 1;
     const auto factors = [=](double s, double) {
         return by_means ? std::vector<double>{1, 0, 0} : std::vector<double>{0, 1, 0, 2 * s * s};
     };
-    DenseMatrix vectors = guessed_.vectors;
+    auto [values, vectors] = bounds_->guesses();
     if (by_means)
-        vectors -= moments_ * least_squares(moments_, vectors).shortest;
+        vectors -= bounds_->vectors() * least_squares(bounds_->vectors(), vectors).shortest;
     Vector indicators = Vector::Zero(shape_.pieces.size(dimension()));
-    for (Index j = result_.zeros; j < options_.count; ++j) {
-        const double s = guessed_.values[j];
-        indicators += lower_.local_values(factors, s, vectors.col(j)) / s;
-    }
+    for (Index j = result_.zeros; j < options_.count; ++j)
+        indicators += lower_.local_values(factors, values[j], vectors.col(j)) / values[j];
     std::vector<Index> order(indicators.size());
     std::iota(order.begin(), order.end(), Index{0});
     std::stable_sort(order.begin(), order.end(),

@@ -339,9 +339,10 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
     if (count < 1 || count > s.size())
         throw InvalidInput(
             fmt::format("{} eigenvalues requested: expected 1 to {}", count, s.size()));
-    constexpr Index spare = 3; // behind a gap
-    Index wanted =
-        std::max(count + std::max(spare, count / 10), std::min(s.options.zeros, s.size()) + spare);
+    const Index zeros = std::min(s.options.zeros, s.size());
+    Index wanted = std::max(count + std::max<Index>(3, count / 10), zeros + 3); // behind a gap
+    if (s.pairs.gap_behind(count) >= 0)
+        wanted = count;
     if (!s.solver.is_set())
         s.set_shift(s.lowest_shift(wanted), Definiteness::positive);
     take_kernel(s.pairs, s.pencil, std::exchange(s.options.kernel, {}));

@@ -31,18 +31,22 @@ TrustedInertia::TrustedInertia(const std::string& engine, int domain_dimension)
 
 std::optional<Index> TrustedInertia::negative(SparseMatrix B, const Vector& sizes, double share) {
     // without rounding, D^2 sizes from 1/4 to 1
-    const Vector D = sizes.unaryExpr([](double size) {
+    scale_ = sizes.unaryExpr([](double size) {
         return size > 0 ? std::ldexp(1.0, -((std::ilogb(size) + 2) >> 1)) : 1.0;
     });
     const auto S = std::make_shared<SparseMatrix>();
     S->swap(B);
     for (Index i = 0; i < S->rows(); ++i)
         for (SparseMatrix::InnerIterator entry(*S, i); entry; ++entry)
-            entry.valueRef() *= D[i] * D[entry.col()];
+            entry.valueRef() *= scale_[i] * scale_[entry.col()];
     const auto count = trusted(S, share);
     if (S->rows() > most_beside_another)
         solver_ = make_linear_solver(engine_);
     return count;
+}
+
+DenseMatrix TrustedInertia::solve(const DenseMatrix& X) const {
+    return scale_.asDiagonal() * solver_->solve(DenseMatrix(scale_.asDiagonal() * X));
 }
 
 std::optional<Index> TrustedInertia::trusted(const std::shared_ptr<const SparseMatrix>& S,

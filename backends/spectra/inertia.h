@@ -46,12 +46,16 @@ public:
     /// and `share` of B are those of Doubt.
     std::optional<Index> negative(SparseMatrix B, const Vector& sizes, double share);
 
+    /// B^-1 X, after a trusted count of at most most_beside_another rows.
+    DenseMatrix solve(const DenseMatrix& X) const;
+
 private:
     std::optional<Index> trusted(const std::shared_ptr<const SparseMatrix>& S, double share);
 
     std::string engine_;
     std::unique_ptr<LinearSolver> solver_;
     MatrixFacts facts_;
+    Vector scale_; // D
 };
 
 /// Counts eigenvalues of a symmetric matrix below a shift, by the inertia of A - shift M.

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "shape/family_counter.h"
+#include "shape/lower_guesses.h"
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+/// Lower bounds of the smallest eigenvalues of a shape: numbers s with few negative eigenvalues of
+/// Q(s). All from a count in a gap behind them where that is nearly as good; each from its own
+/// count where not.
+class LowerBounds {
+public:
+    /// Of as many eigenvalues as there are upper bounds, ascending; the first `zeros` are 0.
+    /// `vectors(k)` gives the unknowns of k or more approximate eigenvectors. The counter must
+    /// outlive this.
+    LowerBounds(FamilyCounter& counter, const ShapeSpectrumOptions& options, int domain_dimension,
+                Vector upper, Index zeros, std::function<DenseMatrix(Index)> vectors);
+
+    /// After a count in the gap behind the eigenvalues, and what it counted if it is trusted.
+    const Vector& prove(std::optional<Index> counted);
+
+    Index counts() const { return static_cast<Index>(counts_.size()); } ///< tried
+
+    const DenseMatrix& vectors() const { return vectors_; }
+    const LowerGuesses& guesses();
+
+private:
+    Index size() const { return static_cast<Index>(upper_.size()); }
+    std::optional<Index> count(double s);
+    void prove_by_gaps();
+    void prove_below(const DenseMatrix& vectors);
+    void prove_each();
+    void prove(double guess, Index j);
+    void record(double s, Index most);
+    bool may_prove(double s, Index j) const;
+
+    FamilyCounter& counter_;
+    const ShapeSpectrumOptions& options_;
+    int domain_dimension_;
+    Vector upper_;
+    Index zeros_;
+    std::function<DenseMatrix(Index)> more_;
+    DenseMatrix vectors_;
+    LowerGuesses guesses_;
+    Vector lower_;
+    std::vector<bool> good_; // bounds that others would hardly improve
+    std::vector<std::pair<double, std::optional<Index>>> counts_; // s, and at most so many below
+};
+
+} // namespace polydec
