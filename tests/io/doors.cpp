@@ -52,26 +52,11 @@ std::vector<Door> doors_of_operators(const Sample& s) {
         {"dual_derivative", -1, n, [=, &s](int j) { dual_derivative(s.P(), j); }},
         {"star", 0, n, [=, &s](int k) { star(s.V(), k); }},
         {"HodgeStars", 0, n, [=, &s](int k) { s.mesh.stars()[k]; }},
-        {"codifferential", 0, n,
-         [=, &s](int k) {
-             codifferential({s.P(), s.V()}, k);
-         }},
-        {"dual_codifferential", 0, n,
-         [=, &s](int j) {
-             dual_codifferential({s.P(), s.V()}, j);
-         }},
-        {"laplacian", 0, n,
-         [=, &s](int k) {
-             laplacian({s.P(), s.V()}, k);
-         }},
-        {"dual_laplacian", 0, n,
-         [=, &s](int j) {
-             dual_laplacian({s.P(), s.V()}, j);
-         }},
-        {"symmetric_laplacian", 0, n,
-         [=, &s](int k) {
-             symmetric_laplacian({s.P(), s.V()}, k);
-         }},
+        {"codifferential", 0, n, [=, &s](int k) { codifferential(s.cells(), k); }},
+        {"dual_codifferential", 0, n, [=, &s](int j) { dual_codifferential(s.cells(), j); }},
+        {"laplacian", 0, n, [=, &s](int k) { laplacian(s.cells(), k); }},
+        {"dual_laplacian", 0, n, [=, &s](int j) { dual_laplacian(s.cells(), j); }},
+        {"symmetric_laplacian", 0, n, [=, &s](int k) { symmetric_laplacian(s.cells(), k); }},
         {"Operator::derivative", -1, n, [=, &s](int k) { Operator::derivative(s.P(), k); }},
         {"dual_boundary_derivative", 0, n, [=, &s](int j) { dual_boundary_derivative(s.P(), j); }},
         {"primal_to_merged", 0, n, [=, &s](int k) { primal_to_merged(s.mesh.merging(), k); }},
@@ -119,34 +104,32 @@ std::vector<Door> doors_of_forms(const Sample& s) {
         };
         add("check", [&](const Cochain& w) { check(s.P(), w); });
         add("d", [&](const Cochain& w) { d(s.P(), w); });
-        add("star", [&](const Cochain& w) { star({s.P(), s.V()}, w); });
-        add("codifferential", [&](const Cochain& w) { codifferential({s.P(), s.V()}, w); });
-        add("laplacian", [&](const Cochain& w) { laplacian({s.P(), s.V()}, w); });
-        add("inner_product", [&](const Cochain& w) { inner_product({s.P(), s.V()}, w, w); });
+        add("star", [&](const Cochain& w) { star(s.cells(), w); });
+        add("codifferential", [&](const Cochain& w) { codifferential(s.cells(), w); });
+        add("laplacian", [&](const Cochain& w) { laplacian(s.cells(), w); });
+        add("inner_product", [&](const Cochain& w) { inner_product(s.cells(), w, w); });
         add("boundary", [&](const Cochain& w) { boundary(s.P(), {w.side, w.degree, w.values}); });
         add("to_input", [&](const Cochain& w) { to_input(s.mesh, w); });
         add("hodge_decomposition", [&](const Cochain& w) {
-            hodge_decomposition({{s.P(), s.V()}, w.side, w.degree}, w, "eigen.ldlt");
+            hodge_decomposition({s.cells(), w.side, w.degree}, w, "eigen.ldlt");
         });
-        doors.push_back({std::string("cell_degree, ") + name(side), 0, n,
-                         [&s, side](int k) { cell_degree(s.P(), side, k); }});
-        doors.push_back({std::string("Evolution, ") + name(side), 0, n, [&s, side](int k) {
-                             const FormSpace space({s.P(), s.V()}, side, k);
-                             Evolution({{space, form(s, side, k).values, 1}});
-                         }});
-        doors.push_back({std::string("spectrum, ") + name(side), 0, n, [&s, side](int k) {
-                             spectrum({{s.P(), s.V()}, side, k}, {.count = 1});
-                         }});
-        doors.push_back({std::string("harmonic_forms, ") + name(side), 0, n, [&s, side](int k) {
-                             harmonic_forms({{s.P(), s.V()}, side, k}, "eigen.ldlt");
-                         }});
+        add("cell_degree", [&](const Cochain& w) { cell_degree(s.P(), w.side, w.degree); });
+        add("Evolution", [&](const Cochain& w) {
+            Evolution({{{s.cells(), w.side, w.degree}, w.values, 1}});
+        });
+        add("spectrum", [&](const Cochain& w) {
+            spectrum({s.cells(), w.side, w.degree}, {.count = 1});
+        });
+        add("harmonic_forms", [&](const Cochain& w) {
+            harmonic_forms({s.cells(), w.side, w.degree}, "eigen.ldlt");
+        });
     }
     doors.push_back({"stable_step", 0, n - 1, [&](int k) {
-                         stable_step({{s.P(), s.V()}, Side::primal, k});
+                         stable_step({s.cells(), Side::primal, k});
                      }});
     doors.push_back(
         {"Waves", 0, n - 1, [&](int k) {
-             Waves({{s.P(), s.V()}, Side::primal, k}, Vector::Zero(s.size(k)), {.time_step = 1e-3});
+             Waves({s.cells(), Side::primal, k}, Vector::Zero(s.size(k)), {.time_step = 1e-3});
          }});
     if (n <= 3) {
         doors.push_back({"draw_cells", 0, n, [&](int k) { draw_cells(s.mesh, k); }});

@@ -25,6 +25,7 @@ struct Sample {
     const SimplicialComplex& K() const { return mesh.input(); }
     const CellComplex& P() const { return mesh.complex(); }
     const CellVolumes& V() const { return mesh.volumes(); }
+    Cells cells() const { return {P(), V()}; } ///< of no mesh
     const CellVolumes& W() const { return mesh.input_geometry().volumes(); }
     const Pieces& pieces() const { return mesh.pieces(); }
     const Geometry& geometry() const { return mesh.geometry(); }
@@ -93,18 +94,19 @@ std::string fit(double found);
 std::string fit(bool right);
 
 /// A call of a public function: what is wrong with what it gives.
-struct Question {
-    std::string name;
-    std::function<std::string(Inputs& in)> ask;
-};
+using Question = std::function<std::string(Inputs& in)>;
 
 /// Asks with right inputs, to which the answer must be right or InvalidInput, or right where
 /// `is_answered`; then with one input after the other flawed, which must be refused. What was not
 /// so, in words.
 std::vector<std::string> complaints(const Question& question, bool is_answered = false);
 
-/// Expects none of any question.
-void expect_answers(const std::vector<Question>& questions, const std::string& where,
-                    bool all_answered = false);
+/// Asks one question after the other, and expects no complaint of any.
+struct Asking {
+    std::string where;
+    bool all_answered = false;
+
+    void operator()(const char* name, const Question& question) const;
+};
 
 } // namespace polydec::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Every function of fields, products, solvers and pictures, asked of every kind of sample with
-// right inputs and with flawed ones: see expect_answers.
+// right inputs and with flawed ones: see Asking.
 #include "dec/metric/simplex_metric.h"
 #include "tests/io/doors.h"
 
@@ -9,8 +9,6 @@
 
 namespace polydec::test {
 namespace {
-
-using Questions = std::vector<Question>;
 
 Index binomial(Index n, int k) {
     return k == 0 ? 1 : n < k ? 0 : binomial(n - 1, k - 1) * n / k;
@@ -22,244 +20,205 @@ SmoothForm constant(int degree, Index coordinates) {
     };
 }
 
-Questions of_products(const Sample& s, int k, int l) {
+void ask_of_products(const Asking& ask, const Sample& s, int k, int l) {
     const int n = s.n();
-    Questions all;
     for (const auto weights : {WedgeWeights::uniform, WedgeWeights::circumcentric})
-        all.push_back({"wedge", [&s, k, l, weights](Inputs& in) {
-                           const auto a = in.form(s, Side::primal, k),
-                                      b = in.form(s, Side::primal, l);
-                           return fit(wedge(s.mesh, a, b, weights), s.P(), Side::primal, k + l);
-                       }});
-    all.push_back({"wedge of pieces", [&s, k, l](Inputs& in) {
-                       const auto a = in.form_on(s.pieces(), Side::primal, k),
-                                  b = in.form_on(s.pieces(), Side::primal, l);
-                       return fit(wedge(s.pieces(), a, b), s.pieces(), Side::primal, k + l);
-                   }});
-    all.push_back({"circumcentric_wedge", [&s, k, l](Inputs& in) {
-                       const auto a = in.form_on(s.pieces(), Side::primal, k),
-                                  b = in.form_on(s.pieces(), Side::primal, l);
-                       return fit(circumcentric_wedge(s.geometry(), a, b), s.pieces(), Side::primal,
-                                  k + l);
-                   }});
-    all.push_back({"dual_wedge", [&s, k, l](Inputs& in) {
-                       const auto a = in.form(s, Side::dual, k), b = in.form(s, Side::dual, l);
-                       return fit(dual_wedge(s.mesh, a, b), s.P(), Side::dual, k + l);
-                   }});
+        ask("wedge", [&](Inputs& in) {
+            const auto a = in.form(s, Side::primal, k), b = in.form(s, Side::primal, l);
+            return fit(wedge(s.mesh, a, b, weights), s.P(), Side::primal, k + l);
+        });
+    const auto on_pieces = [&](Inputs& in, int degree) {
+        return in.form_on(s.pieces(), Side::primal, degree);
+    };
+    ask("wedge of pieces", [&](Inputs& in) {
+        return fit(wedge(s.pieces(), on_pieces(in, k), on_pieces(in, l)), s.pieces(), Side::primal,
+                   k + l);
+    });
+    ask("circumcentric_wedge", [&](Inputs& in) {
+        return fit(circumcentric_wedge(s.geometry(), on_pieces(in, k), on_pieces(in, l)),
+                   s.pieces(), Side::primal, k + l);
+    });
+    ask("dual_wedge", [&](Inputs& in) {
+        const auto a = in.form(s, Side::dual, k), b = in.form(s, Side::dual, l);
+        return fit(dual_wedge(s.mesh, a, b), s.P(), Side::dual, k + l);
+    });
     if (k + l == n)
-        all.push_back({"primal_dual_wedge", [&s, k, l](Inputs& in) {
-                           const auto a = in.form(s, Side::primal, k),
-                                      b = in.form(s, Side::dual, l);
-                           return fit(primal_dual_wedge(s.P(), a, b), s.size(k));
-                       }});
-    return all;
+        ask("primal_dual_wedge", [&](Inputs& in) {
+            const auto a = in.form(s, Side::primal, k), b = in.form(s, Side::dual, l);
+            return fit(primal_dual_wedge(s.P(), a, b), s.size(k));
+        });
 }
 
-Questions of_vector_fields(const Sample& s) {
+void ask_of_vector_fields(const Asking& ask, const Sample& s) {
     const Index N = static_cast<Index>(s.mesh.points().cols());
     const int n = s.n();
-    Questions all{
-        {"sharp_pp",
-         [&s, N](Inputs& in) {
-             return fit(sharp_pp(s.mesh, in.form(s, Side::primal, 1)), s.size(0), N);
-         }},
-        {"sharp_pd",
-         [&s, N, n](Inputs& in) {
-             return fit(sharp_pd(s.mesh, in.form(s, Side::primal, 1)), s.size(n), N);
-         }},
-        {"flux_sharp",
-         [&s, N, n](Inputs& in) {
-             return fit(flux_sharp(s.mesh, in.form(s, Side::primal, n - 1)), s.size(n), N);
-         }},
-    };
+
+    ask("sharp_pp", [&](Inputs& in) {
+        return fit(sharp_pp(s.mesh, in.form(s, Side::primal, 1)), s.size(0), N);
+    });
+    ask("sharp_pd", [&](Inputs& in) {
+        return fit(sharp_pd(s.mesh, in.form(s, Side::primal, 1)), s.size(n), N);
+    });
+    ask("flux_sharp", [&](Inputs& in) {
+        return fit(flux_sharp(s.mesh, in.form(s, Side::primal, n - 1)), s.size(n), N);
+    });
+
     for (const Flat kind : {Flat::ppp, Flat::pdp, Flat::dpp, Flat::ppd, Flat::pdd, Flat::dpd}) {
         const bool of_cells = kind == Flat::dpp || kind == Flat::dpd;
         const bool to_dual = kind == Flat::ppd || kind == Flat::pdd || kind == Flat::dpd;
-        all.push_back({"flat", [&s, N, kind, of_cells, to_dual](Inputs& in) {
-                           const auto field = in.matrix(s.size(of_cells ? s.n() : 0), N);
-                           return fit(flat(s.mesh, kind, field), s.P(),
-                                      to_dual ? Side::dual : Side::primal, 1);
-                       }});
+        ask("flat", [&](Inputs& in) {
+            const auto field = in.matrix(s.size(of_cells ? s.n() : 0), N);
+            return fit(flat(s.mesh, kind, field), s.P(), to_dual ? Side::dual : Side::primal, 1);
+        });
     }
-    return all;
 }
 
-Questions of_fields(const Sample& s, int k) {
+void ask_of_fields(const Asking& ask, const Sample& s, int k) {
     const Index N = static_cast<Index>(s.mesh.points().cols());
     const int n = s.n();
-    return {
-        {"interior_product",
-         [&s, N, k](Inputs& in) {
-             const int degree = in.degree(k);
-             return fit(interior_product(s.mesh, in.matrix(s.size(0), N), degree, Sampling::upwind),
-                        s.size(k - 1), s.size(k));
-         }},
-        {"lie_derivative",
-         [&s, N, k](Inputs& in) {
-             const int degree = in.degree(k);
-             return fit(lie_derivative(s.mesh, in.matrix(s.size(0), N), degree, Sampling::centered),
-                        s.size(k), s.size(k));
-         }},
-        {"inflow",
-         [&s, N, k](Inputs& in) {
-             const int degree = in.degree(k);
-             return fit(inflow(s.mesh, in.matrix(s.size(0), N), degree), s.size(k), s.size(k));
-         }},
-        {"de_rham",
-         [&s, N, k](Inputs& in) {
-             return fit(de_rham(s.mesh, in.degree(k), constant(k, N)), s.P(), Side::primal, k);
-         }},
-        {"dual_de_rham",
-         [&s, N, k](Inputs& in) {
-             return fit(dual_de_rham(s.mesh, in.degree(k), constant(k, N)), s.P(), Side::dual, k);
-         }},
-        {"de_rham between points",
-         [&s, N, k](Inputs& in) {
-             return fit(de_rham(s.K(), in.points(s.K().size(0), N), k, constant(k, N)),
-                        s.K().size(k));
-         }},
-        {"whitney_at_centroids",
-         [&s, N, k, n](Inputs& in) {
-             return fit(whitney_at_centroids(s.mesh, in.form(s, Side::primal, k)), s.K().size(n),
-                        binomial(N, k));
-         }},
-        {"whitney_form",
-         [&s, N, k, n](Inputs& in) {
-             const auto w = in.form(s, Side::primal, k);
-             Vector where = in.vector(n + 1);
-             where /= where.sum();
-             return fit(whitney_form(s.mesh, w, 0, where), binomial(N, k));
-         }},
-        {"cell_centers",
-         [&s, N, k](Inputs& in) { return fit(cell_centers(s.mesh, in.degree(k)), s.size(k), N); }},
-        {"cell_centroids",
-         [&s, N, k](Inputs& in) {
-             return fit(cell_centroids(s.mesh, in.degree(k)), s.size(k), N);
-         }},
-        {"circumradii",
-         [&s, k](Inputs& in) {
-             return fit(circumradii(s.pieces(), s.mesh.geometry().metric(), in.degree(k)),
-                        s.pieces().size(k));
-         }},
-        {"center_coordinates",
-         [&s, k](Inputs& in) {
-             return fit(center_coordinates(s.pieces(), s.mesh.geometry().metric(),
-                                           s.mesh.options().centers, in.degree(k)),
-                        s.pieces().size(k), k + 1);
-         }},
-        {"combinations",
-         [&s, k](Inputs& in) {
-             const int degree = in.degree(k);
-             const Points places = in.matrix(s.pieces().size(k), k + 1);
-             return fit(combinations(s.pieces(), degree, places, in.points(s.pieces().size(0), 2)),
-                        s.pieces().size(k), 2);
-         }},
-        {"dual volumes",
-         [&s, k](Inputs&) {
-             return fit(circumcentric_volumes(s.pieces(), s.mesh.geometry().metric()).dual(k),
-                        s.pieces().size(k)) +
-                    fit(dual_volumes(s.pieces(), s.mesh.geometry().metric(), Centers::centroids())
-                            .dual(k),
-                        s.pieces().size(k));
-         }},
-        {"edge_lengths",
-         [&s, N](Inputs& in) {
-             return fit(edge_lengths(s.K(), in.points(s.K().size(0), N)), s.K().size(1));
-         }},
-        {"grundmann_moeller",
-         [k](Inputs&) {
-             const auto rule = grundmann_moeller(k, 3);
-             return fit(rule.points, rule.weights.size(), k + 1);
-         }},
-    };
+
+    ask("interior_product", [&](Inputs& in) {
+        const int degree = in.degree(k);
+        return fit(interior_product(s.mesh, in.matrix(s.size(0), N), degree, Sampling::upwind),
+                   s.size(k - 1), s.size(k));
+    });
+    ask("lie_derivative", [&](Inputs& in) {
+        const int degree = in.degree(k);
+        return fit(lie_derivative(s.mesh, in.matrix(s.size(0), N), degree, Sampling::centered),
+                   s.size(k), s.size(k));
+    });
+    ask("inflow", [&](Inputs& in) {
+        const int degree = in.degree(k);
+        return fit(inflow(s.mesh, in.matrix(s.size(0), N), degree), s.size(k), s.size(k));
+    });
+    ask("de_rham", [&](Inputs& in) {
+        return fit(de_rham(s.mesh, in.degree(k), constant(k, N)), s.P(), Side::primal, k);
+    });
+    ask("dual_de_rham", [&](Inputs& in) {
+        return fit(dual_de_rham(s.mesh, in.degree(k), constant(k, N)), s.P(), Side::dual, k);
+    });
+    ask("de_rham between points", [&](Inputs& in) {
+        return fit(de_rham(s.K(), in.points(s.K().size(0), N), k, constant(k, N)), s.K().size(k));
+    });
+    ask("whitney_at_centroids", [&](Inputs& in) {
+        return fit(whitney_at_centroids(s.mesh, in.form(s, Side::primal, k)), s.K().size(n),
+                   binomial(N, k));
+    });
+    ask("whitney_form", [&](Inputs& in) {
+        const auto w = in.form(s, Side::primal, k);
+        Vector where = in.vector(n + 1);
+        where /= where.sum();
+        return fit(whitney_form(s.mesh, w, 0, where), binomial(N, k));
+    });
+    ask("cell_centers",
+        [&](Inputs& in) { return fit(cell_centers(s.mesh, in.degree(k)), s.size(k), N); });
+    ask("cell_centroids",
+        [&](Inputs& in) { return fit(cell_centroids(s.mesh, in.degree(k)), s.size(k), N); });
+    ask("circumradii", [&](Inputs& in) {
+        return fit(circumradii(s.pieces(), s.mesh.geometry().metric(), in.degree(k)),
+                   s.pieces().size(k));
+    });
+    ask("center_coordinates", [&](Inputs& in) {
+        return fit(center_coordinates(s.pieces(), s.mesh.geometry().metric(),
+                                      s.mesh.options().centers, in.degree(k)),
+                   s.pieces().size(k), k + 1);
+    });
+    ask("combinations", [&](Inputs& in) {
+        const int degree = in.degree(k);
+        const Points places = in.matrix(s.pieces().size(k), k + 1);
+        return fit(combinations(s.pieces(), degree, places, in.points(s.pieces().size(0), 2)),
+                   s.pieces().size(k), 2);
+    });
+    ask("dual volumes", [&](Inputs&) {
+        return fit(circumcentric_volumes(s.pieces(), s.mesh.geometry().metric()).dual(k),
+                   s.pieces().size(k)) +
+               fit(dual_volumes(s.pieces(), s.mesh.geometry().metric(), Centers::centroids())
+                       .dual(k),
+                   s.pieces().size(k));
+    });
+    ask("edge_lengths", [&](Inputs& in) {
+        return fit(edge_lengths(s.K(), in.points(s.K().size(0), N)), s.K().size(1));
+    });
+    ask("grundmann_moeller", [&](Inputs&) {
+        const auto rule = grundmann_moeller(k, 3);
+        return fit(rule.points, rule.weights.size(), k + 1);
+    });
 }
 
-Questions of_diagnoses(const Sample& s) {
+void ask_of_diagnoses(const Asking& ask, const Sample& s) {
     const int n = s.n();
-    return {
-        {"facet_kinds",
-         [&s](Inputs&) {
-             const auto kinds = facet_kinds(s.geometry());
-             return fit(kinds.well_centered + kinds.delaunay + kinds.non_delaunay +
-                            kinds.cospherical <=
-                        s.pieces().size(s.n() - 1));
-         }},
-        {"merged_pairs", [&s](Inputs&) { return fit(merged_pairs(s.mesh.merging()).facets >= 0); }},
-        {"merge_cospherical",
-         [&s, n](Inputs& in) {
-             const auto stays = in.list(s.pieces().size(n - 1), true);
-             const auto merged = merge_cospherical(s.geometry(), {}, stays);
-             return fit(merged.merging.merged().size(n) == s.pieces().size(n));
-         }},
-        {"operator_verdicts",
-         [&s](Inputs&) {
-             bool right = true;
-             for (const auto stage : {Stage::input, Stage::merged})
-                 for (const auto& verdict : operator_verdicts(s.mesh, stage))
-                     right =
-                         right && (verdict.verdict == WellDefined::yes) == reason(verdict).empty();
-             return fit(right);
-         }},
-        {"spectrum_verdicts",
-         [&s, n](Inputs&) {
-             return fit(std::ssize(spectrum_verdicts(s.V())) == n + 1 &&
-                        std::ssize(spectrum_verdicts(s.mesh, Side::dual)) == n + 1);
-         }},
-        {"essential_where and in_words",
-         [&s, n](Inputs& in) {
-             const Points sites = Points::Ones(std::ssize(in.list(s.size(n - 1), 0)), 2);
-             const auto conditions = essential_where(sites, [](const Vector&) { return true; });
-             return fit(!in_words(conditions, s.P(), 0).empty() &&
-                        std::ssize(essential_cells(s.P(), conditions)) == n + 1);
-         }},
-        {"FormSpace",
-         [&s, n](Inputs& in) {
-             BoundaryConditions conditions;
-             conditions.facets = in.list(s.size(n - 1), BoundaryCondition::natural);
-             const FormSpace there({s.P(), s.mesh.stars()}, Side::primal, in.degree(0), conditions);
-             return fit(there.inside().stars()[0].diagonal(), there.size());
-         }},
-        {"diagnose",
-         [&s, n](Inputs&) {
-             const auto found = diagnose(s.mesh);
-             const auto even = [](const std::vector<Index>& numbers) {
-                 Index sum = 0;
-                 for (std::size_t i = 0; i < numbers.size(); ++i)
-                     sum += i % 2 == 0 ? numbers[i] : -numbers[i];
-                 return sum;
-             };
-             return fit(std::ssize(found.laplacians) == n + 1 &&
-                        found.cells.merged.back() == s.size(n) && found.warnings.empty() &&
-                        even(found.betti.input) == found.euler.input &&
-                        even(found.cells.merged) == found.euler.merged);
-         }},
-        {"advice",
-         [&s, n](Inputs&) {
-             bool right = true;
-             for (const Advice& one : advice(s.mesh))
-                 right = right && one.cells > 0 && !in_words(one, n).empty() &&
-                         one.remedy == (one.negative ? remedy(s.mesh) : Remedy::stars);
-             return fit(right);
-         }},
-        {"join of tags",
-         [&s](Inputs&) {
-             return fit((s.mesh.tags().empty() || std::ssize(s.mesh.tags()) == s.size(s.n())) &&
-                        (s.mesh.facet_tags().empty() ||
-                         std::ssize(s.mesh.facet_tags()) == s.size(s.n() - 1)));
-         }},
-    };
+
+    ask("facet_kinds", [&](Inputs&) {
+        const auto kinds = facet_kinds(s.geometry());
+        return fit(kinds.well_centered + kinds.delaunay + kinds.non_delaunay + kinds.cospherical <=
+                   s.pieces().size(s.n() - 1));
+    });
+    ask("merged_pairs", [&](Inputs&) { return fit(merged_pairs(s.mesh.merging()).facets >= 0); });
+    ask("merge_cospherical", [&](Inputs& in) {
+        const auto stays = in.list(s.pieces().size(n - 1), true);
+        const auto merged = merge_cospherical(s.geometry(), {}, stays);
+        return fit(merged.merging.merged().size(n) == s.pieces().size(n));
+    });
+    ask("operator_verdicts", [&](Inputs&) {
+        bool right = true;
+        for (const auto stage : {Stage::input, Stage::merged})
+            for (const auto& verdict : operator_verdicts(s.mesh, stage))
+                right = right && (verdict.verdict == WellDefined::yes) == reason(verdict).empty();
+        return fit(right);
+    });
+    ask("spectrum_verdicts", [&](Inputs&) {
+        return fit(std::ssize(spectrum_verdicts(s.V())) == n + 1 &&
+                   std::ssize(spectrum_verdicts(s.mesh, Side::dual)) == n + 1);
+    });
+    ask("essential_where and in_words", [&](Inputs& in) {
+        const Points sites = Points::Ones(std::ssize(in.list(s.size(n - 1), 0)), 2);
+        const auto conditions = essential_where(sites, [](const Vector&) { return true; });
+        return fit(!in_words(conditions, s.P(), 0).empty() &&
+                   std::ssize(essential_cells(s.P(), conditions)) == n + 1);
+    });
+    ask("FormSpace", [&](Inputs& in) {
+        BoundaryConditions conditions;
+        conditions.facets = in.list(s.size(n - 1), BoundaryCondition::natural);
+        const FormSpace there({s.P(), s.mesh.stars()}, Side::primal, in.degree(0), conditions);
+        return fit(there.inside().stars()[0].diagonal(), there.size());
+    });
+    ask("diagnose", [&](Inputs&) {
+        const auto found = diagnose(s.mesh);
+        const auto even = [](const std::vector<Index>& numbers) {
+            Index sum = 0;
+            for (std::size_t i = 0; i < numbers.size(); ++i)
+                sum += i % 2 == 0 ? numbers[i] : -numbers[i];
+            return sum;
+        };
+        return fit(std::ssize(found.laplacians) == n + 1 &&
+                   found.cells.merged.back() == s.size(n) && found.warnings.empty() &&
+                   even(found.betti.input) == found.euler.input &&
+                   even(found.cells.merged) == found.euler.merged);
+    });
+    ask("advice", [&](Inputs&) {
+        bool right = true;
+        for (const Advice& one : advice(s.mesh))
+            right = right && one.cells > 0 && !in_words(one, n).empty() &&
+                    one.remedy == (one.negative ? remedy(s.mesh) : Remedy::stars);
+        return fit(right);
+    });
+    ask("join of tags", [&](Inputs&) {
+        return fit(
+            (s.mesh.tags().empty() || std::ssize(s.mesh.tags()) == s.size(s.n())) &&
+            (s.mesh.facet_tags().empty() || std::ssize(s.mesh.facet_tags()) == s.size(s.n() - 1)));
+    });
 }
 
 TEST(doors, of_fields_and_diagnoses_answer_rightly_or_refuse) {
     for (const Sample& s : samples()) {
         const bool all = s.name == "triangles";
-        expect_answers(of_vector_fields(s), s.name, all);
-        expect_answers(of_diagnoses(s), s.name, all);
+        ask_of_vector_fields({s.name, all}, s);
+        ask_of_diagnoses({s.name, all}, s);
         for (int k = 0; k <= s.n(); ++k) {
             const auto where = s.name + ", degree " + std::to_string(k);
-            expect_answers(of_fields(s, k), where, all);
+            ask_of_fields({where, all}, s, k);
             for (int l = 0; k + l <= s.n(); ++l)
-                expect_answers(of_products(s, k, l), where + " and " + std::to_string(l), all);
+                ask_of_products({where + " and " + std::to_string(l), all}, s, k, l);
         }
     }
 }

@@ -155,7 +155,7 @@ std::string fit(bool right) {
 std::vector<std::string> complaints(const Question& question, bool is_answered) {
     const auto asked_with = [&](Inputs& in) {
         std::string flaw;
-        const auto how = outcome([&] { flaw = question.ask(in); });
+        const auto how = outcome([&] { flaw = question(in); });
         return flaw.empty() ? how : flaw;
     };
     std::vector<std::string> all;
@@ -177,16 +177,14 @@ std::vector<std::string> complaints(const Question& question, bool is_answered) 
     return all;
 }
 
-void expect_answers(const std::vector<Question>& questions, const std::string& where,
-                    bool all_answered) {
-    for (const Question& question : questions)
-        EXPECT_EQ(complaints(question, all_answered), std::vector<std::string>{})
-            << question.name << " on " << where;
+void Asking::operator()(const char* name, const Question& question) const {
+    EXPECT_EQ(complaints(question, all_answered), std::vector<std::string>{})
+        << name << " on " << where;
 }
 
 TEST(doors, that_answer_wrongly_or_do_not_look_are_found) {
     const Sample& s = sample("triangles");
-    const auto twin = [](auto ask) { return complaints({"a twin", ask}, true); };
+    const auto twin = [](auto ask) { return complaints(ask, true); };
     EXPECT_EQ(twin([&](Inputs& in) {
                   return fit(d(s.P(), in.form(s, Side::primal, 0)), s.P(), Side::primal, 1);
               }),
