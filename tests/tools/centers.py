@@ -7,11 +7,7 @@ from command import TestCase
 class Centroids(TestCase):
     def setUp(self):
         super().setUp()
-        self.sphere = self.generated("uv-sphere", "--bands", "6", "--meridians", "8")
-
-    def generated(self, *arguments):
-        self.succeed("generate", *arguments, "-o", self.path("mesh.off"))
-        return self.path("mesh.off")
+        self.sphere = self.generate("uv-sphere", "--bands", "6", "--meridians", "8")
 
     def test_make_every_star_positive_without_merging(self):
         found = self.ask("info", self.sphere, "--centers", "centroids")
@@ -29,8 +25,8 @@ class Centroids(TestCase):
                 self.assertGreater(answer["eigenvalues"][0], -1e-9)
 
     def test_are_less_exact_than_circumcenters(self):
-        self.succeed("generate", "grid", "--nx", "6", "--ny", "6", "-o", self.path("grid.off"))
-        errors = [self.ask("poisson", self.path("grid.off"), "--side", "primal", "--rhs", "0",
+        grid = self.generate("grid", "--nx", "6", "--ny", "6")
+        errors = [self.ask("poisson", grid, "--side", "primal", "--rhs", "0",
                            "--boundary", "x*y", "--exact", "x*y", "--centers",
                            centers)["error"]["max"] for centers in ("circumcenters", "centroids")]
         self.assertLess(errors[0], 1e-12)

@@ -203,6 +203,11 @@ class TestCase(unittest.TestCase):
         with open(self.path(name), encoding="ascii") as file:
             return file.read()
 
+    def steps_of(self, name):
+        """Of a series, the times and the files."""
+        lines = [line.split('"') for line in self.read(name).splitlines() if "timestep" in line]
+        return [float(line[1]) for line in lines], [line[5] for line in lines]
+
     def start(self, *arguments, **options):
         return start(*arguments, **{"cwd": self.folder, "stdout": subprocess.DEVNULL, **options})
 
@@ -210,6 +215,12 @@ class TestCase(unittest.TestCase):
         outcome = run(*arguments, folder=self.folder, **options)
         self.assertEqual(outcome.code, 0, f"{arguments}\n{outcome.err}")
         return outcome
+
+    def generate(self, kind, *arguments, extension="off"):
+        """The path of a mesh that the command generates."""
+        path = self.path(f"{kind}.{extension}")
+        self.succeed("generate", kind, *arguments, "-o", path)
+        return path
 
     def ask(self, *arguments, **options):
         """The JSON object that stdout holds, and nothing else."""

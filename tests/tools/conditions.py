@@ -4,29 +4,24 @@ import math
 
 import command
 from command import TestCase, golden
+from motions import medit, squares
 
 LEFT, RIGHT, BOTTOM, TOP = 11, 12, 13, 14
 PLACES = {LEFT: "x<1e-9", RIGHT: "x>1-1e-9", BOTTOM: "y<1e-9", TOP: "y>1-1e-9"}
 
 
-def square(n):
-    """The text of a square of n x n squares, of two triangles each, whose sides have tags."""
-    def place(x, y):
-        return y * (n + 1) + x + 1
+def square_cells(n):
+    """Points, edges of the sides with their tags, and triangles of n x n squares."""
+    points, triangles = squares(n, n, lambda i, j: (i / n, j / n))
+    sides = {LEFT: lambda i: (0, i), RIGHT: lambda i: (n, i), BOTTOM: lambda i: (i, 0), TOP: lambda i: (i, n)}
+    number = {(i, j): i * (n + 1) + j for i in range(n + 1) for j in range(n + 1)}
+    return points, [(number[at(i)], number[at(i + 1)], tag) for i in range(n)
+                    for tag, at in sides.items()], triangles
 
-    vertices = [f"{x / n} {y / n} 0" for y in range(n + 1) for x in range(n + 1)]
-    triangles = []
-    for y in range(n):
-        for x in range(n):
-            a, b, c, d = place(x, y), place(x + 1, y), place(x + 1, y + 1), place(x, y + 1)
-            triangles += [f"{a} {b} {c} 1", f"{a} {c} {d} 1"]
-    edges = []
-    for i in range(n):
-        edges += [f"{place(0, i)} {place(0, i + 1)} {LEFT}", f"{place(n, i)} {place(n, i + 1)} {RIGHT}",
-                  f"{place(i, 0)} {place(i + 1, 0)} {BOTTOM}", f"{place(i, n)} {place(i + 1, n)} {TOP}"]
-    return "\n".join(["MeshVersionFormatted 2", "Dimension 2", "Vertices", str(len(vertices)), *vertices,
-                      "Edges", str(len(edges)), *edges,
-                      "Triangles", str(len(triangles)), *triangles, "End", ""])
+
+def square(n):
+    points, edges, triangles = square_cells(n)
+    return medit(points, Edges=edges, Triangles=[(*triangle, 1) for triangle in triangles])
 
 
 NAMES = {LEFT: "left wall", RIGHT: "outlet", BOTTOM: "7", TOP: "top"}
@@ -34,19 +29,14 @@ NAMES = {LEFT: "left wall", RIGHT: "outlet", BOTTOM: "7", TOP: "top"}
 
 def named_square(n):
     """The same as a file of Gmsh with the names of its sides."""
-    points, edges, triangles = [], [], []
-    for line in square(n).splitlines():
-        numbers = line.split()
-        if len(numbers) == 3:
-            (edges if int(numbers[2]) in PLACES and len(points) == (n + 1) ** 2 else points).append(numbers)
-        elif len(numbers) == 4:
-            triangles.append(numbers)
-    elements = [f"{i} 1 2 {tag} {tag} {a} {b}" for i, (a, b, tag) in enumerate(edges, 1)]
-    elements += [f"{i} 2 2 1 1 {a} {b} {c}" for i, (a, b, c, _) in enumerate(triangles, len(edges) + 1)]
+    points, edges, triangles = square_cells(n)
+    elements = [f"{i} 1 2 {tag} {tag} {a + 1} {b + 1}" for i, (a, b, tag) in enumerate(edges, 1)]
+    elements += [f"{i} 2 2 1 1 {a + 1} {b + 1} {c + 1}"
+                 for i, (a, b, c) in enumerate(triangles, len(edges) + 1)]
     return "\n".join([
         "$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", str(len(NAMES) + 1), '2 1 "plate"',
         *(f'1 {tag} "{name}"' for tag, name in NAMES.items()), "$EndPhysicalNames",
-        "$Nodes", str(len(points)), *(f"{i} {' '.join(p)}" for i, p in enumerate(points, 1)), "$EndNodes",
+        "$Nodes", str(len(points)), *(f"{i} {x} {y} 0" for i, (x, y) in enumerate(points, 1)), "$EndNodes",
         "$Elements", str(len(elements)), *elements, "$EndElements", ""])
 
 
@@ -59,7 +49,6 @@ class Conditions(TestCase):
         """The same facets by their groups and by their places."""
         return (("--essential-on", *tags),
                 ("--essential-where", " + ".join(f"({PLACES[tag]})" for tag in tags)))
-
 
     def test_walls_and_open_ends_of_flows_by_groups(self):
         line = ("flow", self.write("square.msh", named_square(6)), "--viscosity", 0.05, "--velocity",

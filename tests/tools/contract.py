@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What programs may rely on: exit codes, JSON, messages."""
+import itertools
 import math
 import os
 import signal
@@ -9,6 +10,7 @@ import unittest
 
 import command
 from command import TestCase, golden, run
+from motions import nsc, off, squares
 
 PLAIN = ("--star", "circumcentric")
 
@@ -38,11 +40,7 @@ class Json(TestCase):
             self.assertNotIn("concyclic", self.ask("info", golden(name)))
 
     def test_the_share_of_concyclic_triangles_is_of_those_that_flips_and_splits_have_made(self):
-        points = [(i + 3 * j, 0.5 * j) for j in range(2) for i in range(9)]
-        self.write("sheared.off", "OFF\n18 16 0\n"
-                   + "".join(f"{x} {y} 0\n" for x, y in points)
-                   + "".join(f"3 {i} {i + 1} {i + 10}\n3 {i} {i + 10} {i + 9}\n"
-                             for i in range(8)))
+        self.write("sheared.off", off(*squares(8, 1, lambda i, j: (i + 3 * j, 0.5 * j, 0))))
         answer = self.ask("info", "sheared.off", "--delaunay=split-boundary")
         triangles = answer["intrinsic"]["cells"][2]
         self.assertGreater(triangles, answer["cells"]["input"][2])
@@ -116,27 +114,21 @@ class Json(TestCase):
         self.assertEqual(both.code, 1)
 
     def test_dual_spectra_do_with_centers_on_the_boundary(self):
-        squares = os.path.join(self.folder, "squares.off")
         for jitter in (0, 1e-7):
-            with open(squares, "w") as file:
-                file.write("OFF\n221 400 0\n")
-                for i in range(11):
-                    for j in range(11):
-                        file.write(f"{i / 10 + jitter * math.sin(7 * i + 3 * j)} {j / 10} 0\n")
-                for i in range(10):
-                    for j in range(10):
-                        y = (j + .5) / 10 + jitter * math.cos(i + j)
-                        file.write(f"{(i + .5) / 10} {y} 0\n")
-                for i in range(10):
-                    for j in range(10):
-                        a, b, middle = 11 * i + j, 11 * i + j + 11, 121 + 10 * i + j
-                        for c, d in ((a, b), (b, b + 1), (b + 1, a + 1), (a + 1, a)):
-                            file.write(f"3 {c} {d} {middle}\n")
-            answer = self.ask("spectrum", squares, *PLAIN, "--side", "dual", "--degree", 0,
+            points = [(i / 10 + jitter * math.sin(7 * i + 3 * j), j / 10, 0)
+                      for i in range(11) for j in range(11)]
+            triangles = []
+            for i, j in itertools.product(range(10), repeat=2):
+                a, b, middle = 11 * i + j, 11 * i + j + 11, len(points)
+                points.append(((i + .5) / 10, (j + .5) / 10 + jitter * math.cos(i + j), 0))
+                triangles += [(c, d, middle)
+                              for c, d in ((a, b), (b, b + 1), (b + 1, a + 1), (a + 1, a))]
+            crossed = self.write("crossed.off", off(points, triangles))
+            answer = self.ask("spectrum", crossed, *PLAIN, "--side", "dual", "--degree", 0,
                               "--count", 1)
             self.assertAlmostEqual(answer["eigenvalues"][0], 19.5774, delta=1e-4)
             self.assertEqual(answer["warnings"], [])
-            told = self.ask("info", squares)["laplacians"]
+            told = self.ask("info", crossed)["laplacians"]
             self.assertEqual([each["dual_spectrum"] for each in told], ["yes"] * 3)
             self.assertEqual([each["spectrum"] for each in told], ["yes", "no", "yes"])
             self.assertEqual(told[2]["matrix"], "no")
@@ -301,15 +293,8 @@ class Usage(TestCase):
     def almost_squares(self, N, defect):
         """A grid of split squares, one corner of each moved off the circle through the others:
         unmerged, half the duals are almost zero."""
-        points = [f"{i / N + (defect if i % 2 == j % 2 == 0 else 0)!r} {j / N!r}"
-                  for i in range(N + 1) for j in range(N + 1)]
-        triangles = []
-        for i in range(N):
-            for j in range(N):
-                a, b = i * (N + 1) + j, (i + 1) * (N + 1) + j
-                triangles += [f"{a} {b} {b + 1}", f"{a} {b + 1} {a + 1}"]
-        head = f"2 2 {len(points)} {len(triangles)}"
-        return self.write("squares.nsc", "\n".join([head, *points, *triangles]) + "\n")
+        return self.write("squares.nsc", nsc(*squares(N, N, lambda i, j: (
+            i / N + (defect if i % 2 == j % 2 == 0 else 0), j / N))))
 
     def test_files_that_cannot_be_read_are_code_4(self):
         self.assertSays(self.fail_with(4, "info", "no.off"), "read", "no.off: ", "No such file")

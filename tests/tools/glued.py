@@ -12,13 +12,9 @@ TORUS = ("--periodic", "1,0", "--periodic", "0,1")
 class Glued(TestCase):
     def setUp(self):
         super().setUp()
-        self.square = self.path("square.off")
-        self.succeed("generate", "grid", "--nx", 16, "--ny", 16, "-o", self.square)
+        self.square = self.generate("grid", "--nx", 16, "--ny", 16)
         # the factor by which a wave of one period is slower on 16 cells
         self.slower = (math.sin(math.pi / 16) / (math.pi / 16)) ** 2
-
-    def refuse(self, *arguments):
-        return self.fail_with(2, *arguments)
 
     def test_poisson_finds_the_wave(self):
         for side in ("primal", "dual"):
@@ -95,7 +91,7 @@ class Glued(TestCase):
         self.assertAlmostEqual(answer["max"], 1 / (4 * math.pi ** 2 * self.slower), delta=1e-9)
 
     def test_after_flips_there_are_lengths_alone(self):
-        refused = self.refuse("poisson", self.square, "--side", "primal", "--rhs", "sin(2*pi*x)",
+        refused = self.fail_with(2, "poisson", self.square, "--side", "primal", "--rhs", "sin(2*pi*x)",
                               "--delaunay", *TORUS)
         self.assertSays(refused, "lengths", "needs points")
         answer = self.ask("info", self.square, "--delaunay", *TORUS)

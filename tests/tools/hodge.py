@@ -4,6 +4,7 @@ import math
 
 import command
 from command import TestCase, golden
+from motions import Mesh
 
 
 class Hodge(TestCase):
@@ -38,12 +39,7 @@ class Hodge(TestCase):
                     self.norms(golden(mesh), side, form, "--degree", degree)
 
     def test_units_of_length_scale_the_norms(self):
-        with open(golden("grid4.nsc"), encoding="ascii") as file:
-            lines = file.read().splitlines()
-        points = int(lines[0].split()[2])
-        moved = [" ".join(repr(float(x) * 1e30) for x in line.split())
-                 for line in lines[1:1 + points]]
-        self.write("large.nsc", "\n".join(lines[:1] + moved + lines[1 + points:]) + "\n")
+        self.write("large.nsc", Mesh.read(golden("grid4.nsc")).times(1e30).text())
         for degree, form in ((0, "1"), (1, "1; 2"), (2, "1")):
             more = ("--side", "primal", "--degree", degree, "--form", form)
             small = self.ask("hodge", golden("grid4.nsc"), *more)["norms"]["form"]

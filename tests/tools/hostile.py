@@ -6,6 +6,7 @@ import signal
 
 import command
 from command import TestCase, wait_until
+from motions import nsc
 
 OBTUSE = ("OFF\n4 4 0\n0 0 0\n4 0 0\n2 .6 .2\n2 .3 -.5\n" # a tetrahedron's surface
           "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")
@@ -36,13 +37,8 @@ class Symmetries(TestCase):
         yield [[2.0**30 * c for c in point] for point in points]
         yield [[*point, 0.0] for point in points]
 
-    def text(self, points, cells):
-        return "".join([f"{len(points[0])} {len(cells[0]) - 1} {len(points)} {len(cells)}\n",
-                        *(" ".join(map(repr, point)) + "\n" for point in points),
-                        *(" ".join(map(str, cell)) + "\n" for cell in cells)])
-
     def cells_of(self, points, cells):
-        self.write("m.nsc", self.text(points, cells))
+        self.write("m.nsc", nsc(points, cells))
         found = self.ask("info", "m.nsc")
         return found["cells"]["merged"], [text for text in found["warnings"] if "turned" not in text
                                           and "units of" not in text]

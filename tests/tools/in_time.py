@@ -9,22 +9,13 @@ import subprocess
 import command
 from command import Deadline, TestCase, golden
 from kills import ended_runs, kills, timed
+from motions import Mesh
 
 
 class InTime(TestCase):
-    def make(self, kind, *arguments):
-        path = self.path(f"{kind}.off")
-        self.succeed("generate", kind, *arguments, "-o", path)
-        return path
-
-    def steps_of(self, name):
-        """Of a list, the times and the files."""
-        lines = [line.split('"') for line in self.read(name).splitlines() if "timestep" in line]
-        return [float(line[1]) for line in lines], [line[5] for line in lines]
-
     def test_heat_on_a_sphere_decays_as_harmonics_do(self):
         for side in ("primal", "dual"):
-            sphere = self.make("icosphere", "--frequency", 24)
+            sphere = self.generate("icosphere", "--frequency", 24)
             errors = []
             for step in (0.02, 0.01):
                 answer = self.ask("heat", sphere, "--side", side, "--initial", "z", "--until", 0.5,
@@ -89,7 +80,7 @@ class InTime(TestCase):
         self.assertNotIn("beginning", self.succeed(*still).out)
 
     def test_a_tolerance_in_time_is_kept(self):
-        sphere = self.make("icosphere", "--frequency", 8)
+        sphere = self.generate("icosphere", "--frequency", 8)
         ends = [self.ask("heat", sphere, "--side", "primal", "--initial", "z", "--until", 1,
                          "--source", "sin(9*t)*z", "--frames", 3, "--tolerance-in-time", tolerance)
                 for tolerance in (1e-2, 1e-5, 1e-8)]
@@ -113,7 +104,7 @@ class InTime(TestCase):
 
     def test_a_long_frame_is_ended_on_its_way(self):
         """The tolerance asks for more steps to the first frame than anybody waits for."""
-        sphere = self.make("icosphere", "--frequency", 30)
+        sphere = self.generate("icosphere", "--frequency", 30)
         with self.start("heat", sphere, "--side", "primal", "--initial", "z", "--source",
                         "sin(1e5*t)*z", "--until", 9, "--frames", 1, "--tolerance-in-time", 1e-13,
                         "--checkpoint", "long.checkpoint") as run:
@@ -124,7 +115,7 @@ class InTime(TestCase):
         self.assertTrue(os.path.exists(self.path("long.checkpoint"))) # of the beginning
 
     def test_killed_runs_with_a_source_go_on_to_the_same_bits(self):
-        sphere = self.make("icosphere", "--frequency", 24)
+        sphere = self.generate("icosphere", "--frequency", 24)
         line = ("heat", sphere, "--side", "primal", "--initial", "z", "--source", "sin(9*t)*z",
                 "--until", 2, "--frames", 40)
         self.succeed(*line, "--checkpoint", "whole.checkpoint")
@@ -144,7 +135,7 @@ class InTime(TestCase):
             self.assertEqual(one.read(), other.read())
 
     def test_waves_swing_back_and_keep_their_energy(self):
-        square = self.make("grid", "--nx", 32, "--ny", 32)
+        square = self.generate("grid", "--nx", 32, "--ny", 32)
         period = math.sqrt(2)
         for time_, factor in ((period / 2, -1), (period, 1)):
             answer = self.ask("wave", square, "--initial", "sin(pi*x)*sin(pi*y)",
@@ -158,13 +149,8 @@ class InTime(TestCase):
                         "below")
 
     def test_units_of_length_change_nothing_but_time(self):
-        with open(golden("grid4.nsc"), encoding="ascii") as file:
-            lines = file.read().splitlines()
-        n, _, points, _ = map(int, lines[0].split())
         for scale in (1e-30, 1e20):
-            moved = [" ".join(repr(float(x) * scale) for x in line.split())
-                     for line in lines[1:1 + points]]
-            self.write("scaled.nsc", "\n".join(lines[:1] + moved + lines[1 + points:]) + "\n")
+            self.write("scaled.nsc", Mesh.read(golden("grid4.nsc")).times(scale).text())
             for name, power, more in (("heat", 2, ("--side", "primal")), ("wave", 1, ())):
                 one = self.ask(name, golden("grid4.nsc"), "--initial", "x", "--until", 0.5, *more)
                 other = self.ask(name, "scaled.nsc", "--initial", f"x/{scale!r}", "--until",
@@ -173,16 +159,11 @@ class InTime(TestCase):
                 self.assertAlmostEqual(one["max"], other["max"], delta=1e-9)
 
     def test_steps_by_a_tolerance_are_the_same_in_every_unit(self):
-        with open(golden("grid4.nsc"), encoding="ascii") as file:
-            lines = file.read().splitlines()
-        points = int(lines[0].split()[2])
         forms = {0: "sin(3*{x})", 1: "sin(3*{x})/{s}; {x}*y/{s}/{s}", 2: "sin(3*{x})/{s}/{s}"}
         counts = {}
         for exponent in (0, 10, -20, 100, -100):
             size = 2.0 ** exponent
-            moved = [" ".join(repr(float(x) * size) for x in line.split())
-                     for line in lines[1:1 + points]]
-            self.write("scaled.nsc", "\n".join(lines[:1] + moved + lines[1 + points:]) + "\n")
+            self.write("scaled.nsc", Mesh.read(golden("grid4.nsc")).times(size).text())
             slopes = ("--natural", "--flux", f"1e3*x/({size!r})/({size!r})")
             for side, degree, start, more in (
                     ("primal", 0, 1, ()), ("primal", 1, 1, ()), ("primal", 2, 1, ()),
@@ -285,7 +266,7 @@ class InTime(TestCase):
         self.fail_with(1, *heat, "--resume")
 
     def test_a_long_run_says_in_a_file_too_what_it_will_do(self):
-        sphere = self.make("icosphere", "--frequency", 20)
+        sphere = self.generate("icosphere", "--frequency", 20)
         begin, end = "polydec: {}: ", "; about [0-9,]+ (min|h|days|years){}, .*B of memory; {} .*"
         for name, more, steps, pace, option in (
                 ("wave", ("--initial", "z"), "[0-9,]+ steps of .*stability", "", "--time-step"),
@@ -308,7 +289,7 @@ class InTime(TestCase):
         return [self.read(file) for file in files]
 
     def test_killed_runs_go_on_to_the_same_bits(self):
-        sphere = self.make("icosphere", "--frequency", 20)
+        sphere = self.generate("icosphere", "--frequency", 20)
         for name, more in (("heat", ("--side", "dual", "--until", 0.1, "--frames", 40)),
                            ("wave", ("--until", 1, "--frames", 40))):
             line = (name, sphere, "--initial", "exp(-9*(x-1)^2)", *more)

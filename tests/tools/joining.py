@@ -3,27 +3,10 @@
 import itertools
 import math
 import os
-import unittest
 
 import command
 from command import TestCase
-
-
-def off(points, cells):
-    lines = ["OFF", f"{len(points)} {len(cells)} 0"]
-    lines += [" ".join(map(repr, point)) for point in points]
-    lines += [f"{len(cell)} " + " ".join(map(str, cell)) for cell in cells]
-    return "\n".join(lines) + "\n"
-
-
-def grid(n, left, width=1.0):
-    """[left, left + width] x [0, 1] in n x n squares, as points and triangles."""
-    points = [(left + width * i / n, j / n, 0.0) for i in range(n + 1) for j in range(n + 1)]
-    cells = []
-    for i, j in itertools.product(range(n), range(n)):
-        a, b = i * (n + 1) + j, (i + 1) * (n + 1) + j
-        cells += [(a, b, b + 1), (a, b + 1, a + 1)]
-    return points, cells
+from motions import off, squares
 
 
 def both(one, other):
@@ -115,7 +98,9 @@ class SplitVertices(TestCase):
 class HangingNodes(TestCase):
     def setUp(self):
         super().setUp()
-        self.write("hanging.off", off(*both(grid(4, 0.0), grid(8, 1.0))))
+        self.write("hanging.off", off(*both(
+            squares(4, 4, lambda i, j: (i / 4, j / 4, 0)),
+            squares(8, 8, lambda i, j: (1 + i / 8, j / 8, 0)))))
 
     def test_are_counted_and_told_with_the_remedy(self):
         info = self.ask("info", "hanging.off")

@@ -8,6 +8,7 @@ import resource
 
 import command
 from command import TestCase
+from motions import nsc, off, squares
 
 GROWTH = 2.5   # at most, where the number of cells is doubled
 LASTING = 0.3  # seconds, below which the start of the program counts
@@ -18,37 +19,9 @@ MERGE = ("merge", "-o", "a.vtu")
 PRIMAL, DUAL = (("poisson", "--side", side, "--rhs", 1) for side in ("primal", "dual"))
 
 
-def off(points, faces):
-    return "".join([f"OFF\n{len(points)} {len(faces)} 0\n",
-                    *("%.17g %.17g %.17g\n" % tuple(p) for p in points),
-                    *(f"{len(f)} {' '.join(map(str, f))}\n" for f in faces)])
-
-
-def nsc(points, cells):
-    return "".join([f"{len(cells[0]) - 1} {len(points[0])} {len(points)} {len(cells)}\n",
-                    *(" ".join(map(repr, map(float, p))) + "\n" for p in points),
-                    *(" ".join(map(str, c)) + "\n" for c in cells)])
-
-
 def on_circle(n, digits=17):
     angles = [2 * math.pi * i / n for i in range(n)]
     return [(round(math.cos(a), digits), round(math.sin(a), digits)) for a in angles]
-
-
-def squares(rows, columns, place, keep=lambda i, j: True):
-    """Triangles of the squares that are kept; place(i, j) of each corner."""
-    numbers, points, faces = {}, [], []
-
-    def at(i, j):
-        if (i, j) not in numbers:
-            numbers[i, j] = len(points)
-            points.append(place(i, j))
-        return numbers[i, j]
-    for i, j in itertools.product(range(rows), range(columns)):
-        if keep(i, j):
-            a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
-            faces += [(a, b, c), (a, c, d)]
-    return points, faces
 
 
 def fan(n):

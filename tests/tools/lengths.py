@@ -5,6 +5,7 @@ import os
 
 import command
 from command import TestCase
+from motions import nsc, squares
 
 
 def flat_torus(n):
@@ -27,14 +28,8 @@ class Lengths(TestCase):
         super().setUp()
         self.torus = self.write("torus.nsl", flat_torus(4))
 
-    def refuse(self, *arguments):
-        return self.fail_with(2, *arguments)
-
     def test_boxes_glued_to_themselves_are_such_meshes(self):
-        square = self.write("square.nsc", "\n".join(
-            ["2 2 25 32", *(f"{x} {y}" for x in range(5) for y in range(5)),
-             *(f"{5 * x + y} {5 * x + y + 5} {5 * x + y + 6}" for x in range(4) for y in range(4)),
-             *(f"{5 * x + y} {5 * x + y + 6} {5 * x + y + 1}" for x in range(4) for y in range(4)), ""]))
+        square = self.write("square.nsc", nsc(*squares(4, 4, lambda x, y: (x, y))))
         glued = ("--periodic", "4,0", "--periodic", "0,4")
         for ask in (("info",), ("spectrum", "--side", "primal", "--degree", 1, "--count", 6),
                     ("spectrum", "--side", "dual", "--degree", 0, "--count", 5)):
@@ -46,15 +41,14 @@ class Lengths(TestCase):
             else:
                 for one, other in zip(answer["eigenvalues"], expected["eigenvalues"]):
                     self.assertAlmostEqual(one, other, delta=1e-9)
-        in_space = self.path("square.off")
-        self.succeed("generate", "grid", "--nx", 4, "--ny", 4, "-o", in_space)
+        in_space = self.generate("grid", "--nx", 4, "--ny", 4)
         self.assertEqual(self.ask("info", in_space, "--periodic", "1,0")["cells"],
                          self.ask("info", in_space, "--periodic", "1,0,0")["cells"])
         ribbon = self.ask("info", square, "--periodic", "4,0")
         self.assertEqual(ribbon["betti"]["merged"], [1, 1, 0])
-        self.assertSays(self.refuse("info", square, "--periodic", "3.5,0"), f"{square}: ",
+        self.assertSays(self.fail_with(2, "info", square, "--periodic", "3.5,0"), f"{square}: ",
                         "(3.5, 0)", "no vertex")
-        self.assertSays(self.refuse("info", self.torus, "--periodic", "4,0"), f"{self.torus}: ",
+        self.assertSays(self.fail_with(2, "info", self.torus, "--periodic", "4,0"), f"{self.torus}: ",
                         "no points")
         self.assertSays(self.fail_with(1, "info", square, "--periodic", "4;0"), "--periodic: ",
                         "numbers", "commas", "'4;0'")
@@ -74,15 +68,15 @@ class Lengths(TestCase):
         self.assertGreater(klein["eigenvalues"][4], torus["eigenvalues"][4] + 1)
         self.assertEqual(self.ask("info", square, "--glue", "x+1; 1-y; z")["cells"],
                          self.ask("info", square, *twist)["cells"])
-        self.assertSays(self.refuse("info", square, "--glue", "2*x; 2*y"), f"{square}: ",
+        self.assertSays(self.fail_with(2, "info", square, "--glue", "2*x; 2*y"), f"{square}: ",
                         "isometry 0", "edge", 0, 1, "expected")
         coarse = self.path("coarse.off")
         self.succeed("generate", "grid", "--nx", 4, "--ny", 4, "-o", coarse)
-        self.assertSays(self.refuse("info", coarse, "--glue", "x+1; y*y"), f"{coarse}: ",
+        self.assertSays(self.fail_with(2, "info", coarse, "--glue", "x+1; y*y"), f"{coarse}: ",
                         "isometry 0", "vertices", "as far apart", "expected")
-        self.assertSays(self.refuse("info", square, "--glue", "x+1"), f"{square}: ", "--glue",
+        self.assertSays(self.fail_with(2, "info", square, "--glue", "x+1"), f"{square}: ", "--glue",
                         "1 component", "expected 3")
-        self.assertSays(self.refuse("info", self.torus, *twist), f"{self.torus}: ", "no points")
+        self.assertSays(self.fail_with(2, "info", self.torus, *twist), f"{self.torus}: ", "no points")
 
     def test_info_knows_all_but_coordinates(self):
         answer = self.ask("info", self.torus)
@@ -122,12 +116,12 @@ class Lengths(TestCase):
                                 ("drawing", (*poisson, 0, "-o", "u.vtu")),
                                 ("drawing", (*spectrum, "-o", "u.vtu")),
                                 ("drawing", ("merge", self.torus, "-o", "u.off"))):
-            self.assertSays(self.refuse(*arguments), "lengths", what, "needs points")
+            self.assertSays(self.fail_with(2, *arguments), "lengths", what, "needs points")
         self.assertEqual(os.listdir(self.folder), ["torus.nsl"])
 
     def test_lengths_that_no_triangle_has_are_refused(self):
         bad = self.write("bad.nsl", "2 3 1 3\n0 1 2\n0 1 1\n0 2 1\n1 2 2.5\n")
-        self.assertSays(self.refuse("info", bad), f"polydec: {bad}: ", "lengths", "2-simplex 0",
+        self.assertSays(self.fail_with(2, "info", bad), f"polydec: {bad}: ", "lengths", "2-simplex 0",
                         "0, 1, 2", "inequality", 2.5, "1 + 1")
 
 

@@ -2,6 +2,7 @@
 """Materials: physical groups that are kept apart, and a conductivity for each of them."""
 import command
 from command import TestCase
+from motions import medit, squares
 
 KAPPA = "group==2 ? 10 : 1"
 EXACT = "x<0.5 ? x : 0.5+(x-0.5)/10"
@@ -9,15 +10,9 @@ EXACT = "x<0.5 ? x : 0.5+(x-0.5)/10"
 
 def plate(n, tag_of):
     """The text of a square of n x n squares, of two triangles each, with a group for each."""
-    vertices = [f"{x / n} {y / n} 0" for y in range(n + 1) for x in range(n + 1)]
-    triangles = []
-    for y in range(n):
-        for x in range(n):
-            a = y * (n + 1) + x + 1
-            b, c, d = a + 1, a + n + 2, a + n + 1
-            triangles += [f"{a} {b} {c} {tag_of(x, y, 0)}", f"{a} {c} {d} {tag_of(x, y, 1)}"]
-    return "\n".join(["MeshVersionFormatted 2", "Dimension 2", "Vertices", str(len(vertices)),
-                      *vertices, "Triangles", str(len(triangles)), *triangles, "End", ""])
+    points, triangles = squares(n, n, lambda i, j: (i / n, j / n))
+    return medit(points, Triangles=[(*triangle, tag_of(k // 2 // n, k // 2 % n, k % 2))
+                                    for k, triangle in enumerate(triangles)])
 
 
 class Materials(TestCase):

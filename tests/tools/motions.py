@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Meshes as points and cells, and what else they can be given as."""
+"""Meshes as points and cells, as text, and what else they can be given as."""
 import itertools
 import math
 
@@ -22,6 +22,43 @@ def determinant(rows):
     return result
 
 
+def off(points, cells):
+    """The text of polygons in space."""
+    return "".join([f"OFF\n{len(points)} {len(cells)} 0\n",
+                    *(" ".join(map(repr, point)) + "\n" for point in points),
+                    *(f"{len(cell)} {' '.join(map(str, cell))}\n" for cell in cells)])
+
+
+def nsc(points, cells):
+    """The text of simplices."""
+    rows = [[len(points[0]), len(cells[0]) - 1, len(points), len(cells)], *points, *cells]
+    return "".join(" ".join(map(repr, row)) + "\n" for row in rows)
+
+
+def medit(points, **sections):
+    """The text of points in the plane and of cells, each with its tag behind its corners."""
+    rows = {"Vertices": [(x, y, 0) for x, y in points],
+            **{name: [(*(v + 1 for v in cell), tag) for *cell, tag in cells]
+               for name, cells in sections.items()}}
+    return "".join(["MeshVersionFormatted 2\nDimension 2\n",
+                    *(f"{name}\n{len(lines)}\n" + "".join(" ".join(map(str, line)) + "\n"
+                                                         for line in lines)
+                      for name, lines in rows.items()), "End\n"])
+
+
+def squares(columns, rows, place, keep=lambda i, j: True):
+    """Points and triangles of the squares that are kept, two for each: place(i, j) of each corner,
+    in the order of (i, j)."""
+    kept = [(i, j) for i, j in itertools.product(range(columns), range(rows)) if keep(i, j)]
+    corners = sorted({(i + a, j + b) for i, j in kept for a in (0, 1) for b in (0, 1)})
+    number = {corner: v for v, corner in enumerate(corners)}
+    faces = []
+    for i, j in kept:
+        a, b, c, d = (number[at] for at in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
+        faces += [(a, b, c), (a, c, d)]
+    return [place(i, j) for i, j in corners], faces
+
+
 class Mesh:
     """Points and cells of a mesh of n-simplices in N coordinates."""
 
@@ -36,6 +73,14 @@ class Mesh:
         return cls([list(map(float, row)) for row in rows[1:vertices + 1]],
                    [list(map(int, row)) for row in rows[vertices + 1:]])
 
+    @classmethod
+    def read(cls, path):
+        with open(path, encoding="ascii") as file:
+            return cls.of_text(file.read())
+
+    def times(self, size):
+        return Mesh([[size * x for x in point] for point in self.points], self.cells)
+
     def oriented(self):
         """With cells oriented as space is, where they fill it: an order of cells that are oriented
         differently would make a difference."""
@@ -47,8 +92,7 @@ class Mesh:
         return self
 
     def text(self):
-        rows = [[self.N, self.n, len(self.points), len(self.cells)], *self.points, *self.cells]
-        return "".join(" ".join(map(repr, row)) + "\n" for row in rows)
+        return nsc(self.points, self.cells)
 
 
 class Motion:

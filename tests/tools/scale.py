@@ -8,6 +8,7 @@ from fractions import Fraction
 
 import command
 from command import TestCase, parse
+from motions import Mesh
 
 # powers of two change no digit; the first and the last two need other units inside
 EXACT = [2.0**-500, 2.0**-332, 2.0**-26, 2.0**26, 2.0**332, 2.0**500]
@@ -34,11 +35,7 @@ def cubes(n, side, amount):
 
 
 def text_of(points, cells, size):
-    n = len(cells[0]) - 1
-    lines = [f"{len(points[0])} {n} {len(points)} {len(cells)}"]
-    lines += [" ".join(repr(x * size) for x in point) for point in points]
-    lines += [" ".join(map(str, cell)) for cell in cells]
-    return "\n".join(lines) + "\n"
+    return Mesh(points, cells).times(size).text()
 
 
 def lengths_of(points, cells, size):

@@ -13,6 +13,7 @@ import xml.etree.ElementTree
 import command
 from command import TestCase
 from mesh_laws import mesh_files
+from motions import Mesh
 from tet_meshes import Tetrahedra
 
 JITTERS = (0, 1e-12, 1e-8, 1e-5)
@@ -91,9 +92,7 @@ class GridPoints(OfTetGen):
         # octahedra are cut, and the quadrilaterals of two tetrahedra that are on one sphere
         for name, cells, without_dual in (("fcc", [63, 264, 328, 126], 96),
                                           ("bcc", [35, 130, 168, 72], 0)):
-            self.succeed("generate", name, "--cells", 2, "-o", f"{name}.nsc")
-            rows = [line.split() for line in self.read(f"{name}.nsc").splitlines()]
-            points = [list(map(float, row)) for row in rows[1:1 + int(rows[0][2])]]
+            points = Mesh.read(self.generate(name, "--cells", 2, extension="nsc")).points
             for jitter, everywhere in itertools.product(JITTERS, (False, True)):
                 with self.subTest(name, jitter=jitter, everywhere=everywhere):
                     place = random.Random(3)

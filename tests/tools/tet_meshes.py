@@ -12,6 +12,7 @@ import command
 from command import TestCase, golden
 from mesh_laws import (differences, inclusion_flaws, kernel_flaws, mesh_files, partition_flaws,
                        topology_flaws)
+from motions import Mesh
 
 SECONDS = 300
 COUNT = 4
@@ -249,8 +250,7 @@ class Lattices(Tetrahedra):
     """Meshes that need no folder: cubes, pyramids, octahedra."""
 
     def make(self, name, cells, extension="nsc"):
-        self.succeed("generate", name, "--cells", cells, "-o", f"{name}.{extension}")
-        return f"{name}.{extension}"
+        return self.generate(name, "--cells", cells, extension=extension)
 
     def test_all_commands(self):
         # refused degrees of primal forms; bcc has negative duals, fcc zero ones at the boundary
@@ -304,10 +304,8 @@ class Orientation(Tetrahedra):
     def setUp(self):
         super().setUp()
         self.succeed("generate", "kuhn", "--cells", 2, "-o", "mesh.nsc")
-        rows = [line.split() for line in self.read("mesh.nsc").splitlines()]
-        count = int(rows[0][2])
-        self.points = [list(map(float, row)) for row in rows[1:1 + count]]
-        self.cells = [list(map(int, row)) for row in rows[1 + count:]]
+        mesh = Mesh.of_text(self.read("mesh.nsc"))
+        self.points, self.cells = mesh.points, mesh.cells
 
     def answers(self, name):
         results = [self.ask("info", name)]

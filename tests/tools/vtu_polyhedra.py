@@ -10,21 +10,13 @@ import xml.etree.ElementTree
 
 import command
 from command import TestCase, golden
+from motions import Mesh, nsc
 from polyhedra import (INTERPRETER, READERS, ROUNDING, Broken, Grid, area_vector, array_of, bend,
                        cell_of, count_faces, cross, differences, directed_edges, dot, flaws, minus,
                        read_alone, turned, unmatched_faces, vertices_of, volume, write_plain)
 
 SOLIDS = ("bcc2.nsc", "fcc1.nsc", "kuhn3.nsc", "solid_torus3.nsc", "split_cubes.nsc")
 SURFACES = ("grid4.nsc", "hex4.nsc", "ring6.nsc", "wellcentred4.nsc", "torus8x6.off", "uv8.off")
-
-
-def read_nsc(path):
-    """Points, filled up to three coordinates, and simplices."""
-    with open(path, encoding="ascii") as file:
-        lines = [line.split() for line in file if not line.startswith("#")]
-    _, _, count, simplices = map(int, lines[0])
-    points = [tuple(map(float, [*line, 0, 0][:3])) for line in lines[1:1 + count]]
-    return points, [list(map(int, line)) for line in lines[1 + count:1 + count + simplices]]
 
 
 def tetrahedra_volume(points, simplices):
@@ -67,15 +59,11 @@ class Solids(TestCase):
 
     def check_nsc(self, mesh, *more):
         grid = self.check(mesh, *more)
-        points, simplices = read_nsc(os.path.join(self.folder, mesh))
-        self.assertEqual(grid.points, points)
-        total = tetrahedra_volume(points, simplices)
-        self.assertAlmostEqual(math.fsum(volume(points, faces) for faces in grid.cells), total,
+        given = Mesh.read(self.path(mesh))
+        self.assertEqual(grid.points, list(map(tuple, given.points)))
+        total = tetrahedra_volume(given.points, given.cells)
+        self.assertAlmostEqual(math.fsum(volume(grid.points, faces) for faces in grid.cells), total,
                                delta=ROUNDING * total)
-
-    def generate(self, name, cells):
-        self.succeed("generate", name, "--cells", cells, "-o", "mesh.nsc")
-        return "mesh.nsc"
 
     def test_golden_solids(self):
         for name in SOLIDS:
@@ -88,16 +76,14 @@ class Solids(TestCase):
         # of the lattices: number of cells by number of points
         for name, cells, kinds in (("kuhn", 3, {8: 27}), ("bcc", 3, {4: 216, 5: 54}),
                                    ("fcc", 2, {4: 88, 5: 24, 6: 14})):
-            mesh = self.generate(name, cells)
-            self.check_nsc(mesh)
+            self.check_nsc(self.generate(name, "--cells", cells, extension="nsc"))
             self.assertEqual(self.kinds(read_alone(self.path("a.vtu")).cells), kinds)
 
     def test_the_orientation_of_the_input_does_not_matter(self):
-        points, simplices = read_nsc(golden("kuhn3.nsc"))
+        mesh = Mesh.read(golden("kuhn3.nsc"))
         for turn in (lambda i: True, lambda i: i % 3 == 0):
-            cells = [s[:2] + s[:1:-1] if turn(i) else s for i, s in enumerate(simplices)]
-            self.write("turned.nsc", f"3 3 {len(points)} {len(cells)}\n" + "".join(
-                " ".join(map(repr, row)) + "\n" for row in [*points, *cells]))
+            cells = [s[:2] + s[:1:-1] if turn(i) else s for i, s in enumerate(mesh.cells)]
+            self.write("turned.nsc", nsc(mesh.points, cells))
             self.check_nsc("turned.nsc")
 
     def test_real_solids(self):

@@ -12,13 +12,8 @@ PULSE = ("--degree", 0, "--initial", "exp(-200*((x-.5)^2+(y-.5)^2))")
 
 
 class Waves(TestCase):
-    def make(self, kind, *arguments):
-        path = self.path(f"{kind}.off")
-        self.succeed("generate", kind, *arguments, "-o", path)
-        return path
-
     def test_waves_of_both_sides_swing_back(self):
-        square = self.make("grid", "--nx", 32, "--ny", 32)
+        square = self.generate("grid", "--nx", 32, "--ny", 32)
         for more in (("--side", "dual"), ("--side", "primal", "--essential-where", 1)):
             answer = self.ask("wave", square, "--initial", "sin(pi*x)*sin(pi*y)", "--until",
                               math.sqrt(2) / 2, *more)
@@ -44,7 +39,7 @@ class Waves(TestCase):
         self.assertGreater(answer["relative_energy"], 0)
 
     def test_a_layer_swallows_what_a_wall_throws_back(self):
-        square = self.make("grid", "--nx", 40, "--ny", 40)
+        square = self.generate("grid", "--nx", 40, "--ny", 40)
         line = ("maxwell", square, *PULSE, "--until", 2)
         kept = self.ask(*line)
         self.assertAlmostEqual(kept["relative_energy"], 1, delta=1e-11)
@@ -59,7 +54,7 @@ class Waves(TestCase):
                         "above 0", "below 1")
 
     def test_conductors_and_materials(self):
-        square = self.make("grid", "--nx", 16, "--ny", 16)
+        square = self.generate("grid", "--nx", 16, "--ny", 16)
         for side in ("primal", "dual"):
             line = ("maxwell", square, *PULSE, "--until", 1, "--side", side)
             empty = self.ask(*line)
@@ -80,7 +75,7 @@ class Waves(TestCase):
 
     def test_currents_drive_a_resonator(self):
         # from nothing, J = -sin(pi x) sin(pi y) cos(w t) with w the frequency makes E of the size t / 2
-        square = self.make("grid", "--nx", 32, "--ny", 32)
+        square = self.generate("grid", "--nx", 32, "--ny", 32)
         frequency = math.sqrt(2) * math.pi
         end = 4 * math.pi / frequency
         line = ("maxwell", square, "--degree", 0, "--current", "-sin(pi*x)*sin(pi*y)", "--until",
@@ -110,7 +105,7 @@ class Waves(TestCase):
         self.fail_with(1, "maxwell", box, "--until", 1)
 
     def test_stopped_runs_go_on_to_the_same_bits(self):
-        square = self.make("grid", "--nx", 60, "--ny", 60)
+        square = self.generate("grid", "--nx", 60, "--ny", 60)
         line = ("maxwell", square, *PULSE, "--current", "x", "--pulse", "sin(9*t)", "--absorb",
                 0.2, "--until", 40, "--frames", 4)
         whole, took = timed(self, *line, "-o", "whole.pvd")
@@ -131,7 +126,7 @@ class Waves(TestCase):
         self.assertGreater(between, 0) # not only after frames
 
     def test_spectra_go_on_with_what_was_found(self):
-        sphere = self.make("icosphere", "--frequency", 16)
+        sphere = self.generate("icosphere", "--frequency", 16)
         line = ("spectrum", sphere, "--side", "primal", "--degree", 0, "--count", 150)
         whole, took = timed(self, *line)
         self.assertNotIn("resumed_with", whole)
