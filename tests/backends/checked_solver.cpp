@@ -85,13 +85,12 @@ private:
 
 TEST(checked_solver, want_of_memory_names_the_engine_and_what_it_was_for) {
     Greedy direct(true, Method::direct), iterative(false, Method::iterative);
-    EXPECT_TRUE(
-        says(message_of<OutOfMemory>([&] { direct.factorize(grid_laplacian(4), positive()); }),
-             {"greedy", "memory", "factorize", "16 x 16", "iterative"}));
+    EXPECT_SAYS(message_of<OutOfMemory>([&] { direct.factorize(grid_laplacian(4), positive()); }),
+                "greedy", "memory", "factorize", "16 x 16", "iterative");
     EXPECT_THROW(direct.solve(Vector::Ones(16)), InvalidInput);
     iterative.factorize(grid_laplacian(4), positive());
-    EXPECT_TRUE(says(message_of<OutOfMemory>([&] { iterative.solve(Vector::Ones(16)); }),
-                     {"greedy", "memory", "solve", "16 x 16"}));
+    EXPECT_SAYS(message_of<OutOfMemory>([&] { iterative.solve(Vector::Ones(16)); }), "greedy",
+                "memory", "solve", "16 x 16");
 }
 
 /// Knows that its factor takes 3 MB.
@@ -113,7 +112,7 @@ TEST(checked_solver, factors_that_exceed_the_limit_are_refused) {
     const auto told =
         message_of<OutOfMemory>([&] { solver.factorize(grid_laplacian(4), positive()); });
     set_memory_limit(machine_memory());
-    EXPECT_TRUE(says(told, {"foresighted", "16 x 16", "3 MB", "2 MB", "iterative"}));
+    EXPECT_SAYS(told, "foresighted", "16 x 16", "3 MB", "2 MB", "iterative");
 }
 
 /// Any sparse matrix: rows and columns may be empty, entries repeat, scales differ.

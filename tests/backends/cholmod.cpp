@@ -16,7 +16,7 @@ TEST(cholmod, factors_of_both_kinds_are_held_against_memory_before_they_are_made
         set_memory_limit(1000000);
         const auto told = message_of<OutOfMemory>([&] { solver->factorize(A, facts); });
         set_memory_limit(machine_memory());
-        EXPECT_TRUE(says(told, {"cholmod", "10000 x 10000", "1 MB", "iterative"}));
+        EXPECT_SAYS(told, "cholmod", "10000 x 10000", "1 MB", "iterative");
         EXPECT_NO_THROW(solver->factorize(A, facts));
     }
 }

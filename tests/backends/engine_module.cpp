@@ -41,8 +41,8 @@ TEST(engine_module, errors_cross_the_border_of_a_module) {
 
 TEST(engine_module, a_module_for_another_version_is_refused_before_it_runs) {
     const std::string path = POLYDEC_TEST_OLD_MODULE;
-    EXPECT_TRUE(says(message_of<BackendUnavailable>([&] { load_engine_module(path); }),
-                     {path, "version 0", std::to_string(engine_module_version)}));
+    EXPECT_SAYS(message_of<BackendUnavailable>([&] { load_engine_module(path); }), path,
+                "version 0", std::to_string(engine_module_version));
 }
 
 TEST(engine_module, what_is_no_module_is_refused) {
@@ -88,8 +88,8 @@ TEST(engine_module, why_a_module_cannot_be_loaded_is_told_when_its_engine_is_ask
     EXPECT_FALSE(has_linear_solver("broken.solver"));
     const auto message =
         message_of<BackendUnavailable>([] { make_linear_solver("broken.solver"); });
-    EXPECT_TRUE(says(message, {"linear solver", "broken.solver"}));
-    EXPECT_TRUE(says(message, {"broken.so", "module"}));
+    EXPECT_SAYS(message, "linear solver", "broken.solver");
+    EXPECT_SAYS(message, "broken.so", "module");
     EXPECT_THROW(make_linear_solver("unbroken.solver"), InvalidInput);
 }
 

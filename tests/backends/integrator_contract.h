@@ -4,7 +4,6 @@
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
-#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 

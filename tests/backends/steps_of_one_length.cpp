@@ -51,7 +51,7 @@ TEST_P(StepsOfOneLength, have_their_order_and_are_asked_for_where_there_are_no_o
         EXPECT_FALSE(make()->traits().resumes_anywhere);
         return;
     }
-    EXPECT_TRUE(says(refusal([&] { make(); }), {GetParam(), "fixed_step above 0"}));
+    EXPECT_REFUSED(make(), GetParam(), "fixed_step above 0");
     const double expected = of_one_length.at(GetParam());
     const Forced forced;
     EXPECT_NEAR(order(swinging(), swung(0), swung(2), 2, 80), expected, 0.2);

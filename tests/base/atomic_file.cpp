@@ -104,16 +104,15 @@ TEST(AtomicFile, NamesWithManyLettersFit) {
 TEST(AtomicFile, SaysThatTheFolderIsMissing) {
     const TemporaryFolder folder;
     const auto missing = folder.path("out");
-    EXPECT_TRUE(says(error_of([&missing] { AtomicFile(missing / "a.txt"); }),
-                     {"IoError", (missing / "a.txt").string(), "No such file", missing.string()}));
+    EXPECT_SAYS(error_of([&missing] { AtomicFile(missing / "a.txt"); }), "IoError",
+                (missing / "a.txt").string(), "No such file", missing.string());
 }
 
 TEST(AtomicFile, RefusesFoldersAndDevices) {
     const TemporaryFolder folder;
-    EXPECT_TRUE(says(error_of([&folder] { AtomicFile(folder.path()); }),
-                     {"IoError", folder.path().string(), "regular file"}));
-    EXPECT_TRUE(
-        says(error_of([] { AtomicFile("/dev/null"); }), {"IoError", "/dev/null", "regular file"}));
+    EXPECT_SAYS(error_of([&folder] { AtomicFile(folder.path()); }), "IoError",
+                folder.path().string(), "regular file");
+    EXPECT_SAYS(error_of([] { AtomicFile("/dev/null"); }), "IoError", "/dev/null", "regular file");
 }
 
 TEST(AtomicFile, AReadOnlyFileStays) {
@@ -122,8 +121,8 @@ TEST(AtomicFile, AReadOnlyFileStays) {
     std::filesystem::create_symlink("a.txt", folder.path("link.txt"));
     ::chmod(path.c_str(), 0444);
     for (const auto& name : {path, folder.path("link.txt")})
-        EXPECT_TRUE(says(error_of([&name] { AtomicFile(name).commit(); }),
-                         {"IoError", name.string(), "read-only"}));
+        EXPECT_SAYS(error_of([&name] { AtomicFile(name).commit(); }), "IoError", name.string(),
+                    "read-only");
     EXPECT_EQ(read_text(path), "precious");
     EXPECT_EQ(folder.names(), (Names{"a.txt", "link.txt"}));
     ::chmod(path.c_str(), 0644);
@@ -135,12 +134,12 @@ TEST(AtomicFile, SaysThatThereIsNoRoom) {
     const TemporaryFolder folder;
     const auto path = folder.path("a.txt");
     const FileSizeLimit limit(1000);
-    EXPECT_TRUE(says(error_of([&path] {
-                         AtomicFile file(path);
-                         file.write(std::string(2000, 'x'));
-                         file.commit();
-                     }),
-                     {"IoError", path.string(), "File too large"}));
+    EXPECT_SAYS(error_of([&path] {
+                    AtomicFile file(path);
+                    file.write(std::string(2000, 'x'));
+                    file.commit();
+                }),
+                "IoError", path.string(), "File too large");
     EXPECT_TRUE(folder.names().empty());
 }
 
@@ -164,8 +163,7 @@ TEST(AtomicFile, RefusesMoreThanItCanRemove) {
         files.push_back(std::make_unique<AtomicFile>(folder.path(std::to_string(i))));
     }
     const auto path = folder.path("a.txt");
-    EXPECT_TRUE(
-        says(error_of([&path] { AtomicFile file(path); }), {"IoError", path.string(), "64 files"}));
+    EXPECT_SAYS(error_of([&path] { AtomicFile file(path); }), "IoError", path.string(), "64 files");
     files.clear();
     EXPECT_TRUE(folder.names().empty());
     AtomicFile(path).commit();

@@ -2,7 +2,7 @@
 #include "system/atomic_folder.h"
 
 #include "tests/io/support.h"
-#include "tests/support/says.h"
+#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -61,8 +61,7 @@ TEST(AtomicFolder, ReplacesAnEarlierResultAndNothingElse) {
     EXPECT_EQ(place.names(), Names{"out"});
 
     write(target / "mine.txt", "precious");
-    EXPECT_TRUE(says(error_of([&] { AtomicFolder(target, is_ours); }),
-                     {"InvalidInput", target.string(), "mine.txt"}));
+    EXPECT_REFUSED(AtomicFolder(target, is_ours), target.string(), "mine.txt");
     EXPECT_EQ(read_text(target / "b.txt"), "new");
 }
 

@@ -134,11 +134,11 @@ TEST_F(ChildProcess, output_may_end_long_before_the_program) {
 }
 
 TEST_F(ChildProcess, what_cannot_be_started_is_an_error_that_says_why) {
-    EXPECT_TRUE(says(start_failure("/no/program", folder()), {"/no/program", "No such file"}));
-    EXPECT_TRUE(says(start_failure("/bin/sh", folder() / "none"), {"/bin/sh", "No such file"}));
+    EXPECT_SAYS(start_failure("/no/program", folder()), "/no/program", "No such file");
+    EXPECT_SAYS(start_failure("/bin/sh", folder() / "none"), "/bin/sh", "No such file");
     std::ofstream(folder() / "plain") << "text";
-    EXPECT_TRUE(says(start_failure(folder() / "plain", folder()),
-                     {(folder() / "plain").string(), "Permission"}));
+    EXPECT_SAYS(start_failure(folder() / "plain", folder()), (folder() / "plain").string(),
+                "Permission");
 }
 
 TEST_F(ChildProcess, a_signal_to_end_stops_it_and_is_delivered_afterwards) {

@@ -65,7 +65,7 @@ TEST(MemoryLimit, is_the_machines_at_first) {
 TEST(MemoryLimit, refuses_what_is_above_it) {
     set_memory_limit(2000000);
     EXPECT_EQ(refusal(2e6), "accepted");
-    EXPECT_TRUE(says(refusal(3e6), {"3 MB", "memory", "2 MB"}));
+    EXPECT_SAYS(refusal(3e6), "3 MB", "memory", "2 MB");
     for (const double bytes :
          {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e300})
         EXPECT_NE(refusal(bytes), "accepted");

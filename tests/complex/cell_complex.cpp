@@ -34,38 +34,29 @@ TEST(CellComplex, is_made_of_matrices_that_fit) {
 }
 
 TEST(CellComplex, refuses_faces_that_do_not_close_up) {
-    EXPECT_TRUE(says(refusal([] {
-                         CellComplex({triangle_edges, incidences({{1, 1, 1}}, 3)});
-                     }),
-                     {"d_1 d_0", "-2", "0-cell 0", "2-cell 0"}));
+    EXPECT_REFUSED(CellComplex({triangle_edges, incidences({{1, 1, 1}}, 3)}), "d_1 d_0", "-2",
+                   "0-cell 0", "2-cell 0");
 }
 
 TEST(CellComplex, names_the_degree_where_faces_do_not_close_up) {
     const auto d1 = incidences({{0, 0, 0}, {0, 0, 0}}, 3), d2 = incidences({{1, -1}}, 2);
-    EXPECT_EQ(refusal([&] { CellComplex({triangle_edges, d1, d2}); }), "accepted");
+    EXPECT_NO_THROW(CellComplex({triangle_edges, d1, d2}));
     const auto broken = incidences({{1, -1, 1}, {1, -1, 1}}, 3);
-    EXPECT_EQ(refusal([&] { CellComplex({triangle_edges, broken, d2}); }), "accepted");
-    EXPECT_TRUE(says(refusal([&] {
-                         CellComplex({triangle_edges, broken, incidences({{1, 1}}, 2)});
-                     }),
-                     {"d_2 d_1", "2", "1-cell 0", "3-cell 0"}));
+    EXPECT_NO_THROW(CellComplex({triangle_edges, broken, d2}));
+    EXPECT_REFUSED(CellComplex({triangle_edges, broken, incidences({{1, 1}}, 2)}), "d_2 d_1", "2",
+                   "1-cell 0", "3-cell 0");
 }
 
 TEST(CellComplex, refuses_matrices_that_do_not_fit) {
-    EXPECT_TRUE(says(refusal([] {
-                         CellComplex({triangle_edges, incidences({{1, -1}}, 2)});
-                     }),
-                     {"d_0", "3 rows", "d_1", "2 columns"}));
-    EXPECT_TRUE(
-        says(refusal([] { CellComplex(std::vector<IncidenceMatrix>{}); }), {"d_0", "dimension 1"}));
+    EXPECT_REFUSED(CellComplex({triangle_edges, incidences({{1, -1}}, 2)}), "d_0", "3 rows", "d_1",
+                   "2 columns");
+    EXPECT_REFUSED(CellComplex(std::vector<IncidenceMatrix>{}), "d_0", "dimension 1");
 }
 
 TEST(CellComplex, refuses_to_give_a_coboundary_beyond_its_degrees) {
     const CellComplex curve({triangle_edges});
-    EXPECT_TRUE(
-        says(refusal([&] { curve.coboundary(2); }), {"coboundary 2", "dimension 1", "-1", "1"}));
-    EXPECT_TRUE(
-        says(refusal([&] { curve.coboundary(-2); }), {"coboundary -2", "dimension 1", "-1", "1"}));
+    EXPECT_REFUSED(curve.coboundary(2), "coboundary 2", "dimension 1", "-1", "1");
+    EXPECT_REFUSED(curve.coboundary(-2), "coboundary -2", "dimension 1", "-1", "1");
 }
 
 TEST(CellComplex, does_not_take_stored_zeros_for_cofaces) {
@@ -81,16 +72,16 @@ std::string refused_simplices(const std::vector<std::vector<Index>>& tops) {
 }
 
 TEST(SimplicialComplex, refuses_a_repeated_corner) {
-    EXPECT_TRUE(says(refused_simplices({{0, 1, 2}, {3, 1, 3}}), {"cell 1", "corner", "1, 3, 3"}));
+    EXPECT_SAYS(refused_simplices({{0, 1, 2}, {3, 1, 3}}), "cell 1", "corner", "1, 3, 3");
 }
 
 TEST(SimplicialComplex, refuses_a_cell_given_twice_in_whatever_order) {
-    EXPECT_TRUE(says(refused_simplices({{5, 1, 2}, {0, 1, 2}, {2, 5, 1}}),
-                     {"cells 0", "2", "vertices 1, 2, 5"}));
+    EXPECT_SAYS(refused_simplices({{5, 1, 2}, {0, 1, 2}, {2, 5, 1}}), "cells 0", "2",
+                "vertices 1, 2, 5");
 }
 
 TEST(SimplicialComplex, refuses_negative_vertex_numbers) {
-    EXPECT_TRUE(says(refused_simplices({{0, 1, 2}, {1, -2, 2}}), {"vertex number -2"}));
+    EXPECT_SAYS(refused_simplices({{0, 1, 2}, {1, -2, 2}}), "vertex number -2");
 }
 
 TEST(SimplicialComplex, refuses_to_be_empty) {

@@ -8,7 +8,6 @@
 #include "tests/support/merged.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
-#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -179,23 +178,13 @@ TEST(GluedTriangles, without_being_told_of_a_flip_coordinates_lose_strands) {
 }
 
 TEST(GluedTriangles, are_refused_by_number) {
-    EXPECT_TRUE(
-        says(refusal([] {
-                 GluedSurface(Triangles{{{{0, 1}, {1, 1}, {2, 1}}}, {{{0, 1}, {0, 1}, {3, 1}}}});
-             }),
-             {"triangles", "edge 0", "0, 1 and 1"}));
-    EXPECT_TRUE(says(refusal([] {
-                         GluedSurface(Triangles{{{{0, 1}, {2, 1}, {2, 1}}}});
-                     }),
-                     {"no triangle", "edge 1"}));
-    EXPECT_TRUE(says(refusal([] {
-                         GluedSurface(Triangles{{{{0, 1}, {1, 3}, {2, 1}}}});
-                     }),
-                     {"triangle 0", "edge 1", "sign 3"}));
-    EXPECT_TRUE(
-        says(refusal([] { GluedSurface(merged("kuhn3").K()); }), {"dimension 3", "surface"}));
-    EXPECT_TRUE(says(refusal([] { GluedSurface(merged("branching").K()); }),
-                     {"3 triangles", "edge", "vertex 0", "1"}));
+    EXPECT_REFUSED(GluedSurface(Triangles{{{{0, 1}, {1, 1}, {2, 1}}}, {{{0, 1}, {0, 1}, {3, 1}}}}),
+                   "triangles", "edge 0", "0, 1 and 1");
+    EXPECT_REFUSED(GluedSurface(Triangles{{{{0, 1}, {2, 1}, {2, 1}}}}), "no triangle", "edge 1");
+    EXPECT_REFUSED(GluedSurface(Triangles{{{{0, 1}, {1, 3}, {2, 1}}}}), "triangle 0", "edge 1",
+                   "sign 3");
+    EXPECT_REFUSED(GluedSurface(merged("kuhn3").K()), "dimension 3", "surface");
+    EXPECT_REFUSED(GluedSurface(merged("branching").K()), "3 triangles", "edge", "vertex 0", "1");
 }
 
 } // namespace

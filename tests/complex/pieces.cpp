@@ -145,18 +145,12 @@ TEST(PiecesAre, refused_by_name_where_their_tables_do_not_fit) {
         return refusal([&] { Pieces({edges, triangles}, signs, {0, 1, 2}); });
     };
     EXPECT_EQ(glue(ends, Simplices{{1, 2, 0}}, {1}), "accepted");
-    EXPECT_TRUE(
-        says(glue(ends, Simplices{{1, 0, 2}}, {1}), {"faces", "2-simplex 0", "corners 0", "1"}));
-    EXPECT_TRUE(
-        says(glue(ends, Simplices{{1, 2, 3}}, {1}), {"face 2", "2-simplex 0", "3", "0", "2"}));
-    EXPECT_TRUE(says(glue(ends, Simplices{{1, 2}}, {1}), {"2 faces", "2-simplex", "3"}));
-    EXPECT_TRUE(
-        says(glue(ends, Simplices{{1, 2, 0}}, {2}), {"orientation", "simplex 0", "2", "1", "-1"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         Pieces({ends, Simplices{{1, 2, 0}}}, {1}, {0, 1, -2});
-                     }),
-                     {"vertex 2", "-2", "0"}));
-    EXPECT_TRUE(says(glue(ends, Simplices{{1, 2, 0}}, {}), {"0 orientations", "1"}));
+    EXPECT_SAYS(glue(ends, Simplices{{1, 0, 2}}, {1}), "faces", "2-simplex 0", "corners 0", "1");
+    EXPECT_SAYS(glue(ends, Simplices{{1, 2, 3}}, {1}), "face 2", "2-simplex 0", "3", "0", "2");
+    EXPECT_SAYS(glue(ends, Simplices{{1, 2}}, {1}), "2 faces", "2-simplex", "3");
+    EXPECT_SAYS(glue(ends, Simplices{{1, 2, 0}}, {2}), "orientation", "simplex 0", "2", "1", "-1");
+    EXPECT_REFUSED(Pieces({ends, Simplices{{1, 2, 0}}}, {1}, {0, 1, -2}), "vertex 2", "-2", "0");
+    EXPECT_SAYS(glue(ends, Simplices{{1, 2, 0}}, {}), "0 orientations", "1");
 }
 
 } // namespace

@@ -120,19 +120,17 @@ TEST(Combinations, are_refused_for_tables_of_other_simplices) {
         return refusal([&] { combinations(K, k, coordinates, of_vertices); });
     };
     EXPECT_EQ(refused(1, edges, square.points), "accepted");
-    EXPECT_TRUE(says(refused(1, edges.topRows(4), square.points), {"4 rows", "coordinates", "5"}));
-    EXPECT_TRUE(says(refused(1, edges.leftCols(1), square.points), {"1 coordinates", "2"}));
-    EXPECT_TRUE(says(refused(1, edges, square.points.topRows(3)), {"3 rows", "vertices", "4"}));
+    EXPECT_SAYS(refused(1, edges.topRows(4), square.points), "4 rows", "coordinates", "5");
+    EXPECT_SAYS(refused(1, edges.leftCols(1), square.points), "1 coordinates", "2");
+    EXPECT_SAYS(refused(1, edges, square.points.topRows(3)), "3 rows", "vertices", "4");
     for (const int k : {-1, 3})
         EXPECT_NE(refused(k, edges, square.points), "accepted");
 }
 
 TEST(CentersOfOnesOwn, and_centroids_do_not_go_with_flips) {
-    EXPECT_TRUE(says(refusal([] {
-                         discretize(grid(2, 2),
-                                    {.delaunay = Delaunay::flips, .centers = Centers::centroids()});
-                     }),
-                     {"flips", "centers"}));
+    EXPECT_REFUSED(
+        discretize(grid(2, 2), {.delaunay = Delaunay::flips, .centers = Centers::centroids()}),
+        "flips", "centers");
 }
 
 TEST(CentersOfOnesOwn, are_refused_by_name_where_they_are_none) {
@@ -145,15 +143,12 @@ TEST(CentersOfOnesOwn, are_refused_by_name_where_they_are_none) {
     Points triangles = Points::Constant(2, 3, 1.0 / 3);
     EXPECT_EQ(refused({vertices, edges, triangles}), "accepted");
     const Centers fewer({vertices, edges.topRows(4), triangles});
-    EXPECT_TRUE(says(refusal([&] { dual_volumes(K, square.points, fewer); }),
-                     {"4 centers", "1-simplices", "5"}));
+    EXPECT_REFUSED(dual_volumes(K, square.points, fewer), "4 centers", "1-simplices", "5");
     triangles(1, 2) = 1;
-    EXPECT_TRUE(
-        says(refused({vertices, edges, triangles}), {"coordinates", "center", "2-simplex 1"}));
+    EXPECT_SAYS(refused({vertices, edges, triangles}), "coordinates", "center", "2-simplex 1");
     triangles(1, 2) = NAN;
     EXPECT_NE(refused({vertices, edges, triangles}), "accepted");
-    EXPECT_TRUE(
-        says(refused({vertices, triangles}), {"3 coordinates", "center", "1-simplex", "2"}));
+    EXPECT_SAYS(refused({vertices, triangles}), "3 coordinates", "center", "1-simplex", "2");
 }
 
 } // namespace

@@ -161,35 +161,26 @@ POLYDEC_OVER_MESHES(Cochains);
 TEST(CochainErrors, name_side_degree_and_sizes) {
     const auto& m = merged("grid4");
     const auto& P = m.P();
-    EXPECT_TRUE(says(refusal([&] {
-                         d(P, {Side::primal, 1, Vector::Zero(3)});
-                     }),
-                     {"primal 1-form", "3 values", "40 1-cells"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         d(P, {Side::dual, 0, Vector::Zero(25)});
-                     }),
-                     {"dual 0-form", "25 values", "16 2-cells"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         star({P, m.volumes}, Cochain{Side::dual, 3, {}});
-                     }),
-                     {"dual forms", "degree 3", "dimension 2", "0", "2"}));
-    EXPECT_TRUE(
-        says(refusal([&] {
-                 pairing({Side::primal, 1, Vector::Zero(40)}, {Side::dual, 1, Vector::Zero(40)});
-             }),
-             {"dual 1-chain", "40 values", "primal 1-form", "40 values"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         return Cochain{Side::primal, 0, Vector::Zero(25)} +
-                                Cochain{Side::primal, 2, Vector::Zero(16)};
-                     }),
-                     {"primal 2-form", "16 values", "primal 0-form", "25 values"}));
+    EXPECT_REFUSED(d(P, {Side::primal, 1, Vector::Zero(3)}), "primal 1-form", "3 values",
+                   "40 1-cells");
+    EXPECT_REFUSED(d(P, {Side::dual, 0, Vector::Zero(25)}), "dual 0-form", "25 values",
+                   "16 2-cells");
+    EXPECT_REFUSED(star({P, m.volumes}, Cochain{Side::dual, 3, {}}), "dual forms", "degree 3",
+                   "dimension 2", "0", "2");
+    EXPECT_REFUSED(pairing({Side::primal, 1, Vector::Zero(40)}, {Side::dual, 1, Vector::Zero(40)}),
+                   "dual 1-chain", "40 values", "primal 1-form", "40 values");
+    EXPECT_SAYS(refusal([&] {
+                    return Cochain{Side::primal, 0, Vector::Zero(25)} +
+                           Cochain{Side::primal, 2, Vector::Zero(16)};
+                }),
+                "primal 2-form", "16 values", "primal 0-form", "25 values");
     const auto& bad = merged("star_negative");
-    EXPECT_TRUE(says(refusal([&] {
-                         Vector spike = Vector::Zero(bad.P().size(0));
-                         spike[star(bad.volumes, 0).negatives().front()] = 1;
-                         norm({bad.P(), bad.volumes}, {Side::primal, 0, spike});
-                     }),
-                     {"norm", "primal 0-form", "7 values"}));
+    EXPECT_SAYS(refusal([&] {
+                    Vector spike = Vector::Zero(bad.P().size(0));
+                    spike[star(bad.volumes, 0).negatives().front()] = 1;
+                    norm({bad.P(), bad.volumes}, {Side::primal, 0, spike});
+                }),
+                "norm", "primal 0-form", "7 values");
 }
 
 TEST(CochainErrors, name_the_value_that_is_no_number) {
@@ -209,7 +200,7 @@ TEST(CochainErrors, name_the_value_that_is_no_number) {
         EXPECT_TRUE(says(refusal([&] { pairing(bad, chain); }), form));
         EXPECT_TRUE(says(refusal([&] { zero + bad; }), form));
         EXPECT_TRUE(says(refusal([&] { inner_product({m.P(), m.volumes}, zero, bad); }), form));
-        EXPECT_EQ(refusal([&] { d(m.P(), zero) + d(m.P(), zero); }), "accepted");
+        EXPECT_NO_THROW(d(m.P(), zero) + d(m.P(), zero));
     }
 }
 

@@ -163,10 +163,10 @@ TEST(Table1, in_space_is_cured_down_to_the_edges) {
 TEST(Verdicts, tell_their_reason) {
     for (const auto& verdict : operator_verdicts(circumcentric(grid(4, 4)), Stage::input)) {
         if (verdict.name == "star" && verdict.side == Side::dual && verdict.degree == 1) {
-            EXPECT_TRUE(says(reason(verdict), {"divides", "16", "1-cells", "dual without volume"}));
+            EXPECT_SAYS(reason(verdict), "divides", "16", "1-cells", "dual without volume");
         }
         if (verdict.name == "star" && verdict.side == Side::primal && verdict.degree == 2) {
-            EXPECT_TRUE(says(reason(verdict), {"32", "2-cells", "dual"}));
+            EXPECT_SAYS(reason(verdict), "32", "2-cells", "dual");
         }
         if (verdict.name == "d") {
             EXPECT_EQ(reason(verdict), "");
@@ -180,9 +180,9 @@ TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
     ASSERT_EQ(before.size(), 3U);
     EXPECT_TRUE(before[0].exists);
     EXPECT_FALSE(before[1].exists);
-    EXPECT_TRUE(says(before[1].reason, {"mass", "16 1-cells", "dual", "volume"}));
+    EXPECT_SAYS(before[1].reason, "mass", "16 1-cells", "dual", "volume");
     EXPECT_FALSE(before[2].exists);
-    EXPECT_TRUE(says(before[2].reason, {"inverse star", "zero", "16 1-cells", "volume"}));
+    EXPECT_SAYS(before[2].reason, "inverse star", "zero", "16 1-cells", "volume");
     for (const auto& verdict : spectrum_verdicts(mesh.volumes())) {
         EXPECT_TRUE(verdict.exists);
         EXPECT_EQ(verdict.reason, "");
@@ -191,9 +191,9 @@ TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
         circumcentric(made_of({{-1, 0}, {1, 0}, {0, 0.5}, {0, -0.5}}, {{0, 1, 2}, {0, 3, 1}}));
     const auto verdicts = spectrum_verdicts(flat.volumes());
     EXPECT_FALSE(verdicts[1].exists);
-    EXPECT_TRUE(says(verdicts[1].reason, {"mass", "1 1-cell", "negative"}));
+    EXPECT_SAYS(verdicts[1].reason, "mass", "1 1-cell", "negative");
     EXPECT_TRUE(verdicts[2].exists);
-    EXPECT_TRUE(says(verdicts[2].reason, {"1 negative", "eigenvalue"}));
+    EXPECT_SAYS(verdicts[2].reason, "1 negative", "eigenvalue");
 }
 
 /// The sets of k+1 vertices that are faces of a simplex: counted without a complex.

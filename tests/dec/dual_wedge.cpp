@@ -210,11 +210,11 @@ TEST(DualWedgeErrors, name_the_forms_and_the_zeros_of_the_star) {
         return refusal([&] { dual_wedge(mesh.geometry(), a, b); });
     };
     const auto one = random_form(K, Side::dual, 1, 1), two = random_form(K, Side::dual, 2, 1);
-    EXPECT_TRUE(says(multiply(one, two), {"1-form", "2-form", "degree 3", "dimension 2"}));
-    EXPECT_TRUE(says(multiply(one, random_form(K, Side::primal, 1, 1)),
-                     {"dual 1-form", "primal 1-form", "dual_wedge"}));
-    EXPECT_TRUE(says(multiply(one, one),
-                     {"inverse star", "degree 1", "zero", "16 1-cells", "2, 5, 8, 11, 15"}));
+    EXPECT_SAYS(multiply(one, two), "1-form", "2-form", "degree 3", "dimension 2");
+    EXPECT_SAYS(multiply(one, random_form(K, Side::primal, 1, 1)), "dual 1-form", "primal 1-form",
+                "dual_wedge");
+    EXPECT_SAYS(multiply(one, one), "inverse star", "degree 1", "zero", "16 1-cells",
+                "2, 5, 8, 11, 15");
 }
 
 } // namespace

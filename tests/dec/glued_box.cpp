@@ -330,7 +330,7 @@ TEST(GluedBox, keeps_the_groups_of_the_box) {
         EXPECT_EQ(std::count(mesh.tags().begin(), mesh.tags().end(), tag),
                   std::count(open.tags().begin(), open.tags().end(), tag));
     EXPECT_EQ(mesh.facet_tags().size(), static_cast<std::size_t>(mesh.complex().size(1)));
-    EXPECT_TRUE(says(mesh.warnings().front(), {"as it was read"}));
+    EXPECT_SAYS(mesh.warnings().front(), "as it was read");
 }
 
 TEST(GluedBox, is_not_known_after_flips) {
@@ -339,7 +339,7 @@ TEST(GluedBox, is_not_known_after_flips) {
     const auto mesh = discretize(periodic(grid(4, 4), unit_translations(2, 2)), options);
     EXPECT_EQ(mesh.box(), nullptr);
     EXPECT_EQ(mesh.ambient_dimension(), 0);
-    EXPECT_TRUE(says(mesh.warnings().front(), {"glued", "flipped", "no positions"}));
+    EXPECT_SAYS(mesh.warnings().front(), "glued", "flipped", "no positions");
 }
 
 } // namespace

@@ -364,15 +364,14 @@ TEST(InteriorProductErrors, name_the_shape_the_vertex_and_the_degree) {
     const auto call = [&](int k) {
         return refusal([&] { interior_product(simplices("grid4"), field, k, Sampling::upwind); });
     };
-    EXPECT_TRUE(says(call(-1), {"vector field", "-1-forms", "0", "3"}));
-    EXPECT_TRUE(says(call(4), {"vector field", "4-forms", "0", "3"}));
-    EXPECT_TRUE(
-        says(refusal([&] { lie_derivative(simplices("grid4"), field, 3, Sampling::centered); }),
-             {"vector field", "3-forms", "0", "2"}));
+    EXPECT_SAYS(call(-1), "vector field", "-1-forms", "0", "3");
+    EXPECT_SAYS(call(4), "vector field", "4-forms", "0", "3");
+    EXPECT_REFUSED(lie_derivative(simplices("grid4"), field, 3, Sampling::centered), "vector field",
+                   "3-forms", "0", "2");
     field(3, 1) = NAN;
-    EXPECT_TRUE(says(call(1), {"vector field", "vertex 3", "finite"}));
+    EXPECT_SAYS(call(1), "vector field", "vertex 3", "finite");
     field = Points::Ones(7, 2);
-    EXPECT_TRUE(says(call(1), {"vector field", "7 x 2", "25 x 2", "point"}));
+    EXPECT_SAYS(call(1), "vector field", "7 x 2", "25 x 2", "point");
 }
 
 } // namespace

@@ -279,56 +279,41 @@ TEST(IntrinsicDelaunay, gives_needles_and_coinciding_points_some_area) {
     EXPECT_GT(result.passage().flips().statistics.added_length, 0);
     EXPECT_GT(star(result.volumes(), 1).diagonal().minCoeff(), 0);
     ASSERT_EQ(result.warnings().size(), 1u);
-    EXPECT_TRUE(says(result.warnings()[0], {"triangle", "area"}));
+    EXPECT_SAYS(result.warnings()[0], "triangle", "area");
     EXPECT_LT(result.passage().flips().statistics.added_area, 1e-4);
-    EXPECT_TRUE(says(refusal([&] { discretize(mesh); }), {"cell", "area"}));
+    EXPECT_REFUSED(discretize(mesh), "cell", "area");
 }
 
 TEST(IntrinsicDelaunay, refuses_by_number_what_are_no_lengths) {
     const GluedSurface torus = square_torus();
-    EXPECT_TRUE(says(refusal([&] {
-                         intrinsic_delaunay(torus, Vector{{1, 1, 3}});
-                     }),
-                     {"triangle 0", "vertices 0, 0, 0", "lengths", "1", "1", "3"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         intrinsic_delaunay(torus, Vector{{1, -1, 1}});
-                     }),
-                     {"edge 1", "vertex 0", "0", "length", "-1"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         intrinsic_delaunay(torus, Vector{{1, NAN, 1}});
-                     }),
-                     {"edge 1", "vertex 0", "0", "length", "nan"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         intrinsic_delaunay(torus, Vector{{1, 1}});
-                     }),
-                     {"2 lengths", "3 edges"}));
+    EXPECT_REFUSED(intrinsic_delaunay(torus, Vector{{1, 1, 3}}), "triangle 0", "vertices 0, 0, 0",
+                   "lengths", "1", "1", "3");
+    EXPECT_REFUSED(intrinsic_delaunay(torus, Vector{{1, -1, 1}}), "edge 1", "vertex 0", "0",
+                   "length", "-1");
+    EXPECT_REFUSED(intrinsic_delaunay(torus, Vector{{1, NAN, 1}}), "edge 1", "vertex 0", "0",
+                   "length", "nan");
+    EXPECT_REFUSED(intrinsic_delaunay(torus, Vector{{1, 1}}), "2 lengths", "3 edges");
 }
 
 TEST(IntrinsicDelaunay, is_refused_where_it_makes_no_sense) {
-    EXPECT_TRUE(says(refusal([] { flipped(mesh_named("kuhn3"), Delaunay::flips); }),
-                     {"dimension 3", "surface"}));
-    EXPECT_TRUE(says(refusal([] {
-                         discretize(mesh_named("uv8"), {.criterion = MergeCriterion::angle,
-                                                        .delaunay = Delaunay::flips});
-                     }),
-                     {"flips", "angle"}));
+    EXPECT_REFUSED(flipped(mesh_named("kuhn3"), Delaunay::flips), "dimension 3", "surface");
+    EXPECT_REFUSED(discretize(mesh_named("uv8"),
+                              {.criterion = MergeCriterion::angle, .delaunay = Delaunay::flips}),
+                   "flips", "angle");
 }
 
 TEST(IntrinsicDelaunay, forms_of_another_size_or_degree_are_refused) {
     const auto mesh = flipped(mesh_named("icosphere3"), Delaunay::flips);
-    EXPECT_TRUE(says(refusal([&] { mesh.passage().back(1, Vector::Zero(3)); }),
-                     {"3 values", "1-cells", "270"}));
-    EXPECT_TRUE(says(refusal([&] { mesh.passage().forth(0, Vector::Zero(3)); }),
-                     {"3 values", "0-cells", "92"}));
-    EXPECT_TRUE(
-        says(refusal([&] { mesh.passage().matrix(3); }), {"passage", "degree 3", "0", "2"}));
+    EXPECT_REFUSED(mesh.passage().back(1, Vector::Zero(3)), "3 values", "1-cells", "270");
+    EXPECT_REFUSED(mesh.passage().forth(0, Vector::Zero(3)), "3 values", "0-cells", "92");
+    EXPECT_REFUSED(mesh.passage().matrix(3), "passage", "degree 3", "0", "2");
     const auto& history = mesh.passage().flips().history;
-    EXPECT_TRUE(says(refusal([&] { history.carry(0, Vector::Zero(3)); }),
-                     {"3 values", "0-form", "92 vertices", "270 edges", "180 triangles"}));
-    EXPECT_TRUE(says(refusal([&] { history.matrix(3); }),
-                     {"0 values", "3-form", "92 vertices", "270 edges", "180 triangles"}));
-    EXPECT_TRUE(says(refusal([] { discretize(mesh_named("icosphere3")).passage().flips(); }),
-                     {"edges", "flipped", "delaunay"}));
+    EXPECT_REFUSED(history.carry(0, Vector::Zero(3)), "3 values", "0-form", "92 vertices",
+                   "270 edges", "180 triangles");
+    EXPECT_REFUSED(history.matrix(3), "0 values", "3-form", "92 vertices", "270 edges",
+                   "180 triangles");
+    EXPECT_REFUSED(discretize(mesh_named("icosphere3")).passage().flips(), "edges", "flipped",
+                   "delaunay");
 }
 
 } // namespace

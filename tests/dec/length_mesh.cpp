@@ -93,25 +93,24 @@ TEST(LengthMesh, has_every_edge_exactly_once) {
         return refusal([&] { discretize(mesh); });
     };
     EXPECT_EQ(refused([](LengthMesh&) {}), "accepted");
-    EXPECT_TRUE(says(refused([](LengthMesh& m) { m.edges.row(3) << 2, 0; }),
-                     {"edges 1", "3", "vertices 0", "2"}));
-    EXPECT_TRUE(says(refused([](LengthMesh& m) { m.edges.row(4) << 3, 1; }),
-                     {"edge 4", "vertices 1", "3", "simplex"}));
-    EXPECT_TRUE(says(refused([](LengthMesh& m) {
-                         m.edges.conservativeResize(4, 2);
-                         m.lengths.conservativeResize(4);
-                     }),
-                     {"edge", "vertices 2", "3", "length"}));
-    EXPECT_TRUE(says(refused([](LengthMesh& m) { m.lengths.conservativeResize(4); }),
-                     {"4 lengths", "5 x 2", "edges"}));
-    EXPECT_TRUE(says(refused([](LengthMesh& m) { m.simplices.resize(0, 3); }),
-                     {"0 simplices", "3 vertices"}));
-    EXPECT_TRUE(
-        says(refused([](LengthMesh& m) { m.edges(2, 0) = 4; }), {"edge 2", "vertex 4", "0", "3"}));
-    EXPECT_TRUE(says(refused([](LengthMesh& m) { m.simplices(1, 2) = -1; }),
-                     {"simplex 1", "vertex -1", "0", "3"}));
-    EXPECT_TRUE(says(refused([](LengthMesh& m) { m.lengths[1] = 2.5; }),
-                     {"2-simplex 0", "vertices 0, 1, 2", "triangle inequality", "2.5", "1", "1"}));
+    EXPECT_SAYS(refused([](LengthMesh& m) { m.edges.row(3) << 2, 0; }), "edges 1", "3",
+                "vertices 0", "2");
+    EXPECT_SAYS(refused([](LengthMesh& m) { m.edges.row(4) << 3, 1; }), "edge 4", "vertices 1", "3",
+                "simplex");
+    EXPECT_SAYS(refused([](LengthMesh& m) {
+                    m.edges.conservativeResize(4, 2);
+                    m.lengths.conservativeResize(4);
+                }),
+                "edge", "vertices 2", "3", "length");
+    EXPECT_SAYS(refused([](LengthMesh& m) { m.lengths.conservativeResize(4); }), "4 lengths",
+                "5 x 2", "edges");
+    EXPECT_SAYS(refused([](LengthMesh& m) { m.simplices.resize(0, 3); }), "0 simplices",
+                "3 vertices");
+    EXPECT_SAYS(refused([](LengthMesh& m) { m.edges(2, 0) = 4; }), "edge 2", "vertex 4", "0", "3");
+    EXPECT_SAYS(refused([](LengthMesh& m) { m.simplices(1, 2) = -1; }), "simplex 1", "vertex -1",
+                "0", "3");
+    EXPECT_SAYS(refused([](LengthMesh& m) { m.lengths[1] = 2.5; }), "2-simplex 0",
+                "vertices 0, 1, 2", "triangle inequality", "2.5", "1", "1");
 }
 
 TEST(LengthMesh, has_products_that_need_no_points) {

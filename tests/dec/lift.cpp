@@ -189,17 +189,17 @@ TEST(LiftsOfGiants, are_held_against_memory_before_they_are_made) {
         return told;
     };
     const auto lift = [&] { mesh.merged().lift(); };
-    EXPECT_TRUE(says(with_at_most(1000000, lift), {"598 simplices", "2-cell", "11.5 MB", "1 MB"}));
+    EXPECT_SAYS(with_at_most(1000000, lift), "598 simplices", "2-cell", "11.5 MB", "1 MB");
     const auto star = [&] { mesh.with_stars(StarKind::galerkin).chosen_stars(); };
-    EXPECT_TRUE(says(with_at_most(15000000, star), {"star of 1-forms", "3.6e+05", "21.6 MB"}));
+    EXPECT_SAYS(with_at_most(15000000, star), "star of 1-forms", "3.6e+05", "21.6 MB");
     EXPECT_EQ(message_of<IoError>([&] { mesh.merged().lift(); }), "accepted");
 }
 
 TEST(LiftsOfGiants, are_refused_where_they_would_take_minutes) {
     const auto mesh = discretize(polygon(2003));
     ASSERT_EQ(mesh.complex().size(2), 1);
-    EXPECT_TRUE(says(message_of<InvalidInput>([&] { mesh.merged().lift(); }),
-                     {"2-cell 0", "2001 simplices", "2000", "StarKind::circumcentric"}));
+    EXPECT_SAYS(message_of<InvalidInput>([&] { mesh.merged().lift(); }), "2-cell 0",
+                "2001 simplices", "2000", "StarKind::circumcentric");
     mesh.with_stars(StarKind::circumcentric).chosen_stars(); // which lifts nothing
 }
 

@@ -6,7 +6,6 @@
 #include "tests/support/families.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
-#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -78,18 +77,15 @@ TEST(MaterialsOfCubes, are_joined_unless_they_are_to_be_kept_apart) {
 TEST(MaterialsOfSurfaces, do_not_go_with_flips) {
     auto options = apart;
     options.delaunay = Delaunay::flips;
-    EXPECT_TRUE(
-        says(refusal([&] { discretize(tagged("grid4", 2), options); }), {"flips", "groups"}));
+    EXPECT_REFUSED(discretize(tagged("grid4", 2), options), "flips", "groups");
 }
 
 TEST(MarksOfFacets, are_as_many_as_facets) {
     const Mesh mesh = grid(2, 2);
     const SimplicialComplex K(mesh.simplices);
     const auto volumes = circumcentric_volumes(K, mesh.points);
-    EXPECT_TRUE(says(refusal([&] {
-                         merge_cospherical({K, mesh.points, volumes}, {}, {true, false});
-                     }),
-                     {"2 marks", "facets", "16"}));
+    EXPECT_REFUSED(merge_cospherical({K, mesh.points, volumes}, {}, {true, false}), "2 marks",
+                   "facets", "16");
 }
 
 } // namespace

@@ -196,10 +196,9 @@ TEST(MergeTolerance, must_be_a_number_that_is_not_negative) {
             make_merged(mesh_named("grid4"), {MergeCriterion::dual_length, value});
         });
     };
-    EXPECT_TRUE(says(refused(-1), {"merge tolerance", "-1"}));
-    EXPECT_TRUE(
-        says(refused(std::numeric_limits<double>::quiet_NaN()), {"merge tolerance", "nan"}));
-    EXPECT_TRUE(says(refused(std::numeric_limits<double>::infinity()), {"merge tolerance", "inf"}));
+    EXPECT_SAYS(refused(-1), "merge tolerance", "-1");
+    EXPECT_SAYS(refused(std::numeric_limits<double>::quiet_NaN()), "merge tolerance", "nan");
+    EXPECT_SAYS(refused(std::numeric_limits<double>::infinity()), "merge tolerance", "inf");
     EXPECT_EQ(refused(0), "accepted");
 }
 

@@ -102,16 +102,15 @@ TEST(Overlay, refuses_values_at_other_vertices) {
     ASSERT_FALSE(both.crossings.empty());
     EXPECT_EQ(both.at_points(mesh.points()), both.points);
     for (const auto& values : {Points(mesh.points().topRows(24)), both.points})
-        EXPECT_TRUE(says(refusal([&] { both.at_points(values); }),
-                         {std::to_string(values.rows()), "vertices", "25"}));
+        EXPECT_REFUSED(both.at_points(values), std::to_string(values.rows()), "vertices", "25");
 }
 
 TEST(Overlay, is_refused_without_flips) {
-    EXPECT_TRUE(says(refusal([] {
-                         const auto mesh = discretize(grid(2, 2));
-                         overlay(mesh.passage(), mesh.points());
-                     }),
-                     {"overlay", "flipped", "delaunay"}));
+    EXPECT_SAYS(refusal([] {
+                    const auto mesh = discretize(grid(2, 2));
+                    overlay(mesh.passage(), mesh.points());
+                }),
+                "overlay", "flipped", "delaunay");
 }
 
 } // namespace

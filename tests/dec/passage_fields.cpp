@@ -15,8 +15,6 @@
 #include "tests/support/forms.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

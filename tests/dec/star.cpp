@@ -6,7 +6,6 @@
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
-#include "tests/support/says.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -140,10 +139,10 @@ TEST(StarErrors, name_the_cells_whose_duals_are_zero) {
             boundary.push_back(f);
     EXPECT_EQ(star(mesh.volumes, 2).zeros(), boundary);
     ASSERT_EQ(boundary.size(), 24U);
-    EXPECT_TRUE(says(refusal([&] { star(mesh.volumes, 2).inverse(); }),
-                     {"inverse star", "degree 2", "zero", "24 2-cells",
-                      fmt::format("{}, {}, {}, {}, {}", boundary[0], boundary[1], boundary[2],
-                                  boundary[3], boundary[4])}));
+    EXPECT_REFUSED(star(mesh.volumes, 2).inverse(), "inverse star", "degree 2", "zero",
+                   "24 2-cells",
+                   fmt::format("{}, {}, {}, {}, {}", boundary[0], boundary[1], boundary[2],
+                               boundary[3], boundary[4]));
 }
 
 TEST(StarErrors, matrices_fit_their_cells_and_are_symmetric_and_definite) {
@@ -157,27 +156,25 @@ TEST(StarErrors, matrices_fit_their_cells_and_are_symmetric_and_definite) {
     EXPECT_EQ(twice * x, 2 * x);
     EXPECT_LE(relative_difference(twice.solve(2 * x), x), 1e-14);
     EXPECT_TRUE(twice.zeros().empty() && twice.negatives().empty());
-    EXPECT_TRUE(
-        says(refusal([&] { twice.diagonal(); }), {"star", "1-cells", "matrix", "diagonal star"}));
+    EXPECT_REFUSED(twice.diagonal(), "star", "1-cells", "matrix", "diagonal star");
     EXPECT_THROW(twice.uncertainty(), InvalidInput);
     EXPECT_THROW(twice.inverse(), InvalidInput);
     const HodgeStars stars = HodgeStars(volumes).with(1, M);
     EXPECT_FALSE(stars[1].is_diagonal());
     EXPECT_TRUE(stars[0].is_diagonal() && stars[2].is_diagonal());
 
-    EXPECT_TRUE(says(refusal([&] { HodgeStar(volumes, 2, M); }), {"rows", "star", "2-cells"}));
+    EXPECT_REFUSED(HodgeStar(volumes, 2, M), "rows", "star", "2-cells");
     M.coeffRef(0, 1) = 0.5;
-    EXPECT_TRUE(says(refusal([&] { HodgeStar(volumes, 1, M); }),
-                     {"star", "1-cells", "row 0", "column 1", "0.5", "0", "symmetric"}));
+    EXPECT_REFUSED(HodgeStar(volumes, 1, M), "star", "1-cells", "row 0", "column 1", "0.5", "0",
+                   "symmetric");
     M.coeffRef(1, 0) = 0.5;
-    EXPECT_EQ(refusal([&] { HodgeStar(volumes, 1, M); }), "accepted");
+    EXPECT_NO_THROW(HodgeStar(volumes, 1, M));
     M.coeffRef(0, 0) = std::nan("");
-    EXPECT_NE(refusal([&] { HodgeStar(volumes, 1, M); }), "accepted");
+    EXPECT_THROW(HodgeStar(volumes, 1, M), InvalidInput);
     M.coeffRef(0, 0) = -1;
     EXPECT_THROW(HodgeStar(volumes, 1, M), InvalidInput);
     M.coeffRef(0, 0) = 0.01; // indefinite with the entries beside it
-    EXPECT_TRUE(says(refusal([&] { HodgeStar(volumes, 1, M).solve(x); }),
-                     {"star", "1-cells", "1 negative"}));
+    EXPECT_REFUSED(HodgeStar(volumes, 1, M).solve(x), "star", "1-cells", "1 negative");
 }
 
 TEST(StarErrors, negative_stars_are_counted_where_they_are) {

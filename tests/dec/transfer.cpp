@@ -190,26 +190,20 @@ TEST(Consistency, names_the_worst_offender) {
     while (bundle.merging().carriers(1)[diagonal].dimension == 1)
         ++diagonal;
     circulation.values[diagonal] = 0.25;
-    EXPECT_TRUE(says(consistency(bundle, circulation).description,
-                     {"1-simplex 2", "vertices 0, 3", "merged 2-cell", "dual", "0.25"}));
-    EXPECT_TRUE(says(consistency(bundle, {Side::dual, 0, Eigen::Vector2d(1, 3)}).description,
-                     {"2-simplex 0", "vertices 0, 1, 3", "merged 2-cell 0", "1", "2"}));
+    EXPECT_SAYS(consistency(bundle, circulation).description, "1-simplex 2", "vertices 0, 3",
+                "merged 2-cell", "dual", "0.25");
+    EXPECT_SAYS(consistency(bundle, {Side::dual, 0, Eigen::Vector2d(1, 3)}).description,
+                "2-simplex 0", "vertices 0, 1, 3", "merged 2-cell 0", "1", "2");
 }
 
 TEST(TransferErrors, name_what_does_not_fit) {
     const auto bundle = discretize(grid(1, 1));
-    EXPECT_TRUE(says(refusal([&] {
-                         consistency(bundle, {Side::primal, 1, Vector::Zero(5)});
-                     }),
-                     {"primal 1-form", "dual forms"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         to_merged(bundle, {Side::dual, 1, Vector::Zero(4)});
-                     }),
-                     {"dual 1-form", "4 values", "5 1-cells"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         on_input(bundle, SparseMatrix(3, 3), {Side::dual, 0}, {Side::dual, 1});
-                     }),
-                     {"dual 0-forms", "dual 1-forms", "4 x 1", "3 x 3"}));
+    EXPECT_REFUSED(consistency(bundle, {Side::primal, 1, Vector::Zero(5)}), "primal 1-form",
+                   "dual forms");
+    EXPECT_REFUSED(to_merged(bundle, {Side::dual, 1, Vector::Zero(4)}), "dual 1-form", "4 values",
+                   "5 1-cells");
+    EXPECT_REFUSED(on_input(bundle, SparseMatrix(3, 3), {Side::dual, 0}, {Side::dual, 1}),
+                   "dual 0-forms", "dual 1-forms", "4 x 1", "3 x 3");
 }
 
 } // namespace

@@ -326,10 +326,9 @@ TEST(WedgeErrors, name_the_degrees_and_the_product_to_take) {
     const auto multiply = [&](const Cochain& a, const Cochain& b) {
         return refusal([&] { wedge(discretized("grid4"), a, b); });
     };
-    EXPECT_TRUE(says(multiply(one, two), {"1-form", "2-form", "degree 3", "dimension 2"}));
-    EXPECT_TRUE(says(multiply(one, dual), {"primal 1-form", "dual 1-form", "dual_wedge"}));
-    EXPECT_TRUE(says(refusal([&] { wedge(mesh.K(), one, one); }),
-                     {"primal 1-form", "40 values", "56 1-cells"}));
+    EXPECT_SAYS(multiply(one, two), "1-form", "2-form", "degree 3", "dimension 2");
+    EXPECT_SAYS(multiply(one, dual), "primal 1-form", "dual 1-form", "dual_wedge");
+    EXPECT_REFUSED(wedge(mesh.K(), one, one), "primal 1-form", "40 values", "56 1-cells");
 }
 
 } // namespace

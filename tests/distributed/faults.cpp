@@ -257,7 +257,7 @@ TEST(Faults, of_the_mesh_are_named_by_the_numbers_of_the_file) {
     expect_everywhere(ranks, {"cells 2", "30", "vertices 2, 7, 8"}, refused(mesh));
     mesh.simplices = cells;
     mesh.simplices(30, 0) = mesh.simplices(30, 1);
-    EXPECT_TRUE(says(refused(mesh), {"cell 30", "corner"}));
+    EXPECT_SAYS(refused(mesh), "cell 30", "corner");
     mesh.simplices = cells;
     mesh.points(21, 1) = std::nan("");
     expect_everywhere(ranks, {"vertex 21", "coordinate", "finite"}, refused(mesh));

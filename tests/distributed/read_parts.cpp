@@ -219,11 +219,11 @@ TEST(ReadParts, of_files_that_differ_between_ranks_are_refused_by_all) {
     for (const std::string format : {".ply", ".pdm"}) {
         const std::string name = (is_last ? "b" : "a") + format;
         const auto found = outcome([&] { return read_slice(ranks, folder / name.c_str()); });
-        EXPECT_TRUE(says(found.error, {"bytes", "rank"}));
+        EXPECT_SAYS(found.error, "bytes", "rank");
     }
     const auto missing =
         outcome([&] { return read_slice(ranks, folder / (is_last ? "none.ply" : "a.ply")); });
-    EXPECT_TRUE(says(missing.error, {"none.ply", "No such file"}));
+    EXPECT_SAYS(missing.error, "none.ply", "No such file");
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 #include "io/checkpoint.h"
 
 #include "tests/io/support.h"
-#include "tests/support/says.h"
+#include "tests/support/refusal.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -51,8 +51,7 @@ TEST(Checkpoint, OfAnotherProblemIsRefused) {
     const TemporaryFolder folder;
     const auto path = folder.path("a.checkpoint");
     write_checkpoint(path, sample());
-    EXPECT_TRUE(says(error_of([&] { read_checkpoint(path, 8); }),
-                     {"InvalidInput", path.string(), "another mesh"}));
+    EXPECT_REFUSED(read_checkpoint(path, 8), path.string(), "another mesh");
 }
 
 TEST(Checkpoint, ThatIsDamagedAnywhereIsRefused) {

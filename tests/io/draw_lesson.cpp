@@ -6,6 +6,7 @@
 #include "io/pictures/svg_layout.h"
 #include "meshes/generate.h"
 #include "tests/io/support.h"
+#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <Eigen/Geometry>
@@ -220,10 +221,8 @@ TEST(DrawBoundary, EntriesAreThoseOfTheBoundary) {
             }
         }
     }
-    EXPECT_TRUE(says(error_of([] { draw_boundary(discretize(grid(2, 2)).complex(), 3); }),
-                     {"InvalidInput", "3-cells", "dimension 2"}));
-    EXPECT_TRUE(says(error_of([] { draw_boundary(discretize(grid(9, 9)).complex(), 1); }),
-                     {"InvalidInput", "100 rows", "at most 60"}));
+    EXPECT_REFUSED(draw_boundary(discretize(grid(2, 2)).complex(), 3), "3-cells", "dimension 2");
+    EXPECT_REFUSED(draw_boundary(discretize(grid(9, 9)).complex(), 1), "100 rows", "at most 60");
 }
 
 TEST(DrawLesson, CellsMoveApartByAFactorOfTheirDistance) {
@@ -304,15 +303,15 @@ TEST(DrawLesson, RefusesWhatDoesNotFit) {
     const auto refused = [](const Mesh& mesh, const LessonOptions& options) {
         return error_of([&] { draw_lesson(discretize(mesh), options); });
     };
-    EXPECT_TRUE(says(refused(grid(1, 1), {.structure = {.cell = 9}}), {"InvalidInput", "9"}));
-    EXPECT_TRUE(says(refused(goldberg(1), {.explode = 1}), {"InvalidInput", "dimension 2"}));
-    EXPECT_TRUE(says(refused(kuhn(3, 1), {.explode = -1}), {"InvalidInput", "-1"}));
-    EXPECT_TRUE(says(refused(kuhn(3, 1), {.both_duals = true}), {"InvalidInput", "solid"}));
-    EXPECT_TRUE(says(refused(kuhn(4, 1), {}), {"InvalidInput", "dimension 4"}));
+    EXPECT_SAYS(refused(grid(1, 1), {.structure = {.cell = 9}}), "InvalidInput", "9");
+    EXPECT_SAYS(refused(goldberg(1), {.explode = 1}), "InvalidInput", "dimension 2");
+    EXPECT_SAYS(refused(kuhn(3, 1), {.explode = -1}), "InvalidInput", "-1");
+    EXPECT_SAYS(refused(kuhn(3, 1), {.both_duals = true}), "InvalidInput", "solid");
+    EXPECT_SAYS(refused(kuhn(4, 1), {}), "InvalidInput", "dimension 4");
     std::string hidden;
     for (Index v = 0; v < 12 && hidden.empty(); ++v)
         hidden = refused(icosphere(1), {.structure = {.cell = v}});
-    EXPECT_TRUE(says(hidden, {"InvalidInput", "turned away"}));
+    EXPECT_SAYS(hidden, "InvalidInput", "turned away");
 }
 
 } // namespace polydec::test::in_draw_lesson

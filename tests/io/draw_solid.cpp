@@ -263,7 +263,7 @@ TEST(SolidViews, HaveTheirAxisUpwardsInThePicture) {
         EXPECT_GT(view.eye[up], 0) << up;
     }
     EXPECT_EQ(upright_view(2).eye, SolidView().eye);
-    EXPECT_TRUE(says(refusal([] { upright_view(3); }), {"axis 3", "expected"}));
+    EXPECT_REFUSED(upright_view(3), "axis 3", "expected");
 }
 
 TEST(ColorMaps, get_darker_all_the_way_to_their_dark_ends) {
@@ -318,30 +318,28 @@ TEST(DrawSolidErrors, name_the_polygon) {
         return refusal([&] { draw_solid(faces); });
     };
     EXPECT_EQ(refused([](auto&) {}), "accepted");
-    EXPECT_TRUE(says(refused([](auto& faces) { faces.values = Vector::Ones(2); }),
-                     {"2 values", "1 polygons"}));
-    EXPECT_TRUE(says(refused([](auto& faces) { faces.depth_sites = Points::Ones(2, 3); }),
-                     {"2 depth sites", "1 polygons"}));
-    EXPECT_TRUE(
-        says(refused([](auto& faces) { faces.fills = {"red"}; }), {"polygon 0", "fill", "color"}));
-    EXPECT_TRUE(says(refused([](auto& faces) {
-                         faces.values =
-                             Vector::Constant(1, std::numeric_limits<double>::quiet_NaN());
-                     }),
-                     {"polygon 0", "value", "NaN"}));
-    EXPECT_TRUE(says(refused([](auto& faces) {
-                         faces.polygons.points(1, 1) = std::numeric_limits<double>::infinity();
-                     }),
-                     {"polygon 0", "coordinate", "NaN"}));
-    EXPECT_TRUE(says(refused([](auto& faces) {
-                         faces.polygons.offsets = {0, 2, 3};
-                     }),
-                     {"polygon 0", "three corners"}));
-    EXPECT_TRUE(says(
+    EXPECT_SAYS(refused([](auto& faces) { faces.values = Vector::Ones(2); }), "2 values",
+                "1 polygons");
+    EXPECT_SAYS(refused([](auto& faces) { faces.depth_sites = Points::Ones(2, 3); }),
+                "2 depth sites", "1 polygons");
+    EXPECT_SAYS(refused([](auto& faces) { faces.fills = {"red"}; }), "polygon 0", "fill", "color");
+    EXPECT_SAYS(refused([](auto& faces) {
+                    faces.values = Vector::Constant(1, std::numeric_limits<double>::quiet_NaN());
+                }),
+                "polygon 0", "value", "NaN");
+    EXPECT_SAYS(refused([](auto& faces) {
+                    faces.polygons.points(1, 1) = std::numeric_limits<double>::infinity();
+                }),
+                "polygon 0", "coordinate", "NaN");
+    EXPECT_SAYS(refused([](auto& faces) {
+                    faces.polygons.offsets = {0, 2, 3};
+                }),
+                "polygon 0", "three corners");
+    EXPECT_SAYS(
         refused([](auto& faces) { faces.polygons.offsets = {0}, faces.polygons.corners = {}; }),
-        {"no polygons"}));
-    EXPECT_TRUE(says(refused([](auto& faces) { faces.polygons.points.conservativeResize(3, 2); }),
-                     {"polygons", "2 coordinates", "three"}));
+        "no polygons");
+    EXPECT_SAYS(refused([](auto& faces) { faces.polygons.points.conservativeResize(3, 2); }),
+                "polygons", "2 coordinates", "three");
 }
 
 TEST(DrawSolidErrors, name_what_is_wrong_with_the_view) {
@@ -353,26 +351,22 @@ TEST(DrawSolidErrors, name_what_is_wrong_with_the_view) {
         });
     };
     EXPECT_EQ(refused({}), "accepted");
-    EXPECT_TRUE(says(refused({.eye = Vector::Ones(2)}), {"eye", "three", "coordinates"}));
-    EXPECT_TRUE(says(refused({.up = Vector::Zero(3)}), {"eye", "up", "parallel"}));
-    EXPECT_TRUE(says(refused({.eye = Place(0, 0, 2)}), {"eye", "up", "parallel"}));
-    EXPECT_TRUE(says(refused({.range = SvgPoint{2, 1}}), {"range", "2 .. 1", "ascending"}));
-    EXPECT_TRUE(says(refused({.plain = "blue"}), {"plain color", "#rrggbb"}));
+    EXPECT_SAYS(refused({.eye = Vector::Ones(2)}), "eye", "three", "coordinates");
+    EXPECT_SAYS(refused({.up = Vector::Zero(3)}), "eye", "up", "parallel");
+    EXPECT_SAYS(refused({.eye = Place(0, 0, 2)}), "eye", "up", "parallel");
+    EXPECT_SAYS(refused({.range = SvgPoint{2, 1}}), "range", "2 .. 1", "ascending");
+    EXPECT_SAYS(refused({.plain = "blue"}), "plain color", "#rrggbb");
 }
 
 TEST(DrawSolidErrors, say_what_is_no_solid) {
     const auto mesh = discretize(kuhn(3, 2));
-    EXPECT_TRUE(says(refusal([&] { kept_faces(discretize(grid(2, 2)), all_of_it); }),
-                     {"dimension 2", "2 coordinates", "solid", "3", "3"}));
-    EXPECT_TRUE(says(refusal([&] { kept_faces(mesh, all_of_it, Vector::Ones(3)); }),
-                     {"3 values", "8 merged 3-cells"}));
-    EXPECT_TRUE(says(refusal([&] { kept_faces(mesh, [](const auto&) { return false; }); }),
-                     {"no cell", "keep"}));
-    EXPECT_TRUE(says(refusal([&] { kept_cells(mesh, all_of_it, 1); }), {"gap", "1", "0", "1"}));
-    EXPECT_TRUE(
-        says(refusal([] { color_at(ColorMap::diverging, std::nan("")); }), {"NaN", "color"}));
-    EXPECT_TRUE(
-        says(refusal([] { seen_at({}, Vector::Ones(2)); }), {"point", "three", "coordinates"}));
+    EXPECT_REFUSED(kept_faces(discretize(grid(2, 2)), all_of_it), "dimension 2", "2 coordinates",
+                   "solid", "3", "3");
+    EXPECT_REFUSED(kept_faces(mesh, all_of_it, Vector::Ones(3)), "3 values", "8 merged 3-cells");
+    EXPECT_REFUSED(kept_faces(mesh, [](const auto&) { return false; }), "no cell", "keep");
+    EXPECT_REFUSED(kept_cells(mesh, all_of_it, 1), "gap", "1", "0", "1");
+    EXPECT_REFUSED(color_at(ColorMap::diverging, std::nan("")), "NaN", "color");
+    EXPECT_REFUSED(seen_at({}, Vector::Ones(2)), "point", "three", "coordinates");
 }
 
 } // namespace

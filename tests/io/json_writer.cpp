@@ -69,7 +69,7 @@ TEST(JsonWriter, NumbersThatAreNoneAreRefusedByName) {
             json.object([&] { json.member("residual", value); });
             FAIL();
         } catch (const SolverFailure& error) {
-            EXPECT_TRUE(says(error.what(), {"residual", "finite"}));
+            EXPECT_SAYS(error.what(), "residual", "finite");
         }
     }
 }

@@ -3,6 +3,7 @@
 #include "io/pictures/draw_cells.h"
 #include "tests/io/support.h"
 #include "tests/support/families.h"
+#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -62,59 +63,52 @@ TEST(LengthFile, WrittenWithSixDigitsWouldNotBeTheSame) {
 }
 
 TEST(LengthFile, RefusesLinesThatDoNotFit) {
-    EXPECT_TRUE(says(lengths_error("0 3 1 3\n" + triangle),
-                     {"InvalidInput", "a.nsl:1", "dimension 0", "1"}));
-    EXPECT_TRUE(says(lengths_error("2 3 1 3 7\n" + triangle),
-                     {"InvalidInput", "a.nsl:1", "7", "line", "n V S E"}));
-    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1\n0 1 3\n0 2 4\n1 2 5\n"),
-                     {"InvalidInput", "a.nsl:2", "line ends", "simplex", "3"}));
-    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1 3\n0 1 3\n0 2 4\n1 2 5\n"),
-                     {"InvalidInput", "a.nsl:2", "vertex", "3", "range", "0", "2"}));
-    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1 2\n0 1\n0 2 4\n1 2 5\n"),
-                     {"InvalidInput", "a.nsl:3", "line ends", "edge"}));
-    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1 2\n0 1 x\n0 2 4\n1 2 5\n"),
-                     {"InvalidInput", "a.nsl:3", "x", "number", "length"}));
-    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1 2\n0 1 3\n0 2 -4\n1 2 5\n"),
-                     {"InvalidInput", "a.nsl:4", "edge 0 2", "length", "-4"}));
-    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1 2\n0 1 3\n0 2 inf\n1 2 5\n"),
-                     {"InvalidInput", "a.nsl:4", "edge 0 2", "length", "inf"}));
-    EXPECT_TRUE(says(lengths_error("2 3 1 3\n" + triangle + "0 1 3\n"),
-                     {"InvalidInput", "a.nsl:6", "3 edges", "end"}));
-    EXPECT_TRUE(says(lengths_error("2 3 1 2000000000\n0 1 2\n0 1 3\n"),
-                     {"InvalidInput", "a.nsl:1", "2000000000 edges", "13 bytes", "6 bytes"}));
-    EXPECT_TRUE(
-        says(lengths_error("2 3 0 0\n      "), {"InvalidInput", "a.nsl: ", "no simplices"}));
+    EXPECT_SAYS(lengths_error("0 3 1 3\n" + triangle), "InvalidInput", "a.nsl:1", "dimension 0",
+                "1");
+    EXPECT_SAYS(lengths_error("2 3 1 3 7\n" + triangle), "InvalidInput", "a.nsl:1", "7", "line",
+                "n V S E");
+    EXPECT_SAYS(lengths_error("2 3 1 3\n0 1\n0 1 3\n0 2 4\n1 2 5\n"), "InvalidInput", "a.nsl:2",
+                "line ends", "simplex", "3");
+    EXPECT_SAYS(lengths_error("2 3 1 3\n0 1 3\n0 1 3\n0 2 4\n1 2 5\n"), "InvalidInput", "a.nsl:2",
+                "vertex", "3", "range", "0", "2");
+    EXPECT_SAYS(lengths_error("2 3 1 3\n0 1 2\n0 1\n0 2 4\n1 2 5\n"), "InvalidInput", "a.nsl:3",
+                "line ends", "edge");
+    EXPECT_SAYS(lengths_error("2 3 1 3\n0 1 2\n0 1 x\n0 2 4\n1 2 5\n"), "InvalidInput", "a.nsl:3",
+                "x", "number", "length");
+    EXPECT_SAYS(lengths_error("2 3 1 3\n0 1 2\n0 1 3\n0 2 -4\n1 2 5\n"), "InvalidInput", "a.nsl:4",
+                "edge 0 2", "length", "-4");
+    EXPECT_SAYS(lengths_error("2 3 1 3\n0 1 2\n0 1 3\n0 2 inf\n1 2 5\n"), "InvalidInput", "a.nsl:4",
+                "edge 0 2", "length", "inf");
+    EXPECT_SAYS(lengths_error("2 3 1 3\n" + triangle + "0 1 3\n"), "InvalidInput", "a.nsl:6",
+                "3 edges", "end");
+    EXPECT_SAYS(lengths_error("2 3 1 2000000000\n0 1 2\n0 1 3\n"), "InvalidInput", "a.nsl:1",
+                "2000000000 edges", "13 bytes", "6 bytes");
+    EXPECT_SAYS(lengths_error("2 3 0 0\n      "), "InvalidInput", "a.nsl: ", "no simplices");
 }
 
 TEST(LengthFile, RefusesEdgesThatAreNotThereExactlyOnce) {
-    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1 2\n0 1 3\n# c\n1 0 4\n1 2 5\n"),
-                     {"InvalidInput", "a.nsl:5", "edge 0 1", "line 3"}));
-    EXPECT_TRUE(says(lengths_error("2 4 1 4\n0 1 2\n0 1 3\n0 2 4\n3 2 1\n1 2 5\n"),
-                     {"InvalidInput", "a.nsl:5", "edge 2 3", "simplex"}));
-    EXPECT_TRUE(says(lengths_error("2 3 1 2\n0 1 2\n0 1 3\n1 2 5\n"),
-                     {"InvalidInput", "a.nsl: ", "edge 0 2", "length"}));
+    EXPECT_SAYS(lengths_error("2 3 1 3\n0 1 2\n0 1 3\n# c\n1 0 4\n1 2 5\n"), "InvalidInput",
+                "a.nsl:5", "edge 0 1", "line 3");
+    EXPECT_SAYS(lengths_error("2 4 1 4\n0 1 2\n0 1 3\n0 2 4\n3 2 1\n1 2 5\n"), "InvalidInput",
+                "a.nsl:5", "edge 2 3", "simplex");
+    EXPECT_SAYS(lengths_error("2 3 1 2\n0 1 2\n0 1 3\n1 2 5\n"), "InvalidInput",
+                "a.nsl: ", "edge 0 2", "length");
 }
 
 TEST(LengthFile, IsNoMeshWithPoints) {
-    EXPECT_TRUE(says(error_of([] { read_mesh("a.nsl"); }),
-                     {"InvalidInput", "a.nsl: ", ".nsl", "no points"}));
-    EXPECT_TRUE(says(error_of([] { read_lengths("a.nsc"); }),
-                     {"InvalidInput", "a.nsc: ", "lengths", ".nsl"}));
-    EXPECT_TRUE(says(error_of([] { check_drawable(2, 0); }),
-                     {"InvalidInput", "lengths", "drawing", "points"}));
+    EXPECT_REFUSED(read_mesh("a.nsl"), "a.nsl: ", ".nsl", "no points");
+    EXPECT_REFUSED(read_lengths("a.nsc"), "a.nsc: ", "lengths", ".nsl");
+    EXPECT_REFUSED(check_drawable(2, 0), "lengths", "drawing", "points");
 }
 
 TEST(LengthFile, IsWrittenOfWhatCanBeReadAlone) {
     auto mesh = lengths_from("2 3 1 3\n" + triangle);
-    EXPECT_TRUE(says(error_of([&] { write_lengths("a.off", mesh); }),
-                     {"InvalidInput", "a.off", "lengths", ".nsl"}));
+    EXPECT_REFUSED(write_lengths("a.off", mesh), "a.off", "lengths", ".nsl");
     mesh.lengths[1] = 0;
-    EXPECT_TRUE(says(error_of([&] { write_lengths("a.nsl", mesh); }),
-                     {"InvalidInput", "a.nsl", "edge 1", "vertices 0", "2", "length 0"}));
+    EXPECT_REFUSED(write_lengths("a.nsl", mesh), "a.nsl", "edge 1", "vertices 0", "2", "length 0");
     mesh.lengths[1] = 4;
     mesh.edges(1, 0) = 1;
-    EXPECT_TRUE(says(error_of([&] { write_lengths("a.nsl", mesh); }),
-                     {"InvalidInput", "edge", "vertices 0", "2", "length"}));
+    EXPECT_REFUSED(write_lengths("a.nsl", mesh), "edge", "vertices 0", "2", "length");
 }
 
 } // namespace polydec::test::in_length_file

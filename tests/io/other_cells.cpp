@@ -256,14 +256,14 @@ TEST(OtherCells, StructuredGridsMayHaveFewerAxes) {
     const auto error = [](const std::string& rest) {
         return reading_error("a.vtk", "# vtk DataFile Version 2.0\nx\nASCII\nDATASET " + rest);
     };
-    EXPECT_TRUE(says(error("STRUCTURED_POINTS\nDIMENSIONS 1 1 1\n"),
-                     {"InvalidInput", "a.vtk:5", "one point"}));
-    EXPECT_TRUE(says(error("STRUCTURED_POINTS\nDIMENSIONS 2000 2000 2000\n"),
-                     {"InvalidInput", "a.vtk:5", "2000 x 2000 x 2000", "2^31"}));
-    EXPECT_TRUE(says(error("STRUCTURED_GRID\nDIMENSIONS 2 2 1\nPOINTS 1 float\n0 0 0\n"),
-                     {"InvalidInput", "a.vtk:5", "1 points", "2 x 2 x 1"}));
-    EXPECT_TRUE(says(error("RECTILINEAR_GRID\nDIMENSIONS 2 2 1\nX_COORDINATES 3 float\n0 1 2\n"),
-                     {"InvalidInput", "a.vtk:5", "3 coordinates", "axis 0", "2 points"}));
+    EXPECT_SAYS(error("STRUCTURED_POINTS\nDIMENSIONS 1 1 1\n"), "InvalidInput", "a.vtk:5",
+                "one point");
+    EXPECT_SAYS(error("STRUCTURED_POINTS\nDIMENSIONS 2000 2000 2000\n"), "InvalidInput", "a.vtk:5",
+                "2000 x 2000 x 2000", "2^31");
+    EXPECT_SAYS(error("STRUCTURED_GRID\nDIMENSIONS 2 2 1\nPOINTS 1 float\n0 0 0\n"), "InvalidInput",
+                "a.vtk:5", "1 points", "2 x 2 x 1");
+    EXPECT_SAYS(error("RECTILINEAR_GRID\nDIMENSIONS 2 2 1\nX_COORDINATES 3 float\n0 1 2\n"),
+                "InvalidInput", "a.vtk:5", "3 coordinates", "axis 0", "2 points");
 }
 
 } // namespace polydec::test::in_other_cells

@@ -11,6 +11,7 @@
 #include "polydec.h"
 #include "tests/io/support.h"
 #include "tests/support/families.h"
+#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -180,7 +181,7 @@ TEST(Pages, HaveTheAxisUpwardsOfTheirFileUnlessToldOtherwise) {
     page.text.up = 0;
     EXPECT_EQ(count_of(to_html(page), "\"up\":0"), 1U);
     page.text.up = 3;
-    EXPECT_TRUE(says(page_error(page), {"InvalidInput", "axis 3", "expected"}));
+    EXPECT_SAYS(page_error(page), "InvalidInput", "axis 3", "expected");
 }
 
 TEST(Pages, NameTheUnitsOfTheirFields) {
@@ -205,12 +206,9 @@ TEST(Pages, AreBoundIntoAnAlbum) {
     EXPECT_EQ(
         count_of(album, "<a id=\"to-1\" href=\"#page-1\"><img alt=\"\" src=\"data:image/png;"), 1U);
     EXPECT_EQ(count_of(album, "<strong>b &lt;&amp;&quot;</strong> The mesh: 2 cells."), 1U);
-    EXPECT_TRUE(
-        says(error_of([&] { album_html("none", {}); }), {"InvalidInput", "album", "pages"}));
-    EXPECT_TRUE(says(error_of([&] {
-                         album_html("a", {pages[0], "<html><title>x</title></html>"});
-                     }),
-                     {"InvalidInput", "page 1", "album", "write_page"}));
+    EXPECT_REFUSED(album_html("none", {}), "album", "pages");
+    EXPECT_REFUSED(album_html("a", {pages[0], "<html><title>x</title></html>"}), "page 1", "album",
+                   "write_page");
 }
 
 TEST(Pages, RefuseWhatDoesNotFit) {
@@ -218,10 +216,10 @@ TEST(Pages, RefuseWhatDoesNotFit) {
     page.steps = {{"0", page.grid.point_data, {}}, {"1", page.grid.point_data, {}}};
     EXPECT_EQ(page_error(page), "");
     page.steps[1].point_data[0].name = "v";
-    EXPECT_TRUE(says(page_error(page), {"InvalidInput", "step 1", "page", "arrays"}));
+    EXPECT_SAYS(page_error(page), "InvalidInput", "step 1", "page", "arrays");
     page = simple_page();
     page.arrows.push_back({"u", Points::Zero(3, 2), Points::Zero(2, 2)});
-    EXPECT_TRUE(says(page_error(page), {"InvalidInput", "2 vectors", "3 sites", "u"}));
+    EXPECT_SAYS(page_error(page), "InvalidInput", "2 vectors", "3 sites", "u");
     page = simple_page();
     page.grid.corners[1] = 7;
     EXPECT_EQ(page_error(page).substr(0, 12), "InvalidInput");

@@ -90,7 +90,7 @@ TEST(Pdm, CutAnywhereItIsRefused) {
         EXPECT_NE(error_of([&] { read_mesh(path); }), "") << length;
     }
     const auto path = folder.write("b.pdm", text + "x");
-    EXPECT_TRUE(says(error_of([&] { read_mesh(path); }), {"cut off"}));
+    EXPECT_SAYS(error_of([&] { read_mesh(path); }), "cut off");
 }
 
 TEST(Pdm, NoByteThatCountsCanChangeUnseen) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "io/meshes/mesh_files.h"
+#include "tests/support/says.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -43,6 +43,10 @@ std::string error_of(const std::function<void()>& action);
 
 /// The same for reading a mesh from a file, without the folder in front of the file's name.
 std::string reading_error(const std::string& name, const std::string& text);
+
+/// Expects a file of this name and text to be refused with these words, in this order.
+#define EXPECT_UNREADABLE(name, text, ...)                                                         \
+    EXPECT_SAYS(::polydec::test::reading_error(name, text), "InvalidInput", __VA_ARGS__)
 
 /// The coordinates, row by row.
 std::vector<std::vector<double>> rows(const Points& points);

@@ -2,6 +2,7 @@
 #include "io/pictures/svg_drawing.h"
 #include "tests/io/support.h"
 #include "tests/io/svg_text.h"
+#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -62,15 +63,14 @@ TEST(Svg, DrawingsHoldEveryShapeInItsStyle) {
 
 TEST(Svg, DrawingsRefuseWhatCannotBeDrawn) {
     const SvgDot dot{{0, 0}};
-    EXPECT_TRUE(says(drawing_error({}), {"InvalidInput", "drawing", "no shapes"}));
-    EXPECT_TRUE(
-        says(drawing_error({dot, SvgPolyline{}}), {"InvalidInput", "shape 1", "no points"}));
-    EXPECT_TRUE(says(drawing_error({dot, SvgCircle{{0, 0}, none}}),
-                     {"InvalidInput", "shape 1", "coordinate", "NaN"}));
-    EXPECT_TRUE(says(drawing_error({dot, dot}), {"InvalidInput", "shapes", "one point"}));
+    EXPECT_SAYS(drawing_error({}), "InvalidInput", "drawing", "no shapes");
+    EXPECT_SAYS(drawing_error({dot, SvgPolyline{}}), "InvalidInput", "shape 1", "no points");
+    EXPECT_SAYS(drawing_error({dot, SvgCircle{{0, 0}, none}}), "InvalidInput", "shape 1",
+                "coordinate", "NaN");
+    EXPECT_SAYS(drawing_error({dot, dot}), "InvalidInput", "shapes", "one point");
     EXPECT_EQ(drawing_error({dot, SvgDot{{0, 1}}}), "") << "a line of no width";
     const SvgDrawing narrow{.shapes = {SvgCircle{{0, 0}, 1}}, .width = 30, .margin = 15};
-    EXPECT_TRUE(says(error_of([&] { to_svg(narrow); }), {"InvalidInput", "30 pixels", "15"}));
+    EXPECT_REFUSED(to_svg(narrow), "30 pixels", "15");
 }
 
 } // namespace polydec::test::in_svg

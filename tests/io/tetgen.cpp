@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/readers.h"
 #include "tests/io/support.h"
+#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -72,35 +73,34 @@ TEST(TetGen, NeighborsOfFacesAreLeftOut) {
 TEST(TetGen, SaysWhichFileIsMissing) {
     const TemporaryFolder folder;
     const auto node = folder.write("a.node", nodes);
-    EXPECT_TRUE(says(error_of([&] { read_mesh(node); }),
-                     {"InvalidInput", node.string(), folder.path("a.ele").string(), ".face"}));
+    EXPECT_REFUSED(read_mesh(node), node.string(), folder.path("a.ele").string(), ".face");
     const auto ele = folder.write("b.ele", "1 4 0\n1 1 2 3 4\n");
-    EXPECT_TRUE(says(error_of([&] { read_mesh(ele); }),
-                     {"IoError", folder.path("b.node").string(), "No such file"}));
+    EXPECT_SAYS(error_of([&] { read_mesh(ele); }), "IoError", folder.path("b.node").string(),
+                "No such file");
 }
 
 TEST(TetGen, RefusesWhatDoesNotFit) {
     const std::string ele = "1 4 0\n1 1 2 3 4\n";
-    EXPECT_TRUE(says(parsing_error(nodes, "1 9 0\n1 1 2 3 4 1 2 3 4 1\n"),
-                     {"InvalidInput", "a.ele:1", "9 corners", "4"}));
-    EXPECT_TRUE(says(parsing_error(planar, "1 10 0\n1 1 2 3 4 1 2 3 4 1 2\n"),
-                     {"InvalidInput", "a.ele:1", "10 corners", "3"}));
-    EXPECT_TRUE(says(parsing_error("1 4 0 0\n0 0 0 0 0\n", ele),
-                     {"InvalidInput", "a.node:1", "dimension 4", "2", "3"}));
-    EXPECT_TRUE(says(parsing_error("1 3 0 0\n2 0 0 0\n", ele),
-                     {"InvalidInput", "a.node:2", "vertex", "2", "0", "1"}));
-    EXPECT_TRUE(says(parsing_error("2 3 0 0\n1 0 0 0\n3 0 0 0\n", ele),
-                     {"InvalidInput", "a.node:3", "vertex", "3", "2"}));
-    EXPECT_TRUE(says(parsing_error("1 3 0 0\n1 0 inf 0\n", ele),
-                     {"InvalidInput", "a.node:2", "vertex 0", "coordinate", "NaN"}));
-    EXPECT_TRUE(says(parsing_error("1 3 0 0\n1 0 0\n", ele),
-                     {"InvalidInput", "a.node:2", "line ends", "vertex"}));
-    EXPECT_TRUE(says(parsing_error(nodes, "1 4 0\n1 1 2 3 6\n"),
-                     {"InvalidInput", "a.ele:2", "vertex", "6", "range", "1", "5"}));
-    EXPECT_TRUE(says(parsing_error(nodes, "1 4 0\n1 1 2 3 4 5\n"),
-                     {"InvalidInput", "a.ele:2", "5", "line", "cell"}));
-    EXPECT_TRUE(says(parsing_error(nodes, "2000000000 4 0\n1 1 2 3 4\n"),
-                     {"InvalidInput", "a.ele:1", "2000000000 cells", "11 bytes", "10 bytes"}));
+    EXPECT_SAYS(parsing_error(nodes, "1 9 0\n1 1 2 3 4 1 2 3 4 1\n"), "InvalidInput", "a.ele:1",
+                "9 corners", "4");
+    EXPECT_SAYS(parsing_error(planar, "1 10 0\n1 1 2 3 4 1 2 3 4 1 2\n"), "InvalidInput", "a.ele:1",
+                "10 corners", "3");
+    EXPECT_SAYS(parsing_error("1 4 0 0\n0 0 0 0 0\n", ele), "InvalidInput", "a.node:1",
+                "dimension 4", "2", "3");
+    EXPECT_SAYS(parsing_error("1 3 0 0\n2 0 0 0\n", ele), "InvalidInput", "a.node:2", "vertex", "2",
+                "0", "1");
+    EXPECT_SAYS(parsing_error("2 3 0 0\n1 0 0 0\n3 0 0 0\n", ele), "InvalidInput", "a.node:3",
+                "vertex", "3", "2");
+    EXPECT_SAYS(parsing_error("1 3 0 0\n1 0 inf 0\n", ele), "InvalidInput", "a.node:2", "vertex 0",
+                "coordinate", "NaN");
+    EXPECT_SAYS(parsing_error("1 3 0 0\n1 0 0\n", ele), "InvalidInput", "a.node:2", "line ends",
+                "vertex");
+    EXPECT_SAYS(parsing_error(nodes, "1 4 0\n1 1 2 3 6\n"), "InvalidInput", "a.ele:2", "vertex",
+                "6", "range", "1", "5");
+    EXPECT_SAYS(parsing_error(nodes, "1 4 0\n1 1 2 3 4 5\n"), "InvalidInput", "a.ele:2", "5",
+                "line", "cell");
+    EXPECT_SAYS(parsing_error(nodes, "2000000000 4 0\n1 1 2 3 4\n"), "InvalidInput", "a.ele:1",
+                "2000000000 cells", "11 bytes", "10 bytes");
 }
 
 TEST(TetGen, RealFilesAreReadWhole) {

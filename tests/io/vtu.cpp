@@ -179,47 +179,44 @@ TEST(Vtu, RefusesWhatIsNotFinite) {
     grid.point_data.push_back({"u", std::vector<double>(8, 0.0), 1});
     grid.cell_data.push_back({"v", std::vector<double>(21, 0.0), 3});
     std::get<std::vector<double>>(grid.cell_data[0].values)[7] = std::nan("");
-    EXPECT_TRUE(
-        says(vtu_error(grid), {"InvalidInput", "a.vtu", "array", "v", "cells", "NaN", "entry 2"}));
+    EXPECT_SAYS(vtu_error(grid), "InvalidInput", "a.vtu", "array", "v", "cells", "NaN", "entry 2");
     std::get<std::vector<double>>(grid.point_data[0].values)[3] = -HUGE_VAL;
-    EXPECT_TRUE(
-        says(vtu_error(grid), {"InvalidInput", "a.vtu", "array", "u", "points", "NaN", "entry 3"}));
+    EXPECT_SAYS(vtu_error(grid), "InvalidInput", "a.vtu", "array", "u", "points", "NaN", "entry 3");
     grid.points(5, 1) = HUGE_VAL;
-    EXPECT_TRUE(says(vtu_error(grid), {"InvalidInput", "a.vtu", "point 5", "coordinate", "NaN"}));
+    EXPECT_SAYS(vtu_error(grid), "InvalidInput", "a.vtu", "point 5", "coordinate", "NaN");
 }
 
 TEST(Vtu, RefusesArraysThatDoNotFit) {
     auto grid = every_kind();
     grid.point_data.push_back({"u", std::vector<double>(7), 1});
-    EXPECT_TRUE(says(vtu_error(grid), {"InvalidInput", "a.vtu", "array", "u", "7 values",
-                                       "1 components", "1", "3", "8 points"}));
+    EXPECT_SAYS(vtu_error(grid), "InvalidInput", "a.vtu", "array", "u", "7 values", "1 components",
+                "1", "3", "8 points");
     grid.point_data[0] = {"", std::vector<double>(8), 1};
-    EXPECT_TRUE(says(vtu_error(grid), {"InvalidInput", "a.vtu", "name ''", "points", "empty"}));
+    EXPECT_SAYS(vtu_error(grid), "InvalidInput", "a.vtu", "name ''", "points", "empty");
     grid.point_data[0] = {"u", std::vector<double>(8), 1};
     grid.point_data.push_back(grid.point_data[0]);
-    EXPECT_TRUE(
-        says(vtu_error(grid), {"InvalidInput", "a.vtu", "name 'u'", "points", "not unique"}));
+    EXPECT_SAYS(vtu_error(grid), "InvalidInput", "a.vtu", "name 'u'", "points", "not unique");
 }
 
 TEST(Vtu, RefusesCellsThatDoNotFit) {
     auto grid = every_kind();
     grid.points.conservativeResize(7, 3);
-    EXPECT_TRUE(says(vtu_error(grid), {"InvalidInput", "a.vtu", "cell 4", "point 7", "0", "6"}));
+    EXPECT_SAYS(vtu_error(grid), "InvalidInput", "a.vtu", "cell 4", "point 7", "0", "6");
     grid = every_kind();
     grid.types[3] = VtuCell::triangle;
-    EXPECT_TRUE(says(vtu_error(grid), {"InvalidInput", "a.vtu", "cell 3", "type 5", "4 corners"}));
+    EXPECT_SAYS(vtu_error(grid), "InvalidInput", "a.vtu", "cell 3", "type 5", "4 corners");
     grid = every_kind();
     grid.faces[1] = 5;
-    EXPECT_TRUE(says(vtu_error(grid), {"InvalidInput", "a.vtu", "faces", "polyhedron 4"}));
+    EXPECT_SAYS(vtu_error(grid), "InvalidInput", "a.vtu", "faces", "polyhedron 4");
     grid = every_kind();
     grid.types[4] = VtuCell::polygon;
-    EXPECT_TRUE(says(vtu_error(grid), {"InvalidInput", "a.vtu", "cell 4", "polyhedra", "faces"}));
+    EXPECT_SAYS(vtu_error(grid), "InvalidInput", "a.vtu", "cell 4", "polyhedra", "faces");
     grid = every_kind();
     grid.offsets.pop_back();
-    EXPECT_TRUE(says(vtu_error(grid), {"InvalidInput", "a.vtu", "types", "offsets", "corners"}));
+    EXPECT_SAYS(vtu_error(grid), "InvalidInput", "a.vtu", "types", "offsets", "corners");
     grid = every_kind();
     grid.points = Points::Zero(8, 4);
-    EXPECT_TRUE(says(vtu_error(grid), {"InvalidInput", "a.vtu", "points", "R^3", "R^4"}));
+    EXPECT_SAYS(vtu_error(grid), "InvalidInput", "a.vtu", "points", "R^3", "R^4");
 }
 
 } // namespace polydec::test::in_vtu

@@ -42,8 +42,7 @@ TEST(WriteDrawing, GoesByTheExtension) {
     const TemporaryFolder folder;
     write_drawing(folder.path("square.SVG"), square);
     EXPECT_EQ(read_text(folder.path("square.SVG")), to_svg(square));
-    EXPECT_TRUE(says(error_of([&] { write_drawing(folder.path("square.gif"), square); }),
-                     {"InvalidInput", "square.gif", ".png"}));
+    EXPECT_REFUSED(write_drawing(folder.path("square.gif"), square), "square.gif", ".png");
 }
 
 TEST(WriteDrawing, NamesThePackagesOfMissingPrograms) {
@@ -77,9 +76,9 @@ TEST(WriteDrawing, AFailureLeavesNothing) {
     const TemporaryFolder programs, folder;
     add_program(programs, "rsvg-convert", "echo no fonts; exit 1\n");
     const Programs only(programs.path().string());
-    EXPECT_TRUE(
-        says(message_of<SolverFailure>([&] { write_drawing(folder.path("square.pdf"), square); }),
-             {"rsvg-convert", ".svg", "no fonts"}));
+    EXPECT_SAYS(
+        message_of<SolverFailure>([&] { write_drawing(folder.path("square.pdf"), square); }),
+        "rsvg-convert", ".svg", "no fonts");
     EXPECT_EQ(folder.names(), std::vector<std::string>());
 }
 

@@ -4,7 +4,6 @@
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
-#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -97,12 +96,12 @@ TEST(ClustersOfPoints, are_the_same_for_the_same_seed) {
 }
 
 TEST(ClustersOfPoints, ask_for_room) {
-    EXPECT_TRUE(says(refusal([] { sphere_clusters({.spheres = 9}); }),
-                     {"sphere_clusters", "1 spheres", "0.25", "0.08333333333333333"}));
-    EXPECT_TRUE(says(refusal([] { sphere_clusters({.dimension = 7}); }),
-                     {"sphere_clusters", "dimension", "7", "2", "6"}));
-    EXPECT_TRUE(says(refusal([] { sphere_clusters({.points_on_sphere = 3}); }),
-                     {"sphere_clusters", "points_on_sphere", "3", "4", "10000"}));
+    EXPECT_REFUSED(sphere_clusters({.spheres = 9}), "sphere_clusters", "1 spheres", "0.25",
+                   "0.08333333333333333");
+    EXPECT_REFUSED(sphere_clusters({.dimension = 7}), "sphere_clusters", "dimension", "7", "2",
+                   "6");
+    EXPECT_REFUSED(sphere_clusters({.points_on_sphere = 3}), "sphere_clusters", "points_on_sphere",
+                   "3", "4", "10000");
 }
 
 TEST(SplitBoxes, merge_to_the_grid_of_boxes_and_kuhn_is_one_of_them) {

@@ -3,6 +3,7 @@
 #include "meshes/rearrange.h"
 #include "meshes/weld.h"
 #include "tests/meshes/propositions.h"
+#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -171,7 +172,7 @@ TEST(JoinHanging, cells_with_smaller_ones_on_several_sides_get_a_vertex_inside) 
             EXPECT_EQ(euler_characteristic(joined.mesh), 1);
         }
     const Joined joined = join_hanging(mesh);
-    EXPECT_TRUE(says(joined.mesh.warnings.back(), {"split 6 cells", "new vertex inside 6"}));
+    EXPECT_SAYS(joined.mesh.warnings.back(), "split 6 cells", "new vertex inside 6");
     EXPECT_GT(joined.mesh.points.rows(),
               1 + *std::max_element(joined.vertices.begin(), joined.vertices.end()));
 }
@@ -264,13 +265,12 @@ TEST(JoinHanging, nodes_a_little_off_the_edge_are_joined_up_to_the_length) {
 }
 
 TEST(JoinHanging, refuses_what_it_cannot_split) {
-    EXPECT_TRUE(
-        says(refusal([] { join_hanging(side_by_side(4, 1, 2)); }), {"hang", "dimension 4"}));
+    EXPECT_REFUSED(join_hanging(side_by_side(4, 1, 2)), "hang", "dimension 4");
     EXPECT_EQ(join_hanging(side_by_side(4, 1, 1)).mesh.simplices.rows(), 48);
     const Mesh thin{Points{{0, 0}, {2, 0}, {1, 0.9}, {1, -0.5}, {0, -1}, {2, -1}},
                     Simplices{{0, 1, 2}, {0, 4, 3}, {3, 5, 1}, {3, 4, 5}},
                     {}};
-    EXPECT_TRUE(says(refusal([&] { join_hanging(thin, 0.8); }), {"cell 0", "0 1 2", "thin"}));
+    EXPECT_REFUSED(join_hanging(thin, 0.8), "cell 0", "0 1 2", "thin");
 }
 
 } // namespace polydec::test::in_hanging

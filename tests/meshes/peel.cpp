@@ -44,7 +44,7 @@ TEST(Peeling, takes_flat_cells_off_a_hull) {
     for (const double depth : {1e-12, 1e-8, 1e-5}) {
         const Mesh mesh = peeled(dented_cubes(3, depth));
         EXPECT_EQ(mesh.simplices.rows(), 6 * 27) << depth;
-        EXPECT_TRUE(says(mesh.warnings.back(), {"4 flat cells", "boundary"}));
+        EXPECT_SAYS(mesh.warnings.back(), "4 flat cells", "boundary");
         EXPECT_EQ(discretize(mesh).complex().size(3), 27) << depth;
     }
 }
@@ -82,8 +82,7 @@ TEST(Peeling, leaves_thin_layers_and_meshes_without_flat_cells) {
 }
 
 TEST(Peeling, is_of_solids_alone) {
-    EXPECT_TRUE(
-        says(refusal([] { peeled(uv_sphere(6, 4)); }), {"peel", "dimension 2", "3 coordinates"}));
+    EXPECT_REFUSED(peeled(uv_sphere(6, 4)), "peel", "dimension 2", "3 coordinates");
 }
 
 TEST(PeelingBroken, without_it_hull_cells_would_stay) {

@@ -76,9 +76,8 @@ TEST_F(TetgenTest, facets_that_cross_are_named) {
         spike.points << 0.7, 0.2, 0.5, 0.8, 0.2, 0.5, 0.7, 0.3, 0.5, 0.7, 0.2, 2;
         spike.simplices.resize(4, 3);
         spike.simplices << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
-        EXPECT_TRUE(says(refusal_of(both(cube(), spike)),
-                         {"mesher", "3 pairs", "facets", "2 (4 5 7)", "13 (8 9 11)", "2 (4 5 7)",
-                          "14 (8 11 10)", "2 (4 5 7)", "15 (9 10 11)"}));
+        EXPECT_SAYS(refusal_of(both(cube(), spike)), "mesher", "3 pairs", "facets", "2 (4 5 7)",
+                    "13 (8 9 11)", "2 (4 5 7)", "14 (8 11 10)", "2 (4 5 7)", "15 (9 10 11)");
     });
 }
 
@@ -86,17 +85,16 @@ TEST_F(TetgenTest, points_that_tetgen_would_take_for_one_are_named) {
     with_tetgen([] {
         auto thin = cube();
         thin.points.col(2) *= 1e-10;
-        EXPECT_TRUE(says(message_of<SolverFailure>([&] { tetrahedralize(thin); }),
-                         {"tetgen", "left out", "point"}));
+        EXPECT_SAYS(message_of<SolverFailure>([&] { tetrahedralize(thin); }), "tetgen", "left out",
+                    "point");
     });
 }
 
 TEST_F(TetgenTest, it_is_stopped_after_the_time_given) {
     with_tetgen([] {
-        EXPECT_TRUE(says(message_of<SolverFailure>([] {
-                             tetrahedralize(cube(), {.largest_volume = 1e-9, .seconds = 0.01});
-                         }),
-                         {"tetgen", "stopped", "0.01"}));
+        EXPECT_SAYS(message_of<SolverFailure>(
+                        [] { tetrahedralize(cube(), {.largest_volume = 1e-9, .seconds = 0.01}); }),
+                    "tetgen", "stopped", "0.01");
     });
 }
 
@@ -112,8 +110,8 @@ TEST_F(TetgenTest, memory_that_does_not_suffice_is_told) {
 TEST_F(TetgenTest, holes_that_take_everything_are_told) {
     with_tetgen([] {
         const Points hole = Points::Constant(1, 3, 0.5);
-        EXPECT_TRUE(says(message_of<SolverFailure>([&] { tetrahedralize(cube(), {}, hole); }),
-                         {"tetgen", "no tetrahedra", "holes"}));
+        EXPECT_SAYS(message_of<SolverFailure>([&] { tetrahedralize(cube(), {}, hole); }), "tetgen",
+                    "no tetrahedra", "holes");
     });
 }
 
@@ -134,9 +132,9 @@ std::string failure_of(const std::string& script) {
 }
 
 TEST_F(TetgenTest, a_crash_is_decoded) {
-    EXPECT_TRUE(says(failure_of("echo broken; kill -SEGV $$"),
-                     {"tetgen", "signal", "Segmentation fault", "broken"}));
-    EXPECT_TRUE(says(failure_of("exit 3"), {"tetgen", "exit code 3"}));
+    EXPECT_SAYS(failure_of("echo broken; kill -SEGV $$"), "tetgen", "signal", "Segmentation fault",
+                "broken");
+    EXPECT_SAYS(failure_of("exit 3"), "tetgen", "exit code 3");
 }
 
 TEST_F(TetgenTest, output_that_is_none_is_refused) {
@@ -144,43 +142,38 @@ TEST_F(TetgenTest, output_that_is_none_is_refused) {
         return failure_of("echo '" + points + "' > mesh.1.node; echo '" + cells + "' > mesh.1.ele");
     };
     const std::string tetrahedron = "4 3 0 0 0 0 0 0 1 1 0 0 2 0 1 0 3 0 0 1";
-    EXPECT_TRUE(says(failure_of("exit 0"), {"tetgen", "no tetrahedra", "plane"}));
-    EXPECT_TRUE(says(wrote("", ""), {"tetgen", "mesh.1.node", "missing", "1 bytes"}));
-    EXPECT_TRUE(says(wrote("2000000000 3 0 0", ""),
-                     {"tetgen", "mesh.1.node", "2000000000 rows", "17 bytes"}));
-    EXPECT_TRUE(says(wrote("1 3 2147483647 1 0 0 0 0", ""),
-                     {"tetgen", "mesh.1.node", "2147483647 more numbers", "row"}));
-    EXPECT_TRUE(says(wrote(tetrahedron, "1 4 -1 0 0 1 2 3"),
-                     {"tetgen", "mesh.1.ele", "-1 more numbers", "row"}));
-    EXPECT_TRUE(
-        says(wrote("1 3 0 0 0 nan 0 0", ""), {"tetgen", "mesh.1.node", "point 0", "finite"}));
-    EXPECT_TRUE(says(wrote(tetrahedron, "1 4 0 0 0 1 2 4"),
-                     {"tetgen", "mesh.1.ele", "tetrahedron 0", "corner 4"}));
-    EXPECT_TRUE(
-        says(wrote(tetrahedron, "1 4 0 0 0 1"), {"tetgen", "mesh.1.ele", "missing", "12 bytes"}));
-    EXPECT_TRUE(
-        says(wrote(tetrahedron, "1 4 0 0 0 1 2 3 4"), {"tetgen", "mesh.1.ele", "end", "15 bytes"}));
-    EXPECT_TRUE(
-        says(wrote(tetrahedron, "1 4 0 0 0 1 2 3"), {"tetgen", "mesh.1.face", "No such file"}));
+    EXPECT_SAYS(failure_of("exit 0"), "tetgen", "no tetrahedra", "plane");
+    EXPECT_SAYS(wrote("", ""), "tetgen", "mesh.1.node", "missing", "1 bytes");
+    EXPECT_SAYS(wrote("2000000000 3 0 0", ""), "tetgen", "mesh.1.node", "2000000000 rows",
+                "17 bytes");
+    EXPECT_SAYS(wrote("1 3 2147483647 1 0 0 0 0", ""), "tetgen", "mesh.1.node",
+                "2147483647 more numbers", "row");
+    EXPECT_SAYS(wrote(tetrahedron, "1 4 -1 0 0 1 2 3"), "tetgen", "mesh.1.ele", "-1 more numbers",
+                "row");
+    EXPECT_SAYS(wrote("1 3 0 0 0 nan 0 0", ""), "tetgen", "mesh.1.node", "point 0", "finite");
+    EXPECT_SAYS(wrote(tetrahedron, "1 4 0 0 0 1 2 4"), "tetgen", "mesh.1.ele", "tetrahedron 0",
+                "corner 4");
+    EXPECT_SAYS(wrote(tetrahedron, "1 4 0 0 0 1"), "tetgen", "mesh.1.ele", "missing", "12 bytes");
+    EXPECT_SAYS(wrote(tetrahedron, "1 4 0 0 0 1 2 3 4"), "tetgen", "mesh.1.ele", "end", "15 bytes");
+    EXPECT_SAYS(wrote(tetrahedron, "1 4 0 0 0 1 2 3"), "tetgen", "mesh.1.face", "No such file");
     const std::string face = "; echo '1 1 0 0 1 2 1' > mesh.1.face";
-    EXPECT_TRUE(says(failure_of("echo '" + tetrahedron +
-                                "' > mesh.1.node; echo '1 4 0 0 0 1 2 3' > "
-                                "mesh.1.ele" +
-                                face),
-                     {"tetgen", "left out", "point 3"}));
+    EXPECT_SAYS(failure_of("echo '" + tetrahedron +
+                           "' > mesh.1.node; echo '1 4 0 0 0 1 2 3' > "
+                           "mesh.1.ele" +
+                           face),
+                "tetgen", "left out", "point 3");
 }
 
 TEST_F(TetgenTest, only_regular_files_that_are_whole_are_read) {
     const auto wrote = [](const std::string& script) {
         return failure_of("echo > mesh.1.ele; " + script);
     };
-    EXPECT_TRUE(says(wrote("mkfifo mesh.1.node"), {"tetgen", "mesh.1.node", "regular file"}));
-    EXPECT_TRUE(says(wrote("mkdir mesh.1.node"), {"tetgen", "mesh.1.node", "regular file"}));
-    EXPECT_TRUE(
-        says(wrote("ln -s mesh.1.ele mesh.1.node"), {"tetgen", "mesh.1.node", "symbolic links"}));
-    EXPECT_TRUE(says(wrote("true"), {"tetgen", "mesh.1.node", "No such file"}));
-    EXPECT_TRUE(says(wrote("printf '1 3 0 0 0 1.2 3.4 5.6' > mesh.1.node"),
-                     {"tetgen", "mesh.1.node", "end", "21 bytes"}));
+    EXPECT_SAYS(wrote("mkfifo mesh.1.node"), "tetgen", "mesh.1.node", "regular file");
+    EXPECT_SAYS(wrote("mkdir mesh.1.node"), "tetgen", "mesh.1.node", "regular file");
+    EXPECT_SAYS(wrote("ln -s mesh.1.ele mesh.1.node"), "tetgen", "mesh.1.node", "symbolic links");
+    EXPECT_SAYS(wrote("true"), "tetgen", "mesh.1.node", "No such file");
+    EXPECT_SAYS(wrote("printf '1 3 0 0 0 1.2 3.4 5.6' > mesh.1.node"), "tetgen", "mesh.1.node",
+                "end", "21 bytes");
 }
 
 } // namespace

@@ -14,10 +14,10 @@ namespace {
 TEST_F(TetgenTest, coordinates_must_be_finite) {
     auto surface = cube();
     surface.points(3, 1) = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_TRUE(says(refusal_of(surface), {"mesher", "point 3", "(1, nan, 0)"}));
+    EXPECT_SAYS(refusal_of(surface), "mesher", "point 3", "(1, nan, 0)");
     const Points far = Points::Constant(1, 3, std::numeric_limits<double>::infinity());
-    EXPECT_TRUE(says(refusal_of(cube(), {}, far), {"mesher", "hole 0", "(inf, inf, inf)"}));
-    EXPECT_TRUE(says(refusal_of(cube(), {}, Points::Zero(5, 2)), {"hole", "2 coordinates"}));
+    EXPECT_SAYS(refusal_of(cube(), {}, far), "mesher", "hole 0", "(inf, inf, inf)");
+    EXPECT_SAYS(refusal_of(cube(), {}, Points::Zero(5, 2)), "hole", "2 coordinates");
 }
 
 TEST_F(TetgenTest, holes_are_inside_of_a_surface) {
@@ -60,19 +60,19 @@ TEST_F(TetgenTest, surfaces_have_two_sides) {
     surface.simplices.resize(10, 3);
     surface.simplices << 0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 1, 1, 2, 4, 2, 3, 5, 3, 4, 1, 4,
         5, 2, 5, 1, 3;
-    EXPECT_TRUE(says(refusal_of(surface), {"mesher", "facet", "one side"}));
+    EXPECT_SAYS(refusal_of(surface), "mesher", "facet", "one side");
 }
 
 TEST_F(TetgenTest, points_must_span_a_volume) {
     Mesh flat = grid(3, 2);
     flat.points.conservativeResize(Eigen::NoChange, 3);
     flat.points.col(2) = 0.3 * flat.points.col(0) - 0.7 * flat.points.col(1);
-    EXPECT_TRUE(says(refusal_of(flat), {"mesher", "12 points", "plane"}));
+    EXPECT_SAYS(refusal_of(flat), "mesher", "12 points", "plane");
     flat.simplices = Simplices(flat.simplices.topRows(1));
-    EXPECT_TRUE(says(refusal_of(flat), {"mesher", "3 points", "four"}));
+    EXPECT_SAYS(refusal_of(flat), "mesher", "3 points", "four");
     auto twins = cube();
     twins.points.row(7) = twins.points.row(4);
-    EXPECT_TRUE(says(refusal_of(twins), {"mesher", "points 4", "7"}));
+    EXPECT_SAYS(refusal_of(twins), "mesher", "points 4", "7");
 }
 
 TEST_F(TetgenTest, facets_must_be_triangles_with_area) {
@@ -81,19 +81,19 @@ TEST_F(TetgenTest, facets_must_be_triangles_with_area) {
         surface.simplices(2, 1) = corner;
         return refusal_of(surface);
     };
-    EXPECT_TRUE(says(broken(8), {"mesher", "facet 2", "corner 8", "0", "7"}));
-    EXPECT_TRUE(says(broken(-1), {"mesher", "facet 2", "corner -1", "0", "7"}));
-    EXPECT_TRUE(says(broken(4), {"mesher", "facet 2 (4 4 7)", "corner 4", "twice"}));
+    EXPECT_SAYS(broken(8), "mesher", "facet 2", "corner 8", "0", "7");
+    EXPECT_SAYS(broken(-1), "mesher", "facet 2", "corner -1", "0", "7");
+    EXPECT_SAYS(broken(4), "mesher", "facet 2 (4 4 7)", "corner 4", "twice");
 
     auto thin = cube();
     thin.points.row(3) << 0, 0.5, 0;
-    EXPECT_TRUE(says(refusal_of(thin), {"mesher", "facet 0 (0 2 3)", "area"}));
+    EXPECT_SAYS(refusal_of(thin), "mesher", "facet 0 (0 2 3)", "area");
 }
 
 TEST_F(TetgenTest, options_must_make_sense) {
-    EXPECT_TRUE(says(refusal_of(cube(), {.quality = 0.5}), {"mesher", "0.5", "circumradius"}));
-    EXPECT_TRUE(says(refusal_of(cube(), {.largest_volume = -1.0}), {"mesher", "volume", "-1"}));
-    EXPECT_TRUE(says(refusal_of(cube(), {.seconds = 0.0}), {"mesher", "0 seconds"}));
+    EXPECT_SAYS(refusal_of(cube(), {.quality = 0.5}), "mesher", "0.5", "circumradius");
+    EXPECT_SAYS(refusal_of(cube(), {.largest_volume = -1.0}), "mesher", "volume", "-1");
+    EXPECT_SAYS(refusal_of(cube(), {.seconds = 0.0}), "mesher", "0 seconds");
 }
 
 } // namespace

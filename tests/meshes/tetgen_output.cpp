@@ -94,12 +94,11 @@ TEST(TetgenOutput, a_filled_surface_is_fine_at_every_scale) {
 }
 
 TEST(TetgenOutput, every_tetrahedron_has_a_positive_volume) {
-    EXPECT_TRUE(says(verdict_on_cube([](auto& mesh) {
-                         std::swap(mesh.tetrahedra(2, 0), mesh.tetrahedra(2, 1));
-                     }),
-                     {"tetrahedron 2", "inside out"}));
-    EXPECT_TRUE(says(verdict_on_cube([](auto& mesh) { mesh.tetrahedra.row(3) << 0, 1, 2, 3; }),
-                     {"tetrahedron 3 (0 1 2 3)", "flat"}));
+    EXPECT_SAYS(verdict_on_cube(
+                    [](auto& mesh) { std::swap(mesh.tetrahedra(2, 0), mesh.tetrahedra(2, 1)); }),
+                "tetrahedron 2", "inside out");
+    EXPECT_SAYS(verdict_on_cube([](auto& mesh) { mesh.tetrahedra.row(3) << 0, 1, 2, 3; }),
+                "tetrahedron 3 (0 1 2 3)", "flat");
 }
 
 TEST(TetgenOutput, the_sign_of_a_volume_is_exact) {
@@ -129,43 +128,42 @@ TEST(TetgenOutput, numbers_exist) {
 }
 
 TEST(TetgenOutput, points_stay_where_they_are) {
-    EXPECT_TRUE(says(verdict_on_cube([](auto& mesh) { mesh.points(7, 2) += 1e-15; }),
-                     {"tetgen", "left out", "point 7", "(1, 1, 1)"}));
+    EXPECT_SAYS(verdict_on_cube([](auto& mesh) { mesh.points(7, 2) += 1e-15; }), "tetgen",
+                "left out", "point 7", "(1, 1, 1)");
 }
 
 TEST(TetgenOutput, nothing_is_covered_twice) {
-    EXPECT_TRUE(says(verdict_on_cube([](auto& mesh) {
-                         mesh.tetrahedra.conservativeResize(7, 4);
-                         mesh.tetrahedra.row(6) = mesh.tetrahedra.row(0);
-                     }),
-                     {"tetrahedron 0 (0 1 3 7)", "tetrahedron"}));
+    EXPECT_SAYS(verdict_on_cube([](auto& mesh) {
+                    mesh.tetrahedra.conservativeResize(7, 4);
+                    mesh.tetrahedra.row(6) = mesh.tetrahedra.row(0);
+                }),
+                "tetrahedron 0 (0 1 3 7)", "tetrahedron");
 }
 
 TEST(TetgenOutput, all_is_filled_up_to_the_facets) {
-    EXPECT_TRUE(says(verdict_on_cube(remove_last_cell), {"facet 2 (4 5 7)", "empty"}));
-    EXPECT_TRUE(says(verdict_on_cube([](auto& mesh) {
-                         mesh.points.conservativeResize(9, 3);
-                         mesh.points.row(8) << 0.5, 0.5, 2.0;
-                         mesh.tetrahedra.conservativeResize(7, 4);
-                         mesh.tetrahedra.row(6) << 4, 5, 7, 8;
-                     }),
-                     {"faces", "boundary", "no facet"}));
+    EXPECT_SAYS(verdict_on_cube(remove_last_cell), "facet 2 (4 5 7)", "empty");
+    EXPECT_SAYS(verdict_on_cube([](auto& mesh) {
+                    mesh.points.conservativeResize(9, 3);
+                    mesh.points.row(8) << 0.5, 0.5, 2.0;
+                    mesh.tetrahedra.conservativeResize(7, 4);
+                    mesh.tetrahedra.row(6) << 4, 5, 7, 8;
+                }),
+                "faces", "boundary", "no facet");
 }
 
 TEST(TetgenOutput, facets_are_unions_of_faces) {
-    EXPECT_TRUE(
-        says(verdict_on_cube([](auto& mesh) { mesh.facets[0] = mesh.facets[0] == 0 ? 2 : 0; }),
-             {"point", "facet", "plane"}));
-    EXPECT_TRUE(says(verdict_on_cube([](auto& mesh) {
-                         mesh.faces.conservativeResize(11, 3);
-                         mesh.facets.resize(11);
-                     }),
-                     {"facets", "close", "point"}));
+    EXPECT_SAYS(verdict_on_cube([](auto& mesh) { mesh.facets[0] = mesh.facets[0] == 0 ? 2 : 0; }),
+                "point", "facet", "plane");
+    EXPECT_SAYS(verdict_on_cube([](auto& mesh) {
+                    mesh.faces.conservativeResize(11, 3);
+                    mesh.facets.resize(11);
+                }),
+                "facets", "close", "point");
 }
 
 TEST(TetgenOutput, holes_and_only_holes_are_empty) {
     const Points hole = Points::Constant(1, 3, 0.5);
-    EXPECT_TRUE(says(verdict_on(cube(), filled_cube(), hole), {"inside", "facet"}));
+    EXPECT_SAYS(verdict_on(cube(), filled_cube(), hole), "inside", "facet");
     EXPECT_EQ(verdict_on(cube(), filled_cube()), "accepted");
 }
 
@@ -176,9 +174,9 @@ TEST(TetgenOutput, parts_beside_each_other_are_all_filled) {
     const auto half = mesh;
     add_cube(mesh, 8, 12);
     EXPECT_EQ(verdict_on(input, mesh), "accepted");
-    EXPECT_TRUE(says(verdict_on(input, half), {"facet 12 (8 10 11)", "covered", "0"}));
+    EXPECT_SAYS(verdict_on(input, half), "facet 12 (8 10 11)", "covered", "0");
     mesh.tetrahedra = half.tetrahedra;
-    EXPECT_TRUE(says(verdict_on(input, mesh), {"inside", "facet"}));
+    EXPECT_SAYS(verdict_on(input, mesh), "inside", "facet");
 }
 
 } // namespace

@@ -156,7 +156,7 @@ TEST_P(Tetrahedralize, quality_that_is_missed_is_told_with_the_worst) {
             tetrahedralize(tall, {.quality = 1.2, .boundary = BoundarySplitting::forbidden});
         ASSERT_EQ(mesh.warnings.size(), 1U);
         const auto worst = std::to_string(worst_quality(mesh)).substr(0, 4);
-        EXPECT_TRUE(says(mesh.warnings[0], {"quality", "1.2", "worst"}));
+        EXPECT_SAYS(mesh.warnings[0], "quality", "1.2", "worst");
         EXPECT_NE(mesh.warnings[0].find(worst), std::string::npos) << mesh.warnings[0];
     });
 }
@@ -165,7 +165,7 @@ TEST_P(Tetrahedralize, a_surface_that_crosses_another_is_named_by_triangles) {
     with_tetgen([](const Mesh& surface) {
         Mesh moved = surface;
         moved.points.rowwise() += Eigen::RowVector3d(0.31, 0.23, 0.17);
-        EXPECT_TRUE(says(refusal_of(both(surface, moved)), {"facets", "overlap"}));
+        EXPECT_SAYS(refusal_of(both(surface, moved)), "facets", "overlap");
     });
 }
 
@@ -186,15 +186,14 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, Tetrahedralize, testing::ValuesIn(cases),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(TetrahedralizeErrors, what_is_no_closed_surface_is_refused) {
-    EXPECT_TRUE(says(refusal([] { tetrahedralize(kuhn(3, 1)); }),
-                     {"surface of triangles", "6 cells", "dimension 3", "3"}));
-    EXPECT_TRUE(says(refusal([] { tetrahedralize(grid(2, 2)); }),
-                     {"surface of triangles", "8 cells", "dimension 2", "2"}));
+    EXPECT_REFUSED(tetrahedralize(kuhn(3, 1)), "surface of triangles", "6 cells", "dimension 3",
+                   "3");
+    EXPECT_REFUSED(tetrahedralize(grid(2, 2)), "surface of triangles", "8 cells", "dimension 2",
+                   "2");
     Mesh open = cube();
     open.simplices.conservativeResize(11, 3);
-    EXPECT_TRUE(says(refusal([&] { tetrahedralize(open); }),
-                     {"mesher", "closed", "3", "edge 1 5", "facet 4", "edge 1 7", "facet 10",
-                      "edge 5 7", "facet 2"}));
+    EXPECT_REFUSED(tetrahedralize(open), "mesher", "closed", "3", "edge 1 5", "facet 4", "edge 1 7",
+                   "facet 10", "edge 5 7", "facet 2");
 }
 
 } // namespace

@@ -171,24 +171,23 @@ TEST(Plots, LegendsStandInAFreeCornerOrBesideThePlot) {
 TEST(Plots, RefuseWhatCannotBeDrawn) {
     auto plot = parabola();
     plot.series[0].y[1] = 0;
-    EXPECT_TRUE(
-        says(plot_error(plot), {"InvalidInput", "series 'quads'", "y[1]", "0", "logarithmic"}));
+    EXPECT_SAYS(plot_error(plot), "InvalidInput", "series 'quads'", "y[1]", "0", "logarithmic");
     plot.y.scale = Scale::linear;
     EXPECT_EQ(plot_error(plot), "");
     plot.slopes = {{2, 0}};
-    EXPECT_TRUE(says(plot_error(plot), {"InvalidInput", "slope triangle", "logarithmic"}));
+    EXPECT_SAYS(plot_error(plot), "InvalidInput", "slope triangle", "logarithmic");
     plot.series[0].x[2] = HUGE_VAL;
-    EXPECT_TRUE(says(plot_error(plot), {"InvalidInput", "series 'quads'", "x[2]", "infinite"}));
+    EXPECT_SAYS(plot_error(plot), "InvalidInput", "series 'quads'", "x[2]", "infinite");
     plot.series[0].x = {1, none, none};
     plot.series[0].y = {none, 2, 3};
-    EXPECT_TRUE(says(plot_error(plot), {"InvalidInput", "series 'quads'", "no points"}));
+    EXPECT_SAYS(plot_error(plot), "InvalidInput", "series 'quads'", "no points");
     plot.series[0].x.pop_back();
-    EXPECT_TRUE(says(plot_error(plot), {"InvalidInput", "series 'quads'", "2 x", "3 y"}));
+    EXPECT_SAYS(plot_error(plot), "InvalidInput", "series 'quads'", "2 x", "3 y");
     plot.series.clear();
-    EXPECT_TRUE(says(plot_error(plot), {"InvalidInput", "plot 'Errors'", "no series"}));
+    EXPECT_SAYS(plot_error(plot), "InvalidInput", "plot 'Errors'", "no series");
     plot = parabola();
     plot.slopes = {{2, 1}};
-    EXPECT_TRUE(says(plot_error(plot), {"InvalidInput", "slope 2", "series 1", "1 series"}));
+    EXPECT_SAYS(plot_error(plot), "InvalidInput", "slope 2", "series 1", "1 series");
 }
 
 } // namespace polydec::test::in_plots

@@ -5,6 +5,7 @@
 #include "examples/paper/program.h"
 #include "examples/paper/reproductions.h"
 #include "tests/io/support.h"
+#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -66,12 +67,8 @@ TEST(Orders, of_powers_are_their_exponents) {
 TEST(Orders, are_none_without_two_errors_and_refused_without_two_sizes) {
     EXPECT_TRUE(std::isnan(observed_order({0.2, 0.1}, {1e-3, 0})));
     EXPECT_TRUE(std::isnan(observed_order({0.2, 0.1}, {none, 1e-3})));
-    EXPECT_TRUE(says(error_of([] { observed_order({0.1}, {1e-3}); }),
-                     {"InvalidInput", "order", "1 sizes", "1 errors", "two"}));
-    EXPECT_TRUE(says(error_of([] {
-                         observed_order({0.1, 0.1}, {2, 1});
-                     }),
-                     {"InvalidInput", "order", "sizes", "0.1", "0.1"}));
+    EXPECT_REFUSED(observed_order({0.1}, {1e-3}), "order", "1 sizes", "1 errors", "two");
+    EXPECT_REFUSED(observed_order({0.1, 0.1}, {2, 1}), "order", "sizes", "0.1", "0.1");
 }
 
 TEST(Reports, as_text_have_aligned_columns_and_four_digits) {
@@ -164,27 +161,26 @@ TEST(Reports, with_flaws_are_refused_before_anything_is_written) {
     EXPECT_EQ(refused(example()), "");
     auto report = example();
     report.tables[0].rows[1][2] = HUGE_VAL;
-    EXPECT_TRUE(says(refused(report),
-                     {"InvalidInput", "table 'errors'", "error, relative", "row 1", "infinite"}));
+    EXPECT_SAYS(refused(report), "InvalidInput", "table 'errors'", "error, relative", "row 1",
+                "infinite");
     EXPECT_EQ(error_of([&] { to_text(report); }), refused(report));
     report.tables[0].rows[1].pop_back();
-    EXPECT_TRUE(
-        says(refused(report), {"InvalidInput", "table 'errors'", "row 1", "2 entries", "3"}));
+    EXPECT_SAYS(refused(report), "InvalidInput", "table 'errors'", "row 1", "2 entries", "3");
     report = example();
     report.plots[0].name = "mesh";
-    EXPECT_TRUE(says(refused(report), {"InvalidInput", "fig0_mesh.svg", "two files"}));
+    EXPECT_SAYS(refused(report), "InvalidInput", "fig0_mesh.svg", "two files");
     report.plots[0].name = "../mesh";
-    EXPECT_TRUE(says(refused(report), {"InvalidInput", "../mesh", "file", "fig0"}));
+    EXPECT_SAYS(refused(report), "InvalidInput", "../mesh", "file", "fig0");
     report = example();
     report.plots[0].plot.series[0].y = {-1, 2};
-    EXPECT_TRUE(says(refused(report), {"series 'quads'", "y[0]", "-1"}));
+    EXPECT_SAYS(refused(report), "series 'quads'", "y[0]", "-1");
 }
 
 TEST(Reports, that_cannot_be_written_say_why) {
     const TemporaryFolder folder;
     const auto file = folder.write("taken", "");
-    EXPECT_TRUE(says(error_of([&] { write_report(file, example()); }),
-                     {"IoError", file.string(), "Not a directory"}));
+    EXPECT_SAYS(error_of([&] { write_report(file, example()); }), "IoError", file.string(),
+                "Not a directory");
 }
 
 TEST(Reproductions, have_different_names_that_files_can_have) {
@@ -259,8 +255,8 @@ TEST(Table2, counts_pairs_of_files_and_tells_why_others_are_left_out) {
     EXPECT_EQ(rows[1], (std::vector<Entry>{"kite.off", 2L, 0L, 0L, 0.0, 0L, 0L, 0.0, ""}));
     EXPECT_EQ(rows[2], (std::vector<Entry>{"square.off", 2L, 1L, 2L, 100.0, 1L, 2L, 100.0, ""}));
     EXPECT_EQ(rows[3], (std::vector<Entry>{"all", 4L, 1L, 2L, 50.0, 1L, 2L, 50.0, ""}));
-    EXPECT_TRUE(says(error_of([&] { table2({.meshes = folder.path("none")}); }),
-                     {"IoError", folder.path("none").string(), "No such file"}));
+    EXPECT_SAYS(error_of([&] { table2({.meshes = folder.path("none")}); }), "IoError",
+                folder.path("none").string(), "No such file");
 }
 
 TEST(Program, refuses_a_reproduction_that_there_is_not) {

@@ -67,12 +67,12 @@ TEST(OneForms, are_refused_where_they_are_not_known) {
     const auto refused = [](const Shape& shape) {
         return refusal([&] { shape_spectrum(shape, {.degree = 1, .count = 2}); });
     };
-    EXPECT_TRUE(says(refused(unmerged(kuhn(3, 1))), {"1-forms", "dimension 3", "0", "3"}));
+    EXPECT_SAYS(refused(unmerged(kuhn(3, 1))), "1-forms", "dimension 3", "0", "3");
     Shape shape = unmerged(grid(2, 2), {BoundaryCondition::robin, {}, {1}});
-    EXPECT_TRUE(says(refused(shape), {"facet 0", "Robin", "1-forms"}));
+    EXPECT_SAYS(refused(shape), "facet 0", "Robin", "1-forms");
     shape = unmerged(grid(2, 2));
     shape.density = Vector::Ones(8);
-    EXPECT_TRUE(says(refused(shape), {"1-forms", "weights"}));
+    EXPECT_SAYS(refused(shape), "1-forms", "weights");
 }
 
 /// On a cube densities that are 0 on the boundary, which all are by natural conditions.

@@ -9,7 +9,6 @@
 #include "shape/shape_spectrum.h"
 #include "tests/shape/known_shapes.h"
 #include "tests/support/glued.h"
-#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -295,7 +294,7 @@ TEST(Adaptive, fills_the_most_triangles_and_warns) {
     EXPECT_GE(found.simplices, 190);
     EXPECT_LE(found.simplices, 200);
     ASSERT_FALSE(found.warnings.empty());
-    EXPECT_TRUE(says(found.warnings.back(), {"3 of 4", "1e-09", "refine"}));
+    EXPECT_SAYS(found.warnings.back(), "3 of 4", "1e-09", "refine");
 }
 
 } // namespace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "base/errors.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "shape/geodesics.h"
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"
 #include "tests/support/families.h"
-#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 

@@ -267,7 +267,7 @@ TEST(ConditionedErrors, name_the_facet_where_dual_functions_have_no_differences)
           refusal([&] {
               heated({branching, Side::dual, 0, neumann}, {Side::dual, 0, ones}, 1);
           })})
-        EXPECT_TRUE(says(refused, {"3 cells", "facet", "primal 0-forms"})) << refused;
+        EXPECT_SAYS(refused, "3 cells", "facet", "primal 0-forms") << refused;
 }
 
 TEST(ConditionedErrors, know_the_mesh_through_several_relative_complexes) {
@@ -282,7 +282,7 @@ TEST(ConditionedErrors, know_the_mesh_through_several_relative_complexes) {
         for (Index cell = 0; cell < rest.complex.size(k); ++cell)
             EXPECT_EQ(rest_volumes.number(k, cell), inside.cells[k][rest.cells[k][cell]]);
     EXPECT_EQ(mesh.volumes().number(1, 7), 7);
-    EXPECT_NE(refusal([&] { mesh.volumes().numbered({}); }), "accepted");
+    EXPECT_THROW(mesh.volumes().numbered({}), InvalidInput);
 }
 
 TEST(ConditionedErrors, of_waves_name_the_edge_of_the_mesh) {
@@ -301,11 +301,8 @@ TEST(ConditionedErrors, of_waves_name_the_edge_of_the_mesh) {
     const Index edge = inside.cells[1][negative[0]];
     EXPECT_EQ(cell_vertices(mesh, 1, edge), (std::vector<Index>{4, 5}));
     EXPECT_NE(edge, negative[0]);
-    EXPECT_TRUE(
-        says(refusal([&] {
-                 stable_step({{inside.complex, volumes}, Side::primal, 0});
-             }),
-             {"1 1-cells", "negative", "cell " + std::to_string(edge), "StarKind::automatic"}));
+    EXPECT_REFUSED(stable_step({{inside.complex, volumes}, Side::primal, 0}), "1 1-cells",
+                   "negative", "cell " + std::to_string(edge), "StarKind::automatic");
 }
 
 /// Whether the mesh has a spectrum on these forms: it is refused or comes out.
@@ -344,7 +341,7 @@ TEST(VerdictsOnSpectra, do_without_the_duals_of_boundary_facets_as_dual_function
         if (m > 1) {
             EXPECT_EQ(verdicts[2].reason, "");
         } else {
-            EXPECT_TRUE(says(verdicts[2].reason, {"no 2-cell", "value"}));
+            EXPECT_SAYS(verdicts[2].reason, "no 2-cell", "value");
         }
         EXPECT_EQ(spectrum_verdicts(mesh, Side::primal)[2].exists, m > 1);
         EXPECT_FALSE(spectrum_verdicts(mesh, Side::primal)[1].exists);

@@ -215,8 +215,8 @@ TEST(DualFluxes, whose_resistances_cancel_are_refused_by_the_facet) {
     EXPECT_EQ(verdict(1, 1), "accepted");
     EXPECT_EQ(verdict(1, 2.4), "accepted");
     for (const double size : {1e-9, 1.0, 1e9})
-        EXPECT_TRUE(says(verdict(0.4 * size, size),
-                         {"facet 0", "vertices 0, 1", "conductivity", "cancel"}));
+        EXPECT_SAYS(verdict(0.4 * size, size), "facet 0", "vertices 0, 1", "conductivity",
+                    "cancel");
 }
 
 TEST(ConcyclicEdgesBroken, that_are_left_out_give_another_solution) {

@@ -47,10 +47,9 @@ TEST(Conditions, fix_values_of_primal_functions_at_vertices) {
                                 refusal([&] {
                                     spectrum({mesh, Side::dual, 2, conditions});
                                 })})
-        EXPECT_TRUE(says(refused, {"vertices", "primal 0-forms"})) << refused;
+        EXPECT_SAYS(refused, "vertices", "primal 0-forms") << refused;
     conditions.fixed_vertices.pop_back();
-    EXPECT_TRUE(says(refusal([&] { functions(mesh, Side::primal, conditions); }),
-                     {"80", "fixed vertices", "81"}));
+    EXPECT_REFUSED(functions(mesh, Side::primal, conditions), "80", "fixed vertices", "81");
 }
 
 TEST(Conditions, that_give_values_nowhere_are_found) {
@@ -60,8 +59,7 @@ TEST(Conditions, that_give_values_nowhere_are_found) {
     for (const Index count : cofaces)
         inside.facets.push_back(count == 2 ? BoundaryCondition::essential
                                            : BoundaryCondition::natural);
-    EXPECT_TRUE(says(refusal([&] { require_essential(mesh.complex(), inside, "the wall"); }),
-                     {"the wall", "none", "16"}));
+    EXPECT_REFUSED(require_essential(mesh.complex(), inside, "the wall"), "the wall", "none", "16");
     inside.facets[std::find(cofaces.begin(), cofaces.end(), 1) - cofaces.begin()] =
         BoundaryCondition::essential;
     require_essential(mesh.complex(), inside, "the wall");

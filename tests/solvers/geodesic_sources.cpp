@@ -116,7 +116,7 @@ TEST(GeodesicSources, have_no_heat_to_scale_or_solve_for_in_exact_distances) {
     for (const auto& options :
          {GeodesicOptions{.time_scale = 2}, GeodesicOptions{.time_scale = NAN},
           GeodesicOptions{.linear_solver = "eigen.ldlt"}}) {
-        EXPECT_TRUE(says(with(options), {"time_scale", "linear_solver", "heat"}));
+        EXPECT_SAYS(with(options), "time_scale", "linear_solver", "heat");
         EXPECT_EQ(with(by_heat({.linear_solver = "eigen.cg"})), "accepted");
     }
 }

@@ -117,21 +117,18 @@ TEST(PencilRefuses, what_is_no_number_or_no_share) {
     DenseMatrix A = DenseMatrix::Identity(2, 2);
     const Vector ones = Vector::Ones(2);
     A(1, 1) = infinity;
-    EXPECT_TRUE(says(refused({.C = sparse(A), .M = ones}), {"symmetric", "C", "finite"}));
+    EXPECT_SAYS(refused({.C = sparse(A), .M = ones}), "symmetric", "C", "finite");
     A << 1, 2, 3, 4;
-    EXPECT_TRUE(says(refused({.C = sparse(A), .M = ones}), {"symmetric", "C", "finite"}));
+    EXPECT_SAYS(refused({.C = sparse(A), .M = ones}), "symmetric", "C", "finite");
     A = DenseMatrix::Identity(2, 2);
-    EXPECT_TRUE(
-        says(refused({.C = sparse(A), .M = ones, .mass_uncertainty = -1}), {"M", "-1", "0", "1"}));
-    EXPECT_TRUE(
-        says(refused({.C = sparse(A), .M = ones, .mass_uncertainty = 1}), {"M", "1", "0", "1"}));
-    EXPECT_TRUE(says(refused({.parts = {{sparse(A), ones, -ones}}, .M = ones}),
-                     {"uncertainty", "F^T W F", "finite"}));
-    EXPECT_TRUE(says(refused({.C = sparse(A), .M = (Vector(2) << 1e-300, 1e300).finished()}),
-                     {"entries of A", "scale"}));
+    EXPECT_SAYS(refused({.C = sparse(A), .M = ones, .mass_uncertainty = -1}), "M", "-1", "0", "1");
+    EXPECT_SAYS(refused({.C = sparse(A), .M = ones, .mass_uncertainty = 1}), "M", "1", "0", "1");
+    EXPECT_SAYS(refused({.parts = {{sparse(A), ones, -ones}}, .M = ones}), "uncertainty", "F^T W F",
+                "finite");
+    EXPECT_SAYS(refused({.C = sparse(A), .M = (Vector(2) << 1e-300, 1e300).finished()}),
+                "entries of A", "scale");
     A(0, 0) = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_TRUE(
-        says(refused({.parts = {{sparse(A), ones}}, .M = ones}), {"number", "F^T W F", "finite"}));
+    EXPECT_SAYS(refused({.parts = {{sparse(A), ones}}, .M = ones}), "number", "F^T W F", "finite");
 }
 
 TEST(CoexactSpectrum, of_forms_that_there_are_not_is_refused_at_once) {
@@ -141,13 +138,12 @@ TEST(CoexactSpectrum, of_forms_that_there_are_not_is_refused_at_once) {
             coexact_spectrum({{mesh.complex(), mesh.volumes()}, Side::primal, k}, {.count = count});
         });
     };
-    EXPECT_TRUE(says(refused(3, 1), {"1 coexact 3-forms", "0"}));
-    EXPECT_TRUE(says(refused(0, 343), {"343 coexact 0-forms", "342"}));
-    EXPECT_TRUE(says(refused(0, 0), {"0 coexact 0-forms", "342"}));
-    EXPECT_TRUE(says(refused(0, -3), {"-3 coexact 0-forms", "342"}));
-    EXPECT_TRUE(
-        says(refused(2, std::numeric_limits<Index>::max()), {"2147483647 coexact 2-forms", "216"}));
-    EXPECT_TRUE(says(refused(4, 1), {"degree 4", "dimension 3"}));
+    EXPECT_SAYS(refused(3, 1), "1 coexact 3-forms", "0");
+    EXPECT_SAYS(refused(0, 343), "343 coexact 0-forms", "342");
+    EXPECT_SAYS(refused(0, 0), "0 coexact 0-forms", "342");
+    EXPECT_SAYS(refused(0, -3), "-3 coexact 0-forms", "342");
+    EXPECT_SAYS(refused(2, std::numeric_limits<Index>::max()), "2147483647 coexact 2-forms", "216");
+    EXPECT_SAYS(refused(4, 1), "degree 4", "dimension 3");
 }
 
 /// A strip of triangles a hundred thousand times as high as wide.

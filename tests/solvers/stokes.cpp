@@ -11,7 +11,6 @@
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
-#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -185,17 +184,16 @@ TEST(Channel, whose_walls_hold_nothing_back_is_refused) {
     for (Index f = 0; f < facets.rows(); ++f)
         options.facets.push_back(std::abs(facets(f, 0) - 0.5) > 0.49 ? FlowBoundary::pressure
                                                                      : FlowBoundary::free_slip);
-    EXPECT_TRUE(says(refusal([&] { StokesSolver(mesh, options); }), {"1 flows", "holes", "wall"}));
+    EXPECT_REFUSED(StokesSolver(mesh, options), "1 flows", "holes", "wall");
     std::replace(options.facets.begin(), options.facets.end(), FlowBoundary::pressure,
                  FlowBoundary::open);
-    EXPECT_TRUE(says(refusal([&] { StokesSolver(mesh, options); }),
-                     {"facet", "open", "does not determine", "FlowBoundary::pressure"}));
+    EXPECT_REFUSED(StokesSolver(mesh, options), "facet", "open", "does not determine",
+                   "FlowBoundary::pressure");
     for (auto& kind : options.facets)
         kind = FlowBoundary::free_slip;
-    EXPECT_EQ(refusal([&] { StokesSolver(mesh, options); }), "accepted");
-    EXPECT_EQ(refusal([&] { StokesSolver(circumcentric(icosphere(2))); }), "accepted");
-    EXPECT_TRUE(
-        says(refusal([&] { StokesSolver(circumcentric(torus(12, 8))); }), {"2 flows", "holes"}));
+    EXPECT_NO_THROW(StokesSolver(mesh, options));
+    EXPECT_NO_THROW(StokesSolver(circumcentric(icosphere(2))));
+    EXPECT_REFUSED(StokesSolver(circumcentric(torus(12, 8))), "2 flows", "holes");
 }
 
 // The twin: the same where the other half of the flow is let out.
@@ -211,8 +209,8 @@ TEST(StokesErrors, tell_what_does_not_balance_in_one_of_two_components) {
                        }))
             .values;
     };
-    EXPECT_TRUE(says(refusal([&] { solver.solve(still, {.through = fluxes(1, 0)}); }),
-                     {"net outflow", "1", "expected 0", "open facet"}));
+    EXPECT_REFUSED(solver.solve(still, {.through = fluxes(1, 0)}), "net outflow", "1", "expected 0",
+                   "open facet");
     const auto flow = solver.solve(still, {.through = fluxes(1, 1)});
     EXPECT_LE(d(mesh.complex(), flow.flux).values.cwiseAbs().maxCoeff(), 1e-13);
     EXPECT_NEAR(flow.pressure.values.tail(9).norm(), 0, 1e-12) << "where nothing flows";
@@ -223,13 +221,10 @@ TEST(StokesErrors, name_what_does_not_fit) {
     const auto mesh = circumcentric(grid(2, 2));
     const Cochain still{Side::primal, 1, Vector::Zero(mesh.complex().size(1))};
     const StokesSolver solver(mesh);
-    EXPECT_TRUE(says(refusal([&] {
-                         solver.solve({Side::primal, 0, Vector::Zero(9)});
-                     }),
-                     {"force", "primal 0-form", "primal 1-form"}));
-    EXPECT_TRUE(says(refusal([&] { solver.solve(still, {.through = Vector::Ones(2)}); }),
-                     {"2 fluxes", "facets", "12"}));
-    EXPECT_TRUE(says(refusal([&] { StokesSolver(mesh, {.viscosity = 0}); }), {"viscosity is 0"}));
+    EXPECT_REFUSED(solver.solve({Side::primal, 0, Vector::Zero(9)}), "force", "primal 0-form",
+                   "primal 1-form");
+    EXPECT_REFUSED(solver.solve(still, {.through = Vector::Ones(2)}), "2 fluxes", "facets", "12");
+    EXPECT_REFUSED(StokesSolver(mesh, {.viscosity = 0}), "viscosity is 0");
 }
 
 } // namespace

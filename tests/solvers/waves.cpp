@@ -293,24 +293,18 @@ TEST(WaveErrors, name_losses_layers_and_sides) {
         const Vector u = Vector::Zero(on.complex().size(0));
         return refusal([&] { Waves({on, Side::primal, 0, conditions}, u, options); });
     };
-    EXPECT_TRUE(
-        says(made({.loss = Vector::Constant(25, -1)}, mesh), {"loss", "value 0", "E", "-1"}));
+    EXPECT_SAYS(made({.loss = Vector::Constant(25, -1)}, mesh), "loss", "value 0", "E", "-1");
     EXPECT_NE(made({.loss = Vector::Ones(3)}, mesh).find("losses of E"), std::string::npos);
-    EXPECT_TRUE(
-        says(made({.layer = AbsorbingLayer{mesh, 2}}, mesh), {"width", "layer", "2", "0", "1"}));
-    EXPECT_TRUE(
-        says(made({.layer = AbsorbingLayer{.mesh = mesh, .width = 0.2, .reflection = 2}}, mesh),
-             {"layer", "reflection 2", "power 3"}));
-    EXPECT_TRUE(says(made({.layer = AbsorbingLayer{circumcentric(grid(5, 4)), 0.2}}, mesh),
-                     {"30", "0-cells", "layer's mesh", "25"}));
-    EXPECT_TRUE(says(refusal([&] {
-                         stable_step({mesh, Side::dual, 2, conditions});
-                     }),
-                     {"waves", "2-forms", "dimension 2", "0", "1"}));
+    EXPECT_SAYS(made({.layer = AbsorbingLayer{mesh, 2}}, mesh), "width", "layer", "2", "0", "1");
+    EXPECT_SAYS(made({.layer = AbsorbingLayer{.mesh = mesh, .width = 0.2, .reflection = 2}}, mesh),
+                "layer", "reflection 2", "power 3");
+    EXPECT_SAYS(made({.layer = AbsorbingLayer{circumcentric(grid(5, 4)), 0.2}}, mesh), "30",
+                "0-cells", "layer's mesh", "25");
+    EXPECT_REFUSED(stable_step({mesh, Side::dual, 2, conditions}), "waves", "2-forms",
+                   "dimension 2", "0", "1");
     const auto triangles = circumcentric(well_centered(8));
-    EXPECT_TRUE(
-        says(made({.layer = AbsorbingLayer{triangles, 0.2, LayerKind::stretched}}, triangles),
-             {"parallel", "axes"}));
+    EXPECT_SAYS(made({.layer = AbsorbingLayer{triangles, 0.2, LayerKind::stretched}}, triangles),
+                "parallel", "axes");
 }
 
 } // namespace

@@ -14,7 +14,6 @@
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
-#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -83,10 +82,7 @@ POLYDEC_OVER_MESHES(WavesByStars);
 TEST(WavesByOtherStars, keep_another_energy) {
     const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
     const Cochain E{Side::primal, 1, random_vector(mesh.complex().size(1), 1)};
-    EXPECT_NE(refusal([&] {
-                  Waves({mesh, E.side, E.degree}, E.values, {.time_step = 1e-3});
-              }),
-              "accepted");
+    EXPECT_THROW(Waves({mesh, E.side, E.degree}, E.values, {.time_step = 1e-3}), InvalidInput);
     const auto by = [&](StarKind kind) { return mesh.with_stars(mesh.with_stars(kind).stars()); };
     const auto galerkin = by(StarKind::galerkin), other = by(StarKind::barycentric);
     const double dt = 0.5 * std::min(stable_step({galerkin, Side::primal, 1}),
@@ -98,10 +94,8 @@ TEST(WavesByOtherStars, keep_another_energy) {
     twin.resume(waves.time(), waves.state());
     EXPECT_GT(std::abs(twin.relative_energy().value() - 1), 1e-3);
     const double long_step = 1.01 * stable_step({galerkin, Side::primal, 1});
-    EXPECT_TRUE(says(refusal([&] {
-                         Waves({galerkin, E.side, E.degree}, E.values, {.time_step = long_step});
-                     }),
-                     {"time step", "limit of stability"}));
+    EXPECT_REFUSED(Waves({galerkin, E.side, E.degree}, E.values, {.time_step = long_step}),
+                   "time step", "limit of stability");
 }
 
 /// Frequencies of a conducting box that Galerkin's stars find on obtuse tets: pi sqrt 2, thrice.

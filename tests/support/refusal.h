@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/errors.h"
+#include "tests/support/says.h"
 
 #include <string>
 
@@ -23,5 +24,8 @@ template <class Call>
 std::string refusal(Call&& call) {
     return message_of<InvalidInput>(call);
 }
+
+/// Expects a call to throw InvalidInput with these words in its message, in this order.
+#define EXPECT_REFUSED(call, ...) EXPECT_SAYS(::polydec::test::refusal([&] { call; }), __VA_ARGS__)
 
 } // namespace polydec::test

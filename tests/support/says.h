@@ -57,6 +57,10 @@ inline ::testing::AssertionResult says(const std::string& message, const Words& 
     return ::testing::AssertionSuccess() << message;
 }
 
+/// Expects a message to contain these words in this order.
+#define EXPECT_SAYS(message, ...)                                                                  \
+    EXPECT_TRUE(::polydec::test::says(message, ::polydec::test::Words{__VA_ARGS__}))
+
 /// Succeeds if each message contains its own list of words, and there are as many of both.
 inline ::testing::AssertionResult each_says(const std::vector<std::string>& messages,
                                             const std::vector<Words>& words) {
