@@ -4,6 +4,7 @@
 #include "base/decompositions.h"
 #include "system/memory.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -85,12 +86,12 @@ private:
 
 TEST(checked_solver, want_of_memory_names_the_engine_and_what_it_was_for) {
     Greedy direct(true, Method::direct), iterative(false, Method::iterative);
-    EXPECT_SAYS(message_of<OutOfMemory>([&] { direct.factorize(grid_laplacian(4), positive()); }),
-                "greedy", "memory", "factorize", "16 x 16", "iterative");
+    EXPECT_ERROR(OutOfMemory, direct.factorize(grid_laplacian(4), positive()), "greedy", "memory",
+                 "factorize", "16 x 16", "iterative");
     EXPECT_THROW(direct.solve(Vector::Ones(16)), InvalidInput);
     iterative.factorize(grid_laplacian(4), positive());
-    EXPECT_SAYS(message_of<OutOfMemory>([&] { iterative.solve(Vector::Ones(16)); }), "greedy",
-                "memory", "solve", "16 x 16");
+    EXPECT_ERROR(OutOfMemory, iterative.solve(Vector::Ones(16)), "greedy", "memory", "solve",
+                 "16 x 16");
 }
 
 /// Knows that its factor takes 3 MB.

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -41,8 +42,8 @@ TEST(engine_module, errors_cross_the_border_of_a_module) {
 
 TEST(engine_module, a_module_for_another_version_is_refused_before_it_runs) {
     const std::string path = POLYDEC_TEST_OLD_MODULE;
-    EXPECT_SAYS(message_of<BackendUnavailable>([&] { load_engine_module(path); }), path,
-                "version 0", std::to_string(engine_module_version));
+    EXPECT_ERROR(BackendUnavailable, load_engine_module(path), path, "version 0",
+                 std::to_string(engine_module_version));
 }
 
 TEST(engine_module, what_is_no_module_is_refused) {

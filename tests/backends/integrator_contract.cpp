@@ -7,9 +7,8 @@ namespace {
 TEST_P(IntegratorContract, fixed_steps_have_the_order_of_the_engine) {
     const auto traits = make()->traits();
     if (!traits.has_fixed_steps) {
-        EXPECT_SAYS(
-            message_of<InvalidInput>([&] { begun(swinging(), swung(0), {.fixed_step = 0.1}); }),
-            GetParam(), "steps", "tolerances", "fixed");
+        EXPECT_REFUSED(begun(swinging(), swung(0), {.fixed_step = 0.1}), GetParam(), "steps",
+                       "tolerances", "fixed");
         return;
     }
     EXPECT_NEAR(order(swinging(), swung(0), swung(2), 2, 20), traits.explicit_order, 0.35);
@@ -79,8 +78,7 @@ TEST_P(IntegratorContract, marches_end_at_the_times_that_are_asked_for) {
         EXPECT_EQ(run->time(), time);
         EXPECT_LE((run->state() - swung(time)).norm(), 1e-5);
     }
-    EXPECT_SAYS(message_of<InvalidInput>([&] { run->advance(1); }), GetParam(),
-                "time 3.141592653589793", "1");
+    EXPECT_REFUSED(run->advance(1), GetParam(), "time 3.141592653589793", "1");
 }
 
 TEST_P(IntegratorContract, frames_cost_few_factorizations) {
@@ -147,17 +145,14 @@ TEST_P(IntegratorContract, a_problem_without_entries_is_solved_at_once) {
 
 TEST_P(IntegratorContract, what_is_no_number_is_refused_by_its_place) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_SAYS(message_of<InvalidInput>([&] {
-                    begun(swinging(), Vector{{1, nan}});
-                }),
-                GetParam(), "entry 1", "state", "nan");
+    EXPECT_REFUSED(begun(swinging(), Vector{{1, nan}}), GetParam(), "entry 1", "state", "nan");
     const auto from_the_beginning = begun({.rate =
                                                [nan](double, const Vector&) {
                                                    return Vector{{0, nan}};
                                                }},
                                           swung(0));
-    EXPECT_SAYS(message_of<SolverFailure>([&] { from_the_beginning->advance(1); }), GetParam(),
-                "0 steps", "time 0", "entry 1", "rate", "nan");
+    EXPECT_ERROR(SolverFailure, from_the_beginning->advance(1), GetParam(), "0 steps", "time 0",
+                 "entry 1", "rate", "nan");
     Index calls = 0;
     const auto later = begun({.rate =
                                   [nan, &calls](double t, const Vector& y) {
@@ -195,10 +190,8 @@ TEST_P(IntegratorContract, scales_measure_what_is_small) {
 }
 
 TEST_P(IntegratorContract, what_makes_no_sense_is_refused) {
-    EXPECT_SAYS(message_of<InvalidInput>([&] { make({.absolute_tolerance = 0}); }), GetParam(),
-                "absolute_tolerance is 0");
-    EXPECT_SAYS(message_of<InvalidInput>([&] { make({.first_step = -1}); }), GetParam(),
-                "first_step", "-1");
+    EXPECT_REFUSED(make({.absolute_tolerance = 0}), GetParam(), "absolute_tolerance is 0");
+    EXPECT_REFUSED(make({.first_step = -1}), GetParam(), "first_step", "-1");
     EXPECT_THROW(make({.most_steps = 0}), InvalidInput);
     EXPECT_THROW(begun({}, swung(0)), InvalidInput);
     EXPECT_THROW(begun({.stiff = StiffPart{}}, swung(0)), InvalidInput);
@@ -208,8 +201,7 @@ TEST_P(IntegratorContract, what_makes_no_sense_is_refused) {
     EXPECT_THROW(begun(problem, swung(0)), InvalidInput);
     const auto short_rate =
         begun({.rate = [](double, const Vector&) { return Vector{{1}}; }}, swung(0));
-    EXPECT_SAYS(message_of<InvalidInput>([&] { short_rate->advance(1); }), GetParam(), "rate", "1",
-                "2", "state");
+    EXPECT_REFUSED(short_rate->advance(1), GetParam(), "rate", "1", "2", "state");
 }
 
 TEST_P(IntegratorContract, tells_of_the_time_and_ends_where_that_throws) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
-#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -128,8 +127,7 @@ TEST_P(LinearContract, right_hand_sides_outside_the_image_are_refused) {
     const auto A = neumann_laplacian(6);
     const auto solver = make();
     solver->factorize(A, semidefinite(Vector::Ones(36)));
-    const auto message = message_of<InvalidInput>([&] { solver->solve(Vector::Ones(36)); });
-    EXPECT_SAYS(message, "right-hand side 0", "kernel", "1");
+    EXPECT_REFUSED(solver->solve(Vector::Ones(36)), "right-hand side 0", "kernel", "1");
 }
 
 TEST_P(LinearContract, unknown_kernels_give_a_solution_or_an_error_but_no_garbage) {
@@ -235,31 +233,26 @@ TEST_P(LinearContract, scale_of_matrix_and_right_hand_side_does_not_matter) {
 TEST_P(LinearContract, matrices_that_are_not_square_are_refused) {
     const auto solver = make();
     const SparseMatrix A(3, 4);
-    const auto message = message_of<InvalidInput>([&] { solver->factorize(A, positive()); });
-    EXPECT_SAYS(message, "3 x 4", "square");
+    EXPECT_REFUSED(solver->factorize(A, positive()), "3 x 4", "square");
 }
 
 TEST_P(LinearContract, nan_and_infinity_are_refused_by_name) {
     const auto solver = make();
     SparseMatrix A = grid_laplacian(3);
     A.coeffRef(2, 5) = std::nan("");
-    const auto in_matrix = message_of<InvalidInput>([&] { solver->factorize(A, positive()); });
-    EXPECT_SAYS(in_matrix, "(2, 5)", "matrix", "nan");
+    EXPECT_REFUSED(solver->factorize(A, positive()), "(2, 5)", "matrix", "nan");
 
     solver->factorize(grid_laplacian(3), positive());
     DenseMatrix B = DenseMatrix::Ones(9, 2);
     B(7, 1) = -std::numeric_limits<double>::infinity();
-    const auto in_vector = message_of<InvalidInput>([&] { solver->solve(B); });
-    EXPECT_SAYS(in_vector, "entry 7", "right-hand side 1", "-inf");
+    EXPECT_REFUSED(solver->solve(B), "entry 7", "right-hand side 1", "-inf");
 }
 
 TEST_P(LinearContract, solving_needs_a_factorization_and_the_right_size) {
     const auto solver = make();
-    EXPECT_SAYS(message_of<InvalidInput>([&] { solver->solve(Vector::Ones(3)); }), GetParam(),
-                "factorize", "solve");
+    EXPECT_REFUSED(solver->solve(Vector::Ones(3)), GetParam(), "factorize", "solve");
     solver->factorize(grid_laplacian(3), positive());
-    const auto message = message_of<InvalidInput>([&] { solver->solve(Vector::Ones(3)); });
-    EXPECT_SAYS(message, "right-hand side", "3 rows", "9 x 9");
+    EXPECT_REFUSED(solver->solve(Vector::Ones(3)), "right-hand side", "3 rows", "9 x 9");
 
     EXPECT_THROW(solver->factorize(SparseMatrix(2, 3), positive()), InvalidInput);
     EXPECT_THROW(solver->solve(Vector::Ones(9)), InvalidInput);

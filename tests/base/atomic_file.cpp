@@ -2,6 +2,7 @@
 #include "system/atomic_file.h"
 
 #include "tests/io/support.h"
+#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -104,15 +105,14 @@ TEST(AtomicFile, NamesWithManyLettersFit) {
 TEST(AtomicFile, SaysThatTheFolderIsMissing) {
     const TemporaryFolder folder;
     const auto missing = folder.path("out");
-    EXPECT_SAYS(error_of([&missing] { AtomicFile(missing / "a.txt"); }), "IoError",
-                (missing / "a.txt").string(), "No such file", missing.string());
+    EXPECT_ERROR(IoError, AtomicFile(missing / "a.txt"), (missing / "a.txt").string(),
+                 "No such file", missing.string());
 }
 
 TEST(AtomicFile, RefusesFoldersAndDevices) {
     const TemporaryFolder folder;
-    EXPECT_SAYS(error_of([&folder] { AtomicFile(folder.path()); }), "IoError",
-                folder.path().string(), "regular file");
-    EXPECT_SAYS(error_of([] { AtomicFile("/dev/null"); }), "IoError", "/dev/null", "regular file");
+    EXPECT_ERROR(IoError, AtomicFile(folder.path()), folder.path().string(), "regular file");
+    EXPECT_ERROR(IoError, AtomicFile("/dev/null"), "/dev/null", "regular file");
 }
 
 TEST(AtomicFile, AReadOnlyFileStays) {
@@ -121,8 +121,7 @@ TEST(AtomicFile, AReadOnlyFileStays) {
     std::filesystem::create_symlink("a.txt", folder.path("link.txt"));
     ::chmod(path.c_str(), 0444);
     for (const auto& name : {path, folder.path("link.txt")})
-        EXPECT_SAYS(error_of([&name] { AtomicFile(name).commit(); }), "IoError", name.string(),
-                    "read-only");
+        EXPECT_ERROR(IoError, AtomicFile(name).commit(), name.string(), "read-only");
     EXPECT_EQ(read_text(path), "precious");
     EXPECT_EQ(folder.names(), (Names{"a.txt", "link.txt"}));
     ::chmod(path.c_str(), 0644);
@@ -163,7 +162,7 @@ TEST(AtomicFile, RefusesMoreThanItCanRemove) {
         files.push_back(std::make_unique<AtomicFile>(folder.path(std::to_string(i))));
     }
     const auto path = folder.path("a.txt");
-    EXPECT_SAYS(error_of([&path] { AtomicFile file(path); }), "IoError", path.string(), "64 files");
+    EXPECT_ERROR(IoError, AtomicFile file(path), path.string(), "64 files");
     files.clear();
     EXPECT_TRUE(folder.names().empty());
     AtomicFile(path).commit();

@@ -192,11 +192,9 @@ TEST(ReadMesh, RefusesUnknownExtensions) {
 TEST(ReadMesh, SaysWhyAFileCannotBeRead) {
     const TemporaryFolder folder;
     const auto missing = folder.path("a.off");
-    EXPECT_SAYS(error_of([&missing] { read_mesh(missing); }), "IoError", missing.string(),
-                "No such file");
+    EXPECT_ERROR(IoError, read_mesh(missing), missing.string(), "No such file");
     std::filesystem::create_directory(missing);
-    EXPECT_SAYS(error_of([&missing] { read_mesh(missing); }), "IoError", missing.string(),
-                "regular file");
+    EXPECT_ERROR(IoError, read_mesh(missing), missing.string(), "regular file");
 }
 
 } // namespace polydec::test::in_bad_files

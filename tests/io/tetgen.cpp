@@ -75,8 +75,7 @@ TEST(TetGen, SaysWhichFileIsMissing) {
     const auto node = folder.write("a.node", nodes);
     EXPECT_REFUSED(read_mesh(node), node.string(), folder.path("a.ele").string(), ".face");
     const auto ele = folder.write("b.ele", "1 4 0\n1 1 2 3 4\n");
-    EXPECT_SAYS(error_of([&] { read_mesh(ele); }), "IoError", folder.path("b.node").string(),
-                "No such file");
+    EXPECT_ERROR(IoError, read_mesh(ele), folder.path("b.node").string(), "No such file");
 }
 
 TEST(TetGen, RefusesWhatDoesNotFit) {

@@ -76,9 +76,8 @@ TEST(WriteDrawing, AFailureLeavesNothing) {
     const TemporaryFolder programs, folder;
     add_program(programs, "rsvg-convert", "echo no fonts; exit 1\n");
     const Programs only(programs.path().string());
-    EXPECT_SAYS(
-        message_of<SolverFailure>([&] { write_drawing(folder.path("square.pdf"), square); }),
-        "rsvg-convert", ".svg", "no fonts");
+    EXPECT_ERROR(SolverFailure, write_drawing(folder.path("square.pdf"), square), "rsvg-convert",
+                 ".svg", "no fonts");
     EXPECT_EQ(folder.names(), std::vector<std::string>());
 }
 

@@ -85,16 +85,15 @@ TEST_F(TetgenTest, points_that_tetgen_would_take_for_one_are_named) {
     with_tetgen([] {
         auto thin = cube();
         thin.points.col(2) *= 1e-10;
-        EXPECT_SAYS(message_of<SolverFailure>([&] { tetrahedralize(thin); }), "tetgen", "left out",
-                    "point");
+        EXPECT_ERROR(SolverFailure, tetrahedralize(thin), "tetgen", "left out", "point");
     });
 }
 
 TEST_F(TetgenTest, it_is_stopped_after_the_time_given) {
     with_tetgen([] {
-        EXPECT_SAYS(message_of<SolverFailure>(
-                        [] { tetrahedralize(cube(), {.largest_volume = 1e-9, .seconds = 0.01}); }),
-                    "tetgen", "stopped", "0.01");
+        EXPECT_ERROR(SolverFailure,
+                     tetrahedralize(cube(), {.largest_volume = 1e-9, .seconds = 0.01}), "tetgen",
+                     "stopped", "0.01");
     });
 }
 
@@ -110,8 +109,8 @@ TEST_F(TetgenTest, memory_that_does_not_suffice_is_told) {
 TEST_F(TetgenTest, holes_that_take_everything_are_told) {
     with_tetgen([] {
         const Points hole = Points::Constant(1, 3, 0.5);
-        EXPECT_SAYS(message_of<SolverFailure>([&] { tetrahedralize(cube(), {}, hole); }), "tetgen",
-                    "no tetrahedra", "holes");
+        EXPECT_ERROR(SolverFailure, tetrahedralize(cube(), {}, hole), "tetgen", "no tetrahedra",
+                     "holes");
     });
 }
 

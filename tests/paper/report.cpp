@@ -179,8 +179,7 @@ TEST(Reports, with_flaws_are_refused_before_anything_is_written) {
 TEST(Reports, that_cannot_be_written_say_why) {
     const TemporaryFolder folder;
     const auto file = folder.write("taken", "");
-    EXPECT_SAYS(error_of([&] { write_report(file, example()); }), "IoError", file.string(),
-                "Not a directory");
+    EXPECT_ERROR(IoError, write_report(file, example()), file.string(), "Not a directory");
 }
 
 TEST(Reproductions, have_different_names_that_files_can_have) {
@@ -255,8 +254,8 @@ TEST(Table2, counts_pairs_of_files_and_tells_why_others_are_left_out) {
     EXPECT_EQ(rows[1], (std::vector<Entry>{"kite.off", 2L, 0L, 0L, 0.0, 0L, 0L, 0.0, ""}));
     EXPECT_EQ(rows[2], (std::vector<Entry>{"square.off", 2L, 1L, 2L, 100.0, 1L, 2L, 100.0, ""}));
     EXPECT_EQ(rows[3], (std::vector<Entry>{"all", 4L, 1L, 2L, 50.0, 1L, 2L, 50.0, ""}));
-    EXPECT_SAYS(error_of([&] { table2({.meshes = folder.path("none")}); }), "IoError",
-                folder.path("none").string(), "No such file");
+    EXPECT_ERROR(IoError, table2({.meshes = folder.path("none")}), folder.path("none").string(),
+                 "No such file");
 }
 
 TEST(Program, refuses_a_reproduction_that_there_is_not) {

@@ -8,7 +8,6 @@
 #include "meshes/rearrange.h"
 #include "tests/shape/shapes.h"
 #include "tests/support/refusal.h"
-#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -63,8 +62,8 @@ TEST(Windows, beyond_the_most_are_refused) {
     const MeasuredSurface sphere = measured(icosphere(4));
     const std::size_t needed = windows(sphere, most_windows(320)).windows;
     EXPECT_EQ(message_of<SolverFailure>([&] { windows(sphere, needed); }), "accepted");
-    EXPECT_SAYS(message_of<SolverFailure>([&] { windows(sphere, needed - 1); }),
-                std::to_string(needed - 1), "windows", "320 triangles", "delaunay", "heat");
+    EXPECT_ERROR(SolverFailure, windows(sphere, needed - 1), std::to_string(needed - 1), "windows",
+                 "320 triangles", "delaunay", "heat");
 }
 
 } // namespace

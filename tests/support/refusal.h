@@ -25,7 +25,11 @@ std::string refusal(Call&& call) {
     return message_of<InvalidInput>(call);
 }
 
-/// Expects a call to throw InvalidInput with these words in its message, in this order.
-#define EXPECT_REFUSED(call, ...) EXPECT_SAYS(::polydec::test::refusal([&] { call; }), __VA_ARGS__)
+/// Expects a call to throw an Error with these words in its message, in this order.
+#define EXPECT_ERROR(Error, call, ...)                                                             \
+    EXPECT_SAYS(::polydec::test::message_of<Error>([&] { call; }), __VA_ARGS__)
+
+/// The same for InvalidInput.
+#define EXPECT_REFUSED(call, ...) EXPECT_ERROR(::polydec::InvalidInput, call, __VA_ARGS__)
 
 } // namespace polydec::test
