@@ -86,8 +86,8 @@ TEST(SimplicialComplex, refuses_negative_vertex_numbers) {
 
 TEST(SimplicialComplex, refuses_to_be_empty) {
     const Words message{"one simplex", "dimension 1"};
-    EXPECT_TRUE(says(refusal([] { SimplicialComplex(Simplices(0, 3)); }), message));
-    EXPECT_TRUE(says(refusal([] { SimplicialComplex(Simplices(0, 0)); }), message));
+    EXPECT_REFUSED(SimplicialComplex(Simplices(0, 3)), message);
+    EXPECT_REFUSED(SimplicialComplex(Simplices(0, 0)), message);
     EXPECT_TRUE(says(refused_simplices({{0}, {1}}), message));
 }
 

@@ -52,10 +52,10 @@ TEST(CellVolumesErrors, name_the_degrees_that_there_are) {
     EXPECT_EQ(volumes.dimension(), 2);
     for (const int k : {-1, 3}) {
         const Words expected{std::to_string(k) + "-cells", "degree", "0", "2"};
-        EXPECT_TRUE(says(refusal([&] { volumes.primal(k); }), expected));
-        EXPECT_TRUE(says(refusal([&] { volumes.dual(k); }), expected));
-        EXPECT_TRUE(says(refusal([&] { volumes.terms(k); }), expected));
-        EXPECT_TRUE(says(refusal([&] { volumes.with_dual(k, Vector::Ones(4)); }), expected));
+        EXPECT_REFUSED(volumes.primal(k), expected);
+        EXPECT_REFUSED(volumes.dual(k), expected);
+        EXPECT_REFUSED(volumes.terms(k), expected);
+        EXPECT_REFUSED(volumes.with_dual(k, Vector::Ones(4)), expected);
     }
     EXPECT_EQ(CellVolumes().dimension(), -1);
     EXPECT_REFUSED(CellVolumes().dual(0), "0-cells", "no cells");

@@ -60,26 +60,17 @@ protected:
 TEST_P(OperatorValues, act_on_values_as_their_matrices_do) {
     const CellComplex& P = mesh().P();
     const CellVolumes& V = mesh().volumes;
+    const auto cells = [&] { return Cells(P, V); };
     for (int k = 0; k <= mesh().n(); ++k) {
         SCOPED_TRACE(k);
         EXPECT_GT(look_at({[&] { return Operator::derivative(P, k); },
                            [&] { return Operator::derivative(P, k - 1).transposed(); },
                            [&] { return Operator::weights(star(V, k).diagonal()); },
-                           [&] {
-                               return codifferential({P, V}, k);
-                           },
-                           [&] {
-                               return dual_codifferential({P, V}, k);
-                           },
-                           [&] {
-                               return laplacian({P, V}, k);
-                           },
-                           [&] {
-                               return symmetric_laplacian({P, V}, k);
-                           },
-                           [&] {
-                               return dual_laplacian({P, V}, k);
-                           }}),
+                           [&] { return codifferential(cells(), k); },
+                           [&] { return dual_codifferential(cells(), k); },
+                           [&] { return laplacian(cells(), k); },
+                           [&] { return symmetric_laplacian(cells(), k); },
+                           [&] { return dual_laplacian(cells(), k); }}),
                   2);
     }
 }

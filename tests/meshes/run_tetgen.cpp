@@ -117,7 +117,7 @@ TEST_F(TetgenTest, holes_that_take_everything_are_told) {
 TEST_F(TetgenTest, without_the_program_it_is_told_how_to_get_it) {
     const Variable path("PATH", "/nowhere");
     EXPECT_FALSE(is_available());
-    EXPECT_TRUE(says(message_of<BackendUnavailable>([] { tetrahedralize(cube()); }), missing));
+    EXPECT_ERROR(BackendUnavailable, tetrahedralize(cube()), missing);
 }
 
 /// Another program of that name, which does what the script says.

@@ -175,11 +175,9 @@ TEST(ConstrainedSystem, is_solved_by_every_engine_that_takes_it) {
 TEST(ConstrainedSystem, refuses_sizes_that_do_not_fit) {
     EXPECT_REFUSED(ConstrainedSolver(system_of(paths({3}), {true, false}), "auto"), "3 rows",
                    "3 columns", "2 flags", "3 flags", "3 weights");
-    EXPECT_SAYS(refusal([] {
-                    ConstrainedSolver solver(system_of(paths({3}), {true, false, false}), "auto");
-                    solver.solve(Vector::Zero(2), Vector::Zero(3));
-                }),
-                "right-hand side", "2 entries", "fixed values", "3", "3");
+    ConstrainedSolver solver(system_of(paths({3}), {true, false, false}), "auto");
+    EXPECT_REFUSED(solver.solve(Vector::Zero(2), Vector::Zero(3)), "right-hand side", "2 entries",
+                   "fixed values", "3", "3");
 }
 
 } // namespace
