@@ -97,12 +97,7 @@ TEST_P(CountsNegative, eigenvalues_beside_a_known_kernel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(engines, CountsNegative, testing::ValuesIn(counting_engines()),
-                         [](const auto& test) {
-                             std::string name = test.param;
-                             for (char& letter : name)
-                                 letter = letter == '.' ? '_' : letter;
-                             return name;
-                         });
+                         [](const auto& test) { return test_name(test.param); });
 
 RC_GTEST_PROP(inertia, sylvester_counts_what_a_dense_eigensolver_counts, ()) {
     const auto size = *rc::gen::inRange(1, 30);

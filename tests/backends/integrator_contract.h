@@ -8,11 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
-#include <numbers>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

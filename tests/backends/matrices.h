@@ -6,8 +6,6 @@
 #include "base/decompositions.h"
 #include "tests/support/refusal.h"
 
-#include <memory>
-#include <random>
 #include <string>
 #include <vector>
 

@@ -158,9 +158,8 @@ TEST(AtomicFile, ASignalHandlerCanRemoveUnfinishedFiles) {
 TEST(AtomicFile, RefusesMoreThanItCanRemove) {
     const TemporaryFolder folder;
     std::vector<std::unique_ptr<AtomicFile>> files;
-    for (int i = 0; i < 64; ++i) {
+    for (int i = 0; i < 64; ++i)
         files.push_back(std::make_unique<AtomicFile>(folder.path(std::to_string(i))));
-    }
     const auto path = folder.path("a.txt");
     EXPECT_ERROR(IoError, AtomicFile file(path), path.string(), "64 files");
     files.clear();

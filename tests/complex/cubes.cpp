@@ -13,7 +13,6 @@
 #include <bit>
 #include <cmath>
 #include <map>
-#include <ostream>
 #include <set>
 
 namespace polydec::test::in_cubes {

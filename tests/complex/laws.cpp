@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 #include "complex/simplicial_complex.h"
+#include "tests/support/counted.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 
@@ -87,16 +88,7 @@ TEST_P(Complexes, merging_changes_no_betti_and_no_euler_number) {
 TEST_P(Complexes, simplices_are_the_distinct_faces_in_lexicographic_order) {
     const auto& K = mesh().K();
     for (int k = 0; k <= mesh().n(); ++k) {
-        std::set<std::vector<Index>> faces;
-        for (const auto top : K.simplices(mesh().n()).rowwise())
-            for (int subset = 0; subset < 1 << (mesh().n() + 1); ++subset) {
-                std::vector<Index> face;
-                for (int i = 0; i <= mesh().n(); ++i)
-                    if (subset >> i & 1)
-                        face.push_back(top[i]);
-                if (static_cast<int>(face.size()) == k + 1)
-                    faces.insert(face);
-            }
+        const auto faces = test::faces({mesh().points, K.simplices(mesh().n()), {}}, k);
         ASSERT_EQ(std::size_t(K.size(k)), faces.size());
         Index s = 0;
         for (const auto& face : faces) {

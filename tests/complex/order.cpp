@@ -86,9 +86,8 @@ TEST_P(Orders, of_vertices_rename_the_simplices_and_change_nothing_else) {
     for (int k = 0; k <= n; ++k) {
         ASSERT_EQ(K.size(k), L.size(k));
         std::map<std::vector<Index>, Index> numbers;
-        for (Index s = 0; s < K.size(k); ++s) {
+        for (Index s = 0; s < K.size(k); ++s)
             numbers[K.vertex_numbers(k, s)] = s;
-        }
         for (Index s = 0; s < L.size(k); ++s) {
             const auto [list, turn] = old_simplex(L, k, s, renumbered.vertices);
             ASSERT_TRUE(numbers.contains(list));

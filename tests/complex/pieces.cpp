@@ -3,7 +3,6 @@
 
 #include "complex/homology.h"
 #include "complex/surfaces/ordered_surface.h"
-#include "tests/support/families.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"
 #include "tests/support/merged.h"

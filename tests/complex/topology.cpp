@@ -10,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
 #include <ostream>
 
 namespace polydec::test::in_topology {

@@ -4,6 +4,7 @@
 #include "dec/discretization/diagnosis.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "tests/dec/discretized.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/says.h"
@@ -16,14 +17,6 @@ namespace {
 /// Two triangles on the edge from (0,0) to (2,0), their apices at these heights over (1,0).
 Mesh kite(double up, double down) {
     return made_of({{0, 0}, {2, 0}, {1, up}, {1, -down}}, {{0, 1, 2}, {1, 0, 3}});
-}
-
-/// Entries of stars of all degrees.
-std::size_t not_positive(const Discretization& mesh) {
-    std::size_t count = 0;
-    for (int k = 0; k <= mesh.dimension(); ++k)
-        count += mesh.stars()[k].negatives().size() + mesh.stars()[k].zeros().size();
-    return count;
 }
 
 std::vector<std::string> advice(const Mesh& mesh, DiscretizeOptions options = {},

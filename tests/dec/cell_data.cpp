@@ -9,7 +9,6 @@
 #include "meshes/tidy.h"
 #include "meshes/weld.h"
 #include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"

@@ -8,6 +8,7 @@
 #include "dec/metric/geometry.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
+#include "tests/support/counted.h"
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -20,10 +21,6 @@
 
 namespace polydec::test::in_centers {
 namespace {
-
-double binomial(int n, int k) {
-    return std::round(std::tgamma(n + 1.0) / (std::tgamma(k + 1.0) * std::tgamma(n - k + 1.0)));
-}
 
 /// The circumcenters' coordinates, as one's own.
 Centers given_circumcenters(const Pieces& K, const Points& points) {

@@ -5,8 +5,10 @@
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "tests/dec/discretized.h"
 #include "tests/support/branches.h"
 #include "tests/support/circumcentric.h"
+#include "tests/support/counted.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/says.h"
@@ -196,37 +198,6 @@ TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
     EXPECT_SAYS(verdicts[2].reason, "1 negative", "eigenvalue");
 }
 
-/// The sets of k+1 vertices that are faces of a simplex: counted without a complex.
-std::set<std::vector<Index>> faces(const Mesh& mesh, int k) {
-    std::set<std::vector<Index>> found;
-    const auto corners = static_cast<int>(mesh.simplices.cols());
-    for (Index t = 0; t < mesh.simplices.rows(); ++t)
-        for (int chosen = 0; chosen < 1 << corners; ++chosen) {
-            std::vector<Index> face;
-            for (int i = 0; i < corners; ++i)
-                if (chosen >> i & 1)
-                    face.push_back(mesh.simplices(t, i));
-            std::sort(face.begin(), face.end());
-            if (static_cast<int>(face.size()) == k + 1)
-                found.insert(face);
-        }
-    return found;
-}
-
-/// The volume of all simplices, by determinants of the edges from their first corners.
-double volume(const Mesh& mesh) {
-    const auto n = mesh.simplices.cols() - 1;
-    double sum = 0;
-    for (Index t = 0; t < mesh.simplices.rows(); ++t) {
-        Eigen::MatrixXd edges(n, mesh.points.cols());
-        for (Eigen::Index i = 0; i < n; ++i)
-            edges.row(i) =
-                mesh.points.row(mesh.simplices(t, i + 1)) - mesh.points.row(mesh.simplices(t, 0));
-        sum += std::sqrt((edges * edges.transpose()).determinant()) / std::tgamma(n + 1);
-    }
-    return sum;
-}
-
 Index alternating(const std::vector<Index>& numbers) {
     Index sum = 0;
     for (std::size_t k = numbers.size(); k-- > 0;)
@@ -253,7 +224,7 @@ std::string wrong_fact(const Diagnosis& told, const Mesh& mesh, const Discretiza
         return "topology";
     if (told.components != told.betti.input[0])
         return "components";
-    if (!(std::abs(*told.volume - volume(mesh)) < 1e-12 * volume(mesh)))
+    if (!(std::abs(*told.volume - total_volume(mesh)) < 1e-12 * total_volume(mesh)))
         return "volume";
     Index cells = 0;
     for (const auto& [vertices, count] : told.vertices_per_cell)
@@ -298,14 +269,6 @@ TEST_P(DiagnosisOf, is_found_wrong_by_any_fact_that_is) {
     EXPECT_EQ(broken([](auto& told) { ++told.vertices_per_cell[99]; }), "vertices of cells");
     EXPECT_EQ(broken([](auto& told) { ++told.pairs->delaunay; }), "pairs");
     EXPECT_EQ(broken([](auto& told) { told.laplacians.pop_back(); }), "laplacians");
-}
-
-/// Entries of stars of all degrees.
-std::size_t not_positive(const Discretization& mesh) {
-    std::size_t count = 0;
-    for (int k = 0; k <= mesh.dimension(); ++k)
-        count += mesh.stars()[k].negatives().size() + mesh.stars()[k].zeros().size();
-    return count;
 }
 
 TEST_P(DiagnosisOf, advises_where_duals_are_not_positive_what_makes_stars_so) {

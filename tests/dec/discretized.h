@@ -52,4 +52,12 @@ inline Vector orientations_in_space(const Discretization& mesh) {
     return result;
 }
 
+/// How many entries of stars of all degrees are not.
+inline std::size_t not_positive(const Discretization& mesh) {
+    std::size_t count = 0;
+    for (int k = 0; k <= mesh.dimension(); ++k)
+        count += mesh.stars()[k].negatives().size() + mesh.stars()[k].zeros().size();
+    return count;
+}
+
 } // namespace polydec::test

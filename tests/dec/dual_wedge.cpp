@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/de_rham.h"
 #include "dec/fields/wedge.h"
-#include "dec/merging/lift.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"

@@ -2,7 +2,6 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/fields/flat_and_sharp.h"
-#include "dec/forms/laplacian.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/stars/star.h"
 #include "tests/dec/discretized.h"

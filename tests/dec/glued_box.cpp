@@ -8,7 +8,6 @@
 #include "dec/fields/lie_derivative.h"
 #include "dec/fields/transfer.h"
 #include "dec/fields/whitney_interpolation.h"
-#include "dec/forms/laplacian.h"
 #include "dec/metric/simplex_geometry.h"
 #include "meshes/generate.h"
 #include "meshes/periodic.h"

@@ -3,7 +3,6 @@
 #include "dec/forms/laplacian.h"
 #include "dec/stars/star.h"
 #include "tests/support/golden_numbers.h"
-#include "tests/support/matrices.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -12,11 +12,8 @@
 namespace polydec::test::in_golden_calculus {
 namespace {
 
-class GoldenCalculus : public testing::TestWithParam<std::string> {
+class GoldenCalculus : public OverGoldenForms {
 protected:
-    const Merged& mesh() const { return merged(stem(GetParam())); }
-    const Json& numbers() const { return golden_calculus().at(GetParam()); }
-
     void expect_cochain(const std::string& key, const Form& form, int k) const {
         const Vector w = on_merged_cells(mesh(), k, form);
         const auto& form_numbers = numbers().at(key);
@@ -66,8 +63,7 @@ TEST_P(GoldenCalculus, stars_by_vertices) {
             expect_stars(numbers().at(key), mesh(), k);
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, GoldenCalculus, testing::ValuesIn(golden_calculus_names()),
-                         [](const auto& instance) { return stem(instance.param); });
+POLYDEC_OVER_GOLDEN_FORMS(GoldenCalculus);
 
 } // namespace
 } // namespace polydec::test::in_golden_calculus

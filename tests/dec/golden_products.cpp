@@ -8,10 +8,8 @@
 namespace polydec::test::in_golden_products {
 namespace {
 
-class GoldenProducts : public testing::TestWithParam<std::string> {
+class GoldenProducts : public OverGoldenForms {
 protected:
-    const Merged& mesh() const { return merged(stem(GetParam())); }
-
     Cochain form(const Form& smooth, int k) const {
         return {Side::primal, k, on_merged_cells(mesh(), k, smooth)};
     }
@@ -45,8 +43,7 @@ TEST_P(GoldenProducts, of_the_test_forms) {
         expect_product("wedge_eta_eta", e, e);
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, GoldenProducts, testing::ValuesIn(golden_calculus_names()),
-                         [](const auto& instance) { return stem(instance.param); });
+POLYDEC_OVER_GOLDEN_FORMS(GoldenProducts);
 
 } // namespace
 } // namespace polydec::test::in_golden_products

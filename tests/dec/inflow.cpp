@@ -3,8 +3,8 @@
 #include "dec/fields/lie_derivative.h"
 #include "dec/forms/cochain.h"
 #include "tests/dec/discretized.h"
-#include "tests/dec/products.h"
 #include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,6 @@
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -80,10 +80,9 @@ TEST_P(Flipped, have_positive_stars_inside_and_vertices_off_negative_boundary) {
     for (Index e = 0; e < star_1.size(); ++e) {
         if (mesh.complex().coface_counts(1)[e] == 2) {
             EXPECT_GT(star_1[e], mesh.options().tolerance) << "edge " << e;
-        } else if (star_1[e] < mesh.options().tolerance) {
+        } else if (star_1[e] < mesh.options().tolerance)
             for (const Index v : {0, 1})
                 beside[mesh.complex().coboundary(0).innerIndexPtr()[2 * e + v]] = true;
-        }
     }
     const Vector star_0 = star(mesh.volumes(), 0).diagonal();
     for (Index v = 0; v < star_0.size(); ++v)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "complex/homology.h"
 #include "dec/discretization/discretization.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/stars/star.h"
@@ -11,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <vector>
 
 namespace polydec::test::in_layers {

@@ -9,7 +9,6 @@
 #include "dec/fields/wedge.h"
 #include "dec/fields/whitney_interpolation.h"
 #include "dec/merging/merge.h"
-#include "dec/metric/circumsphere.h"
 #include "dec/metric/simplex_metric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"

@@ -10,6 +10,7 @@
 #include "dec/metric/geometry.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/stars/star.h"
+#include "tests/support/counted.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
@@ -151,10 +152,6 @@ TEST_P(Lengths, give_the_parts_of_duals_and_the_products_that_points_give) {
     EXPECT_LE(relative_difference(dual_wedge({K(), metric(), volumes}, a, b).values,
                                   dual_wedge({K(), mesh().points, volumes}, a, b).values),
               1e-13 * shape * shape * condition(volumes.dual(1)) * condition(volumes.dual(n - 1)));
-}
-
-double binomial(int n, int k) {
-    return std::tgamma(n + 1.0) / (std::tgamma(k + 1.0) * std::tgamma(n - k + 1.0));
 }
 
 /// Relative defect of sum |s||*s| = C(n,k) |K|, against what is added.

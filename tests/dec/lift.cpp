@@ -29,12 +29,6 @@ SparseMatrix diamond(const Merged& mesh, int k) {
     return mesh.merging().diamond(k).cast<double>();
 }
 
-SparseMatrix identity(Index size) {
-    SparseMatrix I(size, size);
-    I.setIdentity();
-    return I;
-}
-
 /// The paper's way back: each piece has its fraction of the cell's value, removed simplices 0.
 SparseMatrix by_fraction(const Merged& mesh, int k) {
     return mesh.input_volumes.primal(k).asDiagonal() * SparseMatrix(diamond(mesh, k).transpose()) *

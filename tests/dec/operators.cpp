@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "complex/components.h"
 #include "dec/forms/cochain.h"
 #include "dec/forms/laplacian.h"
 #include "dec/stars/star.h"

@@ -4,7 +4,6 @@
 #include "base/decompositions.h"
 #include "dec/discretization/discretization.h"
 #include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/over_meshes.h"

@@ -5,7 +5,6 @@
 #include "dec/fields/lie_derivative.h"
 #include "dec/fields/transfer.h"
 #include "dec/fields/wedge.h"
-#include "dec/forms/laplacian.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/geometry.h"
 #include "dec/stars/star.h"

@@ -4,7 +4,6 @@
 #include "dec/discretization/discretization.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "tests/support/glued.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"

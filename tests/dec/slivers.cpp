@@ -5,7 +5,6 @@
 #include "complex/relative.h"
 #include "dec/discretization/material_stars.h"
 #include "dec/fields/flat_and_sharp.h"
-#include "dec/fields/transfer.h"
 #include "dec/fields/whitney_interpolation.h"
 #include "dec/forms/cochain.h"
 #include "dec/merging/facet_defects.h"

@@ -3,7 +3,6 @@
 
 #include "dec/forms/cochain.h"
 #include "dec/forms/laplacian.h"
-#include "dec/merging/lift.h"
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "tests/support/matrices.h"
@@ -29,12 +28,6 @@ private:
 
 SparseMatrix product(const SparseMatrix& A, const SparseMatrix& B) {
     return A * B;
-}
-
-SparseMatrix identity(Index size) {
-    SparseMatrix I(size, size);
-    I.setIdentity();
-    return I;
 }
 
 constexpr double rounding = 1e-12;

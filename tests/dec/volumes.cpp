@@ -4,6 +4,7 @@
 #include "dec/metric/geometry.h"
 #include "dec/metric/rounding.h"
 #include "dec/metric/simplex_metric.h"
+#include "tests/support/counted.h"
 #include "tests/support/extended.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
@@ -26,10 +27,6 @@ namespace polydec::test::in_volumes {
 namespace {
 
 class Volumes : public OverMeshes {};
-
-double binomial(int n, int k) {
-    return std::tgamma(n + 1.0) / (std::tgamma(k + 1.0) * std::tgamma(n - k + 1.0));
-}
 
 /// Relative defect of sum |s||*s| = C(n,k) |K|.
 double identity_defect(const CellVolumes& volumes, int k) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
 #include "dec/discretization/discretization.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/simplex_metric.h"

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
+#include "tests/io/support.h"
 
 #include <cmath>
 #include <fstream>
@@ -28,11 +29,6 @@ SharedCheckpoint state_of(const DistributedCells& cells) {
     return checkpoint;
 }
 
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 } // namespace
 
 TEST(SharedCheckpoints, have_the_bytes_of_one_process_and_come_back_on_any_ranks) {
@@ -50,7 +46,7 @@ TEST(SharedCheckpoints, have_the_bytes_of_one_process_and_come_back_on_any_ranks
                     all[i] = value_of(k, i);
             }
             write_checkpoint(folder / "one", one);
-            EXPECT_TRUE(text_of(folder / "shared") == text_of(folder / "one"));
+            EXPECT_TRUE(read_text(folder / "shared") == read_text(folder / "one"));
         });
         const auto back = read_checkpoint(ranks, folder / "one", cells, 7, saved.degrees);
         EXPECT_EQ(back.own.step, 12U);
@@ -70,7 +66,7 @@ TEST(SharedCheckpoints, of_others_or_damaged_are_refused_everywhere) {
     EXPECT_THROW(read_checkpoint(ranks, folder / "a", cells, 7, {0, 1, 2}), InvalidInput);
     EXPECT_THROW(read_checkpoint(ranks, folder / "none", cells, 7, {0}), IoError);
     on_rank_0(ranks, [&] {
-        std::string text = text_of(folder / "a");
+        std::string text = read_text(folder / "a");
         text[text.size() / 2] = static_cast<char>(text[text.size() / 2] ^ 1);
         std::ofstream(folder / "b", std::ios::binary) << text;
     });

@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "dec/metric/geometry.h"
 #include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "tests/distributed/compare.h"
 
 namespace polydec::test::in_local_complex {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/merging.h"
 
-#include "base/errors.h"
 #include "dec/discretization/discretization.h"
 #include "dec/merging/merged_cells.h"
 #include "dec/metric/geometry.h"

@@ -5,17 +5,13 @@
 #include "io/meshes/mesh_files.h"
 #include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
+#include "tests/io/support.h"
 
 #include <fstream>
 
 namespace polydec::test::in_mesh_file {
 
 namespace {
-
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 bool same(const MeshSlice& a, const MeshSlice& b) {
     return a.vertices == b.vertices && a.cells == b.cells && a.points == b.points &&
@@ -43,7 +39,7 @@ TEST(MeshFiles, ranks_write_the_bytes_of_one_process_and_read_their_own) {
             Mesh untagged = given;
             untagged.tags.clear();
             write_mesh(folder / "one.pdm", untagged);
-            EXPECT_TRUE(text_of(folder / "one.pdm") == text_of(folder / "shared.pdm"));
+            EXPECT_TRUE(read_text(folder / "one.pdm") == read_text(folder / "shared.pdm"));
         });
         EXPECT_TRUE(same(read_slice(ranks, folder / "shared.pdm"), slice)) << name;
     }
@@ -62,7 +58,7 @@ TEST(MeshFiles, one_of_several_blocks_goes_to_every_rank_and_a_cut_is_told_by_al
     write_slice(ranks, folder / "a.pdm", slice);
     EXPECT_TRUE(same(read_slice(ranks, folder / "a.pdm"), slice));
 
-    const std::string text = text_of(folder / "a.pdm");
+    const std::string text = read_text(folder / "a.pdm");
     for (const std::size_t place : {std::size_t{5}, std::size_t{2000000}, text.size() - 3}) {
         on_rank_0(ranks, [&] {
             std::ofstream(folder / "b.pdm", std::ios::binary)

@@ -11,7 +11,6 @@
 #include "tests/distributed/compare.h"
 #include "tests/support/says.h"
 
-#include <algorithm>
 #include <fstream>
 #include <optional>
 

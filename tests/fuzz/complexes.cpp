@@ -8,7 +8,6 @@
 #include "tests/fuzz/targets.h"
 #include "tests/fuzz/topology.h"
 
-#include <numeric>
 #include <optional>
 
 namespace polydec::fuzz {

@@ -104,9 +104,8 @@ void expect(const Sample& sample, const std::string& text) {
 } // namespace
 
 TEST(BadFiles, AreReadOrRefusedByPlace) {
-    for (const auto& sample : samples) {
+    for (const auto& sample : samples)
         expect(sample, sample.text);
-    }
 }
 
 TEST(BadFiles, RealOnesAreTheSame) {
@@ -117,16 +116,14 @@ TEST(BadFiles, RealOnesAreTheSame) {
         {"malformed_assimp.obj",
          {"InvalidInput", "malformed_assimp.obj:28", "vertex", "0", "range", "1", "8"}},
     };
-    for (const auto& sample : samples) {
+    for (const auto& sample : samples)
         errors[sample.name] = sample.error;
-    }
     const std::map<std::string, Eigen::Index> cells{
         {"degenerate_mesh.obj", 1},   {"notenoughindices.obj", 1}, {"non_manif_hole.ply", 755},
         {"oblong-shuffled.off", 840}, {"moebius.obj", 448},        {"soup.stl", 100},
     };
-    for (const auto& [name, count] : cells) {
+    for (const auto& [name, count] : cells)
         test_datum("bad/" + name);
-    }
     for (const auto& path : test_data("bad")) {
         const auto name = path.filename().string();
         const auto text = read_text(path);
@@ -178,9 +175,8 @@ TEST(RealFiles, AreMissedWhereThereAreOthers) {
     EXPECT_THROW(test_datum("b.off"), std::runtime_error);
     ::unsetenv("POLYDEC_TEST_DATA");
     EXPECT_FALSE(has_test_data());
-    if (before != nullptr) {
+    if (before != nullptr)
         ::setenv("POLYDEC_TEST_DATA", kept.c_str(), 1);
-    }
 }
 
 TEST(ReadMesh, RefusesUnknownExtensions) {

@@ -16,9 +16,8 @@ template <typename Number>
 std::string bytes_of(Number number, std::endian order) {
     std::string bytes(sizeof(Number), '\0');
     std::memcpy(bytes.data(), &number, sizeof(Number));
-    if (order != std::endian::native) {
+    if (order != std::endian::native)
         std::reverse(bytes.begin(), bytes.end());
-    }
     return bytes;
 }
 
@@ -26,9 +25,8 @@ std::string bytes_of(Number number, std::endian order) {
 template <typename Number, typename Numbers>
 std::string bytes_of_all(const Numbers& numbers, std::endian order) {
     std::string bytes;
-    for (const auto number : numbers) {
+    for (const auto number : numbers)
         bytes += bytes_of(static_cast<Number>(number), order);
-    }
     return bytes;
 }
 
@@ -36,9 +34,8 @@ std::string bytes_of_all(const Numbers& numbers, std::endian order) {
 inline std::string from_hex(std::string_view digits) {
     const auto value = [](char c) { return c <= '9' ? c - '0' : c - 'a' + 10; };
     std::string bytes;
-    for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
+    for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
         bytes += static_cast<char>(16 * value(digits[i]) + value(digits[i + 1]));
-    }
     return bytes;
 }
 
@@ -46,9 +43,8 @@ inline std::string from_hex(std::string_view digits) {
 inline std::string base64(const std::string& bytes) {
     std::string text;
     Base64Writer writer([&text](std::string_view piece) { text += piece; });
-    for (const char byte : bytes) {
+    for (const char byte : bytes)
         writer.write(byte);
-    }
     writer.finish();
     return text;
 }

@@ -4,7 +4,6 @@
 #include "tests/io/support.h"
 #include "tests/support/refusal.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <bit>

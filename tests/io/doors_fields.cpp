@@ -4,15 +4,12 @@
 // right inputs and with flawed ones: see Asking.
 #include "dec/metric/simplex_metric.h"
 #include "tests/io/doors.h"
+#include "tests/support/counted.h"
 
 #include <gtest/gtest.h>
 
 namespace polydec::test {
 namespace {
-
-Index binomial(Index n, int k) {
-    return k == 0 ? 1 : n < k ? 0 : binomial(n - 1, k - 1) * n / k;
-}
 
 SmoothForm constant(int degree, Index coordinates) {
     return [count = binomial(coordinates, degree)](const Vector&) {

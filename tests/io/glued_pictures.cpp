@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/discretization/glued_box.h"
-#include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/fields/transfer.h"
 #include "io/pages/page.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_solid.h"

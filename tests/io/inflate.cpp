@@ -16,9 +16,8 @@ struct Sample {
 
 std::string squares() {
     std::string text;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 200; ++i)
         text += (i == 0 ? "" : " ") + std::to_string(i * i % 97);
-    }
     return text;
 }
 
@@ -43,9 +42,8 @@ std::vector<Sample> samples() {
 } // namespace
 
 TEST(Inflate, GivesBackWhatZlibCompressed) {
-    for (const auto& sample : samples()) {
+    for (const auto& sample : samples())
         EXPECT_EQ(inflate(sample.stream, sample.content.size()), sample.content);
-    }
 }
 
 TEST(Inflate, RefusesAnyOtherSize) {
@@ -61,9 +59,8 @@ TEST(Inflate, NoDamageGoesUnnoticed) {
     for (const auto& sample : samples()) {
         const auto& stream = sample.stream;
         std::size_t refused = 0;
-        for (std::size_t size = 0; size < stream.size(); ++size) {
+        for (std::size_t size = 0; size < stream.size(); ++size)
             EXPECT_EQ(inflate(stream.substr(0, size), sample.content.size()), std::nullopt);
-        }
         // Bits that nobody reads, at the end of the last byte in front of the checksum, may be any;
         // and it is all the same from where a run of equal letters is repeated.
         for (std::size_t bit = 0; bit < 8 * stream.size(); ++bit) {

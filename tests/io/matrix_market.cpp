@@ -45,11 +45,9 @@ TEST(MatrixMarket, SparseMatricesAreTheSame) {
     EXPECT_TRUE(rc::check([] {
         SparseMatrix matrix(*rc::gen::inRange(0, 8), *rc::gen::inRange(0, 8));
         for (Index row = 0; row < matrix.rows(); ++row) {
-            for (Index column = 0; column < matrix.cols(); ++column) {
-                if (*rc::gen::inRange(0, 3) == 0) {
+            for (Index column = 0; column < matrix.cols(); ++column)
+                if (*rc::gen::inRange(0, 3) == 0)
                     matrix.insert(row, column) = any_double();
-                }
-            }
         }
         const TemporaryFolder folder;
         write_matrix_market(folder.path("a.mtx"), matrix);

@@ -16,7 +16,6 @@
 #include <random>
 #include <span>
 #include <sys/resource.h>
-#include <unistd.h>
 
 namespace polydec::test::in_mutations {
 
@@ -283,18 +282,15 @@ bool is_space(char c) {
 
 TEST(Mutations, SeedsAreValid) {
     const MemoryLimit limit;
-    for (const auto& [name, text] : seeds()) {
+    for (const auto& [name, text] : seeds())
         EXPECT_EQ(error_of([seed = SourceFile{name, text}] { read_and_check(seed); }), "");
-    }
 }
 
 TEST(Mutations, FilesCutOffAtEveryByteSurvive) {
     const MemoryLimit limit;
-    for (const auto& [name, text] : seeds()) {
-        for (std::size_t size = 0; size < text.size(); ++size) {
+    for (const auto& [name, text] : seeds())
+        for (std::size_t size = 0; size < text.size(); ++size)
             expect_survival(name, text.substr(0, size));
-        }
-    }
 }
 
 TEST(Mutations, EveryByteMayBeAnything) {
@@ -314,13 +310,11 @@ TEST(Mutations, EveryWordMayBeAnything) {
     const MemoryLimit limit;
     for (const auto& [name, text] : seeds()) {
         for (std::size_t begin = 0; begin < text.size(); ++begin) {
-            if (is_space(text[begin]) || (begin > 0 && !is_space(text[begin - 1]))) {
+            if (is_space(text[begin]) || (begin > 0 && !is_space(text[begin - 1])))
                 continue;
-            }
             const auto end = std::min(text.find_first_of(" \n", begin), text.size());
-            for (const auto& word : evil_words) {
+            for (const auto& word : evil_words)
                 expect_survival(name, text.substr(0, begin) + word + text.substr(end));
-            }
         }
     }
 }

@@ -28,9 +28,8 @@ TEST(Off, HeaderMayHaveManyShapes) {
     const std::string body = vertices + faces;
     for (const std::string header :
          {"OFF\n4 2 0\n", "OFF 4 2 0\n", "OFF4 2 0\n", "4 2 0\n", "\n# a\n\n OFF # b\n4\n2\n\n0\n",
-          "off\n4 2 0\n", "\xEF\xBB\xBFOFF\n4 2 0\n"}) {
+          "off\n4 2 0\n", "\xEF\xBB\xBFOFF\n4 2 0\n"})
         EXPECT_EQ(rows(read_from("a.off", header + body).simplices), two_triangles) << header;
-    }
 }
 
 TEST(Off, LeavesOutNumbersBehindCoordinatesAndCorners) {

@@ -27,11 +27,6 @@ Mesh any_tagged_mesh() {
     return mesh;
 }
 
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// Large enough for several blocks of bytes.
 Mesh large_mesh() {
     constexpr Index vertices = 50000, cells = 90000;
@@ -62,7 +57,7 @@ TEST(Pdm, AnyPartIsThatOfTheWhole) {
     const TemporaryFolder folder;
     const Mesh mesh = large_mesh();
     write_mesh(folder.path("a.pdm"), mesh);
-    const std::string text = text_of(folder.path("a.pdm"));
+    const std::string text = read_text(folder.path("a.pdm"));
     const PdmReader reader({"a.pdm", std::ssize(text), [&](std::int64_t begin, std::int64_t end) {
                                 return text.substr(static_cast<std::size_t>(begin),
                                                    static_cast<std::size_t>(end - begin));
@@ -81,7 +76,7 @@ TEST(Pdm, AnyPartIsThatOfTheWhole) {
 TEST(Pdm, CutAnywhereItIsRefused) {
     const TemporaryFolder folder;
     write_mesh(folder.path("a.pdm"), large_mesh());
-    const std::string text = text_of(folder.path("a.pdm"));
+    const std::string text = read_text(folder.path("a.pdm"));
     std::vector<std::size_t> lengths{0, 1, 7, 8, 64, 127, 128, text.size() - 1};
     for (std::size_t edge = 128; edge < text.size(); edge += PdmLayout::block_bytes)
         lengths.insert(lengths.end(), {edge - 1, edge, edge + 1});
@@ -97,7 +92,7 @@ TEST(Pdm, NoByteThatCountsCanChangeUnseen) {
     const TemporaryFolder folder;
     write_mesh(folder.path("a.pdm"),
                {Points{{0, 0}, {1, 0}, {0, 1}}, Simplices{{0, 1, 2}}, {}, {4}});
-    const std::string text = text_of(folder.path("a.pdm"));
+    const std::string text = read_text(folder.path("a.pdm"));
     constexpr std::size_t padding_begin = 68, padding_end = 128;
     for (std::size_t place = 0; place < text.size(); ++place) {
         std::string damaged = text;

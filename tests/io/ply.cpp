@@ -30,9 +30,8 @@ public:
     Bytes& add(Number number) {
         char bytes[sizeof(Number)];
         std::memcpy(bytes, &number, sizeof(Number));
-        if (order_ == "big") {
+        if (order_ == "big")
             std::reverse(bytes, bytes + sizeof(Number));
-        }
         text_.append(bytes, sizeof(Number));
         return *this;
     }
@@ -51,12 +50,10 @@ std::string binary_header(const std::string& order, const std::string& line_brea
 
 std::string small_binary(const std::string& order, const std::string& line_break = "\n") {
     Bytes bytes(binary_header(order, line_break), order);
-    for (const float value : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 1.F, 1.F, 0.F, 0.F, 1.F, 0.F}) {
+    for (const float value : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 1.F, 1.F, 0.F, 0.F, 1.F, 0.F})
         bytes.add(value);
-    }
-    for (const auto& triangle : two_triangles) {
+    for (const auto& triangle : two_triangles)
         bytes.add(std::uint8_t{3}).add(triangle[0]).add(triangle[1]).add(triangle[2]);
-    }
     return bytes.text();
 }
 

@@ -151,9 +151,8 @@ TEST(Polygons, RepeatedCornersAreRemovedFromPolygonsAlone) {
 
 TEST(Polygons, VeryLargeOnesNeedAFanFromTheSmallestVertex) {
     std::vector<std::pair<double, double>> saw;
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < 5000; ++i)
         saw.emplace_back(i, i % 2);
-    }
     saw.emplace_back(2500, 10000);
     EXPECT_REFUSED(split_polygons(polygon(saw)), "face 0", "5001 corners", "fan", "5000");
 }

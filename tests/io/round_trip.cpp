@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 namespace polydec::test::in_round_trip {
 
@@ -62,9 +61,8 @@ std::string writing_error(const std::string& name, const Mesh& mesh) {
 TEST(RoundTrip, SurfacesInSpaceAreTheSameInEveryTextFormat) {
     EXPECT_TRUE(rc::check([] {
         const auto mesh = any_mesh(3, 2);
-        for (const char* name : {"a.off", "a.obj", "a.ply", "a.nsc", "a.mesh"}) {
+        for (const char* name : {"a.off", "a.obj", "a.ply", "a.nsc", "a.mesh"})
             RC_ASSERT(same(written_and_read(name, mesh), mesh));
-        }
     }));
 }
 
@@ -73,12 +71,10 @@ TEST(RoundTrip, PlanarSurfacesGetZeros) {
         const auto mesh = any_mesh(2, 2);
         Mesh padded = mesh;
         padded.points.conservativeResizeLike(Points::Zero(mesh.points.rows(), 3));
-        for (const char* name : {"a.off", "a.obj", "a.ply"}) {
+        for (const char* name : {"a.off", "a.obj", "a.ply"})
             RC_ASSERT(same(written_and_read(name, mesh), padded));
-        }
-        for (const char* name : {"a.nsc", "a.mesh"}) {
+        for (const char* name : {"a.nsc", "a.mesh"})
             RC_ASSERT(same(written_and_read(name, mesh), mesh));
-        }
     }));
 }
 
@@ -109,9 +105,8 @@ TEST(RoundTrip, FacetsWithTagsAreTheSameInMeditAndLostInNsc) {
                 Simplices::NullaryExpr(facets, dimension,
                                        [vertices] { return *rc::gen::inRange(0, vertices); }),
                 {}};
-            for (int i = 0; i < facets; ++i) {
+            for (int i = 0; i < facets; ++i)
                 mesh.facet_tags.tags.push_back(*rc::gen::nonZero<Index>());
-            }
             RC_ASSERT(same(written_and_read("a.mesh", mesh), mesh));
             RC_ASSERT(!same(written_and_read("a.nsc", mesh), mesh));
         }
@@ -140,10 +135,9 @@ TEST(RoundTrip, StlKeepsFloatsAndTheOrderOfCells) {
         });
         const auto read = written_and_read("a.stl", mesh);
         RC_ASSERT(read.simplices.rows() == mesh.simplices.rows());
-        for (Eigen::Index i = 0; i < mesh.simplices.size(); ++i) {
+        for (Eigen::Index i = 0; i < mesh.simplices.size(); ++i)
             RC_ASSERT(read.points.row(read.simplices.data()[i]) ==
                       mesh.points.row(mesh.simplices.data()[i]));
-        }
         RC_ASSERT(same(written_and_read("a.stl", read), read));
     }));
 }

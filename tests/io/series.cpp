@@ -89,11 +89,6 @@ TEST(Series, CanBeReadWhileItIsWritten) {
     EXPECT_REFUSED(list.add(1000, {}), "series", "closed", "step");
 }
 
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 TEST(Series, LeavesAnOldPageUntilTheNewOneIsWhole) {
     const auto mesh = square();
     const TemporaryFolder folder;
@@ -101,12 +96,12 @@ TEST(Series, LeavesAnOldPageUntilTheNewOneIsWhole) {
     const auto show = [&](bool fails) {
         Series page(folder.path("a.html"), mesh);
         page.add(0, {{"u", moving(mesh, Side::primal, 0, 0)}});
-        EXPECT_EQ(text_of(folder.path("a.html")), "old");
+        EXPECT_EQ(read_text(folder.path("a.html")), "old");
         if (fails)
             throw InvalidInput("in the middle");
     };
     EXPECT_THROW(show(true), InvalidInput);
-    EXPECT_EQ(text_of(folder.path("a.html")), "old");
+    EXPECT_EQ(read_text(folder.path("a.html")), "old");
     show(false);
     EXPECT_EQ(steps_in(folder.path("a.html")), 1U);
 }

@@ -67,9 +67,8 @@ TEST(Stl, JoinsWhatIsOffByARoundingAndTellsHowMany) {
 
 TEST(Stl, TextMayHaveCapitalsAndSeveralSolids) {
     auto capitals = square_text;
-    for (char& c : capitals) {
+    for (char& c : capitals)
         c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-    }
     const auto mesh = read_from("a.STL", capitals);
     EXPECT_EQ(mesh.simplices.rows(), 2);
     EXPECT_TRUE(same(mesh, read_from("a.stl", with_line_breaks(square_text, "\r\n"))));

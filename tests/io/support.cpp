@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
 
-#include "base/decompositions.h"
 #include "base/errors.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -45,9 +43,8 @@ std::filesystem::path TemporaryFolder::write(const std::string& name,
 
 std::vector<std::string> TemporaryFolder::names() const {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+    for (const auto& entry : std::filesystem::directory_iterator(path_))
         names.push_back(entry.path().filename().string());
-    }
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -78,25 +75,22 @@ std::string reading_error(const std::string& name, const std::string& text) {
     const auto path = folder.write(name, text);
     auto error = error_of([&path] { read_mesh(path); });
     const auto place = error.find(folder.path().string());
-    if (place != std::string::npos) {
+    if (place != std::string::npos)
         error.erase(place, folder.path().string().size() + 1);
-    }
     return error;
 }
 
 std::vector<std::vector<double>> rows(const Points& points) {
     std::vector<std::vector<double>> result;
-    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
         result.emplace_back(points.row(i).begin(), points.row(i).end());
-    }
     return result;
 }
 
 std::vector<std::vector<Index>> rows(const Simplices& simplices) {
     std::vector<std::vector<Index>> result;
-    for (Eigen::Index i = 0; i < simplices.rows(); ++i) {
+    for (Eigen::Index i = 0; i < simplices.rows(); ++i)
         result.emplace_back(simplices.row(i).begin(), simplices.row(i).end());
-    }
     return result;
 }
 
@@ -107,26 +101,10 @@ bool same(const Mesh& a, const Mesh& b) {
            a.facet_tags.tags == b.facet_tags.tags;
 }
 
-double volume(const Mesh& mesh) {
-    double sum = 0.0;
-    for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
-        DenseMatrix edges(mesh.ambient_dimension(), mesh.dimension());
-        double factor = 1.0;
-        for (int i = 0; i < mesh.dimension(); ++i) {
-            edges.col(i) = mesh.points.row(mesh.simplices(cell, i + 1)) -
-                           mesh.points.row(mesh.simplices(cell, 0));
-            factor /= i + 1;
-        }
-        sum += factor * std::sqrt((edges.transpose() * edges).determinant());
-    }
-    return sum;
-}
-
 std::string with_line_breaks(const std::string& text, const std::string& line_break) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : text)
         result += c == '\n' ? line_break : std::string(1, c);
-    }
     return result;
 }
 
@@ -135,11 +113,9 @@ std::vector<std::filesystem::path> test_data(const std::string& folder) {
     std::error_code none;
     if (has_test_data()) {
         for (const auto& entry :
-             std::filesystem::recursive_directory_iterator(real_meshes() / folder, none)) {
-            if (entry.is_regular_file()) {
+             std::filesystem::recursive_directory_iterator(real_meshes() / folder, none))
+            if (entry.is_regular_file())
                 paths.push_back(entry.path());
-            }
-        }
     }
     std::sort(paths.begin(), paths.end());
     return paths;
@@ -151,12 +127,10 @@ bool has_test_data() {
 }
 
 std::optional<std::filesystem::path> test_datum(const std::string& name) {
-    if (!has_test_data()) {
+    if (!has_test_data())
         return std::nullopt;
-    }
-    if (!std::filesystem::is_regular_file(real_meshes() / name)) {
+    if (!std::filesystem::is_regular_file(real_meshes() / name))
         throw std::runtime_error("POLYDEC_TEST_DATA has meshes, but no " + name);
-    }
     return real_meshes() / name;
 }
 

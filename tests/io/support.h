@@ -55,9 +55,6 @@ std::vector<std::vector<Index>> rows(const Simplices& simplices);
 /// Points, cells, and facets with tags that are equal to the last bit.
 bool same(const Mesh& a, const Mesh& b);
 
-/// The volume, area or length of all cells together.
-double volume(const Mesh& mesh);
-
 /// Replaces every line break, which must be LF.
 std::string with_line_breaks(const std::string& text, const std::string& line_break);
 

@@ -2,6 +2,7 @@
 #include "io/meshes/readers.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
+#include "tests/support/counted.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -31,12 +32,10 @@ public:
 
     template <typename Number>
     Writer& numbers(const std::vector<double>& values) {
-        if (is_binary_) {
+        if (is_binary_)
             text_ += bytes_of_all<Number>(values, std::endian::big);
-        }
-        for (std::size_t i = 0; !is_binary_ && i < values.size(); ++i) {
+        for (std::size_t i = 0; !is_binary_ && i < values.size(); ++i)
             text_ += std::to_string(values[i]) + (i % 3 == 2 ? "\n" : " ");
-        }
         text_ += "\n";
         return *this;
     }
@@ -151,7 +150,7 @@ TEST(Vtk, StripsPixelsAndPolylinesBecomeTrianglesQuadsAndEdges) {
     EXPECT_EQ(cells(one_cell(4, "0 1 3 2", 4)), (Cells{{0, 1}, {1, 3}, {3, 2}}));
     EXPECT_EQ(cells(one_cell(7, "0 1 3", 3)), (Cells{{0, 1, 3}}));
     // All triangles of a strip turn the same way: a surface of two has one area, not none.
-    EXPECT_EQ(volume(read_from("a.vtk", one_cell(6, "0 1 2 3", 4))), 1.0);
+    EXPECT_EQ(total_volume(read_from("a.vtk", one_cell(6, "0 1 2 3", 4))), 1.0);
 }
 
 TEST(Vtk, NumbersThatAreNotWholeAreNoTags) {
@@ -171,9 +170,8 @@ TEST(Vtk, WarnsOfDataThatAreLeftOut) {
 TEST(Vtk, RefusesCellsOfOtherShapes) {
     const auto error = [](int type, int count) {
         std::string corners;
-        for (int i = 0; i < count; ++i) {
+        for (int i = 0; i < count; ++i)
             corners += std::to_string(i % 4) + " ";
-        }
         return reading_error("a.vtk", one_cell(type, corners, count));
     };
     EXPECT_SAYS(error(12, 7), "InvalidInput", "a.vtk:7", "cell 0", "type 12", "7 corners");
@@ -217,7 +215,7 @@ TEST(Vtk, RealFilesAreReadWhole) {
         const auto mesh = read_mesh(*path);
         EXPECT_EQ(mesh.points.rows(), 36);
         EXPECT_EQ(mesh.simplices.rows(), 48);
-        EXPECT_NEAR(volume(mesh), 8.0, 1e-12);
+        EXPECT_NEAR(total_volume(mesh), 8.0, 1e-12);
         EXPECT_EQ(std::count(mesh.tags.begin(), mesh.tags.end(), 1), 24);
         EXPECT_EQ(std::count(mesh.tags.begin(), mesh.tags.end(), 2), 24);
     }

@@ -54,12 +54,10 @@ std::vector<double> values_of(const std::string& tag, const std::string& content
     EXPECT_EQ(size, bytes.size() - sizeof(size)) << tag;
     const auto body = bytes.substr(sizeof(size));
     const auto type = attribute(tag, "type");
-    if (type == "Float64") {
+    if (type == "Float64")
         return numbers<double>(body);
-    }
-    if (type == "Int64") {
+    if (type == "Int64")
         return numbers<std::int64_t>(body);
-    }
     return type == "Int32" ? numbers<std::int32_t>(body) : numbers<std::uint8_t>(body);
 }
 
@@ -163,9 +161,8 @@ TEST(Vtu, PadsPointsAndLeavesOutFacesWithoutPolyhedra) {
 TEST(Vtu, LargeArraysAreWhole) {
     VtuGrid grid;
     grid.points = Points::Random(100000, 3);
-    for (Index i = 0; i < 100000; ++i) {
+    for (Index i = 0; i < 100000; ++i)
         add_cell(grid, VtuCell::vertex, std::span<const Index>(&i, 1));
-    }
     const TemporaryFolder folder;
     write_vtu(folder.path("a.vtu"), grid);
     auto found = arrays(read_text(folder.path("a.vtu")));

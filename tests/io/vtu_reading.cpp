@@ -82,9 +82,8 @@ public:
         switch (variant_.place) {
         case Place::text:
             text_ += ">\n";
-            for (const auto value : values) {
+            for (const auto value : values)
                 text_ += std::to_string(value) + " ";
-            }
             break;
         case Place::in_line:
             text_ += ">\n" + in_base64(header, body);
@@ -113,9 +112,8 @@ public:
 private:
     /// What stands in front of an array, and its bytes: of a compressed one in blocks of 16.
     std::pair<std::string, std::string> encoded(const std::string& bytes) const {
-        if (!variant_.is_compressed) {
+        if (!variant_.is_compressed)
             return {header({bytes.size()}), bytes};
-        }
         constexpr std::size_t block = 16;
         std::vector<std::size_t> numbers{(bytes.size() + block - 1) / block, block,
                                          bytes.size() % block};

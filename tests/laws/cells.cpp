@@ -3,6 +3,7 @@
 #include "dec/stars/star.h"
 #include "meshes/rearrange.h"
 #include "tests/laws/over_hostile_meshes.h"
+#include "tests/support/counted.h"
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"
 
@@ -10,17 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace polydec::test::in_cells {
 namespace {
-
-double binomial(int n, int k) {
-    double result = 1;
-    for (int i = 1; i <= k; ++i)
-        result *= double(n - k + i) / i;
-    return result;
-}
 
 /// By how much sum |s||*s| misses C(n,k) |K|, beside what the sum is made of.
 double defect_of_dual_volumes(const CellVolumes& volumes, int k, double factor = 1) {

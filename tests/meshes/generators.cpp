@@ -120,23 +120,23 @@ INSTANTIATE_TEST_SUITE_P(Meshes, Generated, testing::ValuesIn(expectations()),
                          [](const auto& instance) { return instance.param.name; });
 
 TEST(Generators, make_the_golden_meshes) {
-    EXPECT_TRUE(same_geometry(grid(4, 4), golden("grid4.nsc")));
-    EXPECT_TRUE(same_geometry(hexagons(4), golden("hex4.nsc")));
-    EXPECT_TRUE(same_geometry(well_centered(4), golden("wellcentred4.nsc")));
-    EXPECT_TRUE(same_geometry(uv_sphere(8, 8), golden("uv8.off")));
-    EXPECT_TRUE(same_geometry(torus(8, 6), golden("torus8x6.off")));
-    EXPECT_TRUE(same_geometry(kuhn(1, 5), golden("kuhn1d.nsc")));
-    EXPECT_TRUE(same_geometry(kuhn(3, 2), golden("kuhn3.nsc")));
-    EXPECT_TRUE(same_geometry(kuhn(4, 1), golden("kuhn4.nsc")));
-    EXPECT_TRUE(same_geometry(fcc(1), golden("fcc1.nsc")));
-    EXPECT_FALSE(same_geometry(grid(4, 4, 1.0, 1.0 + 1e-11), golden("grid4.nsc")));
-    EXPECT_FALSE(same_geometry(well_centered(4), golden("grid4.nsc")));
+    EXPECT_TRUE(same_geometry(grid(4, 4), read_golden("grid4.nsc")));
+    EXPECT_TRUE(same_geometry(hexagons(4), read_golden("hex4.nsc")));
+    EXPECT_TRUE(same_geometry(well_centered(4), read_golden("wellcentred4.nsc")));
+    EXPECT_TRUE(same_geometry(uv_sphere(8, 8), read_golden("uv8.off")));
+    EXPECT_TRUE(same_geometry(torus(8, 6), read_golden("torus8x6.off")));
+    EXPECT_TRUE(same_geometry(kuhn(1, 5), read_golden("kuhn1d.nsc")));
+    EXPECT_TRUE(same_geometry(kuhn(3, 2), read_golden("kuhn3.nsc")));
+    EXPECT_TRUE(same_geometry(kuhn(4, 1), read_golden("kuhn4.nsc")));
+    EXPECT_TRUE(same_geometry(fcc(1), read_golden("fcc1.nsc")));
+    EXPECT_FALSE(same_geometry(grid(4, 4, 1.0, 1.0 + 1e-11), read_golden("grid4.nsc")));
+    EXPECT_FALSE(same_geometry(well_centered(4), read_golden("grid4.nsc")));
 }
 
 /// Cells without a facet in the boundary, which is where the diagonals are a free choice.
 std::vector<std::vector<Index>> inner_cells(const Mesh& mesh, const std::vector<Index>& numbers) {
     std::vector<std::vector<Index>> result = cell_set(mesh, numbers);
-    const Mesh place = golden("bcc2.nsc");
+    const Mesh place = read_golden("bcc2.nsc");
     const auto in_boundary_facet = [&](const std::vector<Index>& cell) {
         for (int axis = 0; axis < 3; ++axis)
             for (const double side : {0.0, 1.0})
@@ -150,7 +150,7 @@ std::vector<std::vector<Index>> inner_cells(const Mesh& mesh, const std::vector<
 }
 
 TEST(Generators, make_the_golden_body_centered_lattice_but_for_diagonals_in_the_boundary) {
-    const Mesh ours = bcc(2), theirs = golden("bcc2.nsc");
+    const Mesh ours = bcc(2), theirs = read_golden("bcc2.nsc");
     ASSERT_EQ(ours.points.rows(), theirs.points.rows());
     std::vector<Index> own_numbers(35);
     for (Index v = 0; v < 35; ++v)
@@ -161,8 +161,8 @@ TEST(Generators, make_the_golden_body_centered_lattice_but_for_diagonals_in_the_
 }
 
 TEST(Kuhn, lists_its_vertices_in_lexicographic_order_also_of_the_golden_file) {
-    EXPECT_EQ(kuhn(3, 2).points, golden("kuhn3.nsc").points);
-    EXPECT_EQ(kuhn(3, 2).simplices, golden("kuhn3.nsc").simplices);
+    EXPECT_EQ(kuhn(3, 2).points, read_golden("kuhn3.nsc").points);
+    EXPECT_EQ(kuhn(3, 2).simplices, read_golden("kuhn3.nsc").simplices);
 }
 
 TEST(Moebius, is_one_sided_and_has_one_boundary) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "meshes/split_cells.h"
 #include "meshes/tidy.h"
 #include "meshes/weld.h"
 #include "tests/support/hand_made.h"

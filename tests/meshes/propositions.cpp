@@ -8,12 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 
 namespace polydec {
 
@@ -39,16 +37,6 @@ bool sort_is_odd(std::vector<Index>& list) {
     return odd;
 }
 
-void faces_below(const std::vector<Index>& cell, std::size_t from, std::vector<Index>& face,
-                 std::vector<std::set<std::vector<Index>>>& sets) {
-    for (std::size_t i = from; i < cell.size(); ++i) {
-        face.push_back(cell[i]);
-        sets[face.size() - 1].insert(face);
-        faces_below(cell, i + 1, face, sets);
-        face.pop_back();
-    }
-}
-
 std::vector<Index> identity(const Mesh& mesh) {
     std::vector<Index> result(static_cast<std::size_t>(mesh.points.rows()));
     std::iota(result.begin(), result.end(), 0);
@@ -57,39 +45,10 @@ std::vector<Index> identity(const Mesh& mesh) {
 
 } // namespace
 
-Mesh golden(const std::string& name) {
-    std::ifstream file(std::string(POLYDEC_TEST_FILES "/golden/") + name);
-    if (!file)
-        throw std::runtime_error("there is no golden file " + name);
-    const bool off = name.ends_with(".off");
-    std::string word;
-    Index N = 3, n = 2, vertices = 0, cells = 0, ignored = 0;
-    if (off)
-        file >> word >> vertices >> cells >> ignored;
-    else
-        file >> N >> n >> vertices >> cells;
-
-    Mesh mesh{Points(vertices, N), Simplices(cells, n + 1), {}};
-    for (double& x : mesh.points.reshaped<Eigen::RowMajor>())
-        file >> x;
-    for (Index cell = 0; cell < cells; ++cell) {
-        if (off)
-            file >> ignored;
-        for (Index i = 0; i <= n; ++i)
-            file >> mesh.simplices(cell, i);
-    }
-    return mesh;
-}
-
 std::vector<Index> face_counts(const Mesh& mesh) {
-    std::vector<std::set<std::vector<Index>>> sets(mesh.simplices.cols());
-    for (const auto& cell : cell_set(mesh, identity(mesh))) {
-        std::vector<Index> face;
-        faces_below(cell, 0, face, sets);
-    }
     std::vector<Index> counts;
-    for (const auto& set : sets)
-        counts.push_back(static_cast<Index>(set.size()));
+    for (int k = 0; k <= mesh.dimension(); ++k)
+        counts.push_back(static_cast<Index>(test::faces(mesh, k).size()));
     return counts;
 }
 
@@ -100,15 +59,6 @@ Index euler_characteristic(const Mesh& mesh) {
         sign = -sign;
     }
     return result;
-}
-
-double total_volume(const Mesh& mesh) {
-    double sum = 0.0;
-    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
-        const DenseMatrix E = edge_vectors(mesh, cell);
-        sum += std::sqrt((E.transpose() * E).determinant());
-    }
-    return sum / std::tgamma(mesh.dimension() + 1.0);
 }
 
 double least_determinant(const Mesh& mesh) {
@@ -179,6 +129,16 @@ std::vector<std::vector<Index>> cell_set(const Mesh& mesh, const std::vector<Ind
 bool same_geometry(const Mesh& a, const Mesh& b) {
     return a.points.rows() == b.points.rows() && a.points.cols() == b.points.cols() &&
            cell_set(a, matching_vertices(a, b, 1e-12)) == cell_set(b, identity(b));
+}
+
+PolygonMesh mesh_of(const Points& points, const std::vector<std::vector<Index>>& cells) {
+    PolygonMesh mesh;
+    mesh.points = points;
+    for (const auto& cell : cells) {
+        mesh.corners.insert(mesh.corners.end(), cell.begin(), cell.end());
+        mesh.offsets.push_back(static_cast<Index>(mesh.corners.size()));
+    }
+    return mesh;
 }
 
 } // namespace polydec

@@ -2,22 +2,18 @@
 #pragma once
 
 #include "meshes/mesh.h"
+#include "meshes/polygons.h"
+#include "tests/support/counted.h"
+#include "tests/support/read_golden.h"
 #include "tests/support/refusal.h"
 
-#include <string>
 #include <vector>
 
 namespace polydec {
 
-/// A .nsc file, or an .off file of triangles, from the golden folder.
-Mesh golden(const std::string& name);
-
 /// Number of distinct faces of each dimension.
 std::vector<Index> face_counts(const Mesh& mesh);
 Index euler_characteristic(const Mesh& mesh);
-
-/// Sum of the n-volumes, not signed.
-double total_volume(const Mesh& mesh);
 
 /// Smallest determinant of the edge vectors over all cells; n = N.
 double least_determinant(const Mesh& mesh);
@@ -42,5 +38,8 @@ std::vector<std::vector<Index>> cell_set(const Mesh& mesh, const std::vector<Ind
 
 /// Whether points (within 1e-12) and cells are the same up to numbering.
 bool same_geometry(const Mesh& a, const Mesh& b);
+
+/// Polygons, or the faces of cells, from lists of their corners.
+PolygonMesh mesh_of(const Points& points, const std::vector<std::vector<Index>>& cells);
 
 } // namespace polydec

@@ -21,16 +21,6 @@ namespace {
 
 using Cells = std::vector<std::vector<Index>>;
 
-PolygonMesh mesh_of(const Points& points, const Cells& cells) {
-    PolygonMesh mesh;
-    mesh.points = points;
-    for (const auto& cell : cells) {
-        mesh.corners.insert(mesh.corners.end(), cell.begin(), cell.end());
-        mesh.offsets.push_back(static_cast<Index>(mesh.corners.size()));
-    }
-    return mesh;
-}
-
 /// Cubes as hexahedra of the points of kuhn.
 Cells hexahedra(Index n) {
     const Index z = 1, y = n + 1, x = y * y;

@@ -20,16 +20,6 @@ namespace {
 using Faces = std::vector<std::vector<Index>>;
 using Cells = std::vector<std::array<Index, 3>>;
 
-PolygonMesh mesh_of(const Points& points, const Faces& faces) {
-    PolygonMesh mesh;
-    mesh.points = points;
-    for (const auto& face : faces) {
-        mesh.corners.insert(mesh.corners.end(), face.begin(), face.end());
-        mesh.offsets.push_back(static_cast<Index>(mesh.corners.size()));
-    }
-    return mesh;
-}
-
 /// The triangles, in the order that they have, each from its smallest vertex.
 Cells cells(const Mesh& mesh) {
     Cells result;

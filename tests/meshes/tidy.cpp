@@ -3,7 +3,6 @@
 
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "tests/meshes/propositions.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 

@@ -7,6 +7,7 @@
 #include "dec/stars/star.h"
 #include "tests/io/support.h"
 #include "tests/real/samples.h"
+#include "tests/support/counted.h"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +19,6 @@ namespace polydec::test::in_centroids {
 namespace {
 
 constexpr double rounding = 1e-12;
-
-double binomial(int n, int k) {
-    return k == 0 ? 1 : binomial(n, k - 1) * (n - k + 1) / k;
-}
 
 /// How far the sum of |s||*s| over k-cells is from `times` |K|, relative.
 double partition_defect(const CellVolumes& volumes, int k, double times) {

@@ -7,7 +7,6 @@
 #include "dec/metric/dual_parts.h"
 #include "dec/stars/star.h"
 #include "tests/real/surfaces.h"
-#include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
 #include <Eigen/Geometry>

@@ -6,7 +6,6 @@
 #include "tests/shape/known_shapes.h"
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"
-#include "tests/support/families.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Exact distances against the exact paths of CGAL, where its headers are.
-#include "base/errors.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "shape/geodesics.h"

@@ -97,9 +97,8 @@ public:
             return;
         std::optional<Refinement> fine;
         std::optional<Shape> same;
-        if (compare) {
+        if (compare)
             fine = unless_refused(tallies_.compared, [&] { return Refinement(mesh); });
-        }
         if (fine) // else a triangle is there twice, which shapes have once
             same = unless_refused(tallies_.compared, [&] { return unmerged(fine->mesh); });
         distances(*shape, same);

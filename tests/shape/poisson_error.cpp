@@ -8,7 +8,6 @@
 #include "shape/poisson_pair.h"
 #include "solvers/sources/poisson.h"
 #include "tests/shape/known_shapes.h"
-#include "tests/support/families.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 #include "shape/geodesics.h"
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"
-#include "tests/support/families.h"
 
 #include <gtest/gtest.h>
 

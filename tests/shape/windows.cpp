@@ -11,8 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace polydec::test::in_windows {
 namespace {
 

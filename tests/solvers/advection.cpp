@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/flow/advection.h"
 
-#include "complex/components.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/cochain.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Forms that change in time with what is known of them on the boundary.
-#include "dec/fields/cell_centers.h"
 #include "dec/forms/laplacian.h"
 #include "solvers/sources/poisson.h"
 #include "solvers/time/evolution.h"

@@ -2,7 +2,6 @@
 #include "tests/solvers/cases.h"
 
 #include "dec/fields/cell_centers.h"
-#include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/time/evolution.h"

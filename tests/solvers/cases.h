@@ -10,7 +10,6 @@
 #include <functional>
 #include <ostream>
 #include <string>
-#include <vector>
 
 /// The cases that solvers are tested on: meshes, stars, sides, degrees and conditions.
 namespace polydec::test {

@@ -4,7 +4,6 @@
 #include "dec/discretization/discretization.h"
 #include "dec/forms/cochain.h"
 #include "meshes/generate.h"
-#include "solvers/flow/flow.h"
 
 #include <cmath>
 #include <functional>

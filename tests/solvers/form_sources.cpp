@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "complex/relative.h"
 #include "dec/discretization/material_stars.h"
-#include "dec/fields/cell_centers.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "solvers/sources/poisson.h"

@@ -13,11 +13,8 @@
 namespace polydec::test::in_golden_hodge {
 namespace {
 
-class GoldenHodge : public testing::TestWithParam<std::string> {
+class GoldenHodge : public OverGoldenForms {
 protected:
-    const Merged& mesh() const { return merged(stem(GetParam())); }
-    const Json& numbers() const { return golden_calculus().at(GetParam()); }
-
     /// alpha or eta, by degree.
     Vector form(int k) const { return on_merged_cells(mesh(), k, k == 1 ? alpha : eta); }
 
@@ -66,8 +63,7 @@ TEST_P(GoldenHodge, spectra_relative_to_the_boundary) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, GoldenHodge, testing::ValuesIn(golden_calculus_names()),
-                         [](const auto& instance) { return stem(instance.param); });
+POLYDEC_OVER_GOLDEN_FORMS(GoldenHodge);
 
 } // namespace
 } // namespace polydec::test::in_golden_hodge

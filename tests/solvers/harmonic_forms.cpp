@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/boundary/form_space.h"
 #include "dec/fields/flat_and_sharp.h"
-#include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"
 #include "meshes/rearrange.h"
@@ -17,7 +16,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
 #include <map>
 #include <optional>

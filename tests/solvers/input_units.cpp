@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/cell_centers.h"
 #include "solvers/sources/hodge.h"
 #include "solvers/sources/poisson.h"
 #include "solvers/spectra/spectrum.h"

@@ -2,13 +2,11 @@
 #include "meshes/generate.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/support/circumcentric.h"
-#include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace polydec::test::in_kept_spectra {

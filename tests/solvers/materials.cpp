@@ -7,7 +7,6 @@
 #include "solvers/time/waves.h"
 #include "tests/solvers/cases.h"
 #include "tests/support/circumcentric.h"
-#include "tests/support/matrices.h"
 
 #include <gtest/gtest.h>
 

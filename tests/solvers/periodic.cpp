@@ -3,12 +3,11 @@
 
 #include "complex/homology.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "solvers/sources/poisson.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/support/circumcentric.h"
+#include "tests/support/counted.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
@@ -31,10 +30,6 @@ std::vector<Vector> unit_translations(int n) {
 
 PeriodicMesh periodic_box(int n, int cells) {
     return periodic(kuhn(n, cells), unit_translations(n));
-}
-
-Index binomial(int n, int k) {
-    return k == 0 ? 1 : binomial(n, k - 1) * (n - k + 1) / k;
 }
 
 TEST(PeriodicBox, is_a_torus_of_equal_cells) {

@@ -15,7 +15,6 @@
 
 #include <array>
 #include <cmath>
-#include <string>
 #include <string_view>
 #include <vector>
 

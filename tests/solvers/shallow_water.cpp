@@ -2,7 +2,6 @@
 #include "solvers/flow/shallow_water.h"
 
 #include "dec/fields/cell_centers.h"
-#include "solvers/flow/flow_data.h"
 #include "solvers/time/evolution.h"
 #include "tests/solvers/flow_samples.h"
 #include "tests/support/circumcentric.h"

@@ -4,7 +4,6 @@
 #include "dec/discretization/discretization.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/cochain.h"
-#include "solvers/sources/poisson.h"
 
 namespace polydec::test {
 

@@ -5,7 +5,6 @@
 #include "backends/spectra/scaled_pencil.h"
 #include "complex/homology.h"
 #include "dec/boundary/form_space.h"
-#include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectra/spectrum.h"
@@ -14,7 +13,6 @@
 #include "tests/support/dense_laplacian.h"
 #include "tests/support/families.h"
 #include "tests/support/glued.h"
-#include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 

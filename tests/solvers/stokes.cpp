@@ -3,7 +3,6 @@
 
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "solvers/flow/incompressible_flow.h"
 #include "tests/solvers/cases.h"

@@ -4,7 +4,6 @@
 #include "base/decompositions.h"
 #include "dec/boundary/boundary_conditions.h"
 #include "dec/fields/de_rham.h"
-#include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "solvers/time/waves.h"
 #include "tests/solvers/star_samples.h"

@@ -3,7 +3,6 @@
 
 #include "base/decompositions.h"
 #include "complex/cell_complex.h"
-#include "dec/forms/cochain.h"
 #include "dec/stars/star.h"
 #include "tests/support/extended.h"
 

@@ -6,7 +6,6 @@
 #include "tests/support/hand_made.h"
 #include "tests/support/read_golden.h"
 
-#include <ostream>
 #include <stdexcept>
 
 namespace polydec::test {

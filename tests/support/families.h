@@ -3,7 +3,6 @@
 
 #include "meshes/mesh.h"
 
-#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>

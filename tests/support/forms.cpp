@@ -30,15 +30,6 @@ Form constant_form(Vector coefficients) {
     return [c = std::move(coefficients)](const Vector&) { return c; };
 }
 
-Index coefficients(Index N, int k) {
-    if (k < 0 || k > N)
-        return 0;
-    Index result = 1;
-    for (int i = 1; i <= k; ++i)
-        result = result * (N - k + i) / i;
-    return result;
-}
-
 DenseMatrix multivectors(const SimplicialComplex& complex, const Points& points, int k) {
     const auto axes = subsets(static_cast<int>(points.cols()), k);
     DenseMatrix result(complex.size(k), axes.size());

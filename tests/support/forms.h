@@ -2,6 +2,7 @@
 #pragma once
 
 #include "complex/simplicial_complex.h"
+#include "tests/support/counted.h"
 
 #include <functional>
 
@@ -14,8 +15,10 @@ using Form = std::function<Vector(const Vector& point)>;
 /// The form with the same coefficients everywhere.
 Form constant_form(Vector coefficients);
 
-/// Number of coefficients of a k-form on R^N: N over k.
-Index coefficients(Index N, int k);
+/// Number of coefficients of a k-form on R^N.
+inline Index coefficients(Index N, int k) {
+    return binomial(N, k);
+}
 
 /// Integrals over the k-simplices as they are oriented, exact for coefficients that are quadratic
 /// polynomials.

@@ -4,6 +4,8 @@
 #include "tests/support/forms.h"
 #include "tests/support/golden_numbers.h"
 
+#include <gtest/gtest.h>
+
 #include <string>
 #include <vector>
 
@@ -14,6 +16,17 @@ const Json& golden_calculus();
 
 /// The names in it of the golden meshes that lie with the tests.
 std::vector<std::string> golden_calculus_names();
+
+/// Fixture of what these numbers say; the parameter is the name of a golden mesh.
+class OverGoldenForms : public testing::TestWithParam<std::string> {
+protected:
+    const Merged& mesh() const { return merged(stem(GetParam())); }
+    const Json& numbers() const { return golden_calculus().at(GetParam()); }
+};
+
+#define POLYDEC_OVER_GOLDEN_FORMS(suite)                                                           \
+    INSTANTIATE_TEST_SUITE_P(Meshes, suite, testing::ValuesIn(golden_calculus_names()),            \
+                             [](const auto& instance) { return stem(instance.param); })
 
 /// The forms of which they are, in R^N with coordinates x, y, z, w as far as there are; missing
 /// ones are 0.

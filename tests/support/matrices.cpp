@@ -55,4 +55,10 @@ Vector random_vector(Index size, unsigned seed) {
     return result;
 }
 
+SparseMatrix identity(Index size) {
+    SparseMatrix I(size, size);
+    I.setIdentity();
+    return I;
+}
+
 } // namespace polydec::test

@@ -23,4 +23,6 @@ bool is_zero(const IntegerMatrix& A);
 /// Entries uniform in -1 .. 1, the same for the same seed.
 Vector random_vector(Index size, unsigned seed);
 
+SparseMatrix identity(Index size);
+
 } // namespace polydec::test

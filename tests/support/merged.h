@@ -7,7 +7,6 @@
 #include "meshes/mesh.h"
 
 #include <string>
-#include <string_view>
 
 namespace polydec::test {
 

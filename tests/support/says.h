@@ -35,10 +35,9 @@ inline std::size_t find_word(std::string_view text, std::string_view word, std::
                !(text[at] == '.' && at + 1 < text.size() && is_digit(text[at + 1]));
     };
     for (auto at = text.find(word, from); at != std::string_view::npos;
-         at = text.find(word, at + 1)) {
+         at = text.find(word, at + 1))
         if (begins(at) && ends(at + word.size()))
             return at;
-    }
     return std::string_view::npos;
 }
 
@@ -49,9 +48,8 @@ inline ::testing::AssertionResult says(const std::string& message, const Words& 
     std::size_t from = 0;
     for (const auto& word : words) {
         const auto at = word.empty() ? std::string::npos : find_word(message, word, from);
-        if (at == std::string::npos) {
+        if (at == std::string::npos)
             return ::testing::AssertionFailure() << "\"" << word << "\" expected in: " << message;
-        }
         from = at + word.size();
     }
     return ::testing::AssertionSuccess() << message;
@@ -69,10 +67,9 @@ inline ::testing::AssertionResult each_says(const std::vector<std::string>& mess
         failure << "\n" << message;
     if (messages.size() != words.size())
         return failure << "\nexpected " << words.size();
-    for (std::size_t i = 0; i < words.size(); ++i) {
+    for (std::size_t i = 0; i < words.size(); ++i)
         if (const auto found = says(messages[i], words[i]); !found)
             return found;
-    }
     return ::testing::AssertionSuccess() << messages.size() << " messages";
 }
 

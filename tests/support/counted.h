@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "meshes/mesh.h"
+
+#include <set>
+#include <vector>
+
+/// What a mesh has, counted and measured without a complex.
+namespace polydec::test {
+
+/// The sets of k+1 vertices that are faces of a simplex, each ascending.
+std::set<std::vector<Index>> faces(const Mesh& mesh, int k);
+
+/// Sum of the n-volumes, not signed, by determinants of the edges from the first corners.
+double total_volume(const Mesh& mesh);
+
+/// n over k; 0 unless 0 <= k <= n.
+Index binomial(Index n, int k);
+
+} // namespace polydec::test
