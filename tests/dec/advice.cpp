@@ -30,22 +30,22 @@ std::vector<std::string> advice(const Mesh& mesh, DiscretizeOptions options = {}
 
 TEST(Advice, names_the_option_for_edges_inside_and_on_the_boundary_and_for_what_cannot_flip) {
     const auto obtuse = kite(0.8, 0.9); // both sides of the edge, and none of the boundary
-    EXPECT_TRUE(each_says(advice(obtuse), {{"1 negative", "edge", "DiscretizeOptions::delaunay"}}));
+    EXPECT_EACH_SAYS(advice(obtuse), {"1 negative", "edge", "DiscretizeOptions::delaunay"});
     EXPECT_EQ(advice(obtuse, {.delaunay = Delaunay::flips}), Words{});
     const auto triangle = made_of({{0, 0}, {2, 0}, {1, 0.5}}, {{0, 1, 2}});
-    EXPECT_TRUE(each_says(advice(triangle),
-                          {{"1 negative", "edge", "boundary", "Delaunay::flips_and_splits"}}));
+    EXPECT_EACH_SAYS(advice(triangle),
+                     {"1 negative", "edge", "boundary", "Delaunay::flips_and_splits"});
     EXPECT_EQ(advice(triangle, {.delaunay = Delaunay::flips}), advice(triangle));
     EXPECT_EQ(advice(triangle, {.delaunay = Delaunay::flips_and_splits}), Words{});
     const auto three = made_of({{0, 0, 0}, {2, 0, 0}, {1, 0.5, 0}, {1, 0, 0.5}, {1, 0, -0.5}},
                                {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
-    EXPECT_TRUE(each_says(advice(three), {{"1 negative", "edge", "StarKind::automatic"}}));
+    EXPECT_EACH_SAYS(advice(three), {"1 negative", "edge", "StarKind::automatic"});
     EXPECT_EQ(advice(three, {}, StarKind::automatic), Words{});
     const auto right = made_of({{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
-    EXPECT_TRUE(each_says(advice(right), {{"1 dual edge", "volume", "StarKind::automatic"}}));
+    EXPECT_EACH_SAYS(advice(right), {"1 dual edge", "volume", "StarKind::automatic"});
     EXPECT_EQ(advice(right, {}, StarKind::automatic), Words{});
-    EXPECT_TRUE(each_says(advice(grid(4, 4), {.criterion = MergeCriterion::none}),
-                          {{"16 dual edges", "volume", "StarKind::automatic"}}));
+    EXPECT_EACH_SAYS(advice(grid(4, 4), {.criterion = MergeCriterion::none}),
+                     {"16 dual edges", "volume", "StarKind::automatic"});
     EXPECT_EQ(advice(three, {.centers = Centers::centroids()}), Words{});
 }
 
@@ -70,10 +70,10 @@ TEST(Advice, is_what_works_where_flips_alone_do_not) {
     // the kite with an obtuse triangle at a side of it, its longest edge on the boundary
     const auto both = made_of({{0, 0}, {2, 0}, {1, 0.8}, {1, -0.9}, {0.26, 1.72}},
                               {{0, 1, 2}, {1, 0, 3}, {2, 1, 4}});
-    EXPECT_TRUE(each_says(advice(both), {{"2 negative", "edges", "Delaunay::flips_and_splits"}}));
+    EXPECT_EACH_SAYS(advice(both), {"2 negative", "edges", "Delaunay::flips_and_splits"});
     // closed surfaces need flips alone
-    EXPECT_TRUE(each_says(advice(perturbed(icosphere(4), 0.1, 1)),
-                          {{"negative", "DiscretizeOptions::delaunay"}}));
+    EXPECT_EACH_SAYS(advice(perturbed(icosphere(4), 0.1, 1)),
+                     {"negative", "DiscretizeOptions::delaunay"});
 }
 
 TEST(Advice, gives_options_that_discretize_takes) {

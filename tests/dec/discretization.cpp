@@ -65,32 +65,31 @@ TEST(Discretize, gives_a_merged_cell_the_tag_that_its_simplices_share) {
     mixed.tags = {7, 9, 7, 8};
     const auto clash = discretize(mixed);
     EXPECT_EQ(clash.tags(), (std::vector<Index>{7, 0}));
-    EXPECT_TRUE(each_says(clash.warnings(), {{"1 merged cell", "groups", "tag", "0"}}));
+    EXPECT_EACH_SAYS(clash.warnings(), {"1 merged cell", "groups", "tag", "0"});
 }
 
 TEST(Discretize, warns_of_cells_that_were_turned) {
     Mesh mesh = grid(2, 2);
     mesh.simplices.row(3).reverseInPlace();
-    EXPECT_TRUE(each_says(discretize(mesh).warnings(), {{"1 of 8 cells", "orientation"}}));
+    EXPECT_EACH_SAYS(discretize(mesh).warnings(), {"1 of 8 cells", "orientation"});
     mesh.simplices.row(5).reverseInPlace();
-    EXPECT_TRUE(each_says(discretize(mesh).warnings(), {{"2 of 8 cells", "orientation"}}));
+    EXPECT_EACH_SAYS(discretize(mesh).warnings(), {"2 of 8 cells", "orientation"});
 }
 
 TEST(Discretize, warns_of_one_sided_and_branching_meshes) {
-    EXPECT_TRUE(each_says(discretize(moebius(8, 1)).warnings(), {{"non-orientable"}}));
-    EXPECT_TRUE(each_says(discretize(mesh_named("branching")).warnings(),
-                          {{"manifold", "1 facet", "three"}}));
+    EXPECT_EACH_SAYS(discretize(moebius(8, 1)).warnings(), {"non-orientable"});
+    EXPECT_EACH_SAYS(discretize(mesh_named("branching")).warnings(),
+                     {"manifold", "1 facet", "three"});
 }
 
 TEST(Discretize, warns_of_boundaries_that_are_not_joined_with_the_remedy) {
     const Mesh slit =
         made_of({{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {3, 4, 5}});
-    EXPECT_TRUE(
-        each_says(discretize(slit).warnings(), {{"2 vertices", "coincide", "3, 4", "weld"}}));
+    EXPECT_EACH_SAYS(discretize(slit).warnings(), {"2 vertices", "coincide", "3, 4", "weld"});
     const Mesh hanging = made_of({{0, 0}, {0, 1}, {-1, 0}, {0, 0.5}, {1, 0}, {1, 1}},
                                  {{0, 1, 2}, {0, 4, 3}, {3, 4, 5}, {3, 5, 1}});
-    EXPECT_TRUE(each_says(discretize(hanging).warnings(),
-                          {{"1 vertex", "hangs", "vertex 3", "join_hanging"}}));
+    EXPECT_EACH_SAYS(discretize(hanging).warnings(),
+                     {"1 vertex", "hangs", "vertex 3", "join_hanging"});
 }
 
 TEST(Discretize, tidies_first) {

@@ -157,8 +157,7 @@ TEST(FacetTags, what_no_cell_has_is_left_out_with_a_warning) {
     mesh.facet_tags = {Simplices{{1, 3}, {0, 1}, {2, 2}}, {7, 8, 9}};
     const auto result = discretize(mesh);
     EXPECT_EQ(result.facet_tags(), (std::vector<Index>{8, 0, 0, 0}));
-    EXPECT_TRUE(
-        each_says(result.warnings(), {{"2 facets", "group", "without a cell", "(1 3)", "(2 2)"}}));
+    EXPECT_EACH_SAYS(result.warnings(), {"2 facets", "group", "without a cell", "(1 3)", "(2 2)"});
 }
 
 TEST(FacetTags, of_several_groups_of_a_facet_all_count) {
@@ -170,7 +169,7 @@ TEST(FacetTags, of_several_groups_of_a_facet_all_count) {
     ASSERT_EQ(result.joint_tags().size(), 1U);
     EXPECT_EQ(result.joint_tags()[0].tag, 10);
     EXPECT_EQ(result.joint_tags()[0].groups, (std::vector<Index>{8, 9}));
-    EXPECT_TRUE(each_says(result.warnings(), {{"1 facet", "groups 8, 9", "10"}}));
+    EXPECT_EACH_SAYS(result.warnings(), {"1 facet", "groups 8, 9", "10"});
     using Marks = std::vector<bool>;
     EXPECT_EQ(facets_in(result, {"wall"}), (Marks{true, false, false, false, false}));
     EXPECT_EQ(facets_in(result, {"9"}), (Marks{true, false, false, true, false}));
@@ -209,8 +208,8 @@ TEST(FacetTags, pieces_of_different_groups_have_none_together) {
     const auto result = discretize(mesh);
     const auto zeros = std::count(result.facet_tags().begin(), result.facet_tags().end(), 0);
     EXPECT_EQ(zeros, result.complex().size(2));
-    EXPECT_TRUE(each_says(result.warnings(),
-                          {{std::to_string(zeros), "merged facets", "groups", "tag", "0"}}));
+    EXPECT_EACH_SAYS(result.warnings(),
+                     {std::to_string(zeros), "merged facets", "groups", "tag", "0"});
     mesh.facet_tags.tags.assign(mesh.facet_tags.tags.size(), 4);
     const auto one = discretize(mesh);
     EXPECT_EQ(one.facet_tags(), std::vector<Index>(result.facet_tags().size(), 4));

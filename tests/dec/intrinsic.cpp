@@ -219,8 +219,8 @@ TEST_P(Flipped, have_volumes_of_their_simplices_before_any_flip) {
     }
     const double bound = 16 * std::numeric_limits<double>::epsilon() * shape * shape;
     for (int k = 0; k <= 2; ++k) {
-        EXPECT_LE(relative_difference(found.primal(k), expected.primal(k)), bound);
-        EXPECT_LE(relative_difference(found.dual(k), expected.dual(k)), bound);
+        EXPECT_CLOSE(found.primal(k), expected.primal(k), bound);
+        EXPECT_CLOSE(found.dual(k), expected.dual(k), bound);
     }
 }
 

@@ -47,8 +47,8 @@ TEST_P(LengthMeshes, are_made_ready_for_calculus_as_curved_meshes_with_points_ar
     for (int k = 0; k <= theirs.dimension(); ++k) {
         EXPECT_TRUE(
             equal(integers(ours.merging().diamond(k)), integers(theirs.merging().diamond(k))));
-        EXPECT_LE(relative_difference(ours.volumes().primal(k), theirs.volumes().primal(k)), 1e-10);
-        EXPECT_LE(relative_difference(ours.volumes().dual(k), theirs.volumes().dual(k)), 1e-10);
+        EXPECT_CLOSE(ours.volumes().primal(k), theirs.volumes().primal(k), 1e-10);
+        EXPECT_CLOSE(ours.volumes().dual(k), theirs.volumes().dual(k), 1e-10);
     }
     EXPECT_EQ(ours.degenerate().interior, theirs.degenerate().interior);
     EXPECT_EQ(ours.warnings(), theirs.warnings());

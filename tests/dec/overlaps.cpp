@@ -179,10 +179,10 @@ TEST(Discretize, tells_of_folds_and_windings) {
     const auto folded = circumcentric(mesh).warnings();
     ASSERT_EQ(folded.size(), 1U);
     EXPECT_SAYS(folded[0], "folded", "1 of 8 cells");
-    EXPECT_TRUE(each_says(discretize(winding(2, 5, 2)).warnings(),
-                          {{"overlaps", "1 vertex", "vertex 0"}, {"5 vertices", "coincide"}}));
-    EXPECT_TRUE(each_says(discretize(made_of({{0}, {1}, {0.5}}, {{0, 1}, {1, 2}})).warnings(),
-                          {{"folded", "1 of 2 cells", "vertices 1 2"}}));
+    EXPECT_EACH_SAYS(discretize(winding(2, 5, 2)).warnings(), {"overlaps", "1 vertex", "vertex 0"},
+                     {"5 vertices", "coincide"});
+    EXPECT_EACH_SAYS(discretize(made_of({{0}, {1}, {0.5}}, {{0, 1}, {1, 2}})).warnings(),
+                     {"folded", "1 of 2 cells", "vertices 1 2"});
 }
 
 } // namespace

@@ -67,25 +67,20 @@ TEST_P(FieldsAfterFlips, that_are_constant_have_their_circulations_as_flats) {
     const Vector dual = dual_de_rham(mesh, 1, circulation_form(X)).values;
     for (const Flat kind : primal_kinds)
         if (kind != Flat::dpp || star(mesh.volumes(), 1).zeros().empty()) {
-            EXPECT_LE(relative_difference(flat(mesh, kind, sampled(mesh, kind, X)).values, primal),
-                      rounding)
+            EXPECT_CLOSE(flat(mesh, kind, sampled(mesh, kind, X)).values, primal, rounding)
                 << int(kind);
         }
     for (const Flat kind : dual_kinds)
-        EXPECT_LE(relative_difference(flat(mesh, kind, sampled(mesh, kind, X)).values, dual),
-                  rounding)
-            << int(kind);
+        EXPECT_CLOSE(flat(mesh, kind, sampled(mesh, kind, X)).values, dual, rounding) << int(kind);
 }
 
 TEST_P(FieldsAfterFlips, that_are_linear_have_their_circulations_as_flats_from_vertices) {
     const auto mesh = this->mesh();
     const SmoothForm X = linear(mesh);
-    EXPECT_LE(relative_difference(flat(mesh, Flat::ppp, sampled(mesh, Flat::ppp, X)).values,
-                                  de_rham(mesh, 1, circulation_form(X)).values),
-              rounding);
-    EXPECT_LE(relative_difference(flat(mesh, Flat::ppd, sampled(mesh, Flat::ppd, X)).values,
-                                  dual_de_rham(mesh, 1, circulation_form(X)).values),
-              rounding);
+    EXPECT_CLOSE(flat(mesh, Flat::ppp, sampled(mesh, Flat::ppp, X)).values,
+                 de_rham(mesh, 1, circulation_form(X)).values, rounding);
+    EXPECT_CLOSE(flat(mesh, Flat::ppd, sampled(mesh, Flat::ppd, X)).values,
+                 dual_de_rham(mesh, 1, circulation_form(X)).values, rounding);
 }
 
 /// Facets of pieces, and their vertices, that have pieces on both sides all around.

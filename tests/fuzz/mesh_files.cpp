@@ -36,7 +36,9 @@ private:
     std::uint64_t before_ = memory_limit();
 };
 
-void read(const char* name, std::string_view bytes) {
+} // namespace
+
+void read_file(const char* name, std::string_view bytes) {
     const LittleMemory little;
     const SourceFile file{name, std::string(bytes)};
     Mesh mesh;
@@ -46,44 +48,6 @@ void read(const char* name, std::string_view bytes) {
         require_usable(mesh);
         require(mesh.simplices.rows() > 0, "a mesh has cells");
     }
-}
-
-} // namespace
-
-void off(std::string_view bytes) {
-    read("a.off", bytes);
-}
-
-void obj(std::string_view bytes) {
-    read("a.obj", bytes);
-}
-
-void ply(std::string_view bytes) {
-    read("a.ply", bytes);
-}
-
-void stl(std::string_view bytes) {
-    read("a.stl", bytes);
-}
-
-void medit(std::string_view bytes) {
-    read("a.mesh", bytes);
-}
-
-void gmsh(std::string_view bytes) {
-    read("a.msh", bytes);
-}
-
-void vtk(std::string_view bytes) {
-    read("a.vtk", bytes);
-}
-
-void vtu(std::string_view bytes) {
-    read("a.vtu", bytes);
-}
-
-void nsc(std::string_view bytes) {
-    read("a.nsc", bytes);
 }
 
 /// Two files with a line of --- between them, the second one an .ele or, after ---f, a .face.

@@ -7,16 +7,20 @@
 
 namespace polydec::fuzz {
 
-void off(std::string_view bytes);
-void obj(std::string_view bytes);
-void ply(std::string_view bytes);
-void stl(std::string_view bytes);
-void medit(std::string_view bytes);
-void gmsh(std::string_view bytes);
+/// The bytes as a file of a mesh of this name.
+void read_file(const char* name, std::string_view bytes);
+
+inline constexpr auto off = [](std::string_view bytes) { read_file("a.off", bytes); };
+inline constexpr auto obj = [](std::string_view bytes) { read_file("a.obj", bytes); };
+inline constexpr auto ply = [](std::string_view bytes) { read_file("a.ply", bytes); };
+inline constexpr auto stl = [](std::string_view bytes) { read_file("a.stl", bytes); };
+inline constexpr auto medit = [](std::string_view bytes) { read_file("a.mesh", bytes); };
+inline constexpr auto gmsh = [](std::string_view bytes) { read_file("a.msh", bytes); };
+inline constexpr auto vtk = [](std::string_view bytes) { read_file("a.vtk", bytes); };
+inline constexpr auto vtu = [](std::string_view bytes) { read_file("a.vtu", bytes); };
+inline constexpr auto nsc = [](std::string_view bytes) { read_file("a.nsc", bytes); };
+
 void tetgen(std::string_view bytes);
-void vtk(std::string_view bytes);
-void vtu(std::string_view bytes);
-void nsc(std::string_view bytes);
 void nsl(std::string_view bytes);
 void matrix_market(std::string_view bytes);
 void xml(std::string_view bytes);

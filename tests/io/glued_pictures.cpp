@@ -54,9 +54,7 @@ TEST(GluedPictures, show_forms_where_cells_lie_in_the_box) {
             EXPECT_EQ(grid.corners, expected.corners);
             const auto& found = k > 0 ? grid.cell_data : grid.point_data;
             const auto& wanted = k > 0 ? expected.cell_data : expected.point_data;
-            EXPECT_LE(relative_difference(numbers_of(found.front()), numbers_of(wanted.front())),
-                      1e-12)
-                << n << k;
+            EXPECT_CLOSE(numbers_of(found.front()), numbers_of(wanted.front()), 1e-12) << n << k;
         }
         const Cochain numbers{Side::dual, 0, Vector::LinSpaced(mesh.complex().size(n), 1, 2)};
         VtuGrid grid = draw_cells(mesh, n);

@@ -157,11 +157,7 @@ TEST(Gmsh, TextAndBytesOfBothVersionsAndOrdersAreTheSame) {
                           places[static_cast<std::size_t>(i)][static_cast<std::size_t>(axis)]);
             }
         }
-        EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2, 3}, {1, 2, 3, 4}}));
-        EXPECT_EQ(mesh.tags, (std::vector<Index>{11, 12}));
-        EXPECT_EQ(rows(mesh.facet_tags.simplices), (Cells{{0, 1, 2}}));
-        EXPECT_EQ(mesh.facet_tags.tags, (std::vector<Index>{40}));
-        EXPECT_TRUE(mesh.warnings.empty());
+        expect_two_tetrahedra(mesh);
     }
 }
 
@@ -190,7 +186,7 @@ TEST(Gmsh, LinesMayEndInThreeWays) {
 TEST(Gmsh, TheFirstOfSeveralGroupsIsTheTagWhateverItsSign) {
     const auto mesh = parse_mesh({"a.msh", new_file(variants[3], {-9, 12})});
     EXPECT_EQ(mesh.tags, (std::vector<Index>{11, 9}));
-    EXPECT_TRUE(each_says(mesh.warnings, {{"1 second group", "cells", "first", "tag"}}));
+    EXPECT_EACH_SAYS(mesh.warnings, {"1 second group", "cells", "first", "tag"});
 }
 
 TEST(Gmsh, FacetsAreInAllGroupsOfTheirCurve) {

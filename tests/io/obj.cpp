@@ -57,9 +57,8 @@ TEST(Obj, LeavesOutOtherRecordsAndExtraNumbers) {
 TEST(Obj, WarnsOfLinesPointsAndSmallFaces) {
     const auto mesh = read_from("a.obj", vertices + "l 1 2\np 1\nf 1 2\nf\nf 1 2 3 4\n");
     EXPECT_EQ(rows(mesh.simplices), two_triangles);
-    EXPECT_TRUE(each_says(mesh.warnings, {{"2 faces", "three corners", "face 0"},
-                                          {"1 polygon", "triangles", "face 2"},
-                                          {"2 records", "lines", "line 5"}}));
+    EXPECT_EACH_SAYS(mesh.warnings, {"2 faces", "three corners", "face 0"},
+                     {"1 polygon", "triangles", "face 2"}, {"2 records", "lines", "line 5"});
 }
 
 TEST(Obj, RefusesIndicesOutOfRange) {

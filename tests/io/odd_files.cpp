@@ -189,7 +189,7 @@ TEST(OddFiles, StringsBitsAndMetadataOfLegacyVtkArePassedOver) {
 TEST(OddFiles, BytesBehindTheTrianglesOfAnStlAreLeftOut) {
     const Mesh mesh = read_from("a.stl", stl_binary(1, std::string(17, 'x')));
     EXPECT_EQ(mesh.simplices.rows(), 1);
-    EXPECT_TRUE(each_says(mesh.warnings, {{"17 bytes", "1 triangles"}}));
+    EXPECT_EACH_SAYS(mesh.warnings, {"17 bytes", "1 triangles"});
     EXPECT_TRUE(read_from("a.stl", stl_binary(1, "")).warnings.empty());
     const auto cut = reading_error("a.stl", stl_binary(2, "x"));
     EXPECT_SAYS(cut, "InvalidInput", "a.stl", "135 bytes", "184", "2 triangles", "cut off");
@@ -285,7 +285,7 @@ TEST(OddFiles, PiecesOfAGridAreOneMesh) {
     EXPECT_EQ(mesh.points.rows(), 6);
     EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 2, 5}}));
     EXPECT_EQ(mesh.tags, (std::vector<Index>{4, 5}));
-    EXPECT_TRUE(each_says(mesh.warnings, {{"joined 2 vertices", "pieces"}}));
+    EXPECT_EACH_SAYS(mesh.warnings, {"joined 2 vertices", "pieces"});
     // A slit within a piece stays one.
     const auto slit =
         read_from("a.vtu", file(piece("0 0 0 1 0 0 0 0 0", "4") + piece("0 0 0 1 1 0 0 1 0", "5")));

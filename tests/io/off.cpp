@@ -70,14 +70,14 @@ TEST(Off, NumbersMayBeWrittenInManyWays) {
 TEST(Off, WarnsOfWhatFollowsTheFaces) {
     const auto mesh = read_from("a.off", "OFF\n4 1 0\n" + vertices + faces);
     EXPECT_EQ(mesh.simplices.rows(), 1);
-    EXPECT_TRUE(each_says(mesh.warnings, {{"left out", "1 faces", "line 8"}}));
+    EXPECT_EACH_SAYS(mesh.warnings, {"left out", "1 faces", "line 8"});
 }
 
 TEST(Off, SplitsPolygonsAndLeavesOutSmallFaces) {
     const auto mesh = read_from("a.off", "OFF\n4 3 0\n" + vertices + "2 0 1\n4 0 1 2 3\n1 0\n");
     EXPECT_EQ(rows(mesh.simplices), two_triangles);
-    EXPECT_TRUE(each_says(mesh.warnings, {{"2 faces", "three corners", "face 0"},
-                                          {"1 polygon", "triangles", "face 1"}}));
+    EXPECT_EACH_SAYS(mesh.warnings, {"2 faces", "three corners", "face 0"},
+                     {"1 polygon", "triangles", "face 1"});
 }
 
 TEST(Off, KeepsTrianglesThatLaterChecksJudge) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
+#include "tests/support/counted.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -83,7 +84,7 @@ TEST(OtherCells, EveryFormatHasTheSameSolids) {
     for (const auto& solid : solids) {
         const Mesh mesh = read_from("a.vtk", vtk(solid.vtk, solid.corners));
         EXPECT_EQ(mesh.dimension(), 3) << solid.name;
-        EXPECT_NEAR(volume(mesh), solid.volume, 1e-14) << solid.name;
+        EXPECT_NEAR(total_volume(mesh), solid.volume, 1e-14) << solid.name;
         EXPECT_EQ(mesh.points.rows(), 8);
         if (solid.gmsh == 0)
             continue;
@@ -126,7 +127,7 @@ TEST(OtherCells, PrismsOfMoreSidesAreSolidsOfVtk) {
             "a.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " +
                          count + " float\n" + places + "CELLS 1 " + std::to_string(2 * base + 1) +
                          "\n" + count + corners + "\nCELL_TYPES 1\n" + std::to_string(type) + "\n");
-        EXPECT_NEAR(volume(mesh), 2 * area, 1e-14);
+        EXPECT_NEAR(total_volume(mesh), 2 * area, 1e-14);
     }
 }
 
@@ -204,11 +205,11 @@ TEST(OtherCells, CellsBesideThoseOfTheMeshAreTold) {
     const Mesh mesh = read_from("a.vtk", start + "CELLS 3 13\n4 0 1 2 4\n3 0 1 2\n3 3 5 7\n"
                                                  "CELL_TYPES 3\n10 5 5\n");
     EXPECT_EQ(mesh.simplices.rows(), 1);
-    EXPECT_TRUE(each_says(mesh.warnings, {{"1 triangle", "dimension 3", "3, 5, 7"}}));
+    EXPECT_EACH_SAYS(mesh.warnings, {"1 triangle", "dimension 3", "3, 5, 7"});
     const Mesh planar = read_from("a.vtk", start + "CELLS 3 11\n4 0 1 3 2\n2 0 1\n2 5 7\n"
                                                    "CELL_TYPES 3\n9 3 3\n");
-    EXPECT_TRUE(each_says(planar.warnings,
-                          {{"1 edge", "dimension 2", "5, 7"}, {"1 polygon", "triangles"}}));
+    EXPECT_EACH_SAYS(planar.warnings, {"1 edge", "dimension 2", "5, 7"},
+                     {"1 polygon", "triangles"});
 }
 
 TEST(OtherCells, StructuredGridsOfVtkAreGridsOfVoxels) {
@@ -233,7 +234,7 @@ TEST(OtherCells, StructuredGridsOfVtkAreGridsOfVoxels) {
                                "ASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 3 2 2\n"
                                "POINTS 12 float\n" +
                                places + tags);
-    EXPECT_NEAR(volume(image), 8.0, 1e-12);
+    EXPECT_NEAR(total_volume(image), 8.0, 1e-12);
     EXPECT_EQ(image.simplices.rows(), 12);
     EXPECT_EQ(image.tags, (std::vector<Index>{4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5}));
     EXPECT_TRUE(same(image, rectilinear));
@@ -250,7 +251,7 @@ TEST(OtherCells, StructuredGridsMayHaveFewerAxes) {
     };
     for (const char* dimensions : {"3 4 1", "1 3 4", "3 1 4"}) {
         EXPECT_EQ(grid(dimensions).dimension(), 2);
-        EXPECT_NEAR(volume(grid(dimensions)), 6.0, 1e-12);
+        EXPECT_NEAR(total_volume(grid(dimensions)), 6.0, 1e-12);
     }
     EXPECT_EQ(rows(grid("1 1 4").simplices), (Cells{{0, 1}, {1, 2}, {2, 3}}));
     const auto error = [](const std::string& rest) {

@@ -119,8 +119,8 @@ TEST(Ply, FacesMayComeFirst) {
 }
 
 TEST(Ply, WarnsOfWhatFollows) {
-    EXPECT_TRUE(each_says(read_from("a.ply", small_binary("little") + "abc").warnings,
-                          {{"3 bytes", "last element"}}));
+    EXPECT_EACH_SAYS(read_from("a.ply", small_binary("little") + "abc").warnings,
+                     {"3 bytes", "last element"});
 }
 
 TEST(Ply, RefusesBrokenHeaders) {

@@ -144,9 +144,8 @@ TEST(Polygons, RepeatedCornersAreRemovedFromPolygonsAlone) {
     mesh.offsets = {0, 7, 10, 14, 18};
     const auto split = split_polygons(mesh);
     EXPECT_EQ(rows(split.simplices), (Cells{{0, 1, 3}, {1, 2, 3}, {0, 1, 1}, {0, 1, 2}}));
-    EXPECT_TRUE(each_says(split.warnings, {{"1 face", "three corners", "face 3"},
-                                           {"6 repeated corners", "face 0"},
-                                           {"1 polygon", "triangles", "face 0"}}));
+    EXPECT_EACH_SAYS(split.warnings, {"1 face", "three corners", "face 3"},
+                     {"6 repeated corners", "face 0"}, {"1 polygon", "triangles", "face 0"});
 }
 
 TEST(Polygons, VeryLargeOnesNeedAFanFromTheSmallestVertex) {

@@ -61,7 +61,7 @@ TEST(Stl, JoinsWhatIsOffByARoundingAndTellsHowMany) {
         read_from("a.stl", "solid\n" + facet("0 0 0", "1 0 0", "1 1 0") +
                                facet("0 1.2246e-16 0", "1 1 -1e-17", "0 1 0") + "endsolid");
     EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 2, 3}}));
-    EXPECT_TRUE(each_says(mesh.warnings, {{"joined 2 corners", "1.41e-09", "1e-9"}}));
+    EXPECT_EACH_SAYS(mesh.warnings, {"joined 2 corners", "1.41e-09", "1e-9"});
     EXPECT_TRUE(read_from("a.stl", square_text).warnings.empty());
 }
 

@@ -3,6 +3,8 @@
 
 #include "base/errors.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -99,6 +101,15 @@ bool same(const Mesh& a, const Mesh& b) {
            rows(a.points) == rows(b.points) && rows(a.simplices) == rows(b.simplices) &&
            rows(a.facet_tags.simplices) == rows(b.facet_tags.simplices) &&
            a.facet_tags.tags == b.facet_tags.tags;
+}
+
+void expect_two_tetrahedra(const Mesh& mesh) {
+    using Rows = std::vector<std::vector<Index>>;
+    EXPECT_EQ(rows(mesh.simplices), (Rows{{0, 1, 2, 3}, {1, 2, 3, 4}}));
+    EXPECT_EQ(mesh.tags, (std::vector<Index>{11, 12}));
+    EXPECT_EQ(rows(mesh.facet_tags.simplices), (Rows{{0, 1, 2}}));
+    EXPECT_EQ(mesh.facet_tags.tags, (std::vector<Index>{40}));
+    EXPECT_TRUE(mesh.warnings.empty());
 }
 
 std::string with_line_breaks(const std::string& text, const std::string& line_break) {

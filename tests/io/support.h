@@ -52,6 +52,10 @@ std::string reading_error(const std::string& name, const std::string& text);
 std::vector<std::vector<double>> rows(const Points& points);
 std::vector<std::vector<Index>> rows(const Simplices& simplices);
 
+/// Expects two tetrahedra of the groups 11 and 12 with a triangle of the group 40, as files of Gmsh
+/// and VTK of every kind have them in the tests.
+void expect_two_tetrahedra(const Mesh& mesh);
+
 /// Points, cells, and facets with tags that are equal to the last bit.
 bool same(const Mesh& a, const Mesh& b);
 

@@ -158,7 +158,7 @@ TEST(SplitCells, AHexahedronWithCoincidingCornersIsTheWedgeOrPyramidThatItStands
     EXPECT_EQ(sorted_rows(peaked.simplices), sorted_rows(pyramid.simplices));
     const Mesh flat = split_cells(mesh_of(points, {{0, 1, 2, 3, 0, 1, 2, 3}, {0, 1, 2, 4}}), 3);
     EXPECT_EQ(flat.simplices.rows(), 1);
-    EXPECT_TRUE(each_says(flat.warnings, {{"1 solid", "too few", "cell 0"}}));
+    EXPECT_EACH_SAYS(flat.warnings, {"1 solid", "too few", "cell 0"});
 }
 
 TEST(SplitCells, TagsFollowAndFacetsAreSplitLikeTheirCells) {

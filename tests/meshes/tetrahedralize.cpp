@@ -177,7 +177,7 @@ TEST_P(Tetrahedralize, vertices_of_no_triangle_are_left_out_with_a_warning) {
         const auto more = both(single, both(surface, single));
         const auto mesh = tetrahedralize(more), plain = tetrahedralize(surface);
         EXPECT_EQ(mesh.points, plain.points);
-        EXPECT_TRUE(each_says(mesh.warnings, {{"2 vertices", "without a triangle"}}));
+        EXPECT_EACH_SAYS(mesh.warnings, {"2 vertices", "without a triangle"});
         EXPECT_TRUE(plain.warnings.empty());
     });
 }

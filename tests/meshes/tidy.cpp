@@ -38,14 +38,13 @@ TEST(Tidy, leaves_clean_meshes_as_they_are) {
 TEST(Tidy, keeps_earlier_warnings_in_front) {
     Mesh mesh = square_and({{0, 1, 2}, {0, 2, 3}});
     mesh.warnings = {"something was odd"};
-    EXPECT_TRUE(
-        each_says(tidy(mesh).warnings, {{"something was odd"}, {"1 vertex", "no cell", "4"}}));
+    EXPECT_EACH_SAYS(tidy(mesh).warnings, {"something was odd"}, {"1 vertex", "no cell", "4"});
 }
 
 TEST(Tidy, leaves_out_cells_with_a_repeated_corner) {
     const Mesh result = tidy(square_and({{0, 0, 1}, {0, 1, 2}, {3, 4, 3}, {0, 2, 3}, {3, 2, 4}}));
     EXPECT_EQ(result.simplices, (Simplices{{0, 1, 2}, {0, 2, 3}, {3, 2, 4}}));
-    EXPECT_TRUE(each_says(result.warnings, {{"2 cells", "corner", "0 (0 0 1)", "2 (3 4 3)"}}));
+    EXPECT_EACH_SAYS(result.warnings, {"2 cells", "corner", "0 (0 0 1)", "2 (3 4 3)"});
 }
 
 TEST(Tidy, tags_follow_the_cells_that_stay) {
@@ -77,24 +76,24 @@ TEST(Tidy, names_five_cells_and_counts_the_others) {
                                          {0, 1, 2},
                                          {0, 2, 3},
                                          {3, 2, 4}}));
-    EXPECT_TRUE(each_says(result.warnings, {{"7 cells", "corner", "0 (1 1 1)", "1 (0 0 1)",
-                                             "2 (0 0 2)", "3 (0 0 3)", "4 (0 0 4)", "2 more"}}));
+    EXPECT_EACH_SAYS(result.warnings, {"7 cells", "corner", "0 (1 1 1)", "1 (0 0 1)", "2 (0 0 2)",
+                                       "3 (0 0 3)", "4 (0 0 4)", "2 more"});
 }
 
 TEST(Tidy, leaves_out_all_but_the_first_cell_on_the_same_vertices) {
     const Mesh result =
         tidy(square_and({{0, 1, 2}, {0, 2, 3}, {1, 2, 0}, {3, 2, 4}, {2, 1, 0}, {4, 3, 2}}));
     EXPECT_EQ(result.simplices, (Simplices{{0, 1, 2}, {0, 2, 3}, {3, 2, 4}}));
-    EXPECT_TRUE(each_says(result.warnings,
-                          {{"3 cells", "vertices", "2 (1 2 0)", "4 (2 1 0)", "5 (4 3 2)"}}));
+    EXPECT_EACH_SAYS(result.warnings,
+                     {"3 cells", "vertices", "2 (1 2 0)", "4 (2 1 0)", "5 (4 3 2)"});
 }
 
 TEST(Tidy, leaves_out_flat_cells_at_the_boundary) {
     // Vertex 2 lies between 0 and 1, and only one edge of the flat triangle has a neighbor.
     const Mesh result = tidy(make({{0, 0}, {2, 0}, {1, 0}, {1, 1}}, {{0, 1, 3}, {0, 2, 1}}));
     EXPECT_EQ(result.simplices, (Simplices{{0, 1, 3}}));
-    EXPECT_TRUE(each_says(result.warnings,
-                          {{"1 cell", "area", "1 (0 2 1)"}, {"1 vertex", "no cell", "2"}}));
+    EXPECT_EACH_SAYS(result.warnings, {"1 cell", "area", "1 (0 2 1)"},
+                     {"1 vertex", "no cell", "2"});
 }
 
 TEST(Tidy, leaves_out_a_chain_of_flat_cells_from_its_free_end) {
@@ -123,10 +122,9 @@ TEST(Tidy, works_on_several_flaws_at_once_and_uses_the_numbers_of_the_input) {
                                   {{1, 1, 2}, {1, 2, 4}, {4, 1, 2}, {2, 1, 3}}));
     EXPECT_EQ(result.points.rows(), 6);
     EXPECT_EQ(result.simplices, (Simplices{{1, 2, 4}}));
-    EXPECT_TRUE(each_says(result.warnings, {{"1 cell", "corner", "0 (1 1 2)"},
-                                            {"1 cell", "vertices", "2 (4 1 2)"},
-                                            {"1 cell", "area", "3 (2 1 3)"},
-                                            {"3 vertices", "no cell", "0, 3, 5"}}));
+    EXPECT_EACH_SAYS(result.warnings, {"1 cell", "corner", "0 (1 1 2)"},
+                     {"1 cell", "vertices", "2 (4 1 2)"}, {"1 cell", "area", "3 (2 1 3)"},
+                     {"3 vertices", "no cell", "0, 3, 5"});
 }
 
 TEST(Tidy, refuses_a_flat_cell_between_neighbors_and_names_vertices_to_be_joined) {

@@ -97,7 +97,7 @@ TEST(Weld, of_an_exploded_mesh_gives_back_the_mesh) {
         const Mesh again = weld(welded.mesh).mesh;
         EXPECT_EQ(again.points, welded.mesh.points);
         EXPECT_EQ(again.simplices, welded.mesh.simplices);
-        EXPECT_TRUE(each_says(again.warnings, {{"joined", std::to_string(welded.joined)}}));
+        EXPECT_EACH_SAYS(again.warnings, {"joined", std::to_string(welded.joined)});
     }
 }
 
@@ -188,8 +188,7 @@ TEST(Weld, shorter_edges_vanish_and_tidy_tells) {
         Points{{0, 0}, {1, 0}, {1, 1e-12}, {0, 1}}, Simplices{{0, 1, 2}, {0, 2, 3}}, {}};
     const Joined welded = weld(sliver);
     EXPECT_EQ(welded.mesh.simplices, (Simplices{{0, 1, 1}, {0, 1, 2}}));
-    EXPECT_TRUE(
-        each_says(tidy(welded.mesh).warnings, {{"joined 1 vertex"}, {"1 cell", "0 (0 1 1)"}}));
+    EXPECT_EACH_SAYS(tidy(welded.mesh).warnings, {"joined 1 vertex"}, {"1 cell", "0 (0 1 1)"});
 }
 
 TEST(Weld, a_thin_plate_keeps_both_sides) {

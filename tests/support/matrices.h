@@ -12,6 +12,10 @@ double largest(const SparseMatrix& A);
 double relative_difference(const SparseMatrix& A, const SparseMatrix& B);
 double relative_difference(const Vector& a, const Vector& b);
 
+/// Expects a found matrix or vector to be the expected one but for a relative difference.
+#define EXPECT_CLOSE(found, expected, difference)                                                  \
+    EXPECT_LE(::polydec::test::relative_difference(found, expected), difference)
+
 /// Products of incidences in 32 bits, in which nothing overflows.
 using IntegerMatrix = Eigen::SparseMatrix<int, Eigen::RowMajor, Index>;
 IntegerMatrix integers(const IncidenceMatrix& D);

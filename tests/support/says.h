@@ -73,4 +73,8 @@ inline ::testing::AssertionResult each_says(const std::vector<std::string>& mess
     return ::testing::AssertionSuccess() << messages.size() << " messages";
 }
 
+/// Expects each message to contain its own list of words, and as many messages as lists.
+#define EXPECT_EACH_SAYS(messages, ...)                                                            \
+    EXPECT_TRUE(::polydec::test::each_says(messages, {__VA_ARGS__}))
+
 } // namespace polydec::test
