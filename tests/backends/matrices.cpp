@@ -81,10 +81,6 @@ SparseMatrix convection_diffusion(Index m, double peclet) {
     return A;
 }
 
-SparseMatrix sparse(const DenseMatrix& A) {
-    return A.sparseView();
-}
-
 SparseMatrix shifted(const SparseMatrix& A, double shift) {
     SparseMatrix identity(A.rows(), A.cols());
     identity.setIdentity();

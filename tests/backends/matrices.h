@@ -4,6 +4,7 @@
 #include "backends/linear_solver.h"
 #include "backends/registry.h"
 #include "base/decompositions.h"
+#include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
 #include <string>
@@ -31,7 +32,6 @@ SparseMatrix neumann_laplacian(Index m);
 /// Laplacian of an m x m grid with a wind along x of the given cell Peclet number.
 SparseMatrix convection_diffusion(Index m, double peclet);
 
-SparseMatrix sparse(const DenseMatrix& A);
 SparseMatrix shifted(const SparseMatrix& A, double shift);
 DenseMatrix random_matrix(Index rows, Index columns, unsigned seed);
 DenseMatrix random_symmetric(Index size, unsigned seed);

@@ -14,11 +14,6 @@
 namespace polydec::test::in_advice {
 namespace {
 
-/// Two triangles on the edge from (0,0) to (2,0), their apices at these heights over (1,0).
-Mesh kite(double up, double down) {
-    return made_of({{0, 0}, {2, 0}, {1, up}, {1, -down}}, {{0, 1, 2}, {1, 0, 3}});
-}
-
 std::vector<std::string> advice(const Mesh& mesh, DiscretizeOptions options = {},
                                 StarKind star = StarKind::circumcentric) {
     options.star = star;

@@ -73,10 +73,6 @@ private:
     DenseMatrix random_;
 };
 
-Index space(const Discretization& mesh) {
-    return static_cast<Index>(mesh.points().cols());
-}
-
 class DeRham : public OverMeshes {};
 
 TEST_P(DeRham, satisfies_stokes_theorem) {

@@ -21,7 +21,6 @@
 #include <functional>
 #include <map>
 #include <numeric>
-#include <set>
 
 namespace polydec::test::in_diagnosis {
 namespace {
@@ -32,11 +31,6 @@ FacetKinds kinds(const Mesh& mesh) {
 
 std::vector<Index> counts(const FacetKinds& kinds) {
     return {kinds.well_centered, kinds.delaunay, kinds.non_delaunay, kinds.cospherical};
-}
-
-/// Two triangles on the edge from (0,0) to (2,0), their apices at these heights over (1,0).
-Mesh kite(double up, double down) {
-    return made_of({{0, 0}, {2, 0}, {1, up}, {1, -down}}, {{0, 1, 2}, {1, 0, 3}});
 }
 
 TEST(Kinds, of_a_pair_go_by_its_angles) {

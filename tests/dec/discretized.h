@@ -3,8 +3,12 @@
 
 #include "base/decompositions.h"
 #include "dec/discretization/discretization.h"
+#include "dec/fields/de_rham.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
+#include "tests/support/forms.h"
+#include "tests/support/matrices.h"
 #include "tests/support/merged.h"
 
 #include <gtest/gtest.h>
@@ -58,6 +62,33 @@ inline std::size_t not_positive(const Discretization& mesh) {
     for (int k = 0; k <= mesh.dimension(); ++k)
         count += mesh.stars()[k].negatives().size() + mesh.stars()[k].zeros().size();
     return count;
+}
+
+/// Number of coordinates of the points.
+inline Index space(const Discretization& mesh) {
+    return static_cast<Index>(mesh.points().cols());
+}
+
+/// Vector fields: the same one everywhere, and x -> A x + b, at random.
+inline SmoothForm random_constant(const Discretization& mesh) {
+    return constant_form(random_vector(space(mesh), 6));
+}
+inline SmoothForm linear_field(Index N, unsigned seed) {
+    const DenseMatrix A = random_vector(N * N, seed).reshaped(N, N);
+    const Vector b = random_vector(N, seed + 1);
+    return [A, b](const Vector& x) { return Vector(A * x + b); };
+}
+
+/// Whether a flat takes vectors of n-cells.
+inline bool is_at_cells(Flat kind) {
+    return kind == Flat::dpp || kind == Flat::dpd;
+}
+
+inline DenseMatrix sampled(const Points& places, const SmoothForm& field) {
+    DenseMatrix result(places.rows(), places.cols());
+    for (Index i = 0; i < places.rows(); ++i)
+        result.row(i) = field(places.row(i));
+    return result;
 }
 
 } // namespace polydec::test

@@ -23,27 +23,10 @@ constexpr double rounding = 1e-12;
 const std::vector<Flat> primal_kinds = {Flat::ppp, Flat::pdp, Flat::dpp};
 const std::vector<Flat> dual_kinds = {Flat::ppd, Flat::pdd, Flat::dpd};
 
-bool is_at_cells(Flat kind) {
-    return kind == Flat::dpp || kind == Flat::dpd;
-}
-
 /// A field sampled where the flat wants it: at the points or at the circumcenters of merged cells.
 DenseMatrix sampled(const Discretization& mesh, Flat kind, const SmoothForm& field) {
-    const Points places = is_at_cells(kind) ? cell_centers(mesh, mesh.dimension()) : mesh.points();
-    DenseMatrix result(places.rows(), places.cols());
-    for (Index i = 0; i < places.rows(); ++i)
-        result.row(i) = field(places.row(i));
-    return result;
-}
-
-SmoothForm linear_field(Index N, unsigned seed) {
-    const DenseMatrix A = random_vector(N * N, seed).reshaped(N, N);
-    const Vector b = random_vector(N, seed + 1);
-    return [A, b](const Vector& x) { return Vector(A * x + b); };
-}
-
-SmoothForm random_constant(const Discretization& mesh) {
-    return constant_form(random_vector(static_cast<Index>(mesh.points().cols()), 6));
+    return test::sampled(is_at_cells(kind) ? cell_centers(mesh, mesh.dimension()) : mesh.points(),
+                         field);
 }
 
 class Flats : public OverMeshes {};
@@ -94,7 +77,7 @@ TEST_P(Flats, of_constant_fields_on_dual_edges_are_their_circulations) {
 
 TEST_P(Flats, of_linear_fields_at_vertices_are_exact_on_edges) {
     for_merged_and_not(GetParam(), [](const Discretization& mesh) {
-        const SmoothForm X = linear_field(static_cast<Index>(mesh.points().cols()), 1);
+        const SmoothForm X = linear_field(space(mesh), 1);
         EXPECT_CLOSE(flat(mesh, Flat::ppp, sampled(mesh, Flat::ppp, X)).values,
                      de_rham(mesh, 1, circulation_form(X)).values, rounding);
     });
@@ -102,7 +85,7 @@ TEST_P(Flats, of_linear_fields_at_vertices_are_exact_on_edges) {
 
 TEST_P(Flats, of_linear_fields_at_vertices_are_exact_on_dual_edges) {
     for_merged_and_not(GetParam(), [](const Discretization& mesh) {
-        const SmoothForm X = linear_field(static_cast<Index>(mesh.points().cols()), 3);
+        const SmoothForm X = linear_field(space(mesh), 3);
         const Vector exact = dual_de_rham(mesh, 1, circulation_form(X)).values;
         const auto error = [&](Flat kind) {
             return relative_difference(flat(mesh, kind, sampled(mesh, kind, X)).values, exact);
@@ -132,7 +115,7 @@ Vector inside(const Discretization& mesh, Vector values) {
 
 /// How far a dual flat of a linear field is from its circulation, between cells.
 double linear_defect(const Discretization& mesh, Flat kind) {
-    const SmoothForm X = linear_field(static_cast<Index>(mesh.points().cols()), 3);
+    const SmoothForm X = linear_field(space(mesh), 3);
     return relative_difference(inside(mesh, flat(mesh, kind, sampled(mesh, kind, X)).values),
                                inside(mesh, dual_de_rham(mesh, 1, circulation_form(X)).values));
 }

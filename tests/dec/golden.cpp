@@ -2,6 +2,7 @@
 #include "complex/homology.h"
 #include "dec/forms/laplacian.h"
 #include "dec/stars/star.h"
+#include "tests/support/counted.h"
 #include "tests/support/golden_numbers.h"
 
 #include <fmt/format.h>
@@ -26,13 +27,6 @@ protected:
     const Json& numbers() const { return expected().at(GetParam()); }
     const Json& summary() const { return numbers().at("summary"); }
 };
-
-std::vector<Index> sizes(const CellComplex& complex) {
-    std::vector<Index> result;
-    for (int k = 0; k <= complex.dimension(); ++k)
-        result.push_back(complex.size(k));
-    return result;
-}
 
 TEST_P(Golden, counts) {
     EXPECT_EQ(summary().at("N"), mesh().points.cols());

@@ -5,6 +5,7 @@
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"
 #include "meshes/rearrange.h"
+#include "tests/support/counted.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/scales.h"
 
@@ -14,13 +15,6 @@
 
 namespace polydec::test::in_layers {
 namespace {
-
-std::vector<Index> sizes(const CellComplex& complex) {
-    std::vector<Index> result;
-    for (int k = 0; k <= complex.dimension(); ++k)
-        result.push_back(complex.size(k));
-    return result;
-}
 
 /// Cells of a grid of m boxes along each of n axes.
 std::vector<Index> sizes_of_boxes(int n, Index m) {

@@ -16,10 +16,6 @@ class Operators : public OverMeshes {};
 
 constexpr double rounding = 1e-11;
 
-SparseMatrix product(const SparseMatrix& A, const SparseMatrix& B) {
-    return A * B;
-}
-
 /// Calls law(metric, k) for K and P and every degree for which star_(k-1) .. star_(k+1) can be
 /// inverted.
 template <class Law>

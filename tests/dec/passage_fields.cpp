@@ -8,6 +8,7 @@
 #include "dec/stars/star.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
 #include "meshes/generate.h"
+#include "tests/dec/discretized.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/forms.h"
@@ -28,17 +29,9 @@ constexpr double rounding = 1e-9;
 constexpr std::array primal_kinds{Flat::ppp, Flat::pdp, Flat::dpp};
 constexpr std::array dual_kinds{Flat::ppd, Flat::pdd, Flat::dpd};
 
-bool is_at_cells(Flat kind) {
-    return kind == Flat::dpp || kind == Flat::dpd;
-}
-
 /// A field where the flat wants it: at the vertices, or where the mesh has its cells.
 DenseMatrix sampled(const Discretization& mesh, Flat kind, const SmoothForm& field) {
-    const Points places = is_at_cells(kind) ? cell_centroids(mesh, 2) : mesh.points();
-    DenseMatrix result(places.rows(), places.cols());
-    for (Index i = 0; i < places.rows(); ++i)
-        result.row(i) = field(places.row(i));
-    return result;
+    return test::sampled(is_at_cells(kind) ? cell_centroids(mesh, 2) : mesh.points(), field);
 }
 
 /// Vector fields on surfaces whose edges were flipped.
@@ -49,20 +42,11 @@ protected:
         return circumcentric(shaken(mesh_named(name), 0.25, 7),
                              {.criterion = criterion, .delaunay = delaunay});
     }
-    SmoothForm constant(const Discretization& mesh) const {
-        return constant_form(random_vector(static_cast<Index>(mesh.points().cols()), 6));
-    }
-    SmoothForm linear(const Discretization& mesh) const {
-        const auto N = static_cast<Index>(mesh.points().cols());
-        const DenseMatrix A = random_vector(N * N, 3).reshaped(N, N);
-        const Vector b = random_vector(N, 4);
-        return [A, b](const Vector& x) { return Vector(A * x + b); };
-    }
 };
 
 TEST_P(FieldsAfterFlips, that_are_constant_have_their_circulations_as_flats) {
     const auto mesh = this->mesh();
-    const SmoothForm X = constant(mesh);
+    const SmoothForm X = random_constant(mesh);
     const Vector primal = de_rham(mesh, 1, circulation_form(X)).values;
     const Vector dual = dual_de_rham(mesh, 1, circulation_form(X)).values;
     for (const Flat kind : primal_kinds)
@@ -76,7 +60,7 @@ TEST_P(FieldsAfterFlips, that_are_constant_have_their_circulations_as_flats) {
 
 TEST_P(FieldsAfterFlips, that_are_linear_have_their_circulations_as_flats_from_vertices) {
     const auto mesh = this->mesh();
-    const SmoothForm X = linear(mesh);
+    const SmoothForm X = linear_field(space(mesh), 3);
     EXPECT_CLOSE(flat(mesh, Flat::ppp, sampled(mesh, Flat::ppp, X)).values,
                  de_rham(mesh, 1, circulation_form(X)).values, rounding);
     EXPECT_CLOSE(flat(mesh, Flat::ppd, sampled(mesh, Flat::ppd, X)).values,
@@ -101,7 +85,7 @@ std::array<std::vector<bool>, 2> interior(const Discretization& mesh) {
 /// How far d R(w), times a sign, is from R(dw) on dual cells off the boundary: of a function for
 /// j = 0, of a linear field's circulation for j = 1.
 double stokes_defect(const Discretization& mesh, int j, double sign) {
-    const auto N = static_cast<Index>(mesh.points().cols());
+    const auto N = space(mesh);
     const DenseMatrix A = random_vector(N * N, 3).reshaped(N, N);
     const SmoothForm function = function_form([&](const Vector& x) { return x.dot(A * x); });
     const SmoothForm gradient = [&](const Vector& x) { return Vector((A + A.transpose()) * x); };
@@ -145,7 +129,7 @@ TEST_P(FieldsAfterFlips, that_are_constant_come_back_from_sharps_where_the_surfa
     const auto mesh = this->mesh();
     if (!is_flat_surface(mesh))
         return;
-    const Vector X = constant(mesh)(Vector::Zero(2));
+    const Vector X = random_constant(mesh)(Vector::Zero(2));
     const auto difference = [&](const DenseMatrix& rows) {
         return (rows.rowwise() - X.transpose()).cwiseAbs().maxCoeff();
     };
@@ -174,7 +158,7 @@ TEST_P(FieldsAfterFlips, at_cells_are_adjoint_to_the_dpp_flat_where_the_surface_
 TEST_P(FieldsAfterFlips, at_triangles_have_the_circulations_that_they_are_made_of) {
     // of a function that is linear in space, whatever the surface, loops and spikes included
     const auto mesh = this->mesh(MergeCriterion::none);
-    const Vector gradient = constant(mesh)(Vector::Zero(mesh.points().cols()));
+    const Vector gradient = random_constant(mesh)(Vector::Zero(mesh.points().cols()));
     const Cochain du = d(mesh.complex(), {Side::primal, 0, mesh.points() * gradient});
     const DenseMatrix X = sharp_pd(mesh, du);
     const auto& K = mesh.pieces();

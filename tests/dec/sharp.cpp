@@ -27,10 +27,6 @@ protected:
     bool flat_mesh() const { return is_flat(mesh_named(GetParam())); }
 };
 
-Index space(const Discretization& mesh) {
-    return static_cast<Index>(mesh.points().cols());
-}
-
 /// The flat of a constant field: the differential of a linear function.
 Cochain constant_circulation(const Discretization& mesh, const Vector& X) {
     return flat(mesh, Flat::ppp, X.transpose().replicate(mesh.points().rows(), 1));

@@ -14,6 +14,7 @@
 #include "dec/stars/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "tests/support/counted.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/refusal.h"
 
@@ -29,13 +30,6 @@ namespace polydec::test::in_slivers {
 namespace {
 
 using Sizes = std::vector<Index>;
-
-Sizes sizes(const CellComplex& complex) {
-    Sizes result;
-    for (int k = 0; k <= complex.dimension(); ++k)
-        result.push_back(complex.size(k));
-    return result;
-}
 
 /// Cells of m^3 cubes.
 Sizes cubes(Index m) {

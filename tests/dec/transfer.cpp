@@ -26,10 +26,6 @@ private:
     Discretization bundle_;
 };
 
-SparseMatrix product(const SparseMatrix& A, const SparseMatrix& B) {
-    return A * B;
-}
-
 constexpr double rounding = 1e-12;
 
 TEST_P(Transfers, there_and_back_is_the_identity_on_merged_cells) {

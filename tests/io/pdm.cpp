@@ -8,8 +8,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <fstream>
-
 namespace polydec::test::in_pdm {
 
 namespace {

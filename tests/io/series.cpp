@@ -11,8 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <sys/wait.h>
 #include <unistd.h>

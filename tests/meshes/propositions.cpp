@@ -7,11 +7,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
-#include <set>
 
 namespace polydec {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/tetgen/run_tetgen.h"
 
-#include "tests/meshes/propositions.h"
 #include "tests/meshes/tetgen_support.h"
+#include "tests/support/counted.h"
 
 #include <Eigen/Geometry>
 

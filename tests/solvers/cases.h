@@ -60,6 +60,11 @@ constexpr Where everywhere[] = {Where::essential, Where::natural, Where::mixed, 
 /// The left of the unit cube is the facets at x = 0; of other meshes, those with x below `end`.
 BoundaryConditions conditions_of(const Discretization& mesh, Where where, double end = 1e-9);
 
+/// Robin's condition everywhere.
+inline BoundaryConditions robin(double coefficient) {
+    return {BoundaryCondition::robin, {}, {coefficient}};
+}
+
 /// Calls law(side, degree) for the forms on cells of dimension n.
 template <class Law>
 void for_all_forms(int n, Law law) {

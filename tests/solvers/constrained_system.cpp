@@ -16,10 +16,6 @@
 namespace polydec::test::in_constrained_system {
 namespace {
 
-SparseMatrix sparse(const DenseMatrix& A) {
-    return A.sparseView();
-}
-
 /// Laplacian of paths with the given numbers of nodes, side by side.
 SparseMatrix paths(const std::vector<Index>& nodes) {
     std::vector<Eigen::Triplet<double, Index>> entries;

@@ -10,6 +10,7 @@
 #include "solvers/spectra/spectrum.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
+#include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
@@ -22,10 +23,6 @@ namespace polydec::test::in_inertia {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-SparseMatrix sparse(const DenseMatrix& A) {
-    return A.sparseView();
-}
 
 ShiftedMatrices shifted(const SparseMatrix& B) {
     return {std::make_shared<const SparseMatrix>(B), diagonal_matrix(Vector::Ones(B.rows()))};

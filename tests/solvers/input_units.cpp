@@ -19,10 +19,6 @@ Cochain any_form(const Discretization& mesh, Side side, int degree) {
     return {side, degree, random_vector(size, 5)};
 }
 
-BoundaryConditions robin(double coefficient) {
-    return {BoundaryCondition::robin, {}, {coefficient}};
-}
-
 Vector slopes(const Discretization& mesh, double size) {
     return random_vector(mesh.complex().size(mesh.dimension() - 1), 7) / size;
 }

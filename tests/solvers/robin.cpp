@@ -26,10 +26,6 @@ namespace {
 
 constexpr StarKind kinds[] = {StarKind::circumcentric, StarKind::galerkin};
 
-BoundaryConditions robin(double coefficient) {
-    return {BoundaryCondition::robin, {}, {coefficient}};
-}
-
 /// A coefficient that varies over the unit square: it doubles from left to right.
 double varied(double coefficient, const Vector& p) {
     return coefficient * (1 + p[0]);

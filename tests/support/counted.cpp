@@ -37,6 +37,13 @@ double total_volume(const Mesh& mesh) {
     return sum / std::tgamma(n + 1.0);
 }
 
+std::vector<Index> sizes(const CellComplex& complex) {
+    std::vector<Index> result;
+    for (int k = 0; k <= complex.dimension(); ++k)
+        result.push_back(complex.size(k));
+    return result;
+}
+
 Index binomial(Index n, int k) {
     if (k < 0 || k > n)
         return 0;

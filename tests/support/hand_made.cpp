@@ -113,6 +113,10 @@ DenseMatrix random_isometry(Index N, unsigned seed) {
     return orthonormal_columns(A);
 }
 
+Mesh kite(double up, double down) {
+    return made_of({{0, 0}, {2, 0}, {1, up}, {1, -down}}, {{0, 1, 2}, {1, 0, 3}});
+}
+
 Mesh polygon_curve() {
     Mesh mesh{Points(9, 3), Simplices(9, 2), {}};
     for (Index i = 0; i < 9; ++i) {

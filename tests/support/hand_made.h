@@ -25,6 +25,9 @@ Mesh transformed(Mesh mesh, const DenseMatrix& A, double scale = 1.0, double shi
 /// A random rotation or reflection of R^N.
 DenseMatrix random_isometry(Index N, unsigned seed);
 
+/// Two triangles on the edge from (0,0) to (2,0), their apices at these heights over (1,0).
+Mesh kite(double up, double down);
+
 Mesh polygon_curve();          ///< closed, n = 1 in R^3
 Mesh theta_graph();            ///< n = 1: three arcs between two vertices
 Mesh two_components();         ///< a sphere beside a torus

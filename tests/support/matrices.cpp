@@ -61,4 +61,12 @@ SparseMatrix identity(Index size) {
     return I;
 }
 
+SparseMatrix product(const SparseMatrix& A, const SparseMatrix& B) {
+    return A * B;
+}
+
+SparseMatrix sparse(const DenseMatrix& A) {
+    return A.sparseView();
+}
+
 } // namespace polydec::test

@@ -29,4 +29,10 @@ Vector random_vector(Index size, unsigned seed);
 
 SparseMatrix identity(Index size);
 
+/// A B, to be compared with another one.
+SparseMatrix product(const SparseMatrix& A, const SparseMatrix& B);
+
+/// The entries that are not 0.
+SparseMatrix sparse(const DenseMatrix& A);
+
 } // namespace polydec::test
