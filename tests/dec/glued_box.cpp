@@ -154,10 +154,11 @@ TEST(GluedBox, has_centers_a_dual_edge_apart) {
             const double dual = mesh.volumes().dual(n - 1)[f];
             EXPECT_NEAR(apart(centers.row(cells[0]) - centers.row(cells[1])), std::abs(dual),
                         1e-12);
-            if (dual > 0)
+            if (dual > 0) {
                 EXPECT_NEAR(apart(centers.row(cells[0]) - facets.row(f)) +
                                 apart(centers.row(cells[1]) - facets.row(f)),
                             dual, 1e-12);
+            }
         }
     }
 }
@@ -217,8 +218,9 @@ TEST(GluedBox, has_the_theorem_of_stokes) {
             const int n = mesh.dimension();
             const Vector df = de_rham(mesh, 1, derivative_of_waves(n), 15).values;
             EXPECT_CLOSE(d(mesh.complex(), de_rham(mesh, 0, waves(1))).values, df, 1e-5);
-            if (n > 1)
+            if (n > 1) {
                 EXPECT_EQ(boundary_de_rham(mesh, 1, derivative_of_waves(n)).isZero(0), closed);
+            }
             if (star != StarKind::circumcentric)
                 continue;
             const Vector inside =
@@ -268,8 +270,9 @@ TEST(GluedBox, has_flats_and_sharps_of_constants) {
                       dual = dual_de_rham(mesh, 1, constant(X));
         for (const auto kind : {Flat::ppp, Flat::pdp})
             EXPECT_CLOSE(flat(mesh, kind, at_vertices).values, primal.values, 1e-12);
-        if (star(mesh.volumes(), 1).zeros().empty())
+        if (star(mesh.volumes(), 1).zeros().empty()) {
             EXPECT_CLOSE(flat(mesh, Flat::dpp, at_cells).values, primal.values, 1e-12);
+        }
         for (const auto kind : {Flat::ppd, Flat::pdd, Flat::dpd})
             EXPECT_CLOSE(flat(mesh, kind, kind == Flat::dpd ? at_cells : at_vertices).values,
                          dual.values, 1e-12);
@@ -282,12 +285,13 @@ TEST(GluedBox, has_flats_and_sharps_of_constants) {
         EXPECT_CLOSE(Vector(interior_product(mesh, at_vertices, n, Sampling::centered) *
                             de_rham(mesh, n, constant(Vector::Ones(1))).values),
                      fluxes.values, 1e-12);
-        if (closed) // what is constant stays
+        if (closed) { // what is constant stays
             for (const auto sampling : {Sampling::centered, Sampling::upwind})
                 EXPECT_LE((lie_derivative(mesh, at_vertices, 1, sampling) * primal.values)
                               .cwiseAbs()
                               .maxCoeff(),
                           1e-11);
+        }
     }
 }
 

@@ -87,8 +87,9 @@ TEST_P(AtAllSizes, weights_of_robins_condition_are_in_their_units) {
         };
         const SparseMatrix expected = std::pow(size / found.unit(), n - 2) * weights(original, 3);
         EXPECT_CLOSE(weights(found, 3 / size), expected, 1e-12) << exponent;
-        if (expected.nonZeros() > 0)
+        if (expected.nonZeros() > 0) {
             EXPECT_GT(relative_difference(weights(found, 4 / size), expected), 0.1) << exponent;
+        }
     }
 }
 

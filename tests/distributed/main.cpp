@@ -53,8 +53,9 @@ class SameEverywhere : public testing::EmptyTestEventListener {
     }
     void OnTestEnd(const testing::TestInfo& test) override {
         const bool failed = test.result()->Failed();
-        if (polydec::Ranks::all().any(failed) && !failed)
+        if (polydec::Ranks::all().any(failed) && !failed) {
             ADD_FAILURE() << "failed on another rank";
+        }
         watchdog_.rest();
     }
     Watchdog watchdog_;

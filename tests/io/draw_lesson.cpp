@@ -187,9 +187,10 @@ TEST(DrawLesson, NumbersDoNotOverlap) {
             shown.structure.view.width = 1400;
             const auto boxes = boxes_of_numbers(to_svg(draw_lesson(mesh, shown)));
             EXPECT_GE(boxes.size(), 4U) << name;
-            if (mesh.ambient_dimension() == 2)
+            if (mesh.ambient_dimension() == 2) {
                 EXPECT_EQ(std::ssize(boxes),
                           mesh.size(0) + mesh.size(1) + (mesh.dimension() == 2 ? mesh.size(2) : 0));
+            }
             expect_disjoint(boxes, name);
         }
 }
@@ -274,8 +275,9 @@ TEST(DrawLesson, CellsOnOneSphereArePaintedFromFarToNear) {
             if (normal.dot(centroids.row(both[1]) - centroids.row(both[0])) < 0)
                 normal *= -1; // from the first cell to the second
             const double towards = normal.dot(view.eye.transpose());
-            if (std::abs(towards) > 1e-9)
+            if (std::abs(towards) > 1e-9) {
                 EXPECT_LT(last.at(both[towards > 0 ? 0 : 1]), first.at(both[towards > 0 ? 1 : 0]));
+            }
         }
     }
 }

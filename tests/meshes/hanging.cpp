@@ -67,8 +67,9 @@ void expect_joined(const Mesh& mesh, const Mesh& given) {
     const FacetTally tally = tally_facets(mesh);
     EXPECT_EQ(tally.clashing, 0);
     EXPECT_EQ(tally.branching, 0);
-    if (mesh.dimension() == mesh.ambient_dimension())
+    if (mesh.dimension() == mesh.ambient_dimension()) {
         EXPECT_GT(least_determinant(mesh), 0);
+    }
 }
 
 /// A point in [0, 1]^n, with this value along axis 0.

@@ -46,10 +46,12 @@ TEST(AscendingOrder, is_that_of_a_stable_sort) {
             for (std::size_t i = 0, group = 0; i + 1 < size; ++i) {
                 const bool ends_here = ends[group] == static_cast<Index>(i) + 1;
                 group += ends_here ? 1 : 0;
-                if (keys[order[i]] == keys[order[i + 1]])
+                if (keys[order[i]] == keys[order[i + 1]]) {
                     EXPECT_FALSE(ends_here);
-                if (ends_here)
+                }
+                if (ends_here) {
                     EXPECT_LT(keys[order[i]], keys[order[i + 1]]);
+                }
             }
         }
 }

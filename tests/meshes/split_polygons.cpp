@@ -210,8 +210,9 @@ TEST(SplitPolygons, ABentQuadHasTheSmallerSumOfOppositeAngles) {
         const std::array<Index, 4> corners{0, 1, 2, 3};
         const std::vector<EdgeEnds> avoided{diagonal};
         splitter.split(corners, avoided);
-        if (splitter.diagonals()[0].ends != diagonal)
+        if (splitter.diagonals()[0].ends != diagonal) {
             EXPECT_LT(sum(even ? 1 : 0), sum(even ? 0 : 1));
+        }
     }
 }
 

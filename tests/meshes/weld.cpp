@@ -51,8 +51,9 @@ void expect_edges_kept(const Joined& welded, const Mesh& mesh, double length) {
     for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
         for (Index i = 0; i < mesh.simplices.cols(); ++i)
             for (Index j = 0; j < i; ++j)
-                if (welded.mesh.simplices(cell, i) == welded.mesh.simplices(cell, j))
+                if (welded.mesh.simplices(cell, i) == welded.mesh.simplices(cell, j)) {
                     EXPECT_LE(edge_length(mesh, cell, i, j), length);
+                }
 }
 
 /// The surface of a box, closed.

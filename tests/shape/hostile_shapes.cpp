@@ -145,8 +145,9 @@ private:
         const Triangles fine(same->pieces);
         const auto e = unless_refused(tallies_.compared,
                                       [&] { return exact_distance(fine, same->lengths, sources); });
-        if (e)
+        if (e) {
             ASSERT_LE((e->head(d->size()) - *d).cwiseAbs().maxCoeff(), 1e-7 * d->maxCoeff());
+        }
     }
 
     void eigenvalues(const Shape& shape, const std::optional<Shape>& same) {
@@ -155,16 +156,18 @@ private:
         const double s = 40 * number() / size / size;
         const auto count = unless_refused(tallies_.counts,
                                           [&] { return count_below(shape, s, {.level = level}); });
-        if (count)
+        if (count) {
             ASSERT_LE(count->at_least, count->at_most.value_or(1000));
+        }
         const auto spectrum = [&](const Shape& of) {
             return unless_refused(tallies_.spectra,
                                   [&] { return shape_spectrum(of, {.count = 2, .level = level}); });
         };
         const auto found = spectrum(shape);
-        if (found)
+        if (found) {
             for (Index j = 0; j < 2; ++j)
                 ASSERT_TRUE(found->lower[j] >= 0 && found->lower[j] <= found->upper[j]);
+        }
         if (!same)
             return;
         if (const auto again = unless_refused(
@@ -202,8 +205,9 @@ private:
             const DenseMatrix change = forms.to_galerkin(forms.at_corners((*fine)(u)), data);
             return std::sqrt(std::max(forms.energy(change, change), 0.0));
         });
-        if (distance)
+        if (distance) {
             ASSERT_LE(*distance, error->energy * (1 + 1e-7));
+        }
     }
 
     std::mt19937& random_;

@@ -65,8 +65,9 @@ TEST(ShortestPaths, are_connected_lead_to_a_source_and_have_the_length_of_the_di
                 for (std::size_t i = 0; i < pieces.size(); ++i) {
                     EXPECT_EQ(Triangles::triangle(pieces[i].begin.halfedge),
                               Triangles::triangle(pieces[i].end.halfedge));
-                    if (i > 0)
+                    if (i > 0) {
                         EXPECT_TRUE(are_same(surface, pieces[i - 1].end, pieces[i].begin)) << v;
+                    }
                 }
                 if (pieces.empty())
                     continue;

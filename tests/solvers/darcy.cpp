@@ -100,8 +100,9 @@ TEST_P(FlatDarcy, linear_pressures_and_their_fluxes_come_out) {
     EXPECT_LE(defects.pressure, 1e-10);
     EXPECT_LE(defects.flux, 1e-9);
     const Vector slope = Vector::LinSpaced(mesh_.dimension(), 1, 2);
-    if (mesh_.complex().size(mesh_.dimension()) > 1)
+    if (mesh_.complex().size(mesh_.dimension()) > 1) {
         EXPECT_GT(patch_defects(mesh_, slope, slope, dual_sites(mesh_)).flux, 0.1);
+    }
 }
 
 /// What flows out of cells with random data less the source in them, relative.
@@ -203,8 +204,9 @@ TEST_P(DarcyByStars, both_equations_hold_for_all_data) {
             EXPECT_LE(std::abs(volumes.dot(flow.form.values)),
                       1e-12 * volumes.sum() * flow.form.values.cwiseAbs().maxCoeff());
         }
-        if (free <= (bounded ? 0 : 1))
+        if (free <= (bounded ? 0 : 1)) {
             EXPECT_LE(balance.norm(), 1e-11 * (flow.flux.values.norm() + source.norm()));
+        }
 
         const auto essential = essential_cells(complex, conditions)[n - 1];
         Vector drops = D.transpose() * flow.form.values;

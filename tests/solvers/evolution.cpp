@@ -86,8 +86,9 @@ TEST(evolution, heat_with_a_source_converges_on_polygons_and_polytopes) {
     for (const Case& cells :
          {Case{"triangles"}, Case{"hexagons"}, Case{"bcc", 3, 6}, Case{"fcc", 3, 6}})
         for (const Side side : sides)
-            if (side == Side::primal || cells.pattern != "bcc")
+            if (side == Side::primal || cells.pattern != "bcc") {
                 EXPECT_NEAR(order_of_heat(cells, side, 0), 2, 0.3) << cells << name(side);
+            }
 }
 
 /// Diffusion against the reaction u (1 + sin t - u), up to the time 1.

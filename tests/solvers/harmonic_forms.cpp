@@ -187,8 +187,9 @@ TEST_P(HarmonicForms, that_are_linear_functions_come_back_and_stand_still) {
                     return distance(poisson->solve(none, flow).form.values, u, free);
                 };
                 EXPECT_LE(found(1), 0.1 * rounding);
-                if (where != Where::essential && u.size() > 1)
+                if (where != Where::essential && u.size() > 1) {
                     EXPECT_GT(found(-1), 1e-2) << "with the flux reversed";
+                }
                 ++solved;
                 if (!is_positive(mesh.stars()[k]) || !is_positive(mesh.stars()[beside]))
                     continue;
@@ -198,8 +199,9 @@ TEST_P(HarmonicForms, that_are_linear_functions_come_back_and_stand_still) {
                 const Vector alone = diffusion.rate(values);
                 EXPECT_LE((alone + diffusion.boundary_rate(data)).norm(),
                           rounding * (alone.norm() + u.norm()));
-                if (diffusion.size() > 1)
+                if (diffusion.size() > 1) {
                     EXPECT_GT(alone.norm(), 1e-3) << "without the data";
+                }
             }
     EXPECT_GT(solved, 6);
 }
