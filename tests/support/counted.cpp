@@ -28,11 +28,11 @@ double total_volume(const Mesh& mesh) {
     const int n = mesh.dimension();
     double sum = 0;
     for (Index t = 0; t < mesh.simplices.rows(); ++t) {
-        DenseMatrix edges(n, mesh.ambient_dimension());
+        DenseMatrix edges(mesh.ambient_dimension(), n);
         for (int i = 0; i < n; ++i)
-            edges.row(i) =
+            edges.col(i) =
                 mesh.points.row(mesh.simplices(t, i + 1)) - mesh.points.row(mesh.simplices(t, 0));
-        sum += std::sqrt((edges * edges.transpose()).determinant());
+        sum += std::abs(triangular_factor(edges).diagonal().prod());
     }
     return sum / std::tgamma(n + 1.0);
 }
