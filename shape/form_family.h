@@ -64,7 +64,8 @@ public:
     /// unknowns of cells make Q(s) stationary.
     Vector local_values(const Factors& factors, double s, const DenseMatrix& X) const;
 
-    /// At most this share of the unknowns' squares in a simplex is wrong with its part of at(t).
+    /// Bounds the rounding of at(t) in a simplex, as a form: factors of the squares of its
+    /// unknowns.
     Vector doubt(Index simplex, double t) const;
 
     /// A lower bound of Q(s) - Q(t) of one simplex for s < t, less this doubt: `form` for

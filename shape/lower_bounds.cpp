@@ -9,15 +9,15 @@
 namespace polydec {
 
 LowerBounds::LowerBounds(FamilyCounter& counter, const ShapeSpectrumOptions& options,
-                         int domain_dimension, Vector upper, Index zeros,
-                         std::function<DenseMatrix(Index)> vectors)
+                         int domain_dimension, Vector upper, Index zeros, DenseMatrix vectors,
+                         Vectors more)
     : counter_(counter),
       options_(options),
       domain_dimension_(domain_dimension),
       upper_(std::move(upper)),
       zeros_(zeros),
-      more_(std::move(vectors)),
-      vectors_(more_(size())),
+      vectors_(std::move(vectors)),
+      more_(std::move(more)),
       lower_(Vector::Zero(size())),
       good_(size(), false) {}
 
@@ -25,8 +25,10 @@ const Vector& LowerBounds::prove(std::optional<Index> counted) {
     const Index most = 2 * size(); // more are no better known than by counts of their own
     if (zeros_ < size() && counted >= size() && counted <= most &&
         counter_.family().size() <= most_beside_another) {
-        prove_below(counted == size() ? vectors_ : more_(*counted));
-        prove_by_gaps();
+        if (const auto vectors = counted == size() ? vectors_ : more_(*counted)) {
+            prove_below(*vectors);
+            prove_by_gaps();
+        }
     }
     prove_each();
     for (Index j = 1; j < size(); ++j)

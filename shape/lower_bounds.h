@@ -5,6 +5,7 @@
 #include "shape/lower_guesses.h"
 
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,11 +16,13 @@ namespace polydec {
 /// count where not.
 class LowerBounds {
 public:
-    /// Of as many eigenvalues as there are upper bounds, ascending; the first `zeros` are 0.
-    /// `vectors(k)` gives the unknowns of k or more approximate eigenvectors. The counter must
-    /// outlive this.
+    /// The unknowns of the first k approximate eigenvectors, if so many can be found.
+    using Vectors = std::function<std::optional<DenseMatrix>(Index k)>;
+
+    /// Of as many eigenvalues as there are upper bounds, ascending, and vectors; the first `zeros`
+    /// are 0. The counter must outlive this.
     LowerBounds(FamilyCounter& counter, const ShapeSpectrumOptions& options, int domain_dimension,
-                Vector upper, Index zeros, std::function<DenseMatrix(Index)> vectors);
+                Vector upper, Index zeros, DenseMatrix vectors, Vectors more);
 
     /// After a count in the gap behind the eigenvalues, and what it counted if it is trusted.
     const Vector& prove(std::optional<Index> counted);
@@ -44,8 +47,8 @@ private:
     int domain_dimension_;
     Vector upper_;
     Index zeros_;
-    std::function<DenseMatrix(Index)> more_;
     DenseMatrix vectors_;
+    Vectors more_;
     LowerGuesses guesses_;
     Vector lower_;
     std::vector<bool> good_; // bounds that others would hardly improve

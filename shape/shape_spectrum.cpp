@@ -8,6 +8,7 @@
 #include "shape/lower_bounds.h"
 #include "shape/one_forms.h"
 #include "shape/shape.h"
+#include "system/memory.h"
 
 #include <fmt/format.h>
 
@@ -144,13 +145,22 @@ void Enclosing::count_all() {
 
 void Enclosing::find_lower() {
     tell("lower bounds");
-    const auto vectors = [&](Index count) {
-        return facet_moments(shape_, options_.level, conforming_,
-                             count == options_.count ? pairs_.vectors
-                                                     : solver_->smallest(count).vectors);
+    const auto moments = [&](const DenseMatrix& vectors) {
+        return facet_moments(shape_, options_.level, conforming_, vectors);
+    };
+    const auto more = [&](Index count) -> std::optional<DenseMatrix> {
+        if (count > conforming_.family().size())
+            return std::nullopt;
+        try {
+            return moments(solver_->smallest(count).vectors);
+        } catch (const OutOfMemory&) {
+            throw;
+        } catch (const SolverFailure&) { // without a gap behind them, for instance
+            return std::nullopt;
+        }
     };
     bounds_.emplace(counter_, options_, dimension(), result_.upper * ratio_, result_.zeros,
-                    vectors);
+                    moments(pairs_.vectors), more);
     result_.lower = bounds_->prove(result_.count.at_most) * (ratio_ * (1 - 1e-15));
     result_.factorizations += bounds_->counts();
 }
