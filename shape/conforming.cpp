@@ -95,4 +95,8 @@ ConformingForm::ConformingForm(const Shape& shape, int degree)
       points_(glued_points(shape, facet_sides(shape), pairs_)),
       family_(family_of(shape, degree, pairs_, points_, facet_sides(shape))) {}
 
+CountedMatrix ConformingForm::sum(double of_a, double of_b) const {
+    return family_.sum([=](double, double) { return std::vector<double>{of_a, of_b}; }, 0);
+}
+
 } // namespace polydec

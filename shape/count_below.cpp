@@ -25,7 +25,11 @@ CountBelow count_below(const Shape& shape, double s, const CountOptions& options
     const int n = of.pieces.dimension();
     FamilyCounter below(conforming.family(), options.linear_solver, n),
         above(lower, options.linear_solver, n);
-    return enclosed_count(of, below, above, s, metric_ratio(of));
+    const double ratio = metric_ratio(of);
+    CountBelow result;
+    result.at_least = below.near(s * ratio, Direction::down);
+    bound_above(result, of, above, s, ratio);
+    return result;
 }
 
 } // namespace polydec

@@ -37,10 +37,8 @@ Index FamilyCounter::near(double s, Direction direction) {
         s));
 }
 
-CountBelow enclosed_count(const Shape& shape, FamilyCounter& conforming, FamilyCounter& lower,
-                          double s, double ratio) {
-    CountBelow result;
-    result.at_least = conforming.near(s * ratio, Direction::down);
+void bound_above(CountBelow& result, const Shape& shape, FamilyCounter& lower, double s,
+                 double ratio) {
     const double above = s / ratio * (1 + 1e-15), limit = lower.family().limit();
     if (above * (1 + 1e-6) < limit) {
         result.at_most = lower.near(above, Direction::up);
@@ -48,7 +46,6 @@ CountBelow enclosed_count(const Shape& shape, FamilyCounter& conforming, FamilyC
         result.too_large = lower.family().beyond(above * (1 + 1e-6));
         result.warnings = {warning_of_large(shape, result.too_large, above, limit)};
     }
-    return result;
 }
 
 void check_level(int level) {

@@ -38,9 +38,10 @@ private:
     double counted_at_ = 0;
 };
 
-/// The eigenvalues below s of a shape with these forms; `ratio` as in metric_ratio.
-CountBelow enclosed_count(const Shape& shape, FamilyCounter& conforming, FamilyCounter& lower,
-                          double s, double ratio);
+/// Sets what bounds the number of eigenvalues of a shape below s from above, and the warnings if
+/// nothing does; `ratio` as in metric_ratio.
+void bound_above(CountBelow& result, const Shape& shape, FamilyCounter& lower, double s,
+                 double ratio);
 
 /// Throws InvalidInput unless the level is 1 or 2.
 void check_level(int level);

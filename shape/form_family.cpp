@@ -142,27 +142,33 @@ CountedMatrix FormFamily::sum(const Factors& factors, double s) const {
     const auto simplices = static_cast<Index>(reach_.size());
     CountedMatrix result;
     result.doubt.sizes = Vector::Zero(count_);
-    std::vector<Vector> local_sizes(simplices);
+    DenseMatrix local_forms(width_ * width_, simplices), local_sizes(width_ + 1, simplices);
     Vector errors(simplices);
-    DenseMatrix Q;
-    Vector sizes;
+    for_each_part(simplices, 64, [&](Index begin, Index end) {
+        DenseMatrix Q;
+        Vector sizes;
+        for (Index t = begin; t < end; ++t) {
+            add_local(factors, t, s, Q, sizes, errors[t]);
+            local_forms.col(t) = Q.reshaped();
+            local_sizes.col(t) = sizes;
+        }
+    });
     const auto unknown = [&](Index simplex, Index i) {
         return unknowns_[std::size_t(width_) * simplex + i];
     };
     std::size_t slot = 0;
     for (Index t = 0; t < simplices; ++t) {
-        add_local(factors, t, s, Q, sizes, errors[t]);
-        result.eliminated += static_cast<Index>(sizes[width_]);
+        result.eliminated += static_cast<Index>(local_sizes(width_, t));
         const std::int8_t* signs = signs_.data() + std::size_t(width_) * t;
+        const double* Q = local_forms.col(t).data();
         for (Index i = 0; i < width_; ++i)
             for (Index j = 0; j < width_; ++j, ++slot)
                 if (slots_[slot] >= 0) // both triangles alike
                     entries[slots_[slot]] +=
-                        signs[i] * signs[j] * Q(std::min(i, j), std::max(i, j));
+                        signs[i] * signs[j] * Q[std::min(i, j) + width_ * std::max(i, j)];
         for (Index i = 0; i < width_; ++i)
             if (unknown(t, i) >= 0)
-                result.doubt.sizes[unknown(t, i)] += sizes[i];
-        local_sizes[t] = sizes;
+                result.doubt.sizes[unknown(t, i)] += local_sizes(i, t);
     }
 
     // row sums of errors / sqrt(sizes_i sizes_j)
@@ -173,7 +179,7 @@ CountedMatrix FormFamily::sum(const Factors& factors, double s) const {
             const Index row = unknown(t, i);
             return row < 0 || !(result.doubt.sizes[row] > 0)
                        ? 0.0
-                       : std::sqrt(local_sizes[t][i] / result.doubt.sizes[row]);
+                       : std::sqrt(local_sizes(i, t) / result.doubt.sizes[row]);
         };
         for (Index i = 0; i < width_; ++i)
             sum += share(i);

@@ -31,7 +31,7 @@ public:
     }
 
     /// Y P, for rows Y.
-    DenseMatrix of(const DenseMatrix& Y) const {
+    DenseMatrix of(const Eigen::Ref<const DenseMatrix>& Y) const {
         const Eigen::Index width = form_.rows();
         if (cell_->size() == 0)
             return Y * form_;
@@ -42,8 +42,8 @@ public:
         return image;
     }
 
-    /// Adds V P^-1 V^T; overwrites V.
-    void add_inverse(DenseMatrix& V, DenseMatrix& sum) const {
+    /// Overwrites V with W, W W^T = V P^-1 V^T.
+    void unroot(Eigen::Ref<DenseMatrix> V) const {
         const Eigen::Index width = form_.rows();
         if (cell_->size() > 0) {
             V.col(width) += V.leftCols(width) * *cell_;
@@ -55,7 +55,6 @@ public:
                 V.col(i) -= root(i, k) * V.col(k);
             V.col(i) /= root(i, i);
         }
-        sum += V.lazyProduct(V.transpose());
     }
 
 private:
@@ -144,16 +143,17 @@ std::optional<LehmannBounds::Ratios> LehmannBounds::ratios(double s) const {
     std::vector<std::array<DenseMatrix, 2>> sums((simplices + size - 1) / size, {zero, zero});
     std::vector<char> fails(sums.size(), zero.size() == 0);
     for_each_part(simplices, size, [&](Index begin, Index end) {
+        const Eigen::Index first = Eigen::Index(rows_) * begin, columns = rows_ * (end - begin);
+        DenseMatrix images = vectors_.middleCols(first, columns),
+                    roots = residues_.middleCols(first, columns);
         LocalDrop drop(family_);
-        auto& [of_residues, of_vectors] = sums[begin / size];
-        DenseMatrix Y;
         for (Index i = begin; i < end && !fails[begin / size]; ++i) {
             fails[begin / size] = !drop.compute(i, s, t_, doubts_.col(i));
-            Y = vectors_.middleCols(Eigen::Index(rows_) * i, rows_);
-            of_vectors += Y.lazyProduct(drop.of(Y).transpose());
-            Y = residues_.middleCols(Eigen::Index(rows_) * i, rows_);
-            drop.add_inverse(Y, of_residues);
+            part(images, i - begin) = drop.of(part(images, i - begin));
+            drop.unroot(part(roots, i - begin));
         }
+        sums[begin / size] = {roots * roots.transpose(),
+                              vectors_.middleCols(first, columns) * images.transpose()};
     });
     if (std::find(fails.begin(), fails.end(), true) != fails.end())
         return std::nullopt;

@@ -9,26 +9,21 @@
 namespace polydec {
 
 LowerBounds::LowerBounds(FamilyCounter& counter, const ShapeSpectrumOptions& options,
-                         int domain_dimension, Vector upper, Index zeros, DenseMatrix vectors,
-                         Vectors more)
+                         int domain_dimension, Vector upper, Index zeros, DenseMatrix vectors)
     : counter_(counter),
       options_(options),
       domain_dimension_(domain_dimension),
       upper_(std::move(upper)),
       zeros_(zeros),
       vectors_(std::move(vectors)),
-      more_(std::move(more)),
       lower_(Vector::Zero(size())),
       good_(size(), false) {}
 
 const Vector& LowerBounds::prove(std::optional<Index> counted) {
-    const Index most = 2 * size(); // more are no better known than by counts of their own
-    if (zeros_ < size() && counted >= size() && counted <= most &&
+    if (zeros_ < size() && counted >= size() && counted <= vectors_.cols() &&
         counter_.family().size() <= most_beside_another) {
-        if (const auto vectors = counted == size() ? vectors_ : more_(*counted)) {
-            prove_below(*vectors);
-            prove_by_gaps();
-        }
+        prove_below(vectors_.leftCols(*counted));
+        prove_by_gaps();
     }
     prove_each();
     for (Index j = 1; j < size(); ++j)
@@ -38,7 +33,7 @@ const Vector& LowerBounds::prove(std::optional<Index> counted) {
 
 const LowerGuesses& LowerBounds::guesses() {
     if (guesses_.values.size() == 0)
-        guesses_ = lower_guesses(counter_.family(), vectors_, upper_, options_.linear_solver,
+        guesses_ = lower_guesses(counter_.family(), vectors(), upper_, options_.linear_solver,
                                  domain_dimension_);
     return guesses_;
 }
@@ -70,11 +65,11 @@ void LowerBounds::prove_below(const DenseMatrix& vectors) {
     for (Index j = std::min<Index>(size(), vectors.cols()) - 1; ratios && j >= zeros_; --j)
         for (int step = 0; step < 4; ++step) {
             const double best = s + (t - s - way[j]) / (1 + slopes[j]), width = upper_[j] - best;
-            if (way[j] < t - s && best - s <= 0.01 * width) {
-                good_[j] = good_[j] || way[j] - (t - s) * ratios->least[j] <= 0.03 * width;
+            if (way[j] < t - s && best - s <= 0.03 * width) {
+                good_[j] = good_[j] || way[j] - (t - s) * ratios->least[j] <= 0.05 * width;
                 break;
             }
-            const double next = best - 0.003 * std::max(width, 1e-9 * upper_[j]);
+            const double next = best - 0.01 * std::max(width, 1e-9 * upper_[j]);
             ratios = next > 0 ? bounds.ratios(next) : std::nullopt;
             if (!ratios)
                 break;
@@ -109,24 +104,29 @@ void LowerBounds::prove_by_gaps() {
     }
 }
 
-/// Counts grow with s: whether none said that more than j lie below s.
-bool LowerBounds::may_prove(double s, Index j) const {
-    return std::none_of(counts_.begin(), counts_.end(),
-                        [&](const auto& count) { return count.first <= s && count.second > j; });
+/// Counts grow with s: the smallest s known to have more than j below it, at most the upper bound.
+double LowerBounds::limit(Index j) const {
+    double result = upper_[j];
+    for (const auto& [s, most] : counts_)
+        if (!most || *most > j)
+            result = std::min(result, s);
+    return result;
 }
 
-/// The bound of eigenvalue j, and of what follows it closely.
+/// The bound of eigenvalue j, and of what follows it closely: from a guess, or else by bisection.
 void LowerBounds::prove(double guess, Index j) {
-    guess = std::min(guess, upper_[j]);
-    const double width = std::max(upper_[j] - guess, 1e-11 * upper_[j]);
-    for (const double share : {1e-2, 0.1, 1.0 / 3, 1.0, 3.0, 9.0}) {
-        const double s = guess - share * width;
-        if (!(s > 0))
+    constexpr int most_bisections = 6;
+    constexpr double fine = 0.35; // of the width
+    for (const double share : {1e-2, 0.1}) {
+        const double s = guess - share * std::max(upper_[j] - guess, 1e-11 * upper_[j]);
+        if (const auto counted = s < limit(j) ? count(s) : std::nullopt; counted && *counted <= j)
             return;
-        if (!may_prove(s, j))
-            continue;
-        if (const auto counted = count(s); counted && *counted <= j)
+    }
+    for (int step = 0; step < most_bisections; ++step) {
+        const double low = lower_[j], high = limit(j);
+        if (high - low <= fine * (upper_[j] - low))
             return;
+        count((low + high) / 2);
     }
 }
 

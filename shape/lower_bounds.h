@@ -4,7 +4,6 @@
 #include "shape/family_counter.h"
 #include "shape/lower_guesses.h"
 
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,20 +15,18 @@ namespace polydec {
 /// count where not.
 class LowerBounds {
 public:
-    /// The unknowns of the first k approximate eigenvectors, if so many can be found.
-    using Vectors = std::function<std::optional<DenseMatrix>(Index k)>;
-
-    /// Of as many eigenvalues as there are upper bounds, ascending, and vectors; the first `zeros`
-    /// are 0. The counter must outlive this.
+    /// Of as many eigenvalues as there are upper bounds, ascending, the first `zeros` of them 0.
+    /// Vectors: the unknowns of approximate eigenvectors, as many or more. The counter must outlive
+    /// this.
     LowerBounds(FamilyCounter& counter, const ShapeSpectrumOptions& options, int domain_dimension,
-                Vector upper, Index zeros, DenseMatrix vectors, Vectors more);
+                Vector upper, Index zeros, DenseMatrix vectors);
 
     /// After a count in the gap behind the eigenvalues, and what it counted if it is trusted.
     const Vector& prove(std::optional<Index> counted);
 
     Index counts() const { return static_cast<Index>(counts_.size()); } ///< tried
 
-    const DenseMatrix& vectors() const { return vectors_; }
+    DenseMatrix vectors() const { return vectors_.leftCols(size()); }
     const LowerGuesses& guesses();
 
 private:
@@ -40,7 +37,7 @@ private:
     void prove_each();
     void prove(double guess, Index j);
     void record(double s, Index most);
-    bool may_prove(double s, Index j) const;
+    double limit(Index j) const;
 
     FamilyCounter& counter_;
     const ShapeSpectrumOptions& options_;
@@ -48,7 +45,6 @@ private:
     Vector upper_;
     Index zeros_;
     DenseMatrix vectors_;
-    Vectors more_;
     LowerGuesses guesses_;
     Vector lower_;
     std::vector<bool> good_; // bounds that others would hardly improve

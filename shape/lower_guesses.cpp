@@ -66,7 +66,7 @@ LowerGuesses lower_guesses(const FormFamily& family, DenseMatrix X, const Vector
                            const std::string& engine, int domain_dimension) {
     Vector values = given;
     DenseMatrix residuals;
-    if (!rotate(family, X, values, residuals, 0.5) || !rotate(family, X, values, residuals, 0.1))
+    if (!rotate(family, X, values, residuals, 0.1))
         return {given, X};
     // errors are of functions far above; in between, so that none of these is blown up
     const double shift = std::min(0.7 * values.maxCoeff(), 0.9 * family.limit());
@@ -76,22 +76,17 @@ LowerGuesses lower_guesses(const FormFamily& family, DenseMatrix X, const Vector
         Inertia::wanted; // residuals of nearly singular matrices are looked at elsewhere
     facts.domain_dimension = domain_dimension;
     const auto solver = make_linear_solver(engine);
-    Vector better = values;
-    LowerGuesses best{values, X};
     try {
         solver->factorize(family.at(shift).matrix, facts);
-        for (int step = 0; step < 2; ++step) {
-            X -= solver->solve(residuals);
-            if (!X.allFinite() || !rotate(family, X, better, residuals, 1e-2))
-                return best;
-            best = {better, X};
-        }
+        DenseMatrix better = X - solver->solve(residuals);
+        if (Vector near = values;
+            better.allFinite() && rotate(family, better, near, residuals, 1e-2))
+            return {near, better};
     } catch (const OutOfMemory&) {
         throw;
-    } catch (const SolverFailure&) {
-        return best;
+    } catch (const SolverFailure&) { // then these have to do
     }
-    return best;
+    return {values, X};
 }
 
 } // namespace polydec

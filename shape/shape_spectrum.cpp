@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "shape/shape_spectrum.h"
 
-#include "backends/spectra/certified_eigensolver.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/metric/simplex_geometry.h"
 #include "shape/lower_bounds.h"
 #include "shape/one_forms.h"
+#include "shape/ritz_pairs.h"
 #include "shape/shape.h"
-#include "system/memory.h"
 
 #include <fmt/format.h>
 
@@ -43,8 +42,8 @@ public:
 
     /// After coarse().
     ShapeSpectrum enclose() {
-        take_modes();
         count_all();
+        take_modes();
         find_lower();
         warn();
         result_.simplices = shape_.pieces.size(dimension());
@@ -63,6 +62,7 @@ private:
     int dimension() const { return shape_.pieces.dimension(); }
 
     void find_upper();
+    void take(RitzPairs pairs);
     void take_modes();
     void count_all();
     void find_lower();
@@ -74,13 +74,12 @@ private:
     ConformingForm conforming_;
     FormFamily lower_;
     FamilyCounter counter_; // of it
-    std::optional<CertifiedEigensolver> solver_;
-    CertifiedEigenpairs pairs_;
+    std::optional<RitzSolver> solver_;
+    RitzPairs pairs_;
     std::optional<LowerBounds> bounds_;
     ShapeSpectrum result_;
 };
 
-/// Ritz values, and what their radii and the rounding of the matrices add.
 void Enclosing::find_upper() {
     const FormFamily& family = conforming_.family();
     if (options_.count > family.size())
@@ -89,26 +88,12 @@ void Enclosing::find_upper() {
                                        options_.count, family.size(), options_.level,
                                        family.size()));
     tell("upper bounds");
-    const auto one = [&](double a, double b) {
-        return family.sum([=](double, double) { return std::vector<double>{a, b}; }, 0);
-    };
-    const CountedMatrix K = one(1, 0), M = one(0, 1);
-    solver_.emplace(Pencil{.C = *K.matrix,
-                           .M = SparseMatrix(*M.matrix),
-                           .mass_uncertainty = 16 * M.doubt.share},
-                    EigensolverOptions{.linear_solver = options_.linear_solver,
-                                       .eigen_solver = options_.eigen_solver,
-                                       .domain_dimension = dimension(),
-                                       .definiteness = Definiteness::semidefinite,
-                                       .zeros = result_.zeros,
-                                       .progress = options_.progress});
-    pairs_ = solver_->smallest(options_.count);
-    const Vector energies =
-        (pairs_.vectors.cwiseAbs2().transpose() * K.doubt.sizes) * K.doubt.share;
-    result_.upper = (pairs_.values + pairs_.radii + energies) * ((1 + 1e-15) / ratio_);
-    result_.upper.head(result_.zeros).setZero();
-    for (Index j = result_.zeros; j < options_.count; ++j)
-        result_.upper[j] = std::max(result_.upper[j], j > 0 ? result_.upper[j - 1] : 0.0);
+    take(solver_.emplace(shape_, conforming_, result_.zeros, options_).smallest(options_.count));
+}
+
+void Enclosing::take(RitzPairs pairs) {
+    pairs_ = std::move(pairs);
+    result_.upper = pairs_.upper.head(options_.count) / ratio_;
 }
 
 void Enclosing::take_modes() {
@@ -130,37 +115,34 @@ void Enclosing::take_modes() {
                 is_vertex ? pieces.simplices(n)(s, i) : face_at(pieces, n, s, corners);
             if (unknown >= 0)
                 (is_vertex ? result_.modes : result_.edge_modes).row(row) =
-                    sign * pairs_.vectors.row(unknown);
+                    sign * pairs_.vectors.row(unknown).head(options_.count);
         }
 }
 
-/// How many eigenvalues lie below the gap behind them.
+/// How many eigenvalues lie below the largest gap behind them. Those that may be missing are looked
+/// for.
 void Enclosing::count_all() {
-    result_.count_at =
-        std::max(pairs_.certificate.shift / ratio_, result_.upper[options_.count - 1]);
-    FamilyCounter conforming(conforming_.family(), options_.linear_solver, dimension());
-    result_.count = enclosed_count(shape_, conforming, counter_, result_.count_at, ratio_);
-    result_.factorizations += result_.count.at_most ? 2 : 1;
+    const Vector upper = pairs_.upper / ratio_;
+    const Index gap = largest_gap(upper, options_.count);
+    result_.count_at = (1 + 1e-9) * upper[options_.count - 1];
+    if (gap < upper.size())
+        result_.count_at = std::max(result_.count_at, (upper[gap - 1] + upper[gap]) / 2);
+    bound_above(result_.count, shape_, counter_, result_.count_at, ratio_);
+    const auto& at_most = result_.count.at_most;
+    result_.factorizations += at_most ? 1 : 0;
+    const auto below = [&] {
+        return static_cast<Index>((pairs_.upper.array() < result_.count_at * ratio_).count());
+    };
+    const Index most = 2 * options_.count; // more are better known by counts of their own
+    if (at_most > below() && at_most <= most)
+        take(solver_->smallest(std::min(*at_most, conforming_.family().size())));
+    result_.count.at_least = below();
 }
 
 void Enclosing::find_lower() {
     tell("lower bounds");
-    const auto moments = [&](const DenseMatrix& vectors) {
-        return facet_moments(shape_, options_.level, conforming_, vectors);
-    };
-    const auto more = [&](Index count) -> std::optional<DenseMatrix> {
-        if (count > conforming_.family().size())
-            return std::nullopt;
-        try {
-            return moments(solver_->smallest(count).vectors);
-        } catch (const OutOfMemory&) {
-            throw;
-        } catch (const SolverFailure&) { // without a gap behind them, for instance
-            return std::nullopt;
-        }
-    };
     bounds_.emplace(counter_, options_, dimension(), result_.upper * ratio_, result_.zeros,
-                    moments(pairs_.vectors), more);
+                    facet_moments(shape_, options_.level, conforming_, pairs_.vectors));
     result_.lower = bounds_->prove(result_.count.at_most) * (ratio_ * (1 - 1e-15));
     result_.factorizations += bounds_->counts();
 }

@@ -47,7 +47,7 @@ struct ShapeSpectrumOptions {
     /// bisection.
     Index max_triangles = 0;
     std::string linear_solver = "auto";
-    std::string eigen_solver = "auto";
+    std::string eigen_solver = "auto"; ///< for the linear functions that iterations start with
     std::function<void(std::string_view)> progress = {}; ///< called with a description at each step
 };
 
@@ -72,12 +72,12 @@ struct ShapeSpectrum {
 };
 
 /// Encloses the `count` smallest eigenvalues of a shape. Upper bounds are Rayleigh-Ritz values of
-/// conforming functions, integrated exactly, plus the radii of CertifiedEigensolver. Inertia
-/// counts prove the lower bounds (see count_below): one in a gap behind them proves all, or each
-/// has its own. If no count succeeds, it takes the bound of the previous eigenvalue, with a
-/// warning. The bounds allow for the length_error of the shape. Proofs: docs/what-is-proved.md.
-/// Throws InvalidInput for a count below 1 or above the number of functions, another level or
-/// degree, a negative width, and like check; SolverFailure if the upper bounds cannot be computed.
+/// conforming functions, integrated exactly, and allow for rounding. Inertia counts prove the lower
+/// bounds (see count_below): one in a gap behind them proves all, or each has its own. If no count
+/// succeeds, it takes the bound of the previous eigenvalue, with a warning. The bounds allow for
+/// the length_error of the shape. Proofs: docs/what-is-proved.md. Throws InvalidInput for a count
+/// below 1 or above the number of functions, another level or degree, a negative width, and like
+/// check; SolverFailure if the upper bounds cannot be computed.
 ShapeSpectrum shape_spectrum(const Shape& shape, const ShapeSpectrumOptions& options = {});
 
 /// (upper - lower) / upper, 0 for eigenvalues known to be 0.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace polydec::test {
 
@@ -357,6 +358,22 @@ KnownShape random_shape(std::mt19937& random) {
     default:
         return random_box(random, {3, static_cast<int>(2 + random() % 3)});
     }
+}
+
+std::vector<std::pair<std::string, Shape>> small_shapes() {
+    const BoundaryConditions dirichlet{BoundaryCondition::essential};
+    const BoundaryConditions robin{BoundaryCondition::robin, {}, {2.5}};
+    Shape materials = unmerged(kuhn(2, 5));
+    materials.conductivity = materials.density = Vector::Ones(50);
+    materials.conductivity.head(20).setConstant(10);
+    materials.density.tail(20).setConstant(3);
+    return {{"square", unmerged(kuhn(2, 5))},
+            {"fixed square", unmerged(kuhn(2, 5), dirichlet)},
+            {"Robin's square", unmerged(kuhn(2, 5), robin)},
+            {"materials", materials},
+            {"tetrahedron", unmerged(tetrahedron_surface(4))},
+            {"pillow", unmerged(pillow(4))},
+            {"cube", unmerged(kuhn(3, 3))}};
 }
 
 } // namespace polydec::test

@@ -8,6 +8,7 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace polydec::test {
@@ -66,6 +67,9 @@ Mesh pillow(int n);
 
 /// Each triangle divided into four: the same surface.
 Mesh divided(const Mesh& mesh);
+
+/// Small shapes of every kind, with names: domains, surfaces, a solid, conditions, materials.
+std::vector<std::pair<std::string, Shape>> small_shapes();
 
 /// One of those with eigenvalues in closed form: tori, Klein bottles, books, boxes.
 KnownShape random_shape(std::mt19937& random);
