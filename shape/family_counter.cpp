@@ -16,6 +16,8 @@ FamilyCounter::FamilyCounter(const FormFamily& family, const std::string& engine
     : family_(family), inertia_(engine, domain_dimension) {}
 
 std::optional<Index> FamilyCounter::at(double s) {
+    if (!(s < family_.limit()))
+        return std::nullopt;
     CountedMatrix Q = family_.at(s);
     if (family_.size() == 0)
         return Q.eliminated;

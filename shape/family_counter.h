@@ -19,7 +19,7 @@ public:
 
     const FormFamily& family() const { return family_; }
 
-    /// If the count can be trusted.
+    /// If the count can be trusted and s is below the limit of the family.
     std::optional<Index> at(double s);
 
     /// Or, if it is not, at an s moved by at most 1e-6 of s. Throws SolverFailure if no count can

@@ -22,10 +22,10 @@ LowerBounds::LowerBounds(FamilyCounter& counter, const ShapeSpectrumOptions& opt
 const Vector& LowerBounds::prove(std::optional<Index> counted) {
     if (zeros_ < size() && counted >= size() && counted <= vectors_.cols() &&
         counter_.family().size() <= most_beside_another) {
-        prove_below(vectors_.leftCols(*counted));
+        prove_below(vectors_.leftCols(*counted), 0.05);
         prove_by_gaps();
     }
-    prove_each();
+    prove_each(!counted);
     for (Index j = 1; j < size(); ++j)
         lower_[j] = std::max(lower_[j], lower_[j - 1]);
     return lower_;
@@ -52,8 +52,9 @@ std::optional<Index> LowerBounds::count(double s) {
     return counted;
 }
 
-/// From the last count, of as many as there are vectors.
-void LowerBounds::prove_below(const DenseMatrix& vectors) {
+/// From the last count, of as many as there are vectors. Stops at a bound for which vectors that
+/// are not exact lose more than this share of its width.
+void LowerBounds::prove_below(const DenseMatrix& vectors, double share) {
     const double t = counter_.counted_at();
     double s = t / 2;
     const LehmannBounds bounds(counter_, s, vectors);
@@ -62,11 +63,11 @@ void LowerBounds::prove_below(const DenseMatrix& vectors) {
     Vector way, slopes = Vector::Zero(vectors.cols());
     if (ratios)
         way = (t - s) * ratios->most;
-    for (Index j = std::min<Index>(size(), vectors.cols()) - 1; ratios && j >= zeros_; --j)
+    for (Index j = std::min<Index>(size(), vectors.cols()) - 1; ratios && j >= zeros_; --j) {
         for (int step = 0; step < 4; ++step) {
             const double best = s + (t - s - way[j]) / (1 + slopes[j]), width = upper_[j] - best;
             if (way[j] < t - s && best - s <= 0.03 * width) {
-                good_[j] = good_[j] || way[j] - (t - s) * ratios->least[j] <= 0.05 * width;
+                good_[j] = good_[j] || way[j] - (t - s) * ratios->least[j] <= share * width;
                 break;
             }
             const double next = best - 0.01 * std::max(width, 1e-9 * upper_[j]);
@@ -78,6 +79,9 @@ void LowerBounds::prove_below(const DenseMatrix& vectors) {
             s = next;
             way = (t - s) * ratios->most;
         }
+        if (!good_[j])
+            return;
+    }
 }
 
 /// From a count in a gap between those whose bounds may be better and others: where vectors that
@@ -98,30 +102,36 @@ void LowerBounds::prove_by_gaps() {
         }
         if (others == 0 || count(middle) != others)
             return;
-        prove_below(vectors_.leftCols(others));
+        prove_below(vectors_.leftCols(others), 0.1);
         if (!good_[j])
             return;
     }
 }
 
-/// Counts grow with s: the smallest s known to have more than j below it, at most the upper bound.
+/// Counts grow with s: the smallest s known to have more than j below it, at most the upper bound
+/// and the limit of counts.
 double LowerBounds::limit(Index j) const {
-    double result = upper_[j];
+    double result = std::min(upper_[j], counter_.family().limit());
     for (const auto& [s, most] : counts_)
         if (!most || *most > j)
             result = std::min(result, s);
     return result;
 }
 
-/// The bound of eigenvalue j, and of what follows it closely: from a guess, or else by bisection.
-void LowerBounds::prove(double guess, Index j) {
-    constexpr int most_bisections = 6;
-    constexpr double fine = 0.35; // of the width
+/// Whether a count slightly below a guess proves the bound of eigenvalue j.
+bool LowerBounds::prove_near(double guess, Index j) {
     for (const double share : {1e-2, 0.1}) {
         const double s = guess - share * std::max(upper_[j] - guess, 1e-11 * upper_[j]);
-        if (const auto counted = s < limit(j) ? count(s) : std::nullopt; counted && *counted <= j)
-            return;
+        const auto counted = s < limit(j) ? count(s) : std::nullopt;
+        if (counted && *counted <= j)
+            return true;
     }
+    return false;
+}
+
+void LowerBounds::bisect(Index j) {
+    constexpr int most_bisections = 6;
+    constexpr double fine = 0.35; // of the width
     for (int step = 0; step < most_bisections; ++step) {
         const double low = lower_[j], high = limit(j);
         if (high - low <= fine * (upper_[j] - low))
@@ -130,12 +140,15 @@ void LowerBounds::prove(double guess, Index j) {
     }
 }
 
-void LowerBounds::prove_each() {
+/// Each bound, and those that follow it closely. Where simplices are nearly too large, all guesses
+/// fail if one does.
+void LowerBounds::prove_each(bool are_too_large) {
+    bool by_guesses = true;
     constexpr double cluster = 1e-2; // of the width
     for (Index j = size() - 1; j >= zeros_; --j) {
         if (good_[j])
             continue;
-        const Vector& values = guesses().values;
+        const Vector& values = by_guesses ? guesses().values : upper_;
         const double width = cluster * (upper_[j] - values[j]);
         if (lower_[j] >= values[j] - 2 * width)
             continue;
@@ -144,7 +157,10 @@ void LowerBounds::prove_each() {
             --first;
         if (options_.progress)
             options_.progress("a lower bound");
-        prove(values[first], first);
+        if (by_guesses && prove_near(values[first], first))
+            continue;
+        by_guesses = !are_too_large;
+        bisect(first);
     }
 }
 

@@ -33,9 +33,10 @@ private:
     Index size() const { return static_cast<Index>(upper_.size()); }
     std::optional<Index> count(double s);
     void prove_by_gaps();
-    void prove_below(const DenseMatrix& vectors);
-    void prove_each();
-    void prove(double guess, Index j);
+    void prove_below(const DenseMatrix& vectors, double share);
+    void prove_each(bool are_too_large);
+    bool prove_near(double guess, Index j);
+    void bisect(Index j);
     void record(double s, Index most);
     double limit(Index j) const;
 

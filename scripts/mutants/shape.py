@@ -30,6 +30,8 @@ MUTANTS = {
                              "RayleighRitzBounds.of_any_vectors_are_not_below_eigenvalues"),
     "steps_of_ritz_left_out": ("shape/ritz_pairs.cpp", "most_steps = 20", "most_steps = 1",
                                "RitzSolver.finds_the_smallest_eigenvalues"),
+    "counts_beyond_the_limit": ("shape/family_counter.cpp", "if (!(s < family_.limit()))", "if (false)",
+                                "FamilyCounter.counts_below_the_limit_alone"),
     "too_large_simplices_counted": ("shape/family_counter.cpp", "above * (1 + 1e-6) < limit", "above > 0",
                                     "CountBelow.encloses_the_number_of_eigenvalues"),
     "errors_of_lengths_forgotten": ("shape/measured_simplex.cpp", "shape.length_error + 8", "8",

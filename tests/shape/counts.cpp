@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate.h"
+#include "shape/family_counter.h"
 #include "shape/shape_spectrum.h"
 #include "tests/shape/known_shapes.h"
 #include "tests/support/refusal.h"
@@ -129,6 +130,16 @@ TEST(CountBelow, refuses_what_is_no_shape) {
     other = book(random, 3, 2).shape;
     other.functions = ShapeFunctions::twisted;
     EXPECT_SAYS(refused(other), "3 simplices", "facet", "twisted");
+}
+
+/// Forms say nothing from there on.
+TEST(FamilyCounter, counts_below_the_limit_alone) {
+    for (const int level : {1, 2}) {
+        const FormFamily family = lower_form(unmerged(kuhn(2, 3)), level);
+        FamilyCounter counter(family, "auto", 2);
+        EXPECT_TRUE(counter.at(0.9 * family.limit()));
+        EXPECT_FALSE(counter.at(1.1 * family.limit()));
+    }
 }
 
 } // namespace
