@@ -5,7 +5,9 @@
 #include "backends/registry.h"
 #include "backends/spectra/inertia.h"
 #include "backends/spectra/mass.h"
+#include "backends/spectra/scaled_part.h"
 #include "base/random.h"
+#include "base/row_sum_norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +91,16 @@ private:
     Eigen::Index added_ = 0;
 };
 
+/// D A D 2^exponent, D the powers of two `units`: without rounding.
+CountedMatrix scaled(const CountedMatrix& A, const Vector& units, int exponent) {
+    auto matrix =
+        std::make_shared<SparseMatrix>(units.asDiagonal() * *A.matrix * units.asDiagonal());
+    scale_entries(*matrix, exponent);
+    CountedMatrix result{matrix, A.doubt};
+    result.doubt.sizes = std::ldexp(1.0, exponent) * A.doubt.sizes.cwiseProduct(units.cwiseAbs2());
+    return result;
+}
+
 /// V = X^T A X, and bounds E: for all c, c^T V c is off by at most |c|^T E |c|, by the errors of A,
 /// of A X and of the product.
 struct Products {
@@ -147,7 +159,12 @@ RitzSolver::RitzSolver(const Shape& shape, const ConformingForm& form, Index zer
       options_(options),
       K_(form.stiffness()),
       M_(form.mass()),
-      shift_(K_.matrix->diagonal().sum() / M_.matrix->diagonal().sum()) {
+      units_(powers_of_two(M_.matrix->diagonal(), -1)) {
+    K_ = scaled(K_, units_, 0);
+    M_ = scaled(M_, units_, 0);
+    exponent_ = std::ilogb(largest_entry(*K_.matrix));
+    K_ = scaled(K_, Vector::Ones(units_.size()), -exponent_);
+    shift_ = K_.matrix->diagonal().mean() / M_.matrix->diagonal().mean();
     facts_.symmetry = Symmetry::symmetric;
     facts_.definiteness = Definiteness::positive;
     facts_.domain_dimension = shape.pieces.dimension();
@@ -182,9 +199,10 @@ DenseMatrix RitzSolver::start(Index count) {
     DenseMatrix X(form_.family().size(), std::min(wanted, form_.family().size()));
     Noise(3).fill(X.reshaped());
     if (known > 0)
-        X.leftCols(known) = interpolated(linear_, pairs.vectors, form_);
+        X.leftCols(known) =
+            units_.cwiseInverse().asDiagonal() * interpolated(linear_, pairs.vectors, form_);
     if (zeros_ < known)
-        shift_ = pairs.values[zeros_];
+        shift_ = std::ldexp(pairs.values[zeros_], -exponent_);
     return X;
 }
 
@@ -196,6 +214,8 @@ RitzPairs RitzSolver::smallest(Index count) {
     space.add(X);
     if (!solver_) {
         solver_ = make_linear_solver(options_.linear_solver);
+        if (shift_ < 1e-8) // so far below K, residuals of solves are not small beside it
+            facts_.inertia = Inertia::wanted;
         solver_->factorize(SparseMatrix(*K_.matrix + shift_ * *M_.matrix), facts_);
     }
     SymmetricPairs pairs = space.pairs();
@@ -210,10 +230,10 @@ RitzPairs RitzSolver::smallest(Index count) {
     }
     if (form_.family().size() > most_beside_another)
         solver_.reset();
-    const DenseMatrix vectors = space.vectors(pairs.vectors.leftCols(X.cols()));
-    Vector upper = rayleigh_ritz_bounds(K_, M_, vectors);
+    const DenseMatrix Y = space.vectors(pairs.vectors.leftCols(X.cols()));
+    Vector upper = std::ldexp(1.0, exponent_) * rayleigh_ritz_bounds(K_, M_, Y);
     upper.head(zeros_).setZero();
-    return {vectors, upper};
+    return {units_.asDiagonal() * Y, upper};
 }
 
 } // namespace polydec

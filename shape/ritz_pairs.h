@@ -46,7 +46,9 @@ private:
     ConformingForm linear_;
     Index zeros_;
     const ShapeSpectrumOptions& options_;
-    CountedMatrix K_, M_;
+    CountedMatrix K_, M_; // in units that make the diagonal of M about 1, K less 2^exponent
+    Vector units_;
+    int exponent_;
     std::optional<CertifiedEigensolver> start_; // none: no linear function
     double shift_;                              // K + shift M is factorized
     MatrixFacts facts_;
