@@ -114,13 +114,8 @@ PrimalData primal_data(const BoundaryForms& data, const FormEquations& of) {
             values(data.codifferential, k, below, sign(k + 1))};
 }
 
-Vector ones_at(const CellMarks& marks, int k) {
-    if (k < 0)
-        return {};
-    Vector result(static_cast<Index>(marks[k].size()));
-    for (Index s = 0; s < result.size(); ++s)
-        result[s] = marks[k][s] ? 1 : 0;
-    return result;
+std::vector<bool> marks_of(const CellMarks& marks, int k) {
+    return k < 0 ? std::vector<bool>() : marks[k];
 }
 
 /// The contribution of data at duals within the boundary to d^T of a k-form over duals.
@@ -135,11 +130,13 @@ SparseMatrix or_zeros(const SparseMatrix& matrix, Eigen::Index size) {
     return matrix.size() > 0 ? matrix : SparseMatrix(size, size);
 }
 
-/// 1 at the cells on facets where dual forms have values, else 0.
-Vector asked_for(const CellComplex& complex, Side side, const BoundaryConditions& conditions,
-                 int k) {
-    return side == Side::primal ? Vector(Vector::Ones(complex.size(k)))
-                                : ones_at(essential_cells(complex, conditions), k);
+/// The cells on facets where dual forms have values; all for primal forms.
+std::vector<bool> asked_for(const CellComplex& complex, Side side,
+                            const BoundaryConditions& conditions, int k) {
+    if (k < 0)
+        return {};
+    return side == Side::primal ? std::vector<bool>(complex.size(k), true)
+                                : essential_cells(complex, conditions)[k];
 }
 
 } // namespace
@@ -153,12 +150,10 @@ FormEquations::FormEquations(const FormSpace& space, const CellComplex& complex,
       dimension(complex.dimension()),
       k(space.cell_degree()),
       left_out(space.left_out()[k]),
-      left_out_below(k > 0 ? space.left_out()[k - 1] : std::vector<bool>()),
-      kept(all_but(left_out)),
-      kept_below(all_but(left_out_below)),
-      given(ones_at(space.fixed(), k)),
-      given_below(ones_at(space.fixed(), k - 1)),
-      asked(k > 0 ? asked_for(complex, side, space.conditions(), k - 1) : Vector()),
+      left_out_below(marks_of(space.left_out(), k - 1)),
+      given(space.fixed()[k]),
+      given_below(marks_of(space.fixed(), k - 1)),
+      asked(asked_for(complex, side, space.conditions(), k - 1)),
       M(stars[k].matrix()),
       M_below(k > 0 ? stars[k - 1].matrix() : SparseMatrix(0, 0)),
       upper(M.rows(), M.rows()),
@@ -177,7 +172,22 @@ FormEquations::FormEquations(const FormSpace& space, const CellComplex& complex,
         load = transpose_of(derivative(complex, k)) * centers_on_the_boundary(complex, space);
 }
 
+SparseMatrix FormEquations::kept() const {
+    return all_but(left_out);
+}
+
+SparseMatrix FormEquations::kept_below() const {
+    return all_but(left_out_below);
+}
+
 namespace {
+
+/// Sets values to 0 elsewhere.
+void keep(const std::vector<bool>& marked, Vector& values) {
+    for (Index i = 0; i < values.size(); ++i)
+        if (!marked[i])
+            values[i] = 0;
+}
 
 /// Adds A x to a sum, and its magnitude to the terms.
 void add(Vector& sum, Vector& terms, double sign_of, const SparseMatrix& A, const Vector& x) {
@@ -191,18 +201,21 @@ void add(Vector& sum, Vector& terms, double sign_of, const SparseMatrix& A, cons
 
 BoundaryLoads FormEquations::loads(const BoundaryForms& data) const {
     PrimalData known = primal_data(data, *this);
-    known.star_w = known.star_w.cwiseProduct(asked);
-    BoundaryLoads result{
-        known.w.cwiseProduct(given), known.below.cwiseProduct(given_below), {}, {}, {}, {}};
-    auto& [w, below, b, g, b_terms, g_terms] = result;
+    auto& [w, below, star_w, star_dw] = known;
+    keep(asked, star_w);
+    BoundaryLoads result;
+    result.b_terms = result.b = Vector::Zero(M.rows());
+    result.g_terms = result.g = Vector::Zero(M_below.rows());
+    add(result.b, result.b_terms, 1, B, star_dw);
+    add(result.b, result.b_terms, -1, load, star_dw);
+    add(result.g, result.g_terms, 1, B_below, star_w);
+    add(result.g, result.g_terms, -1, robin_below, below);
+    keep(given, w);
     if (fix.nonZeros() > 0)
-        w += (fix * known.star_w).cwiseQuotient(M.diagonal());
-    b_terms = b = Vector::Zero(M.rows());
-    g_terms = g = Vector::Zero(M_below.rows());
-    add(b, b_terms, 1, B, known.star_dw);
-    add(b, b_terms, -1, load, known.star_dw);
-    add(g, g_terms, 1, B_below, known.star_w);
-    add(g, g_terms, -1, robin_below, known.below);
+        w += (fix * star_w).cwiseQuotient(M.diagonal());
+    keep(given_below, below);
+    result.w = std::move(w);
+    result.below = std::move(below);
     return result;
 }
 

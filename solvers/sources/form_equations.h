@@ -28,15 +28,18 @@ struct FormEquations {
     /// The same, with the fixed values moved to the right-hand sides.
     BoundaryLoads loads_of_free_values(const BoundaryForms& data) const;
 
+    /// Map free values to all cells, except those left out.
+    SparseMatrix kept() const;
+    SparseMatrix kept_below() const;
+
     Side side;
     int dimension, k;
     std::vector<bool> left_out, left_out_below;
-    SparseMatrix kept, kept_below; // map free values to all cells, except those left out
-    Vector given, given_below;     // 1 at cells with values fixed by data, else 0
-    Vector asked;                  // 1 where star w is needed, else 0
-    SparseMatrix M, M_below;       // on all cells, as are the matrices below
-    SparseMatrix upper;            // d^T M_(k+1) d, without the dw given by data
-    SparseMatrix down;             // d^T M_k
+    std::vector<bool> given, given_below; // cells with values fixed by data
+    std::vector<bool> asked;              // cells where star w is needed
+    SparseMatrix M, M_below;              // on all cells, as are the matrices below
+    SparseMatrix upper;                   // d^T M_(k+1) d, without the dw given by data
+    SparseMatrix down;                    // d^T M_k
     SparseMatrix B, B_below;
     SparseMatrix fix, load;          // for n-cells with centers on the boundary: star w, star dw
     SparseMatrix robin, robin_below; // Robin terms of upper, and of M_below

@@ -41,24 +41,25 @@ void check_stars(const FormSpace& space) {
 
 class Forms final : public PoissonSystem {
 public:
-    Forms(const FormSpace& space, const std::string& engine) : of_(space), side_(space.side()) {
+    Forms(const FormSpace& space, const std::string& engine)
+        : of_(space), kept_(of_.kept()), kept_below_(of_.kept_below()), side_(space.side()) {
         const CellComplex complex = space.relative().complex;
-        harmonic_.resize(of_.kept.cols(), 0);
+        harmonic_.resize(kept_.cols(), 0);
         if (homology_generators(complex, of_.k).cols() > 0) // cheap if there are none
             harmonic_ = polydec::harmonic_forms(
                 FormSpace::vanishing_on({complex, space.inside().stars()}, Side::primal, of_.k),
                 engine);
         keep_free_of_robin();
-        const SparseMatrix P = of_.kept.transpose(), P_below = of_.kept_below.transpose();
-        weighted_ = P * of_.M * of_.kept * harmonic_;
+        const SparseMatrix P = kept_.transpose(), P_below = kept_below_.transpose();
+        weighted_ = P * of_.M * kept_ * harmonic_;
         solver_ = std::make_unique<SaddleSolver>(
-            SparseMatrix(P * (of_.upper + of_.robin) * of_.kept),
-            SparseMatrix(P_below * of_.down * of_.kept),
-            SparseMatrix(P_below * (of_.M_below + of_.robin_below) * of_.kept_below), engine,
+            SparseMatrix(P * (of_.upper + of_.robin) * kept_),
+            SparseMatrix(P_below * of_.down * kept_),
+            SparseMatrix(P_below * (of_.M_below + of_.robin_below) * kept_below_), engine,
             complex.dimension());
     }
 
-    DenseMatrix harmonic_forms() const override { return form(DenseMatrix(of_.kept * harmonic_)); }
+    DenseMatrix harmonic_forms() const override { return form(DenseMatrix(kept_ * harmonic_)); }
 
     Found solve(const Vector& f, const BoundaryForms& data, const Vector& harmonic) const override {
         if (harmonic.size() != 0)
@@ -68,7 +69,7 @@ public:
         b += primal ? of_.M * f : f;
         b_terms += primal ? Vector(of_.M.cwiseAbs() * f.cwiseAbs()) : f.cwiseAbs();
         check_loads("the right-hand side of the system", b, of_.k);
-        const SparseMatrix P = of_.kept.transpose(), P_below = of_.kept_below.transpose();
+        const SparseMatrix P = kept_.transpose(), P_below = kept_below_.transpose();
         Vector free = P * b;
         const Vector excess = harmonic_.transpose() * free;
         free -= weighted_ * excess;
@@ -79,13 +80,13 @@ public:
             free.setZero(); // the rounding error of harmonic data has a harmonic part itself
         const auto [x, s, report] = solver_->solve(free, P_below * g, terms);
 
-        w += of_.kept * x;
-        below += of_.kept_below * s;
+        w += kept_ * x;
+        below += kept_below_ * s;
         Vector coefficients = -(harmonic_.transpose() * (P * (of_.M * w)));
         if (harmonic.size() != 0)
             coefficients += harmonic;
-        w += of_.kept * (harmonic_ * coefficients);
-        return {form(w), std::move(below), form(Vector(of_.kept * (harmonic_ * excess))), report};
+        w += kept_ * (harmonic_ * coefficients);
+        return {form(w), std::move(below), form(Vector(kept_ * (harmonic_ * excess))), report};
     }
 
 private:
@@ -100,7 +101,7 @@ private:
     void keep_free_of_robin() {
         if (harmonic_.cols() == 0 || of_.robin.nonZeros() == 0)
             return;
-        const DenseMatrix whole = of_.kept * harmonic_;
+        const DenseMatrix whole = kept_ * harmonic_;
         const DenseMatrix energy = whole.transpose() * (of_.robin * whole);
         const Eigen::SelfAdjointEigenSolver<DenseMatrix> parts(energy);
         constexpr double rounding = 1e-12;
@@ -111,6 +112,7 @@ private:
     }
 
     FormEquations of_;
+    SparseMatrix kept_, kept_below_; // free values to all cells
     Side side_;
     DenseMatrix harmonic_, weighted_; // of free values, orthonormal; M times these
     std::unique_ptr<SaddleSolver> solver_;

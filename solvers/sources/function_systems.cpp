@@ -39,7 +39,9 @@ protected:
         : of_(space),
           N_(std::move(N)),
           weights_((N_ * Vector::Ones(N_.cols())).cwiseAbs()),
-          are_values_((space.side() == Side::primal) == (space.cell_degree() == 0)) {}
+          are_values_((space.side() == Side::primal) == (space.cell_degree() == 0)) {
+        SparseMatrix().swap(of_.down); // of other degrees
+    }
 
     virtual const FreeComponents& components() const = 0;
 
@@ -266,8 +268,9 @@ public:
     FluxSystem(const FormSpace& space, const std::string& engine)
         : Balances(space),
           M_(resistances(of_)),
-          solver_(SparseMatrix(of_.kept_below.transpose()) * M_ * of_.kept_below,
-                  divergence_ * of_.kept_below, engine, of_.dimension),
+          kept_(of_.kept_below()),
+          solver_(SparseMatrix(kept_.transpose()) * M_ * kept_, divergence_ * kept_, engine,
+                  of_.dimension),
           components_(connections(), of_.left_out, tied_, weights_) {}
 
     Found solve(const Vector& f, const BoundaryForms& data, const Vector& harmonic) const override {
@@ -276,14 +279,14 @@ public:
         const Vector sources = integrals(f), drops = -known.g - M_ * flux;
         check_loads("the right-hand side of a flux", drops, of_.dimension - 1);
         const Vector right_side = left(sources, flux);
-        const SparseMatrix P = of_.kept_below.transpose();
+        const SparseMatrix P = kept_.transpose();
         Vector terms(P.rows() + sources.size());
         terms << P * Vector(known.g_terms + M_.cwiseAbs() * flux.cwiseAbs()),
             sources.cwiseAbs() + divergence_.cwiseAbs() * flux.cwiseAbs();
         Vector balanced = right_side;
         const Compatibility compatibility = components_.balance(balanced);
         auto [x, c, report] = solver_.solve(P * drops, balanced, terms);
-        flux += of_.kept_below * x;
+        flux += kept_ * x;
         Vector u = -c;
         components_.remove_means(u);
         return found(std::move(u), right_side, std::move(flux), std::move(report), compatibility,
@@ -294,11 +297,11 @@ private:
     const FreeComponents& components() const override { return components_; }
 
     SparseMatrix connections() const {
-        const SparseMatrix sides = SparseMatrix(divergence_ * of_.kept_below).cwiseAbs();
+        const SparseMatrix sides = SparseMatrix(divergence_ * kept_).cwiseAbs();
         return sides * SparseMatrix(sides.transpose());
     }
 
-    SparseMatrix M_;
+    SparseMatrix M_, kept_; // kept: free fluxes to all
     SaddleSolver solver_;
     FreeComponents components_;
 };

@@ -171,15 +171,17 @@ Vector Diffusion::moved(const Vector& fixed) const {
 Vector Diffusion::boundary_rate(const BoundaryForms& data) const {
     const FormEquations& of = equations();
     auto [w, below, b, g, b_terms, g_terms] = loads(data);
-    const Vector shift = of.kept * moved(w);
+    const SparseMatrix kept = of.kept();
+    const Vector shift = kept * moved(w);
     b += of.upper * shift + of.robin * shift;
     g += of.down * shift;
     if (of.k > 0) {
         const HodgeStar star = space_->of.inside().stars()[of.k - 1];
-        const Vector s = star.solve(Vector(of.kept_below.transpose() * g));
-        b += of.down.transpose() * Vector(of.kept_below * s);
+        const SparseMatrix kept_below = of.kept_below();
+        const Vector s = star.solve(Vector(kept_below.transpose() * g));
+        b += of.down.transpose() * Vector(kept_below * s);
     }
-    const Vector load = coefficient_ * (of.kept.transpose() * b);
+    const Vector load = coefficient_ * (kept.transpose() * b);
     return side_ == Side::dual ? load : mass_.solve(load);
 }
 
