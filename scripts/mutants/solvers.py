@@ -103,7 +103,7 @@ MUTANTS = {
                                    "drops = -known.g - M_ * flux", "drops = -known.g + M_ * flux",
                                    "PoissonSystems.have_the_solution_of_the_equations_of_all_forms"),
     "poisson_flux_load_dropped": ("solvers/sources/form_equations.cpp",
-                                  "    add(b, b_terms, 1, B, known.star_dw);\n", "",
+                                  "    add(result.b, result.b_terms, 1, B, star_dw);\n", "",
                                   "NaturalConditions.say_how_far_fluxes_are_from_balanced"),
     "diffusion_shift_of_robin": ("solvers/time/diffusion.cpp", "b += of.upper * shift + of.robin * shift;",
                                  "b += of.upper * shift;",
