@@ -2,9 +2,9 @@
 #include "examples/plots/svg_plot.h"
 
 #include "base/errors.h"
+#include "examples/plots/plot_layout.h"
 #include "examples/plots/svg_axis.h"
 #include "examples/plots/svg_traces.h"
-#include "io/pictures/svg_layout.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace polydec {
@@ -46,28 +45,8 @@ SvgExtent extent_of_polygons(const SvgDrawing& drawing);
 /// Obstacles for triangles and legends: small boxes along lines, and larger boxes.
 using SvgObstacles = std::vector<SvgBox>;
 
-void add_line(SvgObstacles& obstacles, const std::vector<SvgPoint>& points);
-
 /// The number of obstacles that meet a box.
 std::size_t meetings(const SvgObstacles& obstacles, const SvgBox& box);
-
-/// A right triangle beside a line: hypotenuse from first to second, right angle at corner.
-struct SvgSlopeTriangle {
-    SvgPoint first, second, corner;
-
-    /// The area it covers: strips between the hypotenuse and a leg, and room for the numbers at the
-    /// legs.
-    std::vector<SvgBox> boxes() const;
-};
-
-/// A triangle whose hypotenuse rises `rise` pixels over `width`, beside the lower end of the line
-/// through these points. It meets as few obstacles as possible, within the frame.
-SvgSlopeTriangle place_triangle(const std::vector<SvgPoint>& line, double width, double rise,
-                                const SvgObstacles& obstacles, const SvgBox& frame);
-
-/// A box of this size in a corner of the frame that meets no obstacle, if there is one.
-std::optional<SvgBox> free_corner(double width, double height, const SvgObstacles& obstacles,
-                                  const SvgBox& frame);
 
 /// The center of a box of this size that meets no obstacle: the first free one of the wishes, or
 /// else the first free place on growing circles around the first wish.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "examples/plots/plot_layout.h"
 #include "examples/plots/svg_axis.h"
 #include "examples/plots/svg_plot.h"
 #include "io/pictures/svg_canvas.h"
-#include "io/pictures/svg_layout.h"
 #include "io/xml_text.h"
 #include "tests/io/support.h"
 #include "tests/io/svg_text.h"
