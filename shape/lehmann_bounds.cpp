@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shape/lehmann_bounds.h"
 
+#include "backends/blas.h"
 #include "base/decompositions.h"
 #include "base/parallel.h"
 
@@ -152,8 +153,9 @@ std::optional<LehmannBounds::Ratios> LehmannBounds::ratios(double s) const {
             part(images, i - begin) = drop.of(part(images, i - begin));
             drop.unroot(part(roots, i - begin));
         }
-        sums[begin / size] = {roots * roots.transpose(),
-                              vectors_.middleCols(first, columns) * images.transpose()};
+        const DenseMatrix R = roots.transpose(), I = images.transpose(),
+                          V = vectors_.middleCols(first, columns).transpose();
+        sums[begin / size] = {transposed_product(R, R), transposed_product(V, I)};
     });
     if (std::find(fails.begin(), fails.end(), true) != fails.end())
         return std::nullopt;
