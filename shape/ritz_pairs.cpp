@@ -6,8 +6,10 @@
 #include "backends/spectra/inertia.h"
 #include "backends/spectra/mass.h"
 #include "backends/spectra/scaled_part.h"
+#include "base/errors.h"
 #include "base/random.h"
 #include "base/row_sum_norm.h"
+#include "system/memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -188,8 +190,14 @@ DenseMatrix RitzSolver::start(Index count) {
     Index wanted = count + more, known = 0;
     CertifiedEigenpairs pairs;
     while (known < std::min(wanted, most)) {
+        try {
+            pairs = start_->smallest(std::min(wanted, most));
+        } catch (const OutOfMemory&) {
+            throw;
+        } catch (const SolverFailure&) { // then others start at random
+            break;
+        }
         known = std::min(wanted, most);
-        pairs = start_->smallest(known);
         const Vector& values = pairs.values;
         const Index gap = largest_gap(values, count);
         const double usual = values[known - 1] / known;

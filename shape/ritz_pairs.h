@@ -13,8 +13,8 @@ namespace polydec {
 
 /// Approximate eigenfunctions among conforming functions.
 struct RitzPairs {
-    DenseMatrix vectors; ///< columns, of norm 1
-    Vector upper;        ///< ascending bounds of as many eigenvalues (Rayleigh, Ritz)
+    DenseMatrix vectors; ///< columns, of norm 1 in b
+    Vector upper;        ///< ascending bounds of as many eigenvalues of a and b (Rayleigh, Ritz)
 };
 
 /// Bounds of the smallest eigenvalues of exact forms K x = lambda M x, as many as columns of X, in
@@ -26,8 +26,8 @@ Vector rayleigh_ritz_bounds(const CountedMatrix& K, const CountedMatrix& M, cons
 /// there is none.
 Index largest_gap(const Vector& values, Index first);
 
-/// Finds them in a block Krylov space that starts with the eigenvectors of linear functions with
-/// lumped masses: one step takes away most of what these have of large eigenvalues. On coarse
+/// Finds Ritz pairs in a block Krylov space that starts with the eigenvectors of linear functions
+/// with lumped masses: one step takes away most of what these have of large eigenvalues. On coarse
 /// symmetric meshes it may miss pairs of other symmetry than these; bounds hold nevertheless.
 class RitzSolver {
 public:
@@ -36,7 +36,8 @@ public:
                const ShapeSpectrumOptions& options);
 
     /// The `count` smallest, at most as many as there are functions and at least `zeros`, and some
-    /// behind them that are less accurate. Throws SolverFailure like CertifiedEigensolver.
+    /// behind them that are less accurate. Throws SolverFailure if a + shift b
+    /// cannot be factorized.
     RitzPairs smallest(Index count);
 
 private:

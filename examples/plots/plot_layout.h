@@ -8,6 +8,7 @@
 
 namespace polydec {
 
+/// Adds small boxes along the line through these points.
 void add_line(SvgObstacles& obstacles, const std::vector<SvgPoint>& points);
 
 /// A right triangle beside a line: hypotenuse from first to second, right angle at corner.

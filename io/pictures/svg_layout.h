@@ -42,7 +42,7 @@ struct SvgExtent {
 /// That of a drawing that has polygons alone.
 SvgExtent extent_of_polygons(const SvgDrawing& drawing);
 
-/// Obstacles for triangles and legends: small boxes along lines, and larger boxes.
+/// Boxes that others must not meet.
 using SvgObstacles = std::vector<SvgBox>;
 
 /// The number of obstacles that meet a box.
