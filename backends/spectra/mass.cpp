@@ -44,9 +44,7 @@ public:
         return root_.cwiseInverse().asDiagonal() * X;
     }
     DenseMatrix transposed_root(const DenseMatrix& X) const override { return root(X); }
-    Vector transposed_unroot(const LongVector& x) const override {
-        return x.cwiseQuotient(root_.cast<long double>()).cast<double>();
-    }
+    DenseMatrix transposed_unroot(const DenseMatrix& X) const override { return unroot(X); }
 
     long double inverse_square(const LongVector& x) const override {
         long double sum = 0;
@@ -101,13 +99,12 @@ public:
     DenseMatrix transposed_root(const DenseMatrix& X) const override {
         return factor_.permutationPinv() * DenseMatrix(factor_.matrixL() * X);
     }
-    Vector transposed_unroot(const LongVector& x) const override {
-        const DenseMatrix permuted = factor_.permutationP() * DenseMatrix(x.cast<double>());
-        return DenseMatrix(factor_.matrixL().solve(permuted));
+    DenseMatrix transposed_unroot(const DenseMatrix& X) const override {
+        return factor_.matrixL().solve(DenseMatrix(factor_.permutationP() * X));
     }
 
     long double inverse_square(const LongVector& x) const override {
-        return transposed_unroot(x).cast<long double>().squaredNorm();
+        return transposed_unroot(x.cast<double>()).cast<long double>().squaredNorm();
     }
 
 private:

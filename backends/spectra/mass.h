@@ -42,11 +42,11 @@ public:
     /// M^-1 z, to nearly full accuracy, and a bound on the residual of M times it.
     virtual LongVector solve(const LongVector& z, Vector& error) const = 0;
 
-    /// R X, R^-1 X, R^T X and R^-T x.
+    /// R X, R^-1 X, R^T X and R^-T X.
     virtual DenseMatrix root(const DenseMatrix& X) const = 0;
     virtual DenseMatrix unroot(const DenseMatrix& X) const = 0;
     virtual DenseMatrix transposed_root(const DenseMatrix& X) const = 0;
-    virtual Vector transposed_unroot(const LongVector& x) const = 0;
+    virtual DenseMatrix transposed_unroot(const DenseMatrix& X) const = 0;
 
     /// x^T M^-1 x, and an upper bound on it for all x with |x_i| <= sizes_i.
     virtual long double inverse_square(const LongVector& x) const = 0;

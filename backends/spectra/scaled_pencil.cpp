@@ -294,7 +294,7 @@ std::vector<Enclosure> ScaledPencil::enclose(const DenseMatrix& Y, DenseMatrix* 
             LongVector residual;
             enclosures[i] = enclose(x, image, residual);
             if (residuals)
-                residuals->col(i) = mass_->transposed_unroot(residual);
+                residuals->col(i) = mass_->transposed_unroot(residual.cast<double>());
         }
     });
     return enclosures;

@@ -78,6 +78,15 @@ TEST_P(WavesByStars, swing_eigenforms_in_their_frequency_up_to_the_largest_step)
 
 POLYDEC_OVER_MESHES(WavesByStars);
 
+/// A torus has many oscillations of nearly the largest frequency.
+TEST(StableStep, does_not_depend_on_the_order_of_vertices) {
+    Mesh mesh = torus(96, 48);
+    const double limit = stable_step({circumcentric(mesh), Side::primal, 0});
+    mesh.points = mesh.points.colwise().reverse().eval();
+    mesh.simplices = static_cast<Index>(mesh.points.rows()) - 1 - mesh.simplices.array();
+    EXPECT_NEAR(stable_step({circumcentric(mesh), Side::primal, 0}), limit, 1e-10 * limit);
+}
+
 TEST(WavesByOtherStars, keep_another_energy) {
     const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
     const Cochain E{Side::primal, 1, random_vector(mesh.complex().size(1), 1)};
