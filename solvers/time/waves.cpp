@@ -5,6 +5,7 @@
 #include "backends/spectra/mass.h"
 #include "base/checks.h"
 #include "base/errors.h"
+#include "base/parallel.h"
 #include "dec/discretization/advice.h"
 #include "dec/discretization/positive_mass.h"
 #include "dec/forms/operator.h"
@@ -111,14 +112,27 @@ Stability stability(const FormSpace& space) {
     if (complex.incidences(k).size() == 0)
         return {};
     // in the scale of unit mass: R^-T d^T star_(k+1) d R^-1, star_k = R^T R
-    const auto mass = make_mass(weights(inside.stars()[k]));
-    const SparseMatrix stiffness = d.transposed() * Operator::star(inside.stars()[k + 1]) * d;
+    const HodgeStar star = inside.stars()[k];
+    const Vector scale = diagonal(weights(star)).cwiseSqrt().cwiseInverse();
+    const auto mass = make_mass(congruent(weights(star), scale));
+    const Operator scaled_d = d * Operator::weights(scale);
+    const SparseMatrix stiffness =
+        scaled_d.transposed() * Operator::star(inside.stars()[k + 1]) * scaled_d;
+    const auto times = [&](const Vector& x) {
+        Vector y(x.size());
+        for_each_part(static_cast<Index>(x.size()), 1 << 13, [&](Index begin, Index end) {
+            y.segment(begin, end - begin) = stiffness.middleRows(begin, end - begin) * x;
+        });
+        return y;
+    };
     const SymmetricOperator A{mass->size(), [&](const Vector& x, Vector& y) {
-                                  y = mass->transposed_unroot(stiffness * mass->unroot(x));
+                                  if (star.is_diagonal()) // and the scale makes it 1
+                                      y = times(x);
+                                  else
+                                      y = mass->transposed_unroot(times(mass->unroot(x)));
                               }};
     const auto [largest, fastest] = largest_pair(A);
-    const HodgeStar star = inside.stars()[k];
-    const Vector u = mass->unroot(fastest);
+    const Vector u = scale.cwiseProduct(Vector(mass->unroot(fastest)));
     Index cell = 0;
     u.cwiseProduct(star * u).maxCoeff(&cell); // of the energy
     return {2 / std::sqrt(largest), fmt::format("{}-cell {}", k, star.numbers({cell}))};
