@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "python/bindings/convert.h"
+#include "python/bindings/guarded.h"
 #include "system/memory.h"
 
 #include <fmt/format.h>
@@ -66,6 +67,45 @@ void register_solver(const std::string& name, const py::function& factorize) {
     });
 }
 
+/// An operator for Python, which may keep what `function` gives: used after the lender is gone, it
+/// throws InvalidInput.
+class Lent {
+public:
+    explicit Lent(const SymmetricOperator& A) : use_(std::make_shared<Guarded<Use>>(Use{&A})) {}
+    ~Lent() {
+        use_->use([](Use& use) { use.A = nullptr; });
+    }
+    Lent(const Lent&) = delete;
+    Lent& operator=(const Lent&) = delete;
+
+    py::cpp_function function() const {
+        return [kept = use_](const Vector& x) {
+            return kept->use([&](Use& use) { return applied(use, x); });
+        };
+    }
+    Index count() const { return use_->solver.count; }
+
+private:
+    struct Use {
+        const SymmetricOperator* A;
+        Index count = 0;
+    };
+
+    static Vector applied(Use& use, const Vector& x) {
+        if (use.A == nullptr)
+            throw InvalidInput(
+                "the operator of an eigensolver is applied after its call, with which "
+                "it ended: expected products before the function returns");
+        check_as_many("values for the operator of an eigensolver", x.size(), use.A->size);
+        ++use.count;
+        Vector y(use.A->size);
+        use.A->apply(x, y);
+        return y;
+    }
+
+    std::shared_ptr<Guarded<Use>> use_;
+};
+
 /// An eigensolver written in Python, called with what the operator does.
 class PythonEigenSolver final : public EigenSolver {
 public:
@@ -82,25 +122,17 @@ protected:
 private:
     EigenPairs computed(const SymmetricOperator& A, Index count,
                         const EigenOptions& options) const {
-        Index operations = 0;
-        const py::cpp_function apply([&](const Vector& x) {
-            ++operations;
-            check_as_many("values for the operator of an eigensolver", x.size(), A.size);
-            return unlocked([&] {
-                Vector y(A.size);
-                A.apply(x, y);
-                return y;
-            });
-        });
-        const auto [values, vectors] = (*largest_)(apply, A.size, count, options.krylov_dimension,
-                                                   options.tolerance, options.start)
-                                           .cast<std::pair<Vector, DenseMatrix>>();
+        const Lent lent(A);
+        const auto [values, vectors] =
+            (*largest_)(lent.function(), A.size, count, options.krylov_dimension, options.tolerance,
+                        options.start)
+                .cast<std::pair<Vector, DenseMatrix>>();
         if (values.size() > count || vectors.rows() != A.size || vectors.cols() != values.size())
             throw SolverFailure(fmt::format(
                 "{}: the Python function returned {} values and a {} x {} array of vectors: "
                 "expected at most {} values and {} numbers for each",
                 name_, values.size(), vectors.rows(), vectors.cols(), count, A.size));
-        return {values, vectors, static_cast<Index>(values.size()), operations};
+        return {values, vectors, static_cast<Index>(values.size()), lent.count()};
     }
 
     std::string name_;

@@ -99,8 +99,9 @@ def register_eigen_solver(name: str, largest: Callable[..., Any]) -> None:
     name : str
     largest : callable
         ``largest(A, count, krylov_dimension, tolerance, start)`` takes a symmetric
-        ``scipy.sparse.linalg.LinearOperator``. It returns the `count` algebraically largest
-        eigenvalues, in any order, and their orthonormal eigenvectors as columns.
+        ``scipy.sparse.linalg.LinearOperator``, which ends with the call. It returns the `count`
+        algebraically largest eigenvalues, in any order, and their orthonormal eigenvectors as
+        columns.
 
     Examples
     --------

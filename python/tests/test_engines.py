@@ -10,7 +10,7 @@ import scipy.sparse as sp
 import scipy.sparse.linalg
 
 import polydec
-from conftest import complex_of
+from conftest import said
 
 SYMMETRIC = sp.diags([[-1.0] * 49, [2.5] * 50, [-1.0] * 49], [-1, 0, 1])
 
@@ -121,6 +121,21 @@ def test_own_eigensolver(square):
     polydec.register_eigen_solver("python.broken", lambda *arguments: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         polydec.spectrum(square, count=4, eigen_solver="python.broken")
+
+
+def test_operators_of_own_eigensolvers_end_with_the_call(square):
+    kept = []
+
+    def largest(A, count, dimension, tolerance, start):
+        kept.append(A)
+        values, vectors = np.linalg.eigh(A @ np.eye(A.shape[0]))
+        return values[-count:], vectors[:, -count:]
+
+    polydec.register_eigen_solver("python.keeps", largest)
+    polydec.spectrum(square, count=4, eigen_solver="python.keeps")
+    for A in kept:
+        with pytest.raises(polydec.InvalidInput, match=said("operator", "after its call")):
+            A @ np.ones(A.shape[1])
 
 
 def test_memory_limit():
