@@ -15,15 +15,26 @@ namespace polydec::python {
 
 namespace {
 
+/// A group as Python names it: dimension, tag and name.
+using GivenGroup = std::tuple<int, Index, std::string>;
+
+std::vector<GroupName> groups_of(const std::vector<GivenGroup>& given) {
+    std::vector<GroupName> groups;
+    for (const auto& [dimension, tag, name] : given)
+        groups.push_back({dimension, tag, name});
+    return groups;
+}
+
 Mesh mesh_of(Points points, const Integers& simplices, const Integers& tags, const Integers& facets,
-             const Integers& facet_tags, const std::vector<std::string>& warnings,
-             const Integers& input_cells, Index input_count) {
+             const Integers& facet_tags, const std::vector<GivenGroup>& groups,
+             const std::vector<std::string>& warnings, const Integers& input_cells,
+             Index input_count) {
     return {std::move(points),
             rows(simplices),
             warnings,
             indices(tags),
             {rows(facets), indices(facet_tags)},
-            {},
+            groups_of(groups),
             {indices(input_cells), input_count}};
 }
 

@@ -252,8 +252,8 @@ class Complex(Cells):
 
     def __reduce__(self) -> tuple[Any, ...]:
         if self._given is None:
-            raise InvalidInput("a complex with its own stars cannot be pickled: pickle its mesh "
-                               "and options, and call with_star again")
+            raise InvalidInput("a complex made by box, with_star or with a material cannot be "
+                               "pickled: pickle the one that it was made of, and make it again")
         return _made_again, (self._given, self._options)
 
 

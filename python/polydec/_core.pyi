@@ -20,8 +20,8 @@ _Progress = Callable[[str], object] | None
 
 class Mesh:
     def __init__(self, points: Floats, simplices: Integers, tags: Integers, facets: Integers,
-                 facet_tags: Integers, warnings: list[str], input_cells: Integers,
-                 input_count: int) -> None: ...
+                 facet_tags: Integers, groups: list[tuple[int, int, str]], warnings: list[str],
+                 input_cells: Integers, input_count: int) -> None: ...
     @property
     def points(self) -> Floats: ...
     @property

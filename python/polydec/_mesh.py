@@ -63,12 +63,13 @@ class Mesh:
             floats(points, "points", 2), integers(simplices, "simplices", 2),
             none if tags is None else integers(tags, "tags"),
             none.reshape(0, 0) if facets is None else integers(facets, "facets", 2),
-            none if facet_tags is None else integers(facet_tags, "facet_tags"), [], none, 0)
+            none if facet_tags is None else integers(facet_tags, "facet_tags"), [], [], none,
+            0)
 
     @classmethod
-    def _of(cls, mesh: _core.Mesh) -> Mesh:
+    def _of(cls, mesh: _core.Mesh, file: str = "") -> Mesh:
         result = cls.__new__(cls)
-        result._file = ""
+        result._file = file
         result._mesh = mesh
         return result
 
@@ -117,17 +118,18 @@ class Mesh:
         return int(self.points.shape[1])
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _unpickled, (np.array(self.points), np.array(self.simplices), np.array(self.tags),
-                            np.array(self.facets), np.array(self.facet_tags), self.warnings,
-                            np.array(self.input_cells), self._mesh.input_count)
+        return _unpickled, (self._file, np.array(self.points), np.array(self.simplices),
+                            np.array(self.tags), np.array(self.facets), np.array(self.facet_tags),
+                            self.groups, self.warnings, np.array(self.input_cells),
+                            self._mesh.input_count)
 
     def __repr__(self) -> str:
         return (f"Mesh({len(self.points)} points in R^{self.ambient_dim}, "
                 f"{len(self.simplices)} simplices of dimension {self.dim})")
 
 
-def _unpickled(*parts: Any) -> Mesh:
-    return Mesh._of(_core.Mesh(*parts))
+def _unpickled(file: str, *parts: Any) -> Mesh:
+    return Mesh._of(_core.Mesh(*parts), file)
 
 
 class LengthMesh:
@@ -235,9 +237,7 @@ def read_mesh(path: Path) -> Mesh:
     ...     polydec.read_mesh(folder + "/sphere.off")
     Mesh(42 points in R^3, 80 simplices of dimension 2)
     """
-    mesh = Mesh._of(_core.read_mesh(os.fspath(path)))
-    mesh._file = os.fspath(path)
-    return mesh
+    return Mesh._of(_core.read_mesh(os.fspath(path)), os.fspath(path))
 
 
 def write_mesh(path: Path, mesh: Mesh) -> None:

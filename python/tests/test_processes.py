@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Pickling, threads, other processes, Ctrl-C and what listeners do."""
 import _thread
+import copy
 import gc
 import multiprocessing
 import os
@@ -29,6 +30,16 @@ def test_meshes_are_pickled(protocol):
     assert np.array_equal(pickle.loads(pickle.dumps(lengths, protocol)).lengths, lengths.lengths)
 
 
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy,
+                                    lambda mesh: pickle.loads(pickle.dumps(mesh))])
+def test_copies_of_meshes_have_groups(grouped_square, copied):
+    mesh = polydec.read_mesh(grouped_square)
+    again = copied(mesh)
+    assert again.groups == mesh.groups and again._file == mesh._file
+    for made in (polydec.discretize(again), copied(polydec.discretize(mesh))):
+        assert made.facets_in("the wall").sum() == 1
+
+
 @pytest.mark.parametrize("options", [
     {}, {"merge": False}, {"star": "galerkin"}, {"angle_tolerance": 1e-3},
     {"delaunay": "flips_and_splits"}])
@@ -45,8 +56,10 @@ def test_complexes_are_pickled_to_the_last_bit(options):
 
 
 def test_what_cannot_be_pickled(square):
-    with pytest.raises(polydec.InvalidInput, match=said("stars")):
-        pickle.dumps(square.with_star(1, square[1].star))
+    glued = polydec.discretize(polydec.periodic(polydec.meshes.grid(4, 4), [[1, 0], [0, 1]]))
+    for made in (square.with_star(1, square[1].star), square.with_material(0, 2.0), glued.box):
+        with pytest.raises(polydec.InvalidInput, match=said("box", "with_star", "material", "again")):
+            pickle.dumps(made)
 
 
 def test_results_and_errors_are_pickled(square):
