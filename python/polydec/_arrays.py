@@ -50,6 +50,11 @@ def floats(values: npt.ArrayLike, name: str, dimensions: int = 1) -> Floats:
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
+def or_none(values: npt.ArrayLike | None, name: str) -> Floats:
+    """The same; no numbers if nothing is given."""
+    return np.zeros(0) if values is None else floats(values, name)
+
+
 def integers(values: npt.ArrayLike, name: str, dimensions: int = 1) -> Integers:
     """Whole numbers of 32 bits. Raises InvalidInput for other values, fractions included."""
     array = _array(values, name)

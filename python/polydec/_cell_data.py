@@ -10,7 +10,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, at_places, floats
 from ._cells import Cells
-from ._cochain import Cochain
+from ._cochain import Cochain, values_of
 from ._errors import InvalidInput
 
 #: Data on cells: one number for all; one for each input cell, in input order; a dual 0-form; or a
@@ -23,9 +23,7 @@ def cell_data(cells: Cells, given: CellNumbers | None, name: str) -> _core.CellD
     if given is None:
         return _core.CellData(np.zeros(0), False)
     if isinstance(given, Cochain):
-        if (given.side, given.degree) != ("dual", 0):
-            raise InvalidInput(f"{name}: {given!r} is given: expected a dual 0-form")
-        return _core.CellData(given.values, True)
+        return _core.CellData(values_of(cells, given, "dual", 0, name), True)
     if callable(given):
         places = getattr(cells, "centroids", None)
         if places is None:

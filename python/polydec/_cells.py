@@ -10,7 +10,7 @@ import scipy.sparse.linalg
 
 from . import _core
 from ._arrays import Floats, Integers, floats, matrix_parts
-from ._cochain import Form, as_form
+from ._cochain import Form, as_form, check_side
 from ._errors import InvalidInput
 
 
@@ -70,6 +70,7 @@ class Cells:
 
     def size(self, k: int, side: str = "primal") -> int:
         """Number of values of a k-form on this side; 0 if the degree does not exist."""
+        check_side(side)
         return self._cells.size(k if side == "primal" else self.dim - k)
 
     def __len__(self) -> int:
@@ -217,8 +218,7 @@ class Cells:
 
     def _inverts(self, side: str, k: int, laplacian: bool) -> bool:
         """Whether the operator is dense because it contains the inverse of a star matrix."""
-        if side not in ("primal", "dual"):
-            return False # C++ reports the error
+        check_side(side)
         cells = k if side == "primal" else self.dim - k
         inverted = [cells - 1] if side == "primal" else [cells]
         if laplacian:

@@ -8,12 +8,18 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, floats
+from ._arrays import Floats, Values, at_places, floats
 from ._errors import InvalidInput
 from ._vertices import form_at_cells, mesh_of
 
 if TYPE_CHECKING:
     from ._cells import Cells
+
+
+def check_side(side: str) -> None:
+    """Raises InvalidInput for a name that is no side."""
+    if side not in ("primal", "dual"):
+        raise InvalidInput(f'side is "{side}": expected "primal" or "dual"')
 
 
 class Cochain:
@@ -43,14 +49,13 @@ class Cochain:
 
     def __init__(self, values: npt.ArrayLike, degree: int, side: str = "primal",
                  complex: Cells | None = None) -> None:
+        check_side(side)
         self.values: Floats = floats(values, f"values of the {side} {degree}-form")
         self.degree = degree
         self.side = side
         self._complex = complex
         if complex is not None:
             self.values = form_at_cells(complex, self.values, side, degree)
-        if side not in ("primal", "dual"):
-            raise InvalidInput(f'side is "{side}": expected "primal" or "dual"')
         if complex is not None and len(self.values) != complex.size(degree, side):
             raise InvalidInput(f"a {side} {degree}-form of {len(self.values)} values is given: "
                                f"expected {complex.size(degree, side)}")
@@ -144,6 +149,28 @@ def as_form(cells: Cells, form: Form, degree: int | None = None,
                            "and the degree of the form")
     values = floats(form, f"values of the {side} {degree}-form")
     return side, degree, form_at_cells(cells, values, side, degree)
+
+
+def of_kind(given: Any, name: str, *kinds: tuple[str, int]) -> Any:
+    """What is given. Raises InvalidInput for a `Cochain` of another side and degree than these."""
+    if isinstance(given, Cochain) and (given.side, given.degree) not in kinds:
+        expected = " or ".join(f"a {side} {degree}-form" for side, degree in kinds)
+        raise InvalidInput(f"{name}: {given!r} is given: expected {expected}")
+    return given
+
+
+def values_of(cells: Cells, form: Form, side: str, degree: int, name: str) -> Floats:
+    """Values of a form of this kind, given as a `Cochain` or an array."""
+    values = floats(of_kind(form, name, (side, degree)), name)
+    return form_at_cells(cells, values, side, degree)
+
+
+def function_values(cells: Cells, given: Form | Values, places: Floats, name: str,
+                    side: str = "primal") -> Floats:
+    """Values of a 0-form, given as a `Cochain`, or by values at its places."""
+    if isinstance(given, Cochain):
+        return values_of(cells, given, side, 0, name)
+    return form_at_cells(cells, at_places(given, places, name), side, 0)
 
 
 def made(form: tuple[str, int, Floats], cells: Cells) -> Cochain:

@@ -9,13 +9,13 @@ import numpy as np
 from . import _core
 from ._arrays import Floats, Values, floats
 from ._cells import Cells
-from ._cochain import Cochain, Form, as_form
+from ._cochain import Cochain, Form, as_form, of_kind, values_of
 from ._complex import CellsLike, as_cells
 from ._conditions import conditions_or_none
 from ._errors import InvalidInput
 from ._run import Run
 from ._sources import boundary_data
-from ._vertices import form_at_cells, form_at_vertices
+from ._vertices import form_at_cells
 
 _Data = tuple[Floats, Floats, Floats, Floats]
 _names = {"values", "codifferential", "flow", "derivative_flow"}
@@ -129,9 +129,7 @@ class Evolution(Run):
         def rate(given: Any, side: str, degree: int) -> Floats:
             if given is None or (np.ndim(given) == 0 and given == 0):
                 return np.zeros(0)
-            if np.ndim(given) != 1: # reported where rates are counted
-                return floats(np.asarray(given), "rates of the reaction")
-            return as_form(self._complex, given, degree, side)[2]
+            return values_of(self._complex, given, side, degree, "rates of the reaction")
 
         def rates(time: float, forms: list[Floats]) -> list[Floats]:
             given = called(time, *self._told(forms))
@@ -203,7 +201,8 @@ def _at_boundary(boundary: Any, cells: Cells, side: str,
     need values on all cells whose duals within the boundary have the degree of the form."""
     if boundary is None:
         return None
-    size = cells.size(degree if side == "primal" else cells.dim - degree - 1)
+    k = degree if side == "primal" else cells.dim - degree - 1
+    size, name = cells.size(k), "values on the boundary"
 
     def data(time: float) -> _Data:
         given = boundary(time) if callable(boundary) else boundary
@@ -213,8 +212,8 @@ def _at_boundary(boundary: Any, cells: Cells, side: str,
                 raise InvalidInput(f"boundary data have the unknown name {min(unknown)!r}: "
                                    "expected " + ", ".join(sorted(_names)))
             return boundary_data(**given)
-        made = floats(np.full(size, given) if np.ndim(given) == 0 else given,
-                      "values on the boundary")
+        given = of_kind(given, name, ("primal", k))
+        made = floats(np.full(size, given) if np.ndim(given) == 0 else given, name)
         made = form_at_cells(cells, made, side, degree)
         if len(made) != size:
             raise InvalidInput(f"{len(made)} values on the boundary are given: expected {size}")

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, floats
-from ._cochain import Cochain, Form, as_form, product
+from ._cochain import Cochain, Form, as_form, product, values_of
 from ._complex import Complex
 from ._errors import InvalidInput
 from ._vertices import at_cells, at_vertices, mesh_of
@@ -224,7 +224,7 @@ def gradient(complex: Complex, u: Form) -> Floats:
     >>> np.allclose(polydec.gradient(square, square.points @ [3, -1]), [3, -1])
     True
     """
-    return sharp_pd(complex, complex.d(0) @ as_form(complex, u, 0)[2])
+    return sharp_pd(complex, complex.d(0) @ values_of(complex, u, "primal", 0, "u"))
 
 
 def whitney_at_centroids(complex: Complex, form: Form, *, degree: int | None = None) -> Floats:

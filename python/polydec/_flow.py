@@ -8,16 +8,26 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Values, at_places, floats
-from ._cochain import Cochain
+from ._arrays import Floats, Values, at_places, floats, or_none
+from ._cells import Cells
+from ._cochain import Form, values_of
 from ._complex import CellsLike, Complex, as_complex
 from ._conditions import facet_marks
 from ._run import Run
 from ._vertices import at_cells, mesh_of
 
 
-def _fluxes(w: npt.ArrayLike) -> Floats:
-    return floats(w.values if isinstance(w, Cochain) else w, "fluxes")
+def _fluxes(complex: Cells, w: Form) -> Floats:
+    return values_of(complex, w, "primal", complex.dim - 1, "fluxes")
+
+
+def _densities(complex: Cells, values: Form) -> Floats:
+    return values_of(complex, values, "dual", 0, "densities")
+
+
+def _vorticities(complex: Cells, values: Form | None) -> Floats:
+    return np.zeros(0) if values is None else values_of(complex, values, "primal", complex.dim - 2,
+                                                        "values of the rotation")
 
 
 class IncompressibleFlow:
@@ -76,56 +86,56 @@ class IncompressibleFlow:
         none = np.zeros(0)
         self._flow = _core.IncompressibleFlow(
             complex._mesh, viscosity, facet_marks(complex, no_slip), facet_marks(complex, open),
-            none if boundary_flux is None else _fluxes(boundary_flux), walls,
-            none if rotation is None else floats(rotation, "values of the rotation"), engine)
+            none if boundary_flux is None else _fluxes(complex, boundary_flux), walls,
+            _vorticities(complex, rotation), engine)
 
     def project(self, flux: npt.ArrayLike) -> Floats:
         """The nearest divergence-free flow to these fluxes with the prescribed boundary fluxes."""
-        return self._flow.project(_fluxes(flux))
+        return self._flow.project(_fluxes(self._complex, flux))
 
     def vorticity(self, w: npt.ArrayLike) -> Floats:
         """Vorticity, a primal (n-2)-form; for n = 2 at vertices."""
-        return self._flow.vorticity(_fluxes(w))
+        return self._flow.vorticity(_fluxes(self._complex, w))
 
     def inertia(self, w: npt.ArrayLike) -> Floats:
         """Acceleration by inertia along the duals of facets, gradient part included."""
-        return self._flow.inertia(_fluxes(w))
+        return self._flow.inertia(_fluxes(self._complex, w))
 
     def friction(self, w: npt.ArrayLike) -> Floats:
         """Acceleration by friction along the duals of facets; linear in w."""
-        return self._flow.friction(_fluxes(w))
+        return self._flow.friction(_fluxes(self._complex, w))
 
     def rate(self, w: npt.ArrayLike) -> Floats:
         """dw/dt."""
-        return self._flow.rate(_fluxes(w))
+        return self._flow.rate(_fluxes(self._complex, w))
 
     def momentum(self, w: npt.ArrayLike) -> Floats:
         """``star w``: u along the duals of facets."""
-        return self._flow.momentum(_fluxes(w))
+        return self._flow.momentum(_fluxes(self._complex, w))
 
     def pressure(self, w: npt.ArrayLike) -> Floats:
         """Pressure over density, a dual 0-form, with mean 0 if no facet is open."""
-        return self._flow.pressure(_fluxes(w))
+        return self._flow.pressure(_fluxes(self._complex, w))
 
     def circulations(self, w: npt.ArrayLike) -> Floats:
         """Circulations around the (n-2)-cells. Their sum is constant on a closed surface."""
-        return self._flow.circulations(_fluxes(w))
+        return self._flow.circulations(_fluxes(self._complex, w))
 
     def energy(self, w: npt.ArrayLike) -> float:
         """Kinetic energy ``w . star w / 2``."""
-        return self._flow.energy(_fluxes(w))
+        return self._flow.energy(_fluxes(self._complex, w))
 
     def dissipation(self, w: npt.ArrayLike) -> float:
         """Rate of energy loss by friction if walls are at rest: ``nu |omega|^2``."""
-        return self._flow.dissipation(_fluxes(w))
+        return self._flow.dissipation(_fluxes(self._complex, w))
 
     def divergence(self, w: npt.ArrayLike) -> float:
         """Largest net flux out of a cell, relative to its fluxes."""
-        return self._flow.divergence(_fluxes(w))
+        return self._flow.divergence(_fluxes(self._complex, w))
 
     def exchange_time(self, w: npt.ArrayLike) -> float:
         """Shortest time in which the content of a cell is exchanged; infinity at rest."""
-        return self._flow.exchange_time(_fluxes(w))
+        return self._flow.exchange_time(_fluxes(self._complex, w))
 
 
 def _rows(values: Values, places: Floats) -> Floats:
@@ -147,7 +157,7 @@ def flow_of_vorticity(complex: Complex, vorticity: npt.ArrayLike) -> Floats:
     >>> bool(abs(flow.vorticity(polydec.flow_of_vorticity(sphere, z)) - z).max() < 1e-9)
     True
     """
-    values = np.ascontiguousarray(at_cells(complex, floats(vorticity, "values of the vorticity")))
+    values = values_of(complex, vorticity, "primal", 0, "values of the vorticity")
     return _core.flow_of_vorticity(mesh_of(complex), values)
 
 
@@ -202,8 +212,8 @@ class Flow(Run):
                  most_passes: int = 100) -> None:
         self._complex = equations._complex
         self._kinds = [("primal", self._complex.dim - 1)]
-        self._run = _core.flow(equations._flow, _fluxes(w), time_step, scheme, tolerance,
-                               most_passes)
+        self._run = _core.flow(equations._flow, _fluxes(self._complex, w), time_step, scheme,
+                               tolerance, most_passes)
 
     @property
     def time_step(self) -> float:
@@ -247,41 +257,44 @@ class ShallowWater:
     def __init__(self, complex: CellsLike, *, gravity: float = 1.0,
                  rotation: npt.ArrayLike | None = None,
                  bottom: npt.ArrayLike | None = None) -> None:
-        none = np.zeros(0)
+        self._complex = complex = as_complex(complex)
         self._water = _core.ShallowWater(
-            mesh_of(as_complex(complex)), gravity,
-            none if rotation is None else floats(rotation, "values of the rotation"),
-            none if bottom is None else floats(bottom, "heights of the bottom"))
+            complex._mesh, gravity, _vorticities(complex, rotation),
+            np.zeros(0) if bottom is None else values_of(complex, bottom, "dual", 0,
+                                                         "heights of the bottom"))
 
     def rate(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> tuple[Floats, Floats]:
         """dh/dt and the rate of the flux."""
-        return self._water.rate(_densities(depth), _fluxes(flux))
+        return self._water.rate(*self._state(depth, flux))
 
     def __call__(self, t: float, depth: npt.ArrayLike,
                  flux: npt.ArrayLike) -> tuple[Floats, Floats]:
         """The rates as the reaction of an `Evolution` of depth (a dual 0-form) and flux. Not a
         number where the depth is not above 0, so that a step is taken again, shorter."""
-        return self._water.reaction(t, _densities(depth), _fluxes(flux))
+        return self._water.reaction(t, *self._state(depth, flux))
 
     def stable_step(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> float:
         """Stable time step for waves and advection."""
-        return self._water.stable_step(_densities(depth), _fluxes(flux))
+        return self._water.stable_step(*self._state(depth, flux))
 
     def mass(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> float:
         """The volume of all water."""
-        return self._water.mass(_densities(depth), _fluxes(flux))
+        return self._water.mass(*self._state(depth, flux))
 
     def energy(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> float:
         """Kinetic plus potential energy, over density."""
-        return self._water.energy(_densities(depth), _fluxes(flux))
+        return self._water.energy(*self._state(depth, flux))
 
     def potential_vorticity(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> Floats:
         """q at the vertices."""
-        return self._water.potential_vorticity(_densities(depth), _fluxes(flux))
+        return self._water.potential_vorticity(*self._state(depth, flux))
 
     def potential_enstrophy(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> float:
         """The sum of ``h q^2 / 2`` over the duals of vertices."""
-        return self._water.potential_enstrophy(_densities(depth), _fluxes(flux))
+        return self._water.potential_enstrophy(*self._state(depth, flux))
+
+    def _state(self, depth: npt.ArrayLike, flux: npt.ArrayLike) -> tuple[Floats, Floats]:
+        return _densities(self._complex, depth), _fluxes(self._complex, flux)
 
 
 class FluxTransport:
@@ -310,32 +323,31 @@ class FluxTransport:
     """
 
     def __init__(self, complex: CellsLike, *, sampling: str = "upwind") -> None:
-        self._transport = _core.FluxTransport(mesh_of(as_complex(complex)), sampling)
+        self._complex = complex = as_complex(complex)
+        self._transport = _core.FluxTransport(complex._mesh, sampling)
 
     def mass_flux(self, flux: npt.ArrayLike, density: npt.ArrayLike,
                   outside: npt.ArrayLike | None = None) -> Floats:
         """Mass flux through each facet. `outside` has the densities at inflow facets."""
-        return self._transport.mass_flux(_fluxes(flux), _densities(density), _densities(outside))
+        return self._transport.mass_flux(
+            _fluxes(self._complex, flux), _densities(self._complex, density),
+            or_none(outside, "densities outside"))
 
     def rate(self, flux: npt.ArrayLike, density: npt.ArrayLike,
              outside: npt.ArrayLike | None = None) -> Floats:
         """d rho/dt in each n-cell."""
-        return self._transport.rate(_fluxes(flux), _densities(density), _densities(outside))
+        return self._transport.rate(
+            _fluxes(self._complex, flux), _densities(self._complex, density),
+            or_none(outside, "densities outside"))
 
     def stable_step(self, flux: npt.ArrayLike) -> float:
         """Time step in which the outflow of some cell equals its content."""
-        return self._transport.stable_step(_fluxes(flux))
+        return self._transport.stable_step(_fluxes(self._complex, flux))
 
     def mass(self, density: npt.ArrayLike) -> float:
         """Total mass: the sum of density times volume."""
-        return self._transport.mass(_densities(density))
+        return self._transport.mass(_densities(self._complex, density))
 
     def outflow(self, mass_flux: npt.ArrayLike) -> float:
         """Rate of mass loss through the boundary."""
-        return self._transport.outflow(_fluxes(mass_flux))
-
-
-def _densities(values: npt.ArrayLike | None) -> Floats:
-    if values is None:
-        return np.zeros(0)
-    return floats(values.values if isinstance(values, Cochain) else values, "densities")
+        return self._transport.outflow(_fluxes(self._complex, mass_flux))

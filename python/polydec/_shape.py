@@ -10,10 +10,10 @@ import numpy as np
 from . import _core
 from ._arrays import Floats, Values, at_places
 from ._cell_data import CellNumbers, cell_data
+from ._cochain import Form, function_values
 from ._complex import CellsLike, Complex, Progress, as_complex, discretize
 from ._cells import Cells
 from ._conditions import conditions_of, conditions_or_none
-from ._vertices import at_cells
 
 
 class CountBelow(NamedTuple):
@@ -181,18 +181,19 @@ class PoissonError:
     shares: Floats
 
 
-def _problem(complex: CellsLike, f: Values, flux: Values, essential: Any, robin: Any,
+def _problem(complex: CellsLike, f: Form | Values, flux: Values, essential: Any, robin: Any,
              conductivity: Any) -> tuple[Complex, tuple[_core.Discretization, _core.Conditions,
                                                     _core.CellData, Floats, Floats]]:
     mesh = as_complex(complex, in_units=True)
     return mesh, (mesh._mesh, conditions_of(mesh, essential, robin),
                   cell_data(mesh, conductivity, "conductivities"),
-                  at_cells(mesh, at_places(f, mesh.points, "values of f")),
+                  function_values(mesh, f, mesh.points, "values of f"),
                   at_places(flux, mesh.facet_sites(), "normal derivatives"))
 
 
-def poisson_error(complex: CellsLike, u: Values, f: Values = 0.0, flux: Values = 0.0, *, essential: Any = True,
-                  robin: Values | None = None, conductivity: CellNumbers | None = None, l2: bool = True,
+def poisson_error(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,
+                  flux: Values = 0.0, *, essential: Any = True, robin: Values | None = None,
+                  conductivity: CellNumbers | None = None, l2: bool = True,
                   engine: str = "auto") -> PoissonError:
     """A proved bound of the error of any approximate solution u of ``-div kappa grad u = f``.
 
@@ -201,7 +202,7 @@ def poisson_error(complex: CellsLike, u: Values, f: Values = 0.0, flux: Values =
 
     Parameters
     ----------
-    u : float or array or callable
+    u : float, array_like, Cochain or callable
         Values at the vertices, including boundary values.
     f, flux, essential, robin, conductivity, engine
         As for `PoissonSolver` and its `solve`.
@@ -220,11 +221,12 @@ def poisson_error(complex: CellsLike, u: Values, f: Values = 0.0, flux: Values =
     """
     mesh, problem = _problem(complex, f, flux, essential, robin, conductivity)
     return PoissonError(**_core.poisson_error(
-        *problem, at_cells(mesh, at_places(u, mesh.points, "values of u")), l2, engine))
+        *problem, function_values(mesh, u, mesh.points, "values of u"), l2, engine))
 
 
-def goal_interval(complex: CellsLike, u: Values, f: Values = 0.0, flux: Values = 0.0, goal: Values = 1.0, *,
-                  essential: Any = True, robin: Values | None = None, conductivity: CellNumbers | None = None,
+def goal_interval(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,
+                  flux: Values = 0.0, goal: Form | Values = 1.0, *, essential: Any = True,
+                  robin: Values | None = None, conductivity: CellNumbers | None = None,
                   engine: str = "auto") -> tuple[float, float, float]:
     """Two bounds of the integral of goal times the solution over the shape, and an estimate.
 
@@ -245,6 +247,6 @@ def goal_interval(complex: CellsLike, u: Values, f: Values = 0.0, flux: Values =
     """
     mesh, problem = _problem(complex, f, flux, essential, robin, conductivity)
     found: tuple[float, float, float] = _core.goal_interval(
-        *problem, at_cells(mesh, at_places(u, mesh.points, "values of u")),
-        at_cells(mesh, at_places(goal, mesh.points, "values of the goal")), engine)
+        *problem, function_values(mesh, u, mesh.points, "values of u"),
+        function_values(mesh, goal, mesh.points, "values of the goal"), engine)
     return found

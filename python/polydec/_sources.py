@@ -9,18 +9,14 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, OnFacets, Values, at_places, floats
+from ._arrays import Floats, OnFacets, Values, at_places, or_none
 from ._cell_data import CellNumbers
 from ._cells import Cells
-from ._cochain import Cochain, Form, as_form, made
+from ._cochain import Cochain, Form, as_form, function_values, made, of_kind, values_of
 from ._complex import CellsLike, Complex, as_cells
 from ._conditions import by_groups, conditions_of, facet_marks
 from ._errors import InvalidInput
-from ._vertices import at_cells, form_at_vertices, mesh_of
-
-
-def _or_none(values: npt.ArrayLike | None, name: str) -> Floats:
-    return np.zeros(0) if values is None else floats(np.asarray(values), name)
+from ._vertices import form_at_vertices, mesh_of
 
 
 def boundary_data(*, values: npt.ArrayLike | None = None,
@@ -28,10 +24,10 @@ def boundary_data(*, values: npt.ArrayLike | None = None,
                   derivative_flow: npt.ArrayLike | None = None
                   ) -> tuple[Floats, Floats, Floats, Floats]:
     """Boundary data in the form that C++ takes."""
-    return (_or_none(values, "values on the boundary"),
-            _or_none(codifferential, "values of the codifferential on the boundary"),
-            _or_none(flow, "values of the flow"),
-            _or_none(derivative_flow, "values of the flow of the derivative"))
+    return (or_none(values, "values on the boundary"),
+            or_none(codifferential, "values of the codifferential on the boundary"),
+            or_none(flow, "values of the flow"),
+            or_none(derivative_flow, "values of the flow of the derivative"))
 
 
 def outward_flow(complex: Complex, derivatives: Values, side: str = "primal") -> Floats:
@@ -193,7 +189,7 @@ class PoissonSolver:
         data = boundary_data(values=trace, codifferential=codifferential, flow=flow,
                              derivative_flow=derivative_flow)
         form, through, removed, report = self._solver.solve(
-            given, data, _or_none(harmonic, "coefficients of harmonic forms"))
+            given, data, or_none(harmonic, "coefficients of harmonic forms"))
         return PoissonSolution(made(form, self._complex), made(through, self._complex),
                                made(removed, self._complex), report)
 
@@ -208,7 +204,7 @@ class PoissonSolver:
         none = np.zeros(0)
         potential, removed, report = self._solver.solve_curl_curl(
             as_form(self._complex, current, degree, side),
-            (_or_none(boundary, "values on the boundary"), none, none, none))
+            (or_none(boundary, "values on the boundary"), none, none, none))
         return CurlCurlSolution(made(potential, self._complex), made(removed, self._complex),
                                 report)
 
@@ -242,10 +238,8 @@ def _places(cells: Cells, side: str) -> tuple[Floats, Floats, Floats]:
 
 def _form_of(cells: Cells, f: Form | Values, side: str, degree: int,
              places: Floats) -> tuple[str, int, Floats]:
-    if isinstance(f, Cochain):
-        return as_form(cells, f, degree, side)
     if degree == 0:
-        return as_form(cells, at_places(f, places, "values of f"), degree, side)
+        return side, degree, function_values(cells, f, places, "values of f", side)
     given = _integrals(f, degree)
     if np.ndim(given) == 0:
         given = np.full(cells.size(degree, side), given)
@@ -255,11 +249,12 @@ def _form_of(cells: Cells, f: Form | Values, side: str, degree: int,
 def _trace_of(cells: Cells, boundary: OnFacets, side: str, degree: int, places: Floats) -> Floats:
     if degree == 0:
         by_site = by_groups(cells, boundary, on_vertices=side == "primal")
-        given = at_places(by_site, places, "boundary values")
-        return at_cells(cells, given) if side == "primal" else given
+        if side == "primal":
+            return function_values(cells, by_site, places, "boundary values")
+        return at_places(by_site, places, "boundary values")
     _require_default(boundary, degree, "boundary")
     integrals = _integrals(boundary, degree)
-    return _or_none(None if np.ndim(integrals) == 0 else integrals, "values on the boundary")
+    return or_none(None if np.ndim(integrals) == 0 else integrals, "values on the boundary")
 
 
 def _require_default(given: Any, degree: int, name: str) -> None:
@@ -387,9 +382,12 @@ class StokesSolver:
         """
         n = self._complex.dim
         none = np.zeros(self._complex.size(n - 1))
-        _, degree, values = as_form(self._complex, none if force is None else force, n - 1)
-        known = (_or_none(through, "fluxes"), _or_none(along, "velocities along the boundary"),
-                 _or_none(vorticity, "vorticities"), _or_none(pressure, "pressures"))
-        flux, found, head, report = self._solver.solve(("primal", degree, values), known)
+        values = values_of(self._complex, none if force is None else force, "primal", n - 1,
+                           "values of the force")
+        known = (or_none(of_kind(through, "fluxes", ("primal", n - 1)), "fluxes"),
+                 or_none(along, "velocities along the boundary"),
+                 or_none(of_kind(vorticity, "vorticities", ("primal", n - 2)), "vorticities"),
+                 or_none(pressure, "pressures"))
+        flux, found, head, report = self._solver.solve(("primal", n - 1, values), known)
         return StokesFlow(made(flux, self._complex), made(found, self._complex),
                           made(head, self._complex), report)

@@ -9,10 +9,13 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Integers, Values
+from ._arrays import Floats, Integers, Values, floats
 from ._cells import Cells
+from ._cochain import Form, of_kind
 from ._conditions import conditions_or_none
 from ._complex import CellsLike, as_cells
+from ._errors import InvalidInput
+from ._vertices import form_at_cells
 
 
 class FormSpace:
@@ -75,10 +78,16 @@ class FormSpace:
         """``star Delta`` on the free values, symmetric, with the weights of Robin's condition."""
         return self._space.stiffness()
 
-    def restrict(self, values: npt.ArrayLike, k: int | None = None) -> Floats:
+    def restrict(self, values: Form, k: int | None = None) -> Floats:
         """The free values of a form; or for any k, the values on ``cells[k]``."""
         k = self._cell_degree if k is None else k
-        return np.asarray(values, dtype=np.float64)[self.cells[k]]
+        given = of_kind(values, "values", ("primal", k), ("dual", self._complex.dim - k))
+        rows = floats(given, "values", np.ndim(given) or 1)
+        rows = form_at_cells(self._complex, rows, "primal", k)
+        if len(rows) != self._complex.size(k):
+            raise InvalidInput(f"{len(rows)} values are given: expected {self._complex.size(k)}, "
+                               f"one for each {k}-cell")
+        return rows[self.cells[k]]
 
     def extend(self, values: npt.ArrayLike, k: int | None = None) -> Floats:
         """The inverse of `restrict`, with 0 on all other cells."""

@@ -9,13 +9,13 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, floats
-from ._cochain import Form, as_form
+from ._arrays import Floats
+from ._cochain import Form, as_form, values_of
 from ._complex import CellsLike, Complex, as_cells
 from ._conditions import conditions_or_none
 from ._errors import InvalidInput
 from ._run import Run
-from ._vertices import form_at_cells, mesh_of
+from ._vertices import mesh_of
 
 #: A source of a wave: takes the time, returns rates.
 Source = Callable[[float], Any]
@@ -143,7 +143,7 @@ class Waves(Run):
         side, degree = self._kinds[which]
         if np.ndim(given) == 0:
             return np.full(self._complex.size(degree, side), given, np.float64)
-        return form_at_cells(self._complex, floats(given, "values of a wave"), side, degree)
+        return values_of(self._complex, given, side, degree, "values of a wave")
 
     def _called(self, source: Source | None, which: int) -> Callable[[float], Floats] | None:
         if source is None:
