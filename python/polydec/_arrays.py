@@ -92,12 +92,26 @@ def matrix_parts(matrix: Any, name: str) -> MatrixParts:
         matrix = scipy.sparse.csr_matrix(floats(matrix, name, 2))
     if np.dtype(matrix.dtype).kind not in "fiub":
         raise InvalidInput(f"{name} is of the type {matrix.dtype}: expected real numbers")
-    rows = matrix.tocsr()
+    rows = _checked(matrix, name).tocsr()
     if not rows.has_canonical_format:
         rows = rows.copy() if rows is matrix else rows
         rows.sum_duplicates()
     return (floats(rows.data, name), integers(rows.indices, name), integers(rows.indptr, name),
             int(rows.shape[1]))
+
+
+def _checked(matrix: Any, name: str) -> Any:
+    """The matrix, whose indices scipy checks only when asked; it would read beyond arrays."""
+    if not hasattr(matrix, "indptr"):
+        return matrix
+    try:
+        if (np.diff(matrix.indptr) < 0).any():
+            raise ValueError("indptr is not ascending")
+        matrix.check_format(full_check=True)
+    except ValueError as error:
+        raise InvalidInput(f"{name} has wrong indices: {error}; expected row and column numbers "
+                           f"within its shape {matrix.shape}") from None
+    return matrix
 
 
 def marks(essential: Any, places: Floats, count: int, name: str = "essential") -> list[bool]:

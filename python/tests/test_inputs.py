@@ -2,7 +2,6 @@
 """Arrays of any layout, and refusals that say what is wrong, where, to people and to programs."""
 import numpy as np
 import pytest
-import scipy.sparse as sp
 
 import polydec
 from conftest import said
@@ -114,30 +113,6 @@ def test_lengths_alone():
         polydec.de_rham(c, 1, lambda x: x)
     with pytest.raises(polydec.InvalidInput):
         polydec.LengthMesh([[0, 1, 2]], [[0, 1], [1, 2]], [1.0, 1.0])
-
-
-def test_matrices_of_any_format():
-    A = sp.random(30, 30, 0.2, random_state=1)
-    A = A @ A.T + sp.identity(30)
-    expected = np.linalg.solve(A.toarray(), np.ones(30))
-    for given in [A.tocsr(), A.tocsc(), A.tocoo(), A.todia(), A.tolil(), A.toarray(),
-                  A.tocsr().astype(np.float32).astype(np.float64), sp.csr_array(A)]:
-        assert np.allclose(polydec.solve(given, np.ones(30)), expected)
-    doubled = sp.coo_matrix((np.r_[A.tocoo().data / 2, A.tocoo().data / 2],
-                             (np.tile(A.tocoo().row, 2), np.tile(A.tocoo().col, 2))))
-    assert np.allclose(polydec.solve(doubled, np.ones(30)), expected)
-    unsorted = A.tocsr()[:, ::-1].tocsr()
-    assert np.allclose(polydec.solve(unsorted, unsorted @ np.ones(30)), np.ones(30))
-    with pytest.raises(polydec.InvalidInput, match="complex128"):
-        polydec.solve(A * 1j, np.ones(30))
-    with pytest.raises(polydec.InvalidInput):
-        polydec.solve(A, np.ones(29))
-    with pytest.raises(polydec.InvalidInput):
-        polydec.solve(A.tocsr()[:20], np.ones(20))
-    with pytest.raises(polydec.InvalidInput, match=r"\(3, 4\)|NaN|nan"):
-        B = A.tolil()
-        B[3, 4] = np.nan
-        polydec.solve(B, np.ones(30))
 
 
 def test_forms_that_do_not_fit(square):
