@@ -2,6 +2,7 @@
 """Input conversion: arrays of any layout become arrays for C++, or raise an error by name."""
 from __future__ import annotations
 
+import operator
 from typing import Any, Callable, Mapping, Tuple, Union
 
 import numpy as np
@@ -71,6 +72,14 @@ def integers(values: npt.ArrayLike, name: str, dimensions: int = 1) -> Integers:
             raise InvalidInput(f"{name}: {array[place]} in row {place[0]} does not fit into "
                                "32 bits", cells=[place[0]] if dimensions == 2 else [])
     return np.ascontiguousarray(array, dtype=np.int32)
+
+
+def whole(value: Any, name: str) -> int:
+    """A whole number. Raises InvalidInput for a fraction or anything else."""
+    try:
+        return operator.index(value)
+    except TypeError:
+        raise InvalidInput(f"{name} is {value!r}: expected a whole number") from None
 
 
 def at_places(values: Values, places: Floats, name: str, columns: int = 1) -> Floats:

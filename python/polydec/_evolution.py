@@ -7,7 +7,7 @@ from typing import Any, Callable, Mapping, Sequence, Union
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, Values, floats
+from ._arrays import Floats, Values, floats, whole
 from ._cells import Cells
 from ._cochain import Cochain, Form, as_form, of_kind, values_of
 from ._complex import CellsLike, as_cells
@@ -174,7 +174,7 @@ def heat(complex: CellsLike, u: Form, time_step: float, steps: int = 1, *, degre
     run = Evolution(complex, u, degree=degree, side=side, diffusion=1.0, essential=essential,
                     robin=robin, fixed=fixed, integrator=integrator, fixed_step=time_step,
                     engine=engine)
-    run.march(steps * time_step)
+    run.march(whole(steps, "steps") * time_step)
     return run.forms[0]
 
 

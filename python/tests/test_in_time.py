@@ -93,6 +93,14 @@ def test_what_flows_through_the_boundary(square, side):
         polydec.Evolution(square, x, side=side, diffusion=1.0, boundary={"flux": outward}).march(1)
 
 
+def test_heat_takes_whole_steps(square):
+    u = square.points[:, 0]
+    assert np.array_equal(polydec.heat(square, u, .1, np.int64(2)), polydec.heat(square, u, .1, 2))
+    for steps in (2.5, 2.0, "2"):
+        with pytest.raises(polydec.InvalidInput, match=said("steps", steps, "whole number")):
+            polydec.heat(square, u, .1, steps)
+
+
 @pytest.mark.parametrize("side", ["primal", "dual"])
 def test_heat_leaves_through_robins_condition(square, side):
     start = np.ones(square.size(0 if side == "primal" else 2))
