@@ -20,7 +20,8 @@ Values = Union[float, npt.ArrayLike, Callable[[Floats], Any]]
 OnFacets = Union[Values, Mapping[str, float]]
 
 
-def _array(values: Any, name: str) -> npt.NDArray[Any]:
+def as_array(values: Any, name: str) -> npt.NDArray[Any]:
+    """Numbers of any type and shape. Raises InvalidInput for masked entries."""
     if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
         raise InvalidInput(f"{name} have masked entries: expected values everywhere; fill them")
     try:
@@ -42,7 +43,7 @@ def _shape(array: npt.NDArray[Any], name: str, dimensions: int) -> None:
 
 def floats(values: npt.ArrayLike, name: str, dimensions: int = 1) -> Floats:
     """C-contiguous real numbers. Raises InvalidInput for complex numbers and other shapes."""
-    array = _array(values, name)
+    array = as_array(values, name)
     if array.dtype.kind not in "fiub":
         raise InvalidInput(f"{name} are of the type {array.dtype}: expected real numbers")
     if array.size == 0 and array.ndim < dimensions:
@@ -58,7 +59,7 @@ def or_none(values: npt.ArrayLike | None, name: str) -> Floats:
 
 def integers(values: npt.ArrayLike, name: str, dimensions: int = 1) -> Integers:
     """Whole numbers of 32 bits. Raises InvalidInput for other values, fractions included."""
-    array = _array(values, name)
+    array = as_array(values, name)
     if array.size == 0 and array.ndim < dimensions:
         array = array.reshape((0,) * dimensions)
     _shape(array, name, dimensions)
@@ -86,7 +87,7 @@ def at_places(values: Values, places: Floats, name: str, columns: int = 1) -> Fl
     """One value or one row per point, given directly or by a function of all points."""
     if callable(values):
         values = values(places)
-    array = _array(values, name)
+    array = as_array(values, name)
     if array.ndim == 0:
         array = np.full(len(places), array[()])
     result = floats(array, name, array.ndim if array.ndim in (1, 2) else 1)
@@ -127,7 +128,7 @@ def marks(essential: Any, places: Floats, count: int, name: str = "essential") -
     """Facet marks for C++: one mark for all facets, or one per facet."""
     if callable(essential):
         essential = essential(places)
-    array = _array(essential, name)
+    array = as_array(essential, name)
     if array.dtype != bool:
         raise InvalidInput(f"{name} is of the type {array.dtype}: expected True, False, or one of "
                            "them for each facet; select vertices with fixed")

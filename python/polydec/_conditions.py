@@ -7,7 +7,7 @@ from typing import Any, Mapping
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, Integers, floats, integers, marks
+from ._arrays import Floats, Integers, as_array, floats, integers, marks
 from ._cells import Cells
 from ._complex import Complex
 from ._errors import InvalidInput
@@ -63,7 +63,7 @@ def vertex_numbers(cells: Cells, chosen: Any, name: str) -> Integers:
                           else complex.vertices_in(chosen), name)
     if callable(chosen):
         chosen = chosen(_whole(cells).points)
-    given = np.atleast_1d(np.asarray(chosen))
+    given = np.atleast_1d(as_array(chosen, name))
     if given.dtype != bool:
         return numbers_of(cells, integers(given, name), name)
     given = at_cells(cells, given)

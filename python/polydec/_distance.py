@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Integers, floats, integers
+from ._arrays import Floats, Integers, as_array, floats, integers
 from ._complex import CellsLike, Complex, as_complex
 from ._conditions import vertex_numbers
 from ._vertices import at_vertices, numbers_of
@@ -119,7 +119,7 @@ class SurfacePaths:
 
     def path(self, vertex: int) -> ShortestPath:
         """Shortest path from a vertex to the nearest source; without segments at a source."""
-        given = integers(np.atleast_1d(np.asarray(vertex)), "vertex")
+        given = integers(np.atleast_1d(vertex), "vertex")
         number = numbers_of(self._complex, given, "vertex")[0]
         source, length, ends = self._paths.path(int(number))
         return ShortestPath(int(self._complex.vertices[source]), length, np.stack(ends, axis=1))
@@ -158,9 +158,9 @@ class ParallelTransport:
 
     def extend(self, sources: npt.ArrayLike, vectors: npt.ArrayLike) -> npt.NDArray[np.complex128]:
         """Transports one vector per source vertex to every vertex."""
-        given = np.atleast_1d(np.asarray(vectors, dtype=np.complex128))
+        given = np.atleast_1d(as_array(vectors, "vectors").astype(np.complex128))
         real, imaginary = self._solver.extend(
-            numbers_of(self._complex, integers(np.atleast_1d(np.asarray(sources)), "sources"),
+            numbers_of(self._complex, integers(np.atleast_1d(sources), "sources"),
                        "sources"),
             floats(given.real, "vectors"), floats(given.imag, "vectors"))
         return np.asarray(real + 1j * imaginary)

@@ -121,9 +121,9 @@ def register_eigen_solver(name: str, largest: Callable[..., Any]) -> None:
         A = LinearOperator((size, size), dtype=np.float64,
                            matvec=lambda x: apply(np.ascontiguousarray(x, np.float64).ravel()))
         values, vectors = largest(A, count, dimension, tolerance, start)
+        values, vectors = floats(values, "eigenvalues"), floats(vectors, "eigenvectors", 2)
         order = np.argsort(values)[::-1]
-        return (floats(np.asarray(values)[order], "eigenvalues"),
-                floats(np.asarray(vectors)[:, order], "eigenvectors", 2))
+        return values[order], np.ascontiguousarray(vectors[:, order])
 
     _core.register_eigen_solver(name, called)
 

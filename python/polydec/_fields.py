@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, floats
+from ._arrays import Floats, as_array, floats
 from ._cochain import Cochain, Form, as_form, product, values_of
 from ._complex import Complex
 from ._errors import InvalidInput
@@ -67,7 +67,7 @@ def coefficients(form: Callable[[Floats], Any], width: int,
     components = comb(width, k) if 0 <= k <= width else 0
 
     def rows(points: Floats) -> Floats:
-        values = np.asarray(form(points))
+        values = as_array(form(points), "values of the form")
         if values.shape == () and components == 1:
             values = np.full(len(points), values[()])
         if values.ndim == 1 and components == 1:

@@ -141,7 +141,7 @@ class IncompressibleFlow:
 def _rows(values: Values, places: Floats) -> Floats:
     """One row per point, from rows, from one row for all, or from a function of the points."""
     if not callable(values) and np.ndim(values) == 1:
-        values = np.tile(np.asarray(values, dtype=np.float64), (len(places), 1))
+        values = np.tile(floats(values, "velocities"), (len(places), 1))
     rows = at_places(values, places, "velocities")
     return floats(rows, "velocities", 2)
 

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Integers, floats
+from ._arrays import Floats, Integers, as_array, floats
 from ._cochain import Cochain, Form, as_form
 from ._complex import CellsLike, Complex, as_complex
 from ._errors import InvalidInput
@@ -267,7 +267,7 @@ def _shown(complex: Complex, values: Form, degree: int | None, side: str,
     """The number of each polygon, and its vector for fields of vectors."""
     if isinstance(values, Cochain):
         side, degree = values.side, values.degree
-    table = np.asarray(values.values if isinstance(values, Cochain) else values)
+    table = as_array(values, "values")
     if degree == 1 and complex.dim > 1 and table.ndim == 1 and not (
             side == "dual" and complex.dim == 3):
         vectors = _vectors_of_form(complex, values, side)
@@ -349,7 +349,7 @@ def to_meshio(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None
         numbers.append(of_size)
     point_data, cell_data = {}, {}
     for name, values in (forms or {}).items():
-        array = at_cells(complex, floats(np.asarray(values), name))
+        array = at_cells(complex, floats(values, name))
         if len(array) == complex.size(0):
             point_data[name] = at_vertices(box, complex._on_box(0, array))
         elif len(array) == complex.size(n):
@@ -382,7 +382,7 @@ def to_pyvista(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = Non
     result = pyvista.PolyData(np.pad(points, ((0, 0), (0, 3 - points.shape[1]))),
                               np.concatenate(faces))
     for name, values in (forms or {}).items():
-        array = at_cells(complex, floats(np.asarray(values), name))
+        array = at_cells(complex, floats(values, name))
         if len(array) == complex.size(0):
             array = complex._on_box(0, array)
             result.point_data[name] = array if len(array) == len(points) else \

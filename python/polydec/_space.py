@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Integers, Values, floats
+from ._arrays import Floats, Integers, Values, as_array, floats
 from ._cells import Cells
 from ._cochain import Form, of_kind
 from ._conditions import conditions_or_none
@@ -92,7 +92,7 @@ class FormSpace:
     def extend(self, values: npt.ArrayLike, k: int | None = None) -> Floats:
         """The inverse of `restrict`, with 0 on all other cells."""
         k = self._cell_degree if k is None else k
-        array = np.asarray(values, dtype=np.float64)
+        array = as_array(values, "values")
         result = np.zeros((self._complex.size(k),) + array.shape[1:])
         result[self.cells[k]] = array
         return result

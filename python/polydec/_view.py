@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, floats
+from ._arrays import Floats, as_array, floats
 from ._cochain import Cochain, Form
 from ._complex import CellsLike, Complex, as_complex
 from ._errors import InvalidInput, IoError
@@ -235,8 +235,7 @@ def _at(fields: Mapping[str, Form], i: int, times: int) -> dict[str, Form]:
     """Column i of each field; of vectors entry i of the last axis."""
     result: dict[str, Form] = {}
     for name, values in fields.items():
-        array = np.asarray(values)
-        table = floats(array, name, 3 if array.ndim == 3 else 2)
+        table = floats(values, name, 3 if np.ndim(values) == 3 else 2)
         if table.shape[-1] != times:
             raise InvalidInput(f"{name} has {table.shape[-1]} columns: expected one for each of "
                                f"{times} times")
@@ -249,7 +248,7 @@ def _forms(complex: Complex, fields: Mapping[str, Form], degree: int | None,
     forms = []
     for name, values in fields.items():
         if not isinstance(values, Cochain):
-            values = at_cells(complex, np.asarray(values))
+            values = at_cells(complex, as_array(values, name))
             k = _degree(complex, values, degree, side)
             if values.ndim == 2:
                 forms.append((name, *_place(complex, name, k, side), floats(values, name, 2),

@@ -195,7 +195,11 @@ def test_masks_and_quadrilaterals_are_asked_about():
     holes = np.ma.masked_array(ones, mask=np.arange(len(ones)) == 3)
     for ask in (lambda: polydec.poisson(square, holes),
                 lambda: polydec.poisson(square, 1.0, essential=np.ma.masked_array(facets, facets)),
-                lambda: polydec.poisson(square, lambda x: holes[:len(x)])):
+                lambda: polydec.poisson(square, lambda x: holes[:len(x)]),
+                lambda: polydec.de_rham(square, 0, lambda x: np.ma.masked_less(x[:, 0], .1)),
+                lambda: polydec.PoissonSolver(square).solve(derivative_flow=holes),
+                lambda: polydec.FormSpace(square).extend(holes),
+                lambda: polydec.geodesic_distance(square, np.ma.masked_less([0, 5], 1))):
         with pytest.raises(polydec.InvalidInput, match=said("masked")):
             ask()
     assert polydec.poisson(square, np.ma.masked_array(ones)).values.shape == ones.shape
