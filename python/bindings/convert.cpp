@@ -74,6 +74,9 @@ py::object csr(const IncidenceMatrix& matrix, py::handle owner) {
 }
 
 Vector vector(const Numbers& numbers) {
+    if (numbers.ndim() > 1)
+        throw InvalidInput(fmt::format("an array of {} axes is given: expected a list of numbers",
+                                       numbers.ndim()));
     return Eigen::Map<const Eigen::VectorXd>(numbers.data(), numbers.size());
 }
 

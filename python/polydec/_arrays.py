@@ -83,14 +83,15 @@ def whole(value: Any, name: str) -> int:
         raise InvalidInput(f"{name} is {value!r}: expected a whole number") from None
 
 
-def at_places(values: Values, places: Floats, name: str, columns: int = 1) -> Floats:
-    """One value or one row per point, given directly or by a function of all points."""
+def at_places(values: Values, places: Floats, name: str, dimensions: int = 1) -> Floats:
+    """One value per point, or one row for 2 dimensions, given directly or by a function of all
+    points; or one value for all."""
     if callable(values):
         values = values(places)
     array = as_array(values, name)
-    if array.ndim == 0:
+    if array.ndim == 0 and dimensions == 1:
         array = np.full(len(places), array[()])
-    result = floats(array, name, array.ndim if array.ndim in (1, 2) else 1)
+    result = floats(array, name, dimensions)
     if len(result) != len(places):
         raise InvalidInput(f"{len(result)} {name} are given: expected {len(places)}")
     return result

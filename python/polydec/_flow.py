@@ -142,8 +142,7 @@ def _rows(values: Values, places: Floats) -> Floats:
     """One row per point, from rows, from one row for all, or from a function of the points."""
     if not callable(values) and np.ndim(values) == 1:
         values = np.tile(floats(values, "velocities"), (len(places), 1))
-    rows = at_places(values, places, "velocities")
-    return floats(rows, "velocities", 2)
+    return at_places(values, places, "velocities", 2)
 
 
 def flow_of_vorticity(complex: Complex, vorticity: npt.ArrayLike) -> Floats:

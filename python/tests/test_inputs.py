@@ -210,6 +210,23 @@ def test_masks_and_quadrilaterals_are_asked_about():
     assert polydec.discretize((box.points, box.simplices)).size(3) == 8
 
 
+def test_values_at_places_are_lists():
+    square = polydec.discretize(polydec.meshes.grid(4, 4))
+    u, ones = np.ones(square.size(0)), np.ones(square.size(1))
+    rows, flux = np.column_stack([u, 1000 * u]), np.column_stack([ones, ones])
+    for name, ask in (("f", lambda: polydec.poisson_error(square, u, rows)),
+                      ("f", lambda: polydec.poisson(square, lambda x: x)),
+                      ("u", lambda: polydec.poisson_error(square, rows)),
+                      ("goal", lambda: polydec.goal_interval(square, u, goal=rows)),
+                      ("boundary", lambda: polydec.poisson(square, 1.0, rows)),
+                      ("derivatives", lambda: polydec.poisson_error(square, u, 1.0, flux)),
+                      ("derivatives", lambda: polydec.outward_flow(square, flux))):
+        with pytest.raises(polydec.InvalidInput, match=said(name, "shape", 2, "list of numbers")):
+            ask()
+    with pytest.raises(polydec.InvalidInput, match=said("2 axes", "list of numbers")):
+        square._cells.solve_star(0, rows)
+
+
 def test_words_of_messages():
     c = polydec.discretize(polydec.meshes.perturbed(polydec.meshes.grid(9, 9), 0.1, 2),
                            star="circumcentric")
