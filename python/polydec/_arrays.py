@@ -83,12 +83,21 @@ def whole(value: Any, name: str) -> int:
         raise InvalidInput(f"{name} is {value!r}: expected a whole number") from None
 
 
+def called(given: Any, places: Floats, name: str) -> Any:
+    """What a function returns at these places; anything else as it is. Raises InvalidInput for a
+    function where positions are unknown."""
+    if not callable(given):
+        return given
+    if places.shape[1] == 0:
+        raise InvalidInput(f"only lengths are known, but {name} by a function need points: give "
+                           "an array, or a mesh with points")
+    return given(places)
+
+
 def at_places(values: Values, places: Floats, name: str, dimensions: int = 1) -> Floats:
     """One value per point, or one row for 2 dimensions, given directly or by a function of all
     points; or one value for all."""
-    if callable(values):
-        values = values(places)
-    array = as_array(values, name)
+    array = as_array(called(values, places, name), name)
     if array.ndim == 0 and dimensions == 1:
         array = np.full(len(places), array[()])
     result = floats(array, name, dimensions)
@@ -127,9 +136,7 @@ def _checked(matrix: Any, name: str) -> Any:
 
 def marks(essential: Any, places: Floats, count: int, name: str = "essential") -> list[bool]:
     """Facet marks for C++: one mark for all facets, or one per facet."""
-    if callable(essential):
-        essential = essential(places)
-    array = as_array(essential, name)
+    array = as_array(called(essential, places, f"marks of {name}"), name)
     if array.dtype != bool:
         raise InvalidInput(f"{name} is of the type {array.dtype}: expected True, False, or one of "
                            "them for each facet; select vertices with fixed")

@@ -7,7 +7,7 @@ from typing import Any, Mapping
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, Integers, as_array, floats, integers, marks
+from ._arrays import Floats, Integers, as_array, called, floats, integers, marks
 from ._cells import Cells
 from ._complex import Complex
 from ._errors import InvalidInput
@@ -21,8 +21,11 @@ def facet_marks(cells: Cells, essential: Any) -> list[bool]:
     if isinstance(names, (list, tuple)) and names and all(isinstance(name, str) for name in names):
         groups: list[bool] = _whole(cells).facets_in(*names).tolist()
         return groups
-    places = cells.facet_sites() if isinstance(cells, Complex) else np.zeros((0, 0))
-    return marks(essential, places, cells.size(cells.dim - 1))
+    return marks(essential, _facet_sites(cells), cells.size(cells.dim - 1))
+
+
+def _facet_sites(cells: Cells) -> Floats:
+    return cells.facet_sites() if isinstance(cells, Complex) else np.zeros((0, 0))
 
 
 def by_groups(cells: Cells, values: Any, on_vertices: bool = False) -> Any:
@@ -41,9 +44,7 @@ def facet_coefficients(cells: Cells, robin: Any) -> Floats:
     """Coefficients of Robin's condition, one per facet; empty without the condition."""
     if robin is None:
         return np.zeros(0)
-    robin = by_groups(cells, robin)
-    if callable(robin):
-        robin = robin(cells.facet_sites() if isinstance(cells, Complex) else np.zeros((0, 0)))
+    robin = called(by_groups(cells, robin), _facet_sites(cells), "Robin coefficients")
     facets = cells.size(cells.dim - 1)
     given = floats(np.full(facets, robin) if np.ndim(robin) == 0 else robin,
                    "coefficients of Robin's condition")
@@ -62,7 +63,7 @@ def vertex_numbers(cells: Cells, chosen: Any, name: str) -> Integers:
         return numbers_of(cells, complex.boundary_vertices() if chosen == "boundary"
                           else complex.vertices_in(chosen), name)
     if callable(chosen):
-        chosen = chosen(_whole(cells).points)
+        chosen = called(chosen, _whole(cells).points, name)
     given = np.atleast_1d(as_array(chosen, name))
     if given.dtype != bool:
         return numbers_of(cells, integers(given, name), name)

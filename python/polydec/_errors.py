@@ -28,6 +28,18 @@ _WORDING = {
     "WaveOptions::": "",
     "FlowSteps::": "",
     "set_memory_limit": "polydec.set_memory_limit",
+    "ShortestPaths": "geodesic_distance",
+    "dual_wedge for dual ones": "wedge(.., side=\"dual\") for dual ones",
+    "HodgeStar::zeros of degree 1": "zeros(1)",
+    "FlowBoundary::pressure": "pressure_on",
+    "Discretization::with_stars": "with_star",
+    "its facts are wrong; if it has a kernel, give it in the facts":
+        "symmetric or positive is wrong; expected a matrix with an inverse",
+    "If it has a kernel, give it in the facts": "Expected a matrix with an inverse",
+    "give the kernel in the facts": "give a matrix with an inverse",
+    "the facts do not say that this matrix is": "this matrix is not known to be",
+    "although its facts say so": "although positive=True",
+    "Say so in the facts": "Say symmetric=True",
 }
 
 

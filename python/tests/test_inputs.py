@@ -227,17 +227,6 @@ def test_values_at_places_are_lists():
         square._cells.solve_star(0, rows)
 
 
-def test_words_of_messages():
-    c = polydec.discretize(polydec.meshes.perturbed(polydec.meshes.grid(9, 9), 0.1, 2),
-                           star="circumcentric")
-    advice = c.report()["advice"]
-    assert advice and not any("::" in text for text in advice)
-    with pytest.raises(polydec.InvalidInput) as caught:
-        polydec.spectrum(polydec.discretize(polydec.meshes.perturbed(polydec.meshes.fcc(1), 0.05),
-                                            star="circumcentric"), degree=1)
-    assert "::" not in str(caught.value) and caught.value.cells
-
-
 def test_groups_have_names(grouped_square):
     mesh = polydec.read_mesh(grouped_square)
     assert mesh.groups == [(1, 7, "the wall"), (2, 1, "plate")]
