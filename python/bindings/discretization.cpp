@@ -100,10 +100,13 @@ std::string report(const Discretization& mesh) {
     std::vector<std::string> advice;
     for (const Advice& each : found.advice)
         advice.push_back(in_words(each, found.dimension));
+    std::vector<std::string> warnings = mesh.warnings();
+    warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
     JsonWriter json;
     json.object([&] {
         write_diagnosis(json, found, advice);
         write_stars(json, mesh.chosen_stars());
+        json.member("warnings", warnings);
     });
     return std::string(json.view());
 }

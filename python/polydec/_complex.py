@@ -149,7 +149,8 @@ class Complex(Cells):
         ([1, 2, 1], True, [48, 96, 48])
         """
         result: dict[str, Any] = json.loads(self._mesh.report())
-        result["advice"] = [told(text) for text in result["advice"]]
+        for key in ("advice", "warnings"):
+            result[key] = [told(text) for text in result[key]]
         return result
 
     # ---- places

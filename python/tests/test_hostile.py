@@ -150,6 +150,20 @@ def test_the_command_says_the_same(tmp_path, mesh):
         assert len({str(w.message) for w in caught}) == len(told["warnings"])
 
 
+@pytest.mark.skipif(not COMMAND.exists(), reason="the command is not beside the package")
+@pytest.mark.parametrize("mesh", [OBTUSE, FOLDED], ids=["obtuse", "folded"])
+def test_reports_are_those_of_the_command(tmp_path, mesh):
+    path = tmp_path / "m.nsc"
+    polydec.write_mesh(path, polydec.Mesh(*mesh))
+    line = [COMMAND, "info", path, "--json"]
+    told = json.loads(subprocess.run(line, capture_output=True, timeout=60, check=True).stdout)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        report = polydec.discretize(path, star="circumcentric").report()
+    assert list(report) == list(told) and len(report["warnings"]) == len(told["warnings"])
+    assert bool(report["warnings"]) == (mesh is FOLDED)
+
+
 @pytest.mark.parametrize("ask", [polydec.discretize, lambda mesh: polydec.poisson(mesh, 1.0),
                                  lambda mesh: polydec.spectrum(mesh, count=1)])
 def test_a_fold_is_told_by_whatever_takes_the_mesh(ask):
