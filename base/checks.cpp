@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace polydec {
 
 void refuse_number(std::string_view what, std::int64_t number, std::int64_t least,
@@ -18,6 +20,14 @@ void refuse_number(std::string_view what, std::int64_t number, std::int64_t leas
 void check_as_many(std::string_view what, std::int64_t given, std::int64_t expected) {
     if (given != expected)
         throw InvalidInput(fmt::format("{} {} are given: expected {}", given, what, expected));
+}
+
+void check_values(std::string_view what, const Vector& values, std::int64_t expected) {
+    check_as_many(what, values.size(), expected);
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+        if (!std::isfinite(values[i]))
+            throw InvalidInput(
+                fmt::format("{}: value {} is {}: expected finite numbers", what, i, values[i]));
 }
 
 } // namespace polydec

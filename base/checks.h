@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/types.h"
+
 #include <cstdint>
 #include <string_view>
 
@@ -19,5 +21,8 @@ inline void check_number(std::string_view what, std::int64_t number, std::int64_
 
 /// Throws InvalidInput, naming `what`, unless the number of values given is the expected one.
 void check_as_many(std::string_view what, std::int64_t given, std::int64_t expected);
+
+/// The same, and for a value that is not finite.
+void check_values(std::string_view what, const Vector& values, std::int64_t expected);
 
 } // namespace polydec

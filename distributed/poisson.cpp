@@ -144,12 +144,6 @@ Vector facets_without_dual(const Ranks& ranks, const DistributedMesh& mesh,
     return result;
 }
 
-void check_values(const Vector& values, const Points& sites, const char* what) {
-    check_as_many(what, static_cast<Index>(values.size()), static_cast<Index>(sites.rows()));
-    if (!values.allFinite())
-        throw InvalidInput(fmt::format("{}: a value is not finite: expected finite numbers", what));
-}
-
 } // namespace
 
 Points cell_centers(const Ranks& ranks, const DistributedMesh& mesh, int k) {
@@ -301,9 +295,9 @@ SharedPoissonSolver::SharedPoissonSolver(const Ranks& ranks, Problem problem,
 Solution SharedPoissonSolver::solve(const Vector& f, const Vector& boundary_values,
                                     const Vector& normal_derivatives) const {
     ranks_.together("data", [&] {
-        check_values(f, sites_, "right-hand side");
-        check_values(boundary_values, boundary_sites(), "boundary data");
-        check_values(normal_derivatives, flux_sites_, "normal derivatives");
+        check_values("right-hand side", f, sites_.rows());
+        check_values("boundary data", boundary_values, boundary_sites().rows());
+        check_values("normal derivatives", normal_derivatives, flux_sites_.rows());
     });
     return solver_.solve(mass_.cwiseProduct(f) + load_(boundary_values, normal_derivatives),
                          fixed_(boundary_values));

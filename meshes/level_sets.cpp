@@ -134,21 +134,13 @@ private:
     LevelSets sets_;
 };
 
-void check_finite(const char* what, const Vector& numbers) {
-    for (Index i = 0; i < numbers.size(); ++i)
-        if (!std::isfinite(numbers[i]))
-            throw InvalidInput(fmt::format("level sets: {} {} is {}; expected a finite number",
-                                           what, i, numbers[i]));
-}
-
 } // namespace
 
 LevelSets level_sets(const Mesh& mesh, const Vector& values, const Vector& levels) {
     check_number("the dimension of a mesh with level sets", mesh.dimension(), 1,
                  std::numeric_limits<Index>::max());
-    check_as_many("values of a function on vertices", values.size(), mesh.points.rows());
-    check_finite("value", values);
-    check_finite("level", levels);
+    check_values("values of a function on vertices", values, mesh.points.rows());
+    check_values("levels", levels, levels.size());
     for (Index i = 0; i + 1 < levels.size(); ++i)
         if (!(levels[i] < levels[i + 1]))
             throw InvalidInput(fmt::format("level sets: level {} is {}, but the previous level is "
@@ -164,7 +156,7 @@ LevelSets level_sets(const Mesh& mesh, const Vector& values, const Vector& level
 Vector equal_levels(const Vector& values, Index count) {
     check_number("the number of levels", count, 0, std::numeric_limits<Index>::max());
     check_number("the number of values", values.size(), 1, std::numeric_limits<Index>::max());
-    check_finite("value", values);
+    check_values("values", values, values.size());
     const double least = values.minCoeff(), most = values.maxCoeff();
     Vector levels(count);
     for (Index i = 0; i < count; ++i) {

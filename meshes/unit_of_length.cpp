@@ -32,6 +32,8 @@ double unit_for(double half_of_longest, int dimension, int least) {
 }
 
 [[noreturn]] void refuse(double value, double unit, double power, std::string_view what) {
+    if (!std::isfinite(value))
+        throw InvalidInput(fmt::format("{}: {} is not a finite number", what, value));
     throw InvalidInput(fmt::format("{0}: {1:.3g} times {3:.3g}^{2} is outside the range of double "
                                    "precision; scale the mesh to a size nearer to 1",
                                    what, value, power, unit));
@@ -103,7 +105,7 @@ Vector in_input_units(const Vector& values, double unit, double power, std::stri
                           : 0;
     for (double& value : result) {
         auto scaled = in_input_units(value, unit, power);
-        if (!scaled && std::abs(value) <= rounding)
+        if (!scaled && std::isfinite(value) && std::abs(value) <= rounding)
             scaled = 0;
         if (!scaled)
             refuse(value, unit, power, what);

@@ -111,11 +111,11 @@ struct Advection::Parts {
 
     /// Vorticities at facets, and fluxes, in the unit. Throw InvalidInput for another number.
     Vector at_facets(const Vector& z) const {
-        check_as_many("values of the vorticity", z.size(), vorticity.cols());
+        check_values("values of the vorticity", z, vorticity.cols());
         return vorticity * form_in_input_units(z, unit, 2 - n, "vorticities");
     }
     Vector fluxes(const Vector& w) const {
-        check_as_many("fluxes", w.size(), complex.size(n - 1));
+        check_values("fluxes", w, complex.size(n - 1));
         return form_in_input_units(w, unit, -n, "fluxes");
     }
 

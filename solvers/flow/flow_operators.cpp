@@ -15,12 +15,8 @@ namespace polydec {
 namespace {
 
 void check_numbers(const char* what, const Vector& values, Index expected) {
-    if (values.size() == 0)
-        return;
-    check_as_many(what, values.size(), expected);
-    if (!values.allFinite())
-        throw InvalidInput(
-            fmt::format("{} of a flow are not all finite: expected finite numbers", what));
+    if (values.size() > 0)
+        check_values(what, values, expected);
 }
 
 void check_options(const Discretization& mesh, const FlowOptions& options) {

@@ -25,7 +25,7 @@ struct IncompressibleFlow::Parts {
 
     /// Fluxes in the unit of the mesh.
     Vector fluxes(const Vector& w) const {
-        check_as_many("fluxes", w.size(), operators->mesh.complex().size(operators->n - 1));
+        check_values("fluxes", w, operators->mesh.complex().size(operators->n - 1));
         return operators->in_unit(w, operators->n, "fluxes");
     }
 
@@ -125,7 +125,7 @@ double IncompressibleFlow::enstrophy(const Vector& w) const {
 }
 
 double IncompressibleFlow::dissipation(const Vector& w) const {
-    return options().viscosity == 0 ? 0 : 2 * options().viscosity * enstrophy(w);
+    return 2 * options().viscosity * enstrophy(w);
 }
 
 Vector IncompressibleFlow::circulations(const Vector& w) const {

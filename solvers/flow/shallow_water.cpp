@@ -77,8 +77,11 @@ struct ShallowWater::Parts {
             options.rotation = Vector::Zero(vertex_areas.size());
         if (options.bottom.size() == 0)
             options.bottom = Vector::Zero(areas.size());
-        check_as_many("vorticities of the frame", options.rotation.size(), vertex_areas.size());
-        check_as_many("heights of the bottom", options.bottom.size(), areas.size());
+        check_values("vorticities of the frame", options.rotation, vertex_areas.size());
+        check_values("heights of the bottom", options.bottom, areas.size());
+        if (!(options.gravity > 0) || !std::isfinite(options.gravity))
+            throw InvalidInput(
+                fmt::format("gravity is {}: expected a number above 0", options.gravity));
         options.gravity = in_unit(Vector::Constant(1, options.gravity), 2, "gravity")[0];
     }
 
@@ -95,9 +98,9 @@ struct ShallowWater::Parts {
     /// The fluxes, of a state that is one.
     Vector flux(const State& state) const {
         check_as_many("depths", state.depth.size(), areas.size());
-        check_as_many("fluxes", state.flux.size(), star.size());
+        check_values("fluxes", state.flux, star.size());
         for (Index cell = 0; cell < areas.size(); ++cell)
-            if (!(state.depth[cell] > 0))
+            if (!(state.depth[cell] > 0) || !std::isfinite(state.depth[cell]))
                 throw InvalidInput(
                     fmt::format("the depth of shallow water in cell {} is {}: expected a number "
                                 "above 0; use shorter steps or more water",

@@ -81,10 +81,7 @@ SparseMatrix padded(SparseMatrix A, Index more) {
 Vector or_zeros(const char* what, const Vector& values, Eigen::Index size) {
     if (values.size() == 0)
         return Vector::Zero(size);
-    check_as_many(what, values.size(), size);
-    if (!values.allFinite())
-        throw InvalidInput(
-            fmt::format("{} on the boundary are not all finite: expected finite numbers", what));
+    check_values(what, values, size);
     return values;
 }
 

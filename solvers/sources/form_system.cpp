@@ -63,7 +63,7 @@ public:
 
     Found solve(const Vector& f, const BoundaryForms& data, const Vector& harmonic) const override {
         if (harmonic.size() != 0)
-            check_as_many("coefficients of harmonic forms", harmonic.size(), harmonic_.cols());
+            check_values("coefficients of harmonic forms", harmonic, harmonic_.cols());
         auto [w, below, b, g, b_terms, g_terms] = of_.loads_of_free_values(data);
         const bool primal = side_ == Side::primal;
         b += primal ? of_.M * f : f;

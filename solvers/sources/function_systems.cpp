@@ -58,7 +58,7 @@ protected:
             if (const Index c = free.of(i); c >= 0)
                 sums[c] += right_side[i];
         if (harmonic.size() != 0)
-            check_as_many("coefficients of harmonic forms", harmonic.size(), free.count());
+            check_values("coefficients of harmonic forms", harmonic, free.count());
         Vector removed = Vector::Zero(numbers.size());
         for (Index i = 0; i < numbers.size(); ++i)
             if (const Index c = free.of(i); c >= 0) {
