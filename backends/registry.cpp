@@ -216,6 +216,18 @@ void enroll(KnownEngines<Factory>& known, EngineInfo info, Factory factory) {
     entry = {.info = std::move(info), .factory = std::move(factory)};
 }
 
+/// An engine from outside has no name of one that may be loaded yet.
+template <typename Factory>
+void enroll_new(KnownEngines<Factory>& known, const std::string& name, Factory factory) {
+    {
+        const std::lock_guard lock(registry().mutex);
+        if (known.entries.contains(name))
+            throw InvalidInput(
+                fmt::format("an engine called `{}` is known already: choose another name", name));
+    }
+    enroll(known, EngineInfo{.name = name}, std::move(factory));
+}
+
 /// A program of its own, which is found and not made.
 EngineInfo tetgen() {
     return {
@@ -260,7 +272,7 @@ void register_linear_solver(const EngineInfo& info, LinearSolverFactory factory)
 }
 
 void register_linear_solver(const std::string& name, LinearSolverFactory factory) {
-    register_linear_solver(EngineInfo{.name = name}, std::move(factory));
+    enroll_new(registry().linear, name, std::move(factory));
 }
 
 void register_eigen_solver(const EngineInfo& info, EigenSolverFactory factory) {
@@ -268,7 +280,7 @@ void register_eigen_solver(const EngineInfo& info, EigenSolverFactory factory) {
 }
 
 void register_eigen_solver(const std::string& name, EigenSolverFactory factory) {
-    register_eigen_solver(EngineInfo{.name = name}, std::move(factory));
+    enroll_new(registry().eigen, name, std::move(factory));
 }
 
 void register_integrator(const EngineInfo& info, IntegratorFactory factory) {
@@ -276,7 +288,7 @@ void register_integrator(const EngineInfo& info, IntegratorFactory factory) {
 }
 
 void register_integrator(const std::string& name, IntegratorFactory factory) {
-    register_integrator(EngineInfo{.name = name}, std::move(factory));
+    enroll_new(registry().integrator, name, std::move(factory));
 }
 
 std::string how_to_get_linear_solver(const std::string& name) {
