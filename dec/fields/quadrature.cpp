@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace polydec {
@@ -35,6 +37,18 @@ double weight(int k, int s, int i) {
     return result;
 }
 
+/// The share of the sum of weights that rounding of values takes. There are as many points of each
+/// weight as lists of k + 1 numbers with the sum s - i.
+double rounding_share(int k, int s) {
+    double lists = 1, sizes = 0, sum = 0;
+    for (int i = s; i >= 0; --i) {
+        sizes += lists * std::abs(weight(k, s, i));
+        sum += lists * weight(k, s, i);
+        lists *= double(k + 1 + s - i) / (s - i + 1);
+    }
+    return std::numeric_limits<double>::epsilon() * sizes / std::abs(sum);
+}
+
 } // namespace
 
 SimplexQuadrature grundmann_moeller(int k, int degree) {
@@ -44,6 +58,12 @@ SimplexQuadrature grundmann_moeller(int k, int degree) {
                                        degree, k));
     // on a vertex one point is exact
     const int s = k == 0 ? 0 : degree / 2;
+    for (int lower = 0; lower <= s; ++lower)
+        if (!(rounding_share(k, lower) <= 1e-9))
+            throw InvalidInput(fmt::format(
+                "a quadrature rule of degree {} on simplices of dimension {}: the weights cancel "
+                "too much; expected at most {}",
+                degree, k, 2 * lower - 1));
     std::vector<std::vector<int>> points;
     std::vector<double> weights;
     for (int i = 0; i <= s; ++i) {
