@@ -190,6 +190,22 @@ StarKind automatic_kind(int dimension, bool every_dual_is_positive) {
                                                   : StarKind::galerkin;
 }
 
+void check_fit(const CellComplex& complex, const HodgeStars& stars) {
+    check_fit(complex, stars.volumes());
+    for (int k = 0; k <= complex.dimension(); ++k) {
+        if (stars[k].is_diagonal())
+            continue;
+        const Vector diagonal = stars[k].matrix().diagonal();
+        for (Index cell = 0; cell < diagonal.size(); ++cell)
+            if (!(diagonal[cell] > 0))
+                throw InvalidInput(
+                    fmt::format("the star of {}-cells is given by a matrix whose entry {} on the "
+                                "diagonal is {}: expected a symmetric positive definite one",
+                                k, cell, diagonal[cell]),
+                    {.degree = k, .cells = {cell}});
+    }
+}
+
 ChosenStars::ChosenStars(const HodgeStars& stars_, StarKind kind_, std::vector<bool> galerkin_)
     : stars(stars_), kind(kind_), galerkin(std::move(galerkin_)) {}
 

@@ -103,10 +103,9 @@ inline HodgeStar star(const HodgeStars& stars, int k) {
     return stars[k];
 }
 
-/// Throws InvalidInput, naming the degree, unless the sizes of stars match the numbers of cells.
-inline void check_fit(const CellComplex& complex, const HodgeStars& stars) {
-    check_fit(complex, stars.volumes());
-}
+/// Throws InvalidInput, naming the degree, unless the sizes of stars match the numbers of cells,
+/// and the diagonals of matrices are positive.
+void check_fit(const CellComplex& complex, const HodgeStars& stars);
 
 /// Kinds of Hodge stars. On flat cells, inner products of constant forms are exact in every degree
 /// for galerkin and hybrid stars, and in degrees 0 and n for all other stars.
