@@ -89,7 +89,8 @@ void refuse_robin(const CellComplex& complex, const BoundaryConditions& conditio
         if (conditions.at(f) == BoundaryCondition::robin)
             throw InvalidInput(
                 fmt::format("facet {} has a Robin condition, which is not supported for {}: use "
-                            "PoissonSolver, Diffusion or spectrum, or another condition",
+                            "PoissonSolver, Diffusion or spectrum of other forms, or another "
+                            "condition",
                             f, what),
                 {.degree = n - 1, .cells = {f}});
 }

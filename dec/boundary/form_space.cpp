@@ -64,6 +64,8 @@ FormSpace::FormSpace(const Cells& cells, Side side, int degree,
     const int k = polydec::cell_degree(complex, side, degree); // throws for an invalid degree
     if (side == Side::dual && degree == 0)
         check_not_branching(cells);
+    if (degree == complex.dimension())
+        polydec::refuse_robin(complex, conditions, "n-forms, which have no trace");
     auto parts = std::shared_ptr<Parts>(new Parts{
         cells, side, degree, k, conditions, essential_cells(complex, conditions, side, degree)});
     parts->robin = coefficients_on(cells, conditions);
@@ -150,8 +152,7 @@ Cells FormSpace::inside() const {
 
 const SparseMatrix& FormSpace::robin_weights() const& {
     return parts_->weights.get([&] {
-        const bool has_any = side() == Side::primal && cell_degree() < parts_->cells.dimension() &&
-                             !parts_->robin.isZero(0);
+        const bool has_any = side() == Side::primal && !parts_->robin.isZero(0);
         return has_any ? parts_->cells.boundary_star(cell_degree(), parts_->robin) : SparseMatrix();
     });
 }
@@ -159,7 +160,7 @@ const SparseMatrix& FormSpace::robin_weights() const& {
 const SparseMatrix& FormSpace::robin_layer() const& {
     return parts_->layer.get([&] {
         const Vector& robin = parts_->robin;
-        if (side() == Side::primal || cell_degree() == 0 || robin.isZero(0))
+        if (side() == Side::primal || robin.isZero(0))
             return SparseMatrix();
         return parts_->cells.boundary_star(
             cell_degree() - 1, (robin.array() > 0).select(robin.cwiseInverse(), 0.0 * robin));

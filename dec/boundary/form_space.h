@@ -31,7 +31,8 @@ class FormSpace {
 public:
     /// Throws InvalidInput if there are no forms of that degree; unless conditions are uniform or
     /// one per facet; for dual 0-forms, naming the facet, where three or more n-cells meet: their
-    /// difference along its dual is undefined; and for Robin's condition like robin_coefficients.
+    /// difference along its dual is undefined; for Robin's condition on n-forms, which have no
+    /// trace, and otherwise like robin_coefficients.
     FormSpace(const Cells& cells, Side side, int degree, const BoundaryConditions& conditions);
 
     /// The space under the default conditions (see built_in_conditions).

@@ -283,6 +283,8 @@ TEST(Robin, is_refused_by_name_where_it_is_not_known) {
     const auto mesh = circumcentric(grid(2, 2));
     EXPECT_REFUSED(HodgeSolver({mesh, Side::primal, 0, robin(1)}), "facet 0", "Robin",
                    "PoissonSolver");
+    for (const Side side : {Side::primal, Side::dual})
+        EXPECT_REFUSED(FormSpace(mesh, side, 2, robin(1)), "facet 0", "Robin", "n-forms");
     EXPECT_REFUSED(functions(mesh, Side::primal, robin(-1)), "Robin", "1-cell 0", "-1");
     EXPECT_REFUSED(functions(mesh, Side::primal, {BoundaryCondition::robin}),
                    "0 Robin coefficients", "12 1-cells");
