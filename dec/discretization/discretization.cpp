@@ -19,31 +19,43 @@
 #include "meshes/unit_of_length.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace polydec {
 
 namespace {
 
-/// The facets that must not merge: between simplices of different tags, and with tags of their own.
-/// Empty if the mesh has no tags or tags do not matter.
-std::vector<bool> staying_facets(const SimplicialComplex& complex, const std::vector<Index>& tags,
-                                 const std::vector<Index>& facet_tags,
-                                 const DiscretizeOptions& options) {
+/// What must not merge: facets between simplices of different tags and with tags of their own, and
+/// (n-2)-simplices between such facets, or those of the boundary, with different tags. Empty if the
+/// mesh has no tags or tags do not matter.
+CellMarks staying_simplices(const SimplicialComplex& complex, const std::vector<Index>& tags,
+                            const std::vector<Index>& facet_tags,
+                            const DiscretizeOptions& options) {
     if (options.materials == Materials::join || (tags.empty() && facet_tags.empty()))
         return {};
     if (options.delaunay != Delaunay::off)
         throw InvalidInput("flips join triangles of different groups, but groups must stay apart "
                            "here: omit the flips, or let materials join");
     const int n = complex.dimension();
-    std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
+    CellMarks marks = no_marks(complex);
     const Cofaces cofaces(complex, n);
     for (Index f = 0; f < complex.size(n - 1); ++f) {
-        marks[f] = !facet_tags.empty() && facet_tags[f] != 0;
+        marks[n - 1][f] = !facet_tags.empty() && facet_tags[f] != 0;
         if (!tags.empty())
             for (const Coface& t : cofaces.of(f))
                 if (tags[t.cell] != tags[cofaces.of(f).front().cell])
-                    marks[f] = true;
+                    marks[n - 1][f] = true;
+    }
+    if (n == 1 || facet_tags.empty())
+        return marks;
+    const Cofaces facets(complex, n - 1);
+    for (Index s = 0; s < complex.size(n - 2); ++s) {
+        std::set<Index> around;
+        for (const Coface& f : facets.of(s))
+            if (marks[n - 1][f.cell] || cofaces.of(f.cell).size() == 1)
+                around.insert(facet_tags[f.cell]);
+        marks[n - 2][s] = around.size() > 1;
     }
     return marks;
 }
@@ -165,7 +177,7 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     }
     const auto tags = tags_of_cells(complex, mesh.tags);
     FacetTags facet_tags = tags_of_facets(complex, mesh.facet_tags, mesh.warnings);
-    const auto stays = staying_facets(complex, tags, facet_tags.tags, options);
+    const auto stays = staying_simplices(complex, tags, facet_tags.tags, options);
     begin(stage, "volumes");
     auto [passage, input, pieces, points] = measure(given, options);
     begin(stage, "merge");

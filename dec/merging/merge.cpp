@@ -147,7 +147,7 @@ std::vector<bool> flat_in_cells(const Pieces& complex, const std::vector<bool>& 
 } // namespace
 
 CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOptions& options,
-                                     const std::vector<bool>& stays) {
+                                     const CellMarks& stays) {
     if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
         throw InvalidInput(fmt::format("the merge tolerance is {}: expected a number >= 0, such as "
                                        "1e-4",
@@ -155,15 +155,16 @@ CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOption
     const Pieces& complex = geometry.pieces();
     const int n = complex.dimension();
     if (!stays.empty())
-        check_as_many("marks of facets", static_cast<Index>(stays.size()), complex.size(n - 1));
+        check_as_many("degrees of marks", std::ssize(stays), n + 1);
+    for (int k = 0; k < std::ssize(stays); ++k)
+        check_as_many(fmt::format("marks of {}-simplices", k), std::ssize(stays[k]),
+                      complex.size(k));
     const auto defects = facet_defects(geometry, options);
     if (options.criterion == MergeCriterion::none ||
         (defects.degenerate.interior == 0 && defects.flat.empty()))
         return {unmerged(complex), defects.degenerate, 0, geometry};
 
-    CellMarks kept = no_marks(complex); // simplices that must not be removed
-    if (!stays.empty())
-        kept[n - 1] = stays;
+    CellMarks kept = stays.empty() ? no_marks(complex) : stays; // that must not be removed
     const FacetChoice choice(geometry, defects, options.tolerance);
 
     // every round keeps at least one more simplex, so the loop ends

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/index.h"
+#include "complex/components.h"
 #include "complex/merging.h"
 #include "dec/metric/geometry.h"
 
@@ -55,11 +56,11 @@ struct CosphericalMerging {
 /// neighbor on whose sphere they lie (see absorb_flat); all others stay cells. In R^n every simplex
 /// between two pieces of a cell is removed, and the pieces have one center.
 ///
-/// `stays`: empty, or one mark per facet that must not merge whatever its dual.
+/// `stays`: empty, or marks of the simplices that must not be merged away.
 /// Time O(incidences + f log f), f the number of degenerate facets. Throws InvalidInput for a
 /// tolerance that is negative or not finite, and for a wrong number of marks.
 CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOptions& options = {},
-                                     const std::vector<bool>& stays = {});
+                                     const CellMarks& stays = {});
 
 /// Volumes of merged cells, with duals set to 0 (see HodgeStar::zeros) where a center lies beyond
 /// the boundary but within the tolerance. Such centers, moved there by rounding or jitter, count as

@@ -74,6 +74,25 @@ TEST(MaterialsOfCubes, are_joined_unless_they_are_to_be_kept_apart) {
     EXPECT_EQ(removed_walls(discretize(input, apart), input.tags), 0);
 }
 
+TEST(GroupsOnTheBoundary, are_kept_apart_also_within_its_flat_parts) {
+    Mesh input = kuhn(3, 3);
+    const SimplicialComplex K(input.simplices);
+    const auto outside = boundary_facets(K);
+    input.facet_tags.simplices.resize(std::ssize(outside), 3);
+    for (std::size_t i = 0; i < outside.size(); ++i) {
+        input.facet_tags.simplices.row(i) = K.simplices(2).row(outside[i].facet);
+        input.facet_tags.tags.push_back(1 + i % 2);
+    }
+    const auto mixed = [](const Discretization& mesh) {
+        const auto facets = boundary_facets(mesh.complex());
+        return std::count_if(facets.begin(), facets.end(), [&](const BoundaryFacet& on) {
+            return mesh.facet_tags()[on.facet] == 0;
+        });
+    };
+    EXPECT_GT(mixed(discretize(input)), 0);
+    EXPECT_EQ(mixed(discretize(input, apart)), 0);
+}
+
 TEST(MaterialsOfSurfaces, do_not_go_with_flips) {
     auto options = apart;
     options.delaunay = Delaunay::flips;
@@ -84,8 +103,10 @@ TEST(MarksOfFacets, are_as_many_as_facets) {
     const Mesh mesh = grid(2, 2);
     const SimplicialComplex K(mesh.simplices);
     const auto volumes = circumcentric_volumes(K, mesh.points);
-    EXPECT_REFUSED(merge_cospherical({K, mesh.points, volumes}, {}, {true, false}), "2 marks",
-                   "facets", "16");
+    auto marks = no_marks(K);
+    marks[1].resize(2);
+    EXPECT_REFUSED(merge_cospherical({K, mesh.points, volumes}, {}, marks), "2 marks",
+                   "1-simplices", "16");
 }
 
 } // namespace
