@@ -86,7 +86,8 @@ private:
     bool is_mixed_ = false;
     MatrixFacts facts_;
     std::shared_ptr<LinearSolver> solver_;
-    Vector scales_; // of rows and columns of the matrix of a step
+    Vector scales_;      // of rows and columns of the matrix of a step
+    double largest_ = 1; // of its diagonal, over the mass
 
     struct Space;
     std::shared_ptr<const Space> space_; // none for a user-defined stiffness
