@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shape/poisson_error.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "shape/facet_unknowns.h"
 #include "shape/measured_simplex.h"
@@ -278,6 +279,9 @@ PoissonProblem poisson_problem(const Discretization& mesh, const BoundaryConditi
         throw InvalidInput("vertices inside merged cells have no values: discretize the mesh with "
                            "the criterion none");
     const Simplices& corners = pieces.simplices(n);
+    check_values("values of f", f, mesh.complex().size(0));
+    if (flow.size() > 0)
+        check_values("flow", flow, mesh.complex().size(n - 1));
     problem.source.resize(corners.rows(), n + 1);
     for (Index s = 0; s < corners.rows(); ++s)
         for (int i = 0; i <= n; ++i)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "backends/registry.h"
 #include "backends/spectra/inertia.h"
 #include "shape/poisson_pair.h"
 
@@ -29,32 +30,34 @@ SparseMatrix loads(const PoissonForms& forms, const PoissonForms::System& system
 /// c D + B_CR K_CR^-1 B_CR^T - B_P1 K_P1^-1 B_P1^T against D, the areas.
 double estimate(const PoissonForms& forms, const SparseMatrix& on_facets,
                 const SparseMatrix& on_vertices) {
-    Vector f(forms.simplices());
-    for (Eigen::Index s = 0; s < f.size(); ++s) // nothing regular
-        f[s] = std::sin(1 + 1.7 * double(s));
-    Vector sums(forms.facets().kernel.cols()), sizes(sums.size());
-    double value = 0;
-    for (int step = 0; step < 12; ++step) {
-        sums.setZero(), sizes.setZero(); // means count where constants are not free alone
+    const auto& volumes = forms.volumes();
+    const Vector roots = volumes.cwiseSqrt();
+    const auto subtract_means = [&](Vector& f) { // they count where constants are not free alone
+        Vector sums = Vector::Zero(forms.facets().kernel.cols()), sizes = sums;
         for (Index s = 0; s < forms.simplices(); ++s)
             if (const Index component = forms.components()[s]; component >= 0) {
-                sums[component] += f[s] * forms.volumes()[s];
-                sizes[component] += forms.volumes()[s];
+                sums[component] += f[s] * volumes[s];
+                sizes[component] += volumes[s];
             }
         for (Index s = 0; s < forms.simplices(); ++s)
             if (const Index component = forms.components()[s]; component >= 0)
                 f[s] -= sums[component] / sizes[component];
-        const Vector Df = f.cwiseProduct(forms.volumes());
-        Vector image = Df.cwiseProduct(forms.bubbles());
-        if (on_facets.cols() > 0)
-            image += on_facets * forms.facets().solve(on_facets.transpose() * f);
-        if (on_vertices.cols() > 0)
-            image -= on_vertices * forms.vertices().solve(on_vertices.transpose() * f);
-        const Vector next = image.cwiseQuotient(forms.volumes());
-        value = f.dot(image) / f.dot(Df);
-        f = next / next.cwiseAbs().maxCoeff();
-    }
-    return value;
+    };
+    const SymmetricOperator A{
+        forms.simplices(), [&](const Vector& x, Vector& y) {
+            Vector f = x.cwiseQuotient(roots);
+            subtract_means(f);
+            Vector image = f.cwiseProduct(volumes).cwiseProduct(forms.bubbles());
+            if (on_facets.cols() > 0)
+                image += on_facets * forms.facets().solve(on_facets.transpose() * f);
+            if (on_vertices.cols() > 0)
+                image -= on_vertices * forms.vertices().solve(on_vertices.transpose() * f);
+            f = image.cwiseQuotient(volumes);
+            subtract_means(f);
+            y = f.cwiseProduct(roots);
+        }};
+    const auto largest = make_eigen_solver("spectra")->largest(A, 1, {.tolerance = 1e-3});
+    return largest.converged > 0 ? largest.values[0] : 0;
 }
 
 /// The block matrix whose inertia tells, as triplets, with what its entries may be off by.
@@ -154,7 +157,7 @@ std::optional<double> l2_constant_squared(const PoissonForms& forms, const std::
         largest = std::max(largest, forms.poincare(s));
     const SparseMatrix on_facets = loads(forms, forms.facets()),
                        on_vertices = loads(forms, forms.vertices());
-    double square = std::max(1.1 * estimate(forms, on_facets, on_vertices), 1e-3 * largest);
+    double square = std::max(1.01 * estimate(forms, on_facets, on_vertices), 1e-3 * largest);
     for (int attempt = 0; attempt < 6; ++attempt, square *= 1.5)
         if (is_proved(forms, on_facets, on_vertices, square, engine))
             return square + largest;

@@ -301,7 +301,7 @@ TEST(PoissonError, of_L2_is_by_a_constant_a_little_above_the_least) {
         const auto found = l2_constant_squared(forms, "auto");
         ASSERT_TRUE(found);
         EXPECT_GE(*found - largest, least);
-        EXPECT_LE(*found - largest, 1.15 * least);
+        EXPECT_LE(*found - largest, 1.011 * least);
     }
 }
 
