@@ -113,13 +113,33 @@ private:
     ExteriorProduct product_;
 };
 
-/// The product of the duals of two primal forms: the covector star^-1 (star a ^ star b) at the unit
-/// m-vector of s, times the volume of the part of *s. This is the integral of star a ^ star b
-/// because s and *s are orthogonal.
-Vector product_of_stars(const Geometry& geometry, const Cochain& a, const Cochain& b) {
+/// Weights of n-simplices in means over those around each m-simplex, by volume, times its volume: a
+/// row for each n-simplex.
+Points parts_of_means(const Geometry& geometry, int m) {
+    const Pieces& complex = geometry.pieces();
+    const int n = complex.dimension();
+    const Vector &of = geometry.volumes().primal(m), &around = geometry.volumes().primal(n);
+    SimplexFaces faces(complex, n, m);
+    Vector sums = Vector::Zero(complex.size(m));
+    Points parts(complex.size(n), faces.positions().size());
+    for (Index t = 0; t < complex.size(n); ++t)
+        for (const Index s : faces.of(t))
+            sums[s] += around[t];
+    for (Index t = 0; t < complex.size(n); ++t)
+        for (std::size_t i = 0; i < faces.of(t).size(); ++i) {
+            const Index s = faces.of(t)[i];
+            parts(t, static_cast<Eigen::Index>(i)) = of[s] * around[t] / sums[s];
+        }
+    return parts;
+}
+
+/// The covector star^-1 (star a ^ star b) at the unit m-vector of s, summed over n-simplices with
+/// the weights `parts`. If they are volumes of the parts of *s, this is the integral of star a ^
+/// star b, because s and *s are orthogonal.
+Vector product_of_stars(const Geometry& geometry, const Cochain& a, const Cochain& b,
+                        const Points& parts) {
     const Pieces& complex = geometry.pieces();
     const int n = complex.dimension(), m = a.degree + b.degree - n;
-    const Points parts = parts_of_duals(geometry, geometry.centers(), m, n);
     const Meet meet(n, a.degree, b.degree);
     const ExteriorProduct edges_of(n, m);
     Means first(complex, a), second(complex, b);
@@ -147,31 +167,39 @@ Vector product_of_stars(const Geometry& geometry, const Cochain& a, const Cochai
     return values;
 }
 
-/// The primal form whose star is the dual form.
-Cochain without_star(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
-    const int p = complex.dimension() - form.degree;
-    return {Side::primal, p, star(volumes, p).solve(form.values)};
+/// Over the parts of the duals.
+Points parts_of_duals(const Geometry& geometry, int m) {
+    return parts_of_duals(geometry, geometry.centers(), m, geometry.pieces().dimension());
 }
 
 } // namespace
 
 Cochain dual_wedge(const Geometry& geometry, const Cochain& a, const Cochain& b) {
     check_factors(geometry.pieces(), Side::dual, a, b);
+    const int n = geometry.pieces().dimension(), j = a.degree + b.degree;
     const auto primal = [&](const Cochain& form) {
-        return without_star(geometry.pieces(), geometry.volumes(), form);
+        const int p = n - form.degree;
+        return Cochain{Side::primal, p, star(geometry.volumes(), p).solve(form.values)};
     };
-    return {Side::dual, a.degree + b.degree, product_of_stars(geometry, primal(a), primal(b))};
+    return {Side::dual, j,
+            product_of_stars(geometry, primal(a), primal(b), parts_of_duals(geometry, n - j))};
 }
 
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b) {
     check_factors(mesh.complex(), Side::dual, a, b);
     refuse_flat_pieces(mesh, "the product of dual forms");
     const auto lifted = [&](const Cochain& form) {
-        return on_pieces(mesh, without_star(mesh.complex(), mesh.volumes(), form));
+        const int p = mesh.dimension() - form.degree;
+        return on_pieces(mesh, {Side::primal, p, mesh.stars()[p].solve(form.values)});
     };
-    const int j = a.degree + b.degree;
-    const Vector values = product_of_stars(mesh.geometry(), lifted(a), lifted(b));
-    return on_cells(mesh, {Side::dual, j, values});
+    const int j = a.degree + b.degree, m = mesh.dimension() - j;
+    const auto product = [&](const Points& parts) {
+        return product_of_stars(mesh.geometry(), lifted(a), lifted(b), parts);
+    };
+    if (mesh.chosen_stars().is_over_duals(m))
+        return on_cells(mesh, {Side::dual, j, product(parts_of_duals(mesh.geometry(), m))});
+    const Vector means = product(parts_of_means(mesh.geometry(), m));
+    return star(Cells(mesh.complex(), mesh.stars()), on_cells(mesh, {Side::primal, m, means}));
 }
 
 } // namespace polydec

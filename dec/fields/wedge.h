@@ -64,8 +64,10 @@ Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Coc
 Cochain dual_wedge(const Geometry& geometry, const Cochain& a, const Cochain& b);
 
 /// The product on the duals of merged cells: star^-1 of both forms is lifted to the pieces,
-/// multiplied there, and averaged by volume over the pieces of each cell. Anticommutative; exact
-/// for constant forms on flat cells. Throws like the overload above.
+/// multiplied there, and averaged by volume over the pieces of each cell. Where dual forms are
+/// stars of primal ones (see ChosenStars::is_over_duals), it is the star of star^-1 of the product,
+/// averaged by volume over the n-simplices. Anticommutative; exact for constant forms on flat
+/// cells. Throws like the overload above.
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b);
 
 } // namespace polydec

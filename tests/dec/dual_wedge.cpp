@@ -7,6 +7,7 @@
 #include "tests/dec/discretized.h"
 #include "tests/dec/products.h"
 #include "tests/support/forms.h"
+#include "tests/support/glued.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -136,6 +137,27 @@ TEST_P(DualWedges, of_functions_on_cells_are_their_products) {
 }
 
 POLYDEC_OVER_MESHES(DualWedges);
+
+/// Where dual forms are stars of primal forms, products are too.
+TEST(DualWedgesByStars, multiply_constant_forms_exactly) {
+    for (const Mesh& mesh : {shaken(grid(4, 4), 0.06, 1), shaken(kuhn(3, 2), 0.1, 2)})
+        for (const StarKind kind :
+             {StarKind::automatic, StarKind::galerkin, StarKind::barycentric}) {
+            const Discretization on = discretize(mesh, {.star = kind});
+            const int n = on.dimension();
+            for (int k = 0; k <= n; ++k)
+                for (int l = 0; k + l <= n; ++l) {
+                    SCOPED_TRACE(fmt::format("{} stars, k = {}, l = {}", name(kind), k, l));
+                    const auto constant = [&](int j, const Vector& coefficients) {
+                        return dual_de_rham(on, j, [&](const Vector&) { return coefficients; });
+                    };
+                    const Vector a = random_vector(coefficients(n, k), 3),
+                                 b = random_vector(coefficients(n, l), 4);
+                    EXPECT_CLOSE(dual_wedge(on, constant(k, a), constant(l, b)).values,
+                                 constant(k + l, exterior_product(n, k, a, l, b)).values, 1e-10);
+                }
+        }
+}
 
 /// L2 error of the product of two smooth 1-forms on the merged cells of the unit square, as a
 /// mean over the dual cells. Duals cut off by the boundary, which have their values off the middle
