@@ -2,7 +2,6 @@
 #include "base/checks.h"
 #include "dec/fields/flat_and_sharp.h"
 #include "dec/stars/star.h"
-#include "meshes/unit_of_length.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,14 +16,11 @@ bool is_along(const Cochain& form, Proxy proxy) {
     return form.degree == 1 && proxy != Proxy::flux;
 }
 
-/// The primal form whose star a dual form is, in the units of the input.
+/// The primal form whose star a dual form is.
 Cochain primal_of(const Discretization& mesh, const Cochain& form) {
-    if (form.side == Side::primal)
-        return form;
-    const int n = mesh.dimension(), k = n - form.degree;
-    return {
-        Side::primal, k,
-        form_in_input_units(star(mesh, k).solve(form.values), mesh.unit(), 2 * k - n, "vectors")};
+    const int k = mesh.dimension() - form.degree;
+    return form.side == Side::primal ? form
+                                     : Cochain{Side::primal, k, star(mesh, k).solve(form.values)};
 }
 
 /// Each vertex with each n-cell around it.
@@ -53,9 +49,11 @@ DenseMatrix vectors_at_cells(const Discretization& mesh, const Cochain& form, Pr
         return {};
     check(mesh.complex(), form);
     const Cochain primal = primal_of(mesh, form);
-    // the dual cells that a field runs along are those that cross facets
-    return is_along(form, proxy) == (form.side == Side::primal) ? sharp_pd(mesh, primal)
-                                                                : flux_sharp(mesh, primal);
+    if (is_along(form, proxy) == (form.side == Side::primal))
+        return sharp_pd(mesh, primal);
+    // a dual 1-form is along the cells that cross facets, (-1)^(n-1) times the star of their fluxes
+    const bool turns = form.side == Side::dual && mesh.dimension() % 2 == 0;
+    return (turns ? -1 : 1) * flux_sharp(mesh, primal);
 }
 
 DenseMatrix vectors_at_vertices(const Discretization& mesh, const Cochain& form, Proxy proxy) {
