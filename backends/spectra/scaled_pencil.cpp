@@ -109,7 +109,8 @@ ScaledPencil::ScaledPencil(const Pencil& pencil)
     if (pencil.C.size() > 0)
         C_ = columns_.asDiagonal() * pencil.C * columns_.asDiagonal();
     for (const GramPart& part : pencil.parts)
-        parts_.push_back(make_scaled_part(part, columns_));
+        if (part.F.rows() > 0)
+            parts_.push_back(make_scaled_part(part, columns_));
     for (const auto& part : parts_) {
         weights_share_ += part->largest_share();
         if (part->inverse_of())

@@ -92,6 +92,21 @@ TEST(SpectraByStars, of_other_stars_lie_outside_of_the_radii) {
     EXPECT_LE(number_enclosed(other, exact), 2); // harmonic ones are 0 with all stars
 }
 
+/// One triangle has no free vertex, and its diagonal the only free edge of a square.
+TEST(SpectraByStars, exist_where_no_cell_below_is_free) {
+    const auto square = discretize(grid(1, 1), {.criterion = MergeCriterion::none});
+    ASSERT_FALSE(square.stars()[0].is_diagonal() && square.stars()[1].is_diagonal());
+    const FormSpace within(square, Side::primal, 1, BoundaryCondition::essential);
+    ASSERT_EQ(within.size(), 1);
+    const double stiffness = SparseMatrix(within.stiffness()).coeff(0, 0),
+                 mass = within.inside().stars()[1].matrix().coeff(0, 0);
+    EXPECT_NEAR(spectrum(within, {.count = 1}).eigenvalues[0], stiffness / mass, 1e-9 * stiffness);
+    Mesh triangle = grid(1, 1);
+    triangle.simplices = triangle.simplices.topRows(1).eval();
+    const FormSpace dual(discretize(triangle), Side::dual, 0, BoundaryCondition::natural);
+    EXPECT_EQ(spectrum(dual, {.count = 1}).eigenvalues[0], 0);
+}
+
 /// Shifts about every eigenvalue, near and far: the larger matrix counts what is below.
 TEST(SpectraByStars, count_by_the_inertia_of_a_larger_matrix) {
     for (const char* title : {"ring6", "solid_torus3", "kuhn3", "star_negative"}) {
