@@ -82,6 +82,7 @@ void answer_waves(const WaveWords& words, const Discretization& mesh, const Form
     const TimeSteps steps = time_steps(time, part_of_stable_step * stable);
     options.time_step = steps.length;
     Waves run(space, start, options);
+    log.warn(run.warnings());
     const std::string conditions = space.in_words();
     PageText text;
     text.title = words.title;

@@ -154,6 +154,10 @@ void add_runs(py::module_& module) {
              [](AnyRun& self) {
                  return of_kind<Waves>(self, [](Waves& run) { return run.energy(); });
              })
+        .def("warnings",
+             [](AnyRun& self) {
+                 return of_kind<Waves>(self, [](Waves& run) { return run.warnings(); });
+             })
         .def("layer", [](AnyRun& self) {
             return of_kind<Waves>(self, [](Waves& run) { return name(run.layer()); });
         });

@@ -13,7 +13,7 @@ from ._arrays import Floats
 from ._cochain import Form, as_form, values_of
 from ._complex import CellsLike, Complex, as_cells
 from ._conditions import conditions_or_none
-from ._errors import InvalidInput
+from ._errors import InvalidInput, warn
 from ._run import Run
 from ._vertices import mesh_of
 
@@ -70,7 +70,7 @@ class Waves(Run):
         the others a symmetry wall. E and B still have values on all cells. Needs a `Complex`.
     loss, upper_loss : float or array_like, optional
         Decay rates of E and of B, one per value; 1 / time. For Maxwell's equations `loss` is the
-        conductivity over the permittivity.
+        conductivity over the permittivity. A warning tells of rates above 2 / time_step.
     layer : float or AbsorbingLayer, optional
         An absorbing layer, or its width. Needs a `Complex`.
     source, upper_source : callable, optional
@@ -120,6 +120,7 @@ class Waves(Run):
             conditions_or_none(complex, essential),
             (self._values(loss, 0), self._values(upper_loss, 1), self._values(B, 1)),
             absorbing, self._called(source, 0), self._called(upper_source, 1), label)
+        warn(self._run.warnings())
 
     @property
     def time_step(self) -> float:

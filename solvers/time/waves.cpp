@@ -388,6 +388,22 @@ std::optional<Fingerprint> Waves::fingerprint() const {
     return result;
 }
 
+std::vector<std::string> Waves::warnings() const {
+    std::vector<std::string> result;
+    const auto look_at = [&](const Vector& loss, const char* what) {
+        if (loss.size() > 0 && loss.maxCoeff() * time_step() > 2)
+            result.push_back(fmt::format("the losses of {} are up to {:.3g}, too fast for steps of "
+                                         "{:.3g}: there, values change "
+                                         "sign in each step instead of dying away; use steps below "
+                                         "{:.3g}, or fix the values of "
+                                         "good conductors at 0",
+                                         what, loss.maxCoeff(), time_step(), 2 / loss.maxCoeff()));
+    };
+    look_at(options_.loss, "E");
+    look_at(options_.upper_loss, "B");
+    return result;
+}
+
 double Waves::energy() const {
     return in_input_units(Vector::Constant(1, scheme_->energy(now())), scheme_->unit,
                           scheme_->energy_power, "the energy")[0];

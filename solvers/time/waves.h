@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace polydec {
 
@@ -62,6 +63,10 @@ public:
 
     /// The kind of layer in use: stretched or conducting; automatic without a layer.
     LayerKind layer() const;
+
+    /// Losses that are too fast for these steps: above 2 / time_step, values change sign in each
+    /// step instead of dying away.
+    std::vector<std::string> warnings() const;
 
 private:
     struct Scheme;

@@ -240,6 +240,19 @@ TEST(WavesWithLosses, keep_the_divergence_of_their_fluxes) {
     EXPECT_GT(divergence(1), 1e-3) << "magnetic losses are sources of B";
 }
 
+TEST(WavesWithLosses, warn_of_rates_that_steps_do_not_follow) {
+    const auto mesh = circumcentric(grid(3, 3));
+    const Vector start = Vector::Ones(mesh.size(0));
+    const auto warnings = [&](double rate) {
+        return Waves({mesh, Side::primal, 0, BoundaryCondition::natural}, start,
+                     {.time_step = 0.01, .loss = Vector::Constant(start.size(), rate)})
+            .warnings();
+    };
+    EXPECT_TRUE(warnings(199).empty());
+    ASSERT_EQ(warnings(201).size(), 1u);
+    EXPECT_SAYS(warnings(201)[0], "losses of E", "201", "0.01");
+}
+
 TEST(Materials, weigh_diagonal_stars_by_the_parts_of_duals) {
     for (const Mesh& input : {grid(3, 3), kuhn(3, 2), well_centered(3)}) {
         const auto mesh = circumcentric(input);
