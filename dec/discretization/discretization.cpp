@@ -19,7 +19,7 @@
 #include "meshes/unit_of_length.h"
 
 #include <algorithm>
-#include <set>
+#include <optional>
 #include <utility>
 
 namespace polydec {
@@ -47,16 +47,16 @@ CellMarks staying_simplices(const SimplicialComplex& complex, const std::vector<
                 if (tags[t.cell] != tags[cofaces.of(f).front().cell])
                     marks[n - 1][f] = true;
     }
-    if (n == 1 || facet_tags.empty())
+    if (facet_tags.empty())
         return marks;
-    const Cofaces facets(complex, n - 1);
-    for (Index s = 0; s < complex.size(n - 2); ++s) {
-        std::set<Index> around;
-        for (const Coface& f : facets.of(s))
-            if (marks[n - 1][f.cell] || cofaces.of(f.cell).size() == 1)
-                around.insert(facet_tags[f.cell]);
-        marks[n - 2][s] = around.size() > 1;
-    }
+    std::vector<std::optional<Index>> beside(complex.size(n - 2));
+    for (Index f = 0; f < complex.size(n - 1); ++f)
+        if (marks[n - 1][f] || cofaces.of(f).size() == 1)
+            for (const SignedFace& s : complex.incidences(n - 2)[f]) {
+                if (beside[s.face].value_or(facet_tags[f]) != facet_tags[f])
+                    marks[n - 2][s.face] = true;
+                beside[s.face] = facet_tags[f];
+            }
     return marks;
 }
 

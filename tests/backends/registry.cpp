@@ -79,7 +79,7 @@ TEST(registry, names_are_taken_once) {
     const auto factory = adapt<DenseLu>("registry.lu");
     register_linear_solver("registry.lu", factory);
     EXPECT_REFUSED(register_linear_solver("registry.lu", factory), "engine", "registry.lu",
-                   "registered");
+                   "known");
     EXPECT_THROW(register_linear_solver("auto", factory), InvalidInput);
     EXPECT_THROW(register_linear_solver("", factory), InvalidInput);
     EXPECT_THROW(register_linear_solver("registry.empty", {}), InvalidInput);

