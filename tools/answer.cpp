@@ -56,6 +56,14 @@ void Log::warn(const std::string& text) {
     console::tell(fmt::format("polydec: warning: {}\n", warnings.back()));
 }
 
+std::optional<double> in_range(const std::function<double()>& number) {
+    try {
+        return number();
+    } catch (const InvalidInput&) {
+        return std::nullopt;
+    }
+}
+
 std::string in_digits(const std::optional<double>& number, int digits) {
     return number ? fmt::format("{:.{}g}", *number, digits) : "out of range";
 }

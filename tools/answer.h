@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -60,6 +61,7 @@ private:
 };
 
 /// A number in the units of the file; none if it exceeds double precision.
+std::optional<double> in_range(const std::function<double()>& number);
 std::string in_digits(const std::optional<double>& number, int digits = 10);
 
 /// The result of a command, for output as JSON or text.

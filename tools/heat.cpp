@@ -51,12 +51,6 @@ struct HeatArguments {
     }
 };
 
-/// In the units of the file, as the values are.
-double norm(const Discretization& mesh, const Cochain& form) {
-    return std::pow(mesh.unit(), mesh.dimension() / 2.0 - form.degree) *
-           std::sqrt(std::max(0.0, inner_product({mesh.complex(), mesh.stars()}, form, form)));
-}
-
 /// What heat is marched with: the mesh, and what was asked for on it.
 struct Heat {
     const HeatArguments& arguments;
@@ -72,8 +66,8 @@ struct Cooled : Answer {
     TimeSteps steps;
     Ran ran;
     std::string conditions;
-    double min, max, norm;
-    std::optional<double> relative_norm;
+    double min, max;
+    std::optional<double> norm, relative_norm;
     ChosenStars stars;
     IntegratorReport integrated;
     bool has_equal_steps;
@@ -91,8 +85,13 @@ struct Cooled : Answer {
         const Cochain end = run.form(0);
         min = end.values.minCoeff();
         max = end.values.maxCoeff();
-        norm = tools::norm(heat.mesh, end);
-        relative_norm = part_of(norm, tools::norm(heat.mesh, heat.start));
+        norm = in_range([&] { return polydec::norm(heat.mesh, end); });
+        const Cells in_unit(heat.mesh.complex(), heat.mesh.stars()); // both are in range there
+        const auto size = [&](const Cochain& form) {
+            return in_range([&] { return polydec::norm(in_unit, form); });
+        };
+        if (const auto now = size(end), before = size(heat.start); now && before)
+            relative_norm = part_of(*now, *before);
     }
 
     void write(JsonWriter& json) const override {
@@ -118,7 +117,7 @@ struct Cooled : Answer {
             text("  divided by {} into {} steps, {} of them taken again, the last one of {:.6g}\n",
                  integrated.engine, integrated.steps, integrated.rejected, integrated.last_step);
         text("  {}\n  {}\n", conditions, in_words(stars));
-        text("  values from {:.10g} to {:.10g}; L2 norm {:.10g}{}\n", min, max, norm,
+        text("  values from {:.10g} to {:.10g}; L2 norm {}{}\n", min, max, in_digits(norm),
              in_words(relative_norm));
     }
 };

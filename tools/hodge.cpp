@@ -3,7 +3,6 @@
 
 #include "base/errors.h"
 #include "io/diagnosis_json.h"
-#include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/conditions.h"
@@ -14,8 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace polydec::tools {
@@ -96,10 +93,7 @@ void run_hodge(const HodgeArguments& arguments) {
     });
     const auto norm_of = [&](const Cochain& part) {
         const Cochain kept{part.side, part.degree, space.restrict(part.values)};
-        const Cells inside = space.inside();
-        const double squared = inner_product({inside.complex(), inside.stars()}, kept, kept);
-        return in_input_units(std::sqrt(std::max(0.0, squared)), mesh.unit(),
-                              mesh.dimension() / 2.0 - part.degree);
+        return in_range([&] { return norm(space.inside(), kept); });
     };
     Divided answer(mesh.chosen_stars());
     answer.side = form.side;

@@ -144,14 +144,6 @@ Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,
     return {static_cast<Index>(std::lround(begin / march.steps.length)), frames + 1};
 }
 
-std::optional<double> in_range(const std::function<double()>& number) {
-    try {
-        return number();
-    } catch (const InvalidInput&) {
-        return std::nullopt;
-    }
-}
-
 std::optional<double> part_of(double now, double before) {
     return before > 0 ? std::optional(now / before) : std::nullopt;
 }

@@ -64,9 +64,6 @@ Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,
 
 /// A number over its initial value; none if that was 0.
 std::optional<double> part_of(double now, double before);
-
-/// A number in the units of the file; none if it exceeds double precision.
-std::optional<double> in_range(const std::function<double()>& number);
 std::string in_words(const std::optional<double>& part);
 
 /// For an answer's JSON object, and for its text.

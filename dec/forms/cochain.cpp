@@ -2,6 +2,7 @@
 #include "dec/forms/cochain.h"
 
 #include "base/errors.h"
+#include "base/exponent.h"
 #include "dec/forms/laplacian.h"
 
 #include <fmt/format.h>
@@ -50,6 +51,24 @@ void check_alike(const Cochain& a, const Other& b, const char* what) {
 /// Sign of the dual derivative relative to d_k^T.
 double dual_sign(int k) {
     return k % 2 == 0 ? -1 : 1;
+}
+
+/// A product is part * 2^exponent.
+struct Product {
+    double part;
+    int exponent;
+};
+
+/// In the units of the input; even if the squares of values, or these units, are out of range. The
+/// exponent of a square is even, because a unit is a power of 4.
+Product product(const Cells& cells, const Cochain& a, const Cochain& b) {
+    check(cells.complex(), a);
+    check_alike(a, b, "form");
+    const int of_a = exponent_of(a.values), of_b = exponent_of(b.values);
+    const Vector x = times_power(a.values, -of_a), y = times_power(b.values, -of_b);
+    const HodgeStar star = cells.stars()[cell_degree(cells.complex(), a.side, a.degree)];
+    return {x.dot(a.side == Side::primal ? star * y : star.solve(y)),
+            of_a + of_b + (cells.dimension() - 2 * a.degree) * std::ilogb(cells.unit())};
 }
 
 } // namespace
@@ -146,20 +165,19 @@ Cochain laplacian(const Cells& cells, const Cochain& form) {
 }
 
 double inner_product(const Cells& cells, const Cochain& a, const Cochain& b) {
-    check(cells.complex(), a);
-    check_alike(a, b, "form");
-    const HodgeStar star = cells.input_stars()[cell_degree(cells.complex(), a.side, a.degree)];
-    return a.values.dot(a.side == Side::primal ? star * b.values : star.solve(b.values));
+    const auto [part, exponent] = product(cells, a, b);
+    const double number = std::ldexp(part, exponent);
+    return number == 0 ? 0 : in_range(part, exponent, "the inner product");
 }
 
 double norm(const Cells& cells, const Cochain& form) {
-    const double square = inner_product(cells, form, form);
+    const auto [square, exponent] = product(cells, form, form);
     if (square < 0)
         throw InvalidInput(fmt::format("the squared norm of {} is {:.3g}, because some {}-cells "
                                        "have negative duals: use positive stars",
-                                       described(form, "form"), square,
+                                       described(form, "form"), std::ldexp(square, exponent),
                                        cell_degree(cells.complex(), form.side, form.degree)));
-    return std::sqrt(square);
+    return in_range(std::sqrt(square), exponent / 2, "the norm of a form");
 }
 
 Cochain operator+(const Cochain& a, const Cochain& b) {

@@ -78,11 +78,12 @@ Cochain laplacian(const Cells& cells, const Cochain& form);
 /// L2 product: values weighted with |*s| / |s| for primal forms, |s| / |*s| for dual forms.
 /// Symmetric; positive definite iff every dual volume is positive; units: values squared times
 /// length^(n-2k). Throws like check and, for dual forms, HodgeStar::solve; throws InvalidInput,
-/// naming both forms, if sides or degrees differ.
+/// naming both forms, if sides or degrees differ, and for overflow.
 double inner_product(const Cells& cells, const Cochain& a, const Cochain& b);
 
-/// Square root of the inner product with itself.
-/// Throws like inner_product, and InvalidInput if negative duals make it negative.
+/// Square root of the inner product with itself, which need not be in range. Throws like check and
+/// HodgeStar::solve, and InvalidInput if negative duals make the square negative, and if the norm
+/// is no number of double precision.
 double norm(const Cells& cells, const Cochain& form);
 
 /// Sums and multiples. Sums throw like pairing.

@@ -5,6 +5,7 @@
 #include "backends/spectra/mass.h"
 #include "base/block_matrix.h"
 #include "base/errors.h"
+#include "base/exponent.h"
 #include "base/lazy.h"
 #include "dec/discretization/advice.h"
 #include "dec/discretization/positive_mass.h"
@@ -127,8 +128,13 @@ void Diffusion::prepare(double gamma) {
 
 /// The resolvent of a semidefinite operator is a contraction, up to rounding of long steps.
 void Diffusion::check_growth(const Vector& before, const Vector& after) const {
+    const int exponent = exponent_of(before); // so that squares are in range
+    const auto squared = [&](const Vector& values) {
+        const Vector scaled = times_power(values, -exponent);
+        return scaled.dot(mass_ * scaled);
+    };
     const double rounding = 1e-9 + 64 * std::numeric_limits<double>::epsilon() * largest_,
-                 from = before.dot(mass_ * before), to = after.dot(mass_ * after);
+                 from = squared(before), to = squared(after);
     if (!(to <= from * (1 + rounding)))
         throw SolverFailure(fmt::format(
             "a step of diffusion of {} {}-forms increases their norm by a factor of 1 + {:.2g}: "

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/time/waves.h"
 
-#include "backends/registry.h"
 #include "backends/spectra/mass.h"
 #include "base/checks.h"
 #include "base/errors.h"
+#include "base/exponent.h"
 #include "base/parallel.h"
 #include "dec/discretization/advice.h"
 #include "dec/discretization/positive_mass.h"
@@ -12,6 +12,7 @@
 #include "dec/stars/star.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/spectra/laplacian_pencil.h"
+#include "solvers/time/largest_pair.h"
 
 #include <fmt/format.h>
 
@@ -55,42 +56,6 @@ void check_wave_stars(const FormSpace& space) {
                                        stars[on.B].numbers({negative.front()}),
                                        positive_stars(stars.dimension())),
                            stars[on.B].place(negative));
-}
-
-/// A Chebyshev polynomial of A, of odd degree: at most 1 for eigenvalues in [0, end], and growing
-/// so fast beyond that neighbors there come to lie far apart.
-SymmetricOperator spread_out(const SymmetricOperator& A, double end) {
-    constexpr int degree = 17;
-    return {A.size, [&A, end](const Vector& x, Vector& y) {
-                Vector before = x, image;
-                A.apply(x, image);
-                y = 2 / end * image - x;
-                for (int i = 1; i < degree; ++i) {
-                    A.apply(y, image);
-                    before = 4 / end * image - 2 * y - before;
-                    before.swap(y);
-                }
-            }};
-}
-
-/// The largest eigenvalue of A >= 0 and its vector. Often many oscillations of the smallest cells
-/// have nearly this frequency, more on finer meshes, and Lanczos alone would take longer on each.
-std::pair<double, Vector> largest_pair(const SymmetricOperator& A) {
-    const auto find = [](const SymmetricOperator& of, const EigenOptions& options) {
-        EigenPairs pairs = make_eigen_solver("spectra")->largest(of, 1, options);
-        if (pairs.converged < 1)
-            throw SolverFailure("the largest frequency of the waves could not be found: the "
-                                "eigensolver did not converge");
-        return pairs;
-    };
-    const auto rough = find(A, {.tolerance = 0.03});
-    const double below = 0.99 * rough.values[0];
-    if (!(below > 0))
-        return {0, rough.vectors.col(0)};
-    const Vector x = find(spread_out(A, below), {.tolerance = 1e-5}).vectors;
-    Vector image;
-    A.apply(x, image);
-    return {x.dot(image) / x.squaredNorm(), x};
 }
 
 /// A limit of stable steps, in the unit of the mesh, and the cell with most of the fastest
@@ -202,13 +167,19 @@ struct Waves::Scheme {
         void advance(Vector& values, Vector rate, double time_step) const;
     };
 
+    /// part * 2^exponent, in the unit of the mesh: energies may be out of range.
+    struct Energy {
+        double part;
+        int exponent;
+    };
+
     Scheme(const FormSpace& space, const WaveOptions& options);
 
     HodgeStar star(int k) const { return space.inside().stars()[k]; }
     Field field(int k) const;
     std::vector<Vector> begun(const Vector& start, const Vector& upper) const;
     void step(std::vector<Vector>& state, const WaveOptions& options, double time) const;
-    double energy(const std::vector<Vector>& state) const;
+    Energy energy(const std::vector<Vector>& state) const;
 
     FormSpace space;
     Degrees on;
@@ -330,11 +301,15 @@ void Waves::Scheme::step(std::vector<Vector>& state, const WaveOptions& options,
     B.put_back(unit * b, state[1]);
 }
 
-/// Half of <E, E> + <B, B'>, in the unit of the mesh.
-double Waves::Scheme::energy(const std::vector<Vector>& state) const {
-    const Vector e = E.restricted(state[0], "E"), b = B.restricted(state[1], "B") / unit;
+/// Half of <E, E> + <B, B'>.
+Waves::Scheme::Energy Waves::Scheme::energy(const std::vector<Vector>& state) const {
+    Vector e = E.restricted(state[0], "E"), b = B.restricted(state[1], "B") / unit;
+    const int exponent =
+        exponent_of(Vector{{e.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>()}});
+    e = times_power(e, -exponent);
+    b = times_power(b, -exponent);
     const Vector next = b - time_step * (d * e);
-    return (e.dot(E.mass * e) + b.dot(B.mass * next)) / 2;
+    return {(e.dot(E.mass * e) + b.dot(B.mass * next)) / 2, 2 * exponent};
 }
 
 Waves::Waves(const FormSpace& space, const Vector& start, const WaveOptions& options)
@@ -405,13 +380,16 @@ std::vector<std::string> Waves::warnings() const {
 }
 
 double Waves::energy() const {
-    return in_input_units(Vector::Constant(1, scheme_->energy(now())), scheme_->unit,
-                          scheme_->energy_power, "the energy")[0];
+    const auto [part, exponent] = scheme_->energy(now());
+    return in_range(part, exponent + scheme_->energy_power * std::ilogb(scheme_->unit),
+                    "the energy");
 }
 
 std::optional<double> Waves::relative_energy() const {
-    const double before = scheme_->energy(start_);
-    return before > 0 ? std::optional(scheme_->energy(now()) / before) : std::nullopt;
+    const auto before = scheme_->energy(start_), after = scheme_->energy(now());
+    if (!(before.part > 0))
+        return std::nullopt;
+    return std::ldexp(after.part / before.part, after.exponent - before.exponent);
 }
 
 LayerKind Waves::layer() const {

@@ -179,6 +179,29 @@ TEST(CochainErrors, name_side_degree_and_sizes) {
                    "7 values");
 }
 
+TEST(Norms, are_in_range_where_their_squares_are_not) {
+    const auto& m = merged("grid4");
+    const auto some_form = [&](Side side, int k) {
+        return Cochain{side, k, random_vector(m.P().size(cell_degree(m.P(), side, k)), 3)};
+    };
+    const Cells cells(m.P(), m.volumes);
+    for (const int k : {0, 1, 2})
+        for (const Side side : sides) {
+            const auto w = some_form(side, k);
+            for (const int exponent : {-900, -600, 600, 900})
+                EXPECT_EQ(norm(cells, std::exp2(exponent) * w),
+                          std::exp2(exponent) * norm(cells, w));
+            EXPECT_REFUSED(inner_product(cells, 0x1p600 * w, 0x1p600 * w), "inner product",
+                           "range");
+            EXPECT_EQ(inner_product(cells, 0x1p-600 * w, 0x1p-600 * w), 0);
+            EXPECT_EQ(norm(cells, 0 * w), 0);
+        }
+    // in a unit that the norm leaves the range by
+    const Cells huge(m.P(), HodgeStars(m.volumes), 0x1p1022);
+    EXPECT_REFUSED(norm(huge, 16 * some_form(Side::primal, 0)), "norm", "range");
+    EXPECT_GT(norm(huge, some_form(Side::primal, 1)), 0);
+}
+
 TEST(CochainErrors, name_the_value_that_is_no_number) {
     const auto& m = merged("grid4");
     for (const double value : {NAN, INFINITY, -INFINITY}) {

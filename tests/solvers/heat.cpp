@@ -189,6 +189,15 @@ TEST(Heat, of_stars_that_are_matrices_does_not_mind_the_size_of_cells) {
         EXPECT_NEAR(largest_at(std::ldexp(1, exponent)), largest_at(1), 1e-9) << exponent;
 }
 
+TEST(Heat, of_any_size_does_not_grow) {
+    const auto mesh = discretize(grid(4, 4));
+    const Cochain u{Side::primal, 0, random_vector(mesh.size(0), 1)};
+    const Vector expected = heated({mesh, Side::primal, 0}, u, 0.1).values;
+    for (const double size : {0x1p-900, 0x1p900})
+        EXPECT_LE((heated({mesh, Side::primal, 0}, size * u, 0.1).values / size - expected).norm(),
+                  1e-12 * expected.norm());
+}
+
 TEST(Heat, does_not_grow_where_duals_of_facets_are_negative) {
     const auto mesh = circumcentric(perturbed(grid(4, 4), 0.08, 3), {MergeCriterion::none});
     ASSERT_FALSE(star(mesh.volumes(), 1).negatives().empty());

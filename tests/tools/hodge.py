@@ -46,6 +46,18 @@ class Hodge(TestCase):
             large = self.ask("hodge", "large.nsc", *more)["norms"]["form"]
             self.assertAlmostEqual(large / small / 1e30, 1, delta=1e-9)
 
+    def test_norms_are_told_where_their_squares_are_no_numbers(self):
+        """Of values times 1e-170, 1e160 and on a mesh times 1e80, whose powers of lengths cancel."""
+        mesh, form = golden("grid4.nsc"), "-y; x"
+        one = self.ask("hodge", mesh, "--form", form)["norms"]
+        large = self.write("large.nsc", Mesh.read(mesh).times(1e80).text())
+        for scale, (at, given) in ((1e-170, (mesh, "-1e-170*y; 1e-170*x")),
+                                   (1e160, (mesh, "-1e160*y; 1e160*x")), (1e160, (large, form))):
+            other = self.ask("hodge", at, "--form", given)["norms"]
+            for name in ("form", "coexact"):
+                self.assertAlmostEqual(other[name] / scale / one[name], 1, delta=1e-9)
+        self.assertIsNone(self.ask("hodge", large, "--degree", 0, "--form", "1e250")["norms"]["form"])
+
     def test_pages_and_files_have_the_parts(self):
         self.succeed("hodge", golden("uv8.off"), "--side", "primal", "--form", "-y; x; z", "-o", "a.vtu")
         for name in ("form", "exact", "coexact", "harmonic"):

@@ -158,6 +158,27 @@ class InTime(TestCase):
                 self.assertEqual(one["steps"], other["steps"])
                 self.assertAlmostEqual(one["max"], other["max"], delta=1e-9)
 
+    def test_values_of_extreme_size_have_norms_and_do_not_grow(self):
+        mesh = golden("grid4.nsc")
+        heat = ("heat", mesh, "--side", "primal", "--until", 0.1)
+        one = self.ask(*heat, "--initial", "x")["relative_norm"]
+        for size in ("1e-200", "1e200"):
+            self.assertAlmostEqual(self.ask(*heat, "--initial", f"{size}*x")["relative_norm"], one,
+                                   delta=1e-9)
+            told = self.succeed(*heat, "--initial", f"{size}*x").out
+            norm = float(told.rpartition("L2 norm ")[2].partition(",")[0])
+            self.assertAlmostEqual(norm / float(size) / one / math.sqrt(1 / 3), 1, delta=0.1)
+        self.write("large.nsc", Mesh.read(mesh).times(1e80).text())
+        forms = ("--side", "primal", "--degree", 1, "--initial", "-y; x")
+        self.assertAlmostEqual(
+            self.ask("heat", "large.nsc", *forms, "--until", "1e159")["relative_norm"],
+            self.ask("heat", mesh, *forms, "--until", 0.1)["relative_norm"], delta=1e-9)
+        wave = ("wave", mesh, "--until", 0.5)
+        for size in ("1e-200", "1e200"):
+            answer = self.ask(*wave, "--initial", f"{size}*x")
+            self.assertAlmostEqual(answer["relative_energy"], 1, delta=1e-9)
+            self.assertIsNone(answer["energy"]) # whose square no double can hold
+
     def test_steps_by_a_tolerance_are_the_same_in_every_unit(self):
         forms = {0: "sin(3*{x})", 1: "sin(3*{x})/{s}; {x}*y/{s}/{s}", 2: "sin(3*{x})/{s}/{s}"}
         counts = {}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "base/exponent.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace polydec {
+
+int exponent_of(const Vector& values) {
+    const double largest = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
+    return largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+}
+
+Vector times_power(const Vector& values, int exponent) {
+    return values.unaryExpr([=](double value) { return std::ldexp(value, exponent); });
+}
+
+double in_range(double part, int exponent, std::string_view what) {
+    const double number = std::ldexp(part, exponent);
+    if (!std::isfinite(number) || (number == 0 && part != 0))
+        throw InvalidInput(fmt::format("{} is {:.3g} times 2^{}, outside the range of double "
+                                       "precision: scale the values or the mesh to sizes nearer "
+                                       "to 1",
+                                       what, part, exponent));
+    return number;
+}
+
+} // namespace polydec
