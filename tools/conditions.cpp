@@ -50,8 +50,10 @@ std::optional<BoundaryConditions> ConditionValues::on(const Discretization& mesh
     const auto conditions = without_robin(mesh);
     if (robin_ == 0)
         return conditions;
-    return robin_elsewhere(conditions.value_or(BoundaryConditions{BoundaryCondition::natural}),
-                           robin_);
+    auto with_robin = robin_elsewhere(
+        conditions.value_or(BoundaryConditions{BoundaryCondition::natural}), robin_);
+    require_use(mesh.complex(), with_robin, {.robin = "--robin"});
+    return with_robin;
 }
 
 FormSpace ConditionValues::space(const Discretization& mesh, Side side, int degree) const {

@@ -197,17 +197,6 @@ Evolution run_of(const Heat& heat, const TimeSteps& steps) {
     return {{unknown}, reaction, options};
 }
 
-void check_boundary(const HeatArguments& arguments) {
-    if (!arguments.boundary.empty() && arguments.side == Side::primal &&
-        arguments.conditions.essential_where.empty() && arguments.conditions.essential_on.empty() &&
-        arguments.conditions.fixed_where.empty())
-        throw InvalidInput("--boundary-values of primal forms apply at essential facets: select "
-                           "facets by --essential-where");
-    if (!arguments.boundary.empty() && arguments.conditions.natural)
-        throw InvalidInput("--boundary-values apply at essential facets, but --natural has none: "
-                           "omit one of them");
-}
-
 void run_heat(HeatArguments arguments) {
     Log log;
     const FormValues initial("--initial", arguments.initial);
@@ -215,7 +204,6 @@ void run_heat(HeatArguments arguments) {
     auto boundary = if_given<FormValues>("--boundary-values", arguments.boundary, "t");
     auto flux = if_given<FormValues>("--flux", arguments.flux, "t");
     const ConditionValues asked(arguments.conditions);
-    check_boundary(arguments);
     arguments.choose_integrator();
     check_time(arguments.time,
                input_files(arguments.mesh.mesh, {initial.files(), asked.files(), files_of(source),
@@ -229,6 +217,9 @@ void run_heat(HeatArguments arguments) {
     const Discretization mesh = load_to_draw(arguments.mesh, arguments.time.out, log);
     const auto space =
         computed_on(arguments.mesh.mesh, [&] { return asked.space(mesh, side, degree); });
+    require_use(mesh.complex(), space.conditions(),
+                {.values = arguments.boundary.empty() ? "" : "--boundary-values",
+                 .flow = arguments.flux.empty() ? "" : "--flux"});
     const Heat heat{arguments,
                     mesh,
                     initial.on(mesh, side, degree),

@@ -37,6 +37,9 @@ constexpr std::array wordings{
     Wording{"WaveOptions::time_step", "--time-step"},
     Wording{"FlowSteps::time_step", "--time-step"},
     Wording{"set_memory_limit", "--max-memory"},
+    Wording{"BoundaryConditions::essential", "--essential-where"},
+    Wording{"FlowOptions::boundary_flux", "--boundary-velocity"},
+    Wording{"FlowBoundary::open", "--open-where"},
     Wording{"shape_spectrum", "--of-shape"},
 };
 

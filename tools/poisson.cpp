@@ -150,6 +150,9 @@ void run_poisson(PoissonArguments arguments) {
         return FormSpace(cells, arguments.side, 0,
                          data.conditions.on(mesh).value_or(BoundaryConditions{}));
     });
+    require_use(cells.complex(), space.conditions(),
+                {.values = arguments.boundary.empty() ? "" : "--boundary",
+                 .flow = arguments.flux.empty() ? "" : "--flux"});
     log.timing.begin("solve");
     const auto at = [&](const SiteValues& values, const Points& places) {
         return arguments.side == Side::primal ? vertex_values(mesh, values, places)

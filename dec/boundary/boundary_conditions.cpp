@@ -22,6 +22,21 @@ void check_facets(const CellComplex& complex, const BoundaryConditions& conditio
                                        conditions.facets.size(), complex.size(n - 1), n - 1));
 }
 
+/// Numbers of facets on the boundary, and of fixed vertices.
+struct Facets {
+    std::int64_t all = 0, essential = 0, robin = 0, fixed_vertices;
+
+    Facets(const CellComplex& complex, const BoundaryConditions& conditions)
+        : fixed_vertices(std::count(conditions.fixed_vertices.begin(),
+                                    conditions.fixed_vertices.end(), true)) {
+        for (const BoundaryFacet& on : boundary_facets(complex)) {
+            ++all;
+            essential += conditions.at(on.facet) == BoundaryCondition::essential ? 1 : 0;
+            robin += conditions.at(on.facet) == BoundaryCondition::robin ? 1 : 0;
+        }
+    }
+};
+
 /// For a form of this degree; `where` is "the boundary" or a number of its facets.
 std::string in_words(BoundaryCondition condition, int degree, int n, const BoundaryData& data,
                      const std::string& where) {
@@ -98,16 +113,9 @@ void refuse_robin(const CellComplex& complex, const BoundaryConditions& conditio
 std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
                      const BoundaryData& data) {
     check_facets(complex, conditions);
-    const int n = complex.dimension();
-    std::int64_t facets = 0, essential = 0, robin = 0;
-    const auto& marks = conditions.fixed_vertices;
-    const auto fixed = std::count(marks.begin(), marks.end(), true);
-    for (const BoundaryFacet& on : boundary_facets(complex)) {
-        ++facets;
-        essential += conditions.at(on.facet) == BoundaryCondition::essential ? 1 : 0;
-        robin += conditions.at(on.facet) == BoundaryCondition::robin ? 1 : 0;
-    }
-    return in_words(facets, essential, degree, n, data, robin) +
+    const Facets on(complex, conditions);
+    const auto fixed = on.fixed_vertices;
+    return in_words(on.all, on.essential, degree, complex.dimension(), data, on.robin) +
            (fixed == 0 ? ""
                        : fmt::format(", values {} at {} vert{}", data.values ? "given" : "0", fixed,
                                      fixed == 1 ? "ex" : "ices"));
@@ -135,16 +143,28 @@ std::string in_words(std::int64_t facets, std::int64_t essential, int degree, in
 
 void require_essential(const CellComplex& complex, const BoundaryConditions& conditions,
                        const std::string& what) {
-    const auto boundary = boundary_facets(complex);
-    const auto& fixed = conditions.fixed_vertices;
-    bool any = boundary.empty() || std::find(fixed.begin(), fixed.end(), true) != fixed.end();
-    for (const BoundaryFacet& on : boundary)
-        any = any || conditions.at(on.facet) == BoundaryCondition::essential;
-    if (!any)
+    const Facets on(complex, conditions);
+    if (on.all > 0 && on.essential == 0 && on.fixed_vertices == 0)
         throw InvalidInput(
             fmt::format("{} gives values on none of the {} boundary facets: expected at least one; "
                         "omit it for natural conditions, or fix vertices for values inside",
-                        what, boundary.size()));
+                        what, on.all));
+}
+
+void require_use(const CellComplex& complex, const BoundaryConditions& conditions,
+                 const NamedData& data) {
+    const Facets on(complex, conditions);
+    const auto require = [&](const std::string& what, bool is_used, const char* expected) {
+        if (!what.empty() && !is_used && on.all > 0)
+            throw InvalidInput(fmt::format("{} would apply at none of the {} boundary facets: "
+                                           "expected {} (see BoundaryConditions::essential), or "
+                                           "none of these data",
+                                           what, on.all, expected));
+    };
+    require(data.values, on.essential + on.fixed_vertices > 0,
+            "an essential facet or a fixed vertex");
+    require(data.flow, on.essential < on.all, "a facet that is not essential");
+    require(data.robin, on.robin > 0, "a facet that is not essential");
 }
 
 BoundaryConditions BoundaryConditions::essential(const std::vector<bool>& marks) const {

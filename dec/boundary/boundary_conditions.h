@@ -94,6 +94,18 @@ BoundaryConditions essential_where(const Points& sites,
 void require_essential(const CellComplex& complex, const BoundaryConditions& conditions,
                        const std::string& what);
 
+/// Data given on the boundary, by their names for messages; empty: not given.
+struct NamedData {
+    std::string values = {}; ///< on essential facets and at fixed vertices
+    std::string flow = {};   ///< through natural and Robin facets
+    std::string robin = {};  ///< the coefficients of Robin facets
+};
+
+/// Throws InvalidInput, naming the data, if a mesh has a boundary but under these conditions some
+/// of the data apply nowhere.
+void require_use(const CellComplex& complex, const BoundaryConditions& conditions,
+                 const NamedData& data);
+
 /// The conditions with Robin's in place of natural.
 BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coefficient);
 

@@ -20,6 +20,7 @@ _WORDING = {
     "Materials::keep_apart": "materials=\"keep_apart\"",
     "MergeCriterion::none": "merge=False",
     "CellData::on_cells": "a dual 0-form",
+    "BoundaryConditions::essential": "essential",
     "peeled(mesh)": "polydec.meshes.peeled(mesh)",
     "weld(mesh)": "polydec.meshes.weld(mesh)",
     "join_hanging(mesh)": "polydec.meshes.join_hanging(mesh)",

@@ -73,7 +73,7 @@ MUTANTS = {
     "fixed_vertices_free": ("dec/boundary/boundary_conditions.cpp",
                             "marks[0][v] || conditions.fixed_vertices[v]", "marks[0][v]",
                             "FixedVertices.are_cells_on_which_primal_functions_alone_are_given"),
-    "no_match_passes": ("dec/boundary/boundary_conditions.cpp", "    if (!any)\n", "    if (false)\n",
+    "no_match_passes": ("dec/boundary/boundary_conditions.cpp", "on.all > 0 && on.essential == 0 &&", "false && on.essential == 0 &&",
                         "FacetTags.of_several_groups_of_a_facet_all_count"),
     "branches_of_dual_functions": ("dec/boundary/two_sided.cpp", "return c > 2;", "return c > 9;",
                                    "BranchingCells.have_no_dual_functions"),

@@ -63,6 +63,16 @@ TEST(Conditions, that_give_values_nowhere_are_found) {
     inside.facets[std::find(cofaces.begin(), cofaces.end(), 1) - cofaces.begin()] =
         BoundaryCondition::essential;
     require_essential(mesh.complex(), inside, "the wall");
+    const BoundaryConditions all{BoundaryCondition::essential};
+    EXPECT_REFUSED(require_use(mesh.complex(), all, {.flow = "the inflow"}), "the inflow", "none",
+                   "16", "expected");
+    EXPECT_REFUSED(require_use(mesh.complex(), all, {.robin = "alpha"}), "alpha", "none", "16");
+    EXPECT_REFUSED(require_use(mesh.complex(), neumann, {.values = "the wall"}), "the wall", "none",
+                   "16", "expected", "fixed vertex");
+    require_use(mesh.complex(), all, {.values = "the wall"});
+    require_use(mesh.complex(), neumann, {.flow = "the inflow"});
+    require_use(mesh.complex(), inside, {.values = "the wall", .flow = "the inflow"});
+    require_use(discretize(icosphere(2)).complex(), all, {.flow = "on no boundary"});
     require_essential(discretize(icosphere(2)).complex(), neumann, "a surface without boundary");
 }
 

@@ -139,6 +139,22 @@ class Conditions(TestCase):
             2, "poisson", golden("grid4.nsc"), "--rhs", "1", "--side", "primal", "--essential-on",
             7), "no facets", "groups")
 
+    def test_data_that_apply_nowhere_are_refused(self):
+        poisson = ("poisson", self.square, "--rhs", 1)
+        heat = ("heat", self.square, "--initial", 1, "--until", .1)
+        for name, where, *line in (
+                ("--flux", "--essential-where", *poisson, "--flux", 7),
+                ("--boundary", "--essential-where", *poisson, "--robin", 2, "--boundary", 7),
+                ("--robin", "--essential-where", *poisson, "--essential-where", 1, "--robin", 1),
+                ("--flux", "--essential-where", *heat, "--essential-where", 1, "--flux", 1),
+                ("--flux", "--essential-where", *heat, "--side", "dual", "--flux", 1),
+                ("--boundary-values", "--essential-where", *heat, "--natural", "--boundary-values", 1),
+                ("--robin", "--essential-where", "spectrum", self.square, "--degree", 0,
+                 "--essential-where", 1, "--robin", 1)):
+            self.assertSays(self.fail_with(2, *line), name, "none", "facets", "expected", where)
+        self.succeed(*poisson, "--fixed-where", "abs(x-.5)+abs(y-.5)<.1", "--boundary", 7)
+        self.succeed("poisson", golden("uv8.off"), "--rhs", "z", "--flux", 7) # without a boundary
+
     def test_robin_has_solutions_that_are_linear_exactly_on_duals_and_converges_on_primals(self):
         exact, flux = "1+x", "2*(1+x)+(x>1-1e-9)-(x<1e-9)"
         errors = []

@@ -132,11 +132,12 @@ class Draw:
         boundary, flux, kappa = (self.template() if draw.random() < .4 else None for _ in range(3))
 
         def asked(g):
+            given = conditions(g)
             words = ["poisson", "--side", side, "--rhs", f"({g.expression(rhs)})/{g.scale**2!r}",
-                     *conditions(g)]
-            if boundary and "--natural" not in words:
+                     *given]
+            if boundary and given[:1] not in (["--natural"], ["--robin"]):
                 words += ["--boundary", g.expression(boundary)]
-            if flux:
+            if flux and given and given[-1] != "1": # not everywhere essential
                 words += ["--flux", f"({g.expression(flux)})/{g.scale!r}"]
             if kappa:
                 words += ["--conductivity", f"1+({g.expression(kappa)})^2"]
