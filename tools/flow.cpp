@@ -187,7 +187,8 @@ void run_flow(const FlowArguments& arguments) {
         progress("factorize");
         return IncompressibleFlow(mesh, options);
     });
-    const Vector start = flow.project(given.start(mesh));
+    const Vector asked = given.start(mesh), start = flow.project(asked);
+    log.warn(warning_of_rest(asked, start));
     const TimeSteps steps = time_steps(arguments.time, own_step(flow, start, arguments));
     Flow moving(flow, start, {.time_step = steps.length, .scheme = arguments.scheme});
     const std::string words = boundary_in_words(options.facets, mesh.complex());

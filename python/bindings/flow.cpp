@@ -51,7 +51,11 @@ void add_flow(py::module_& module) {
             return self.use([&](const IncompressibleFlow& of) { return (of.*member)(w); });
         });
     };
-    add("project", &IncompressibleFlow::project);
+    flow.def("project", [](Flow& self, const Vector& flux) {
+        Vector found = self.use([&](const IncompressibleFlow& of) { return of.project(flux); });
+        warn(warning_of_rest(flux, found));
+        return found;
+    });
     add("vorticity", &IncompressibleFlow::vorticity);
     add("inertia", &IncompressibleFlow::inertia);
     add("friction", &IncompressibleFlow::friction);

@@ -28,6 +28,8 @@ _WORDING = {
     "IntegratorOptions::": "",
     "WaveOptions::": "",
     "FlowSteps::": "",
+    "FlowOptions::": "",
+    "FlowBoundary::": "",
     "set_memory_limit": "polydec.set_memory_limit",
     "ShortestPaths": "geodesic_distance",
     "dual_wedge for dual ones": "wedge(.., side=\"dual\") for dual ones",

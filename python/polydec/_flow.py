@@ -90,7 +90,8 @@ class IncompressibleFlow:
             _vorticities(complex, rotation), engine)
 
     def project(self, flux: npt.ArrayLike) -> Floats:
-        """The nearest divergence-free flow to these fluxes with the prescribed boundary fluxes."""
+        """The nearest divergence-free flow to these fluxes with the prescribed boundary fluxes. Warns
+        if only rounding errors are left of the given fluxes, and the fluid is at rest."""
         return self._flow.project(_fluxes(self._complex, flux))
 
     def vorticity(self, w: npt.ArrayLike) -> Floats:

@@ -69,6 +69,16 @@ def test_open_boundary_lets_through(square):
             left(square.facet_sites()), through, 0))
 
 
+def test_what_no_wall_lets_through_is_at_rest_with_a_warning(square):
+    uniform = polydec.flow_of_velocity(square, lambda p: np.tile([1.0, 0.0], (len(p), 1)))
+    walls = polydec.IncompressibleFlow(square)
+    with pytest.warns(polydec.PolydecWarning, match=said("at rest", "boundary_flux", "open")):
+        w = walls.project(uniform)
+    assert not w.any() and walls.divergence(w) == 0
+    ends = polydec.IncompressibleFlow(square, open=lambda p: (p[:, 0] < 0.01) | (p[:, 0] > 0.99))
+    assert near(ends.project(uniform), uniform, 1e-12)
+
+
 def test_wrong_use_is_refused(square):
     flow = polydec.IncompressibleFlow(square)
     with pytest.raises(polydec.InvalidInput, match="fluxes"):

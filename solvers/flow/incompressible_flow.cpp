@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "base/exponent.h"
 #include "dec/forms/cochain.h"
 #include "solvers/flow/flow_operators.h"
 
@@ -29,8 +30,24 @@ struct IncompressibleFlow::Parts {
         return operators->in_unit(w, operators->n, "fluxes");
     }
 
-    double in_input(double value, int power, const char* what) const {
-        return operators->in_input(Vector::Constant(1, value), power, what)[0];
+    /// part * 2^exponent, in the unit of the mesh: squares may be out of range.
+    struct Square {
+        double part;
+        int exponent;
+    };
+
+    template <class Star>
+    static Square squared(const Vector& values, const Star& star) {
+        const int exponent = exponent_of(values);
+        const Vector scaled = times_power(values, -exponent);
+        return {scaled.dot(star * scaled), 2 * exponent};
+    }
+    Square squared(const Vector& w) const { return squared(fluxes(w), operators->star); }
+
+    /// Half a square, in the units of the input.
+    double half(const Square& square, int power, const char* what) const {
+        return in_range(square.part / 2,
+                        square.exponent + power * std::ilogb(operators->mesh.unit()), what);
     }
 };
 
@@ -50,7 +67,11 @@ const Advection& IncompressibleFlow::advection() const {
 }
 
 Vector IncompressibleFlow::project(const Vector& flux) const {
-    return parts_->projection.solve(momentum(flux)).flux;
+    constexpr double rounding = 1e-11;
+    const Vector found = parts_->projection.solve(momentum(flux)).flux;
+    const bool is_rounding =
+        !flux.isZero(0) && ratio_of_energies(found, flux) <= rounding * rounding;
+    return is_rounding ? parts_->projection.solve(Vector::Zero(flux.size())).flux : found;
 }
 
 Vector IncompressibleFlow::vorticity(const Vector& w) const {
@@ -94,9 +115,7 @@ Cochain IncompressibleFlow::pressure(const Vector& w) const {
 }
 
 double IncompressibleFlow::energy(const Vector& w) const {
-    const Vector flux = parts_->fluxes(w);
-    const auto& flow = *parts_->operators;
-    return parts_->in_input(flux.dot(flow.star * flux) / 2, flow.n + 2, "the energy of a flow");
+    return parts_->half(parts_->squared(w), parts_->operators->n + 2, "the energy of a flow");
 }
 
 double IncompressibleFlow::relative_energy(const Vector& w, const Vector& other) const {
@@ -110,18 +129,14 @@ double IncompressibleFlow::relative_energy(const Vector& w, const Vector& other)
 }
 
 double IncompressibleFlow::ratio_of_energies(const Vector& w, const Vector& other) const {
-    const auto& flow = *parts_->operators;
-    const auto twice = [&](const Vector& given) {
-        const Vector flux = parts_->fluxes(given);
-        return flux.dot(flow.star * flux);
-    };
-    return twice(w) / twice(other);
+    const auto of_w = parts_->squared(w), of_other = parts_->squared(other);
+    return std::ldexp(of_w.part / of_other.part, of_w.exponent - of_other.exponent);
 }
 
 double IncompressibleFlow::enstrophy(const Vector& w) const {
     const auto& flow = *parts_->operators;
     const Vector z = flow.spaces.vorticity.restrict(flow.vorticity(parts_->fluxes(w), 1));
-    return parts_->in_input(z.dot(flow.vorticity_star * z) / 2, flow.n, "the enstrophy of a flow");
+    return parts_->half(Parts::squared(z, flow.vorticity_star), flow.n, "the enstrophy of a flow");
 }
 
 double IncompressibleFlow::dissipation(const Vector& w) const {
@@ -139,6 +154,14 @@ double IncompressibleFlow::divergence(const Vector& w) const {
     const SparseMatrix d = polydec::derivative(flow.mesh.complex(), flow.n - 1);
     const double size = (d.cwiseAbs() * flux.cwiseAbs()).maxCoeff();
     return size > 0 ? (d * flux).cwiseAbs().maxCoeff() / size : 0;
+}
+
+std::vector<std::string> warning_of_rest(const Vector& given, const Vector& flow) {
+    if (given.isZero(0) || !flow.isZero(0))
+        return {};
+    return {"nothing of the given velocity is free of divergence between these walls, so the fluid "
+            "is at rest: to let it pass the boundary, give FlowOptions::boundary_flux, or open "
+            "facets (FlowBoundary::open)"};
 }
 
 double IncompressibleFlow::exchange_time(const Vector& w) const {

@@ -50,7 +50,8 @@ public:
     const Advection& advection() const;
 
     /// The flow without divergence, with the given boundary fluxes, that is nearest to these fluxes
-    /// in the norm of star_(n-1).
+    /// in the norm of star_(n-1). If only rounding errors are left of these fluxes, the flow
+    /// nearest to rest; see warning_of_rest.
     Vector project(const Vector& flux) const;
 
     /// z, of the flow alone: size(n-2) values.
@@ -105,5 +106,8 @@ private:
 
     std::shared_ptr<const Parts> parts_;
 };
+
+/// A warning if fluxes are given but `flow`, their projection, is 0.
+std::vector<std::string> warning_of_rest(const Vector& given, const Vector& flow);
 
 } // namespace polydec

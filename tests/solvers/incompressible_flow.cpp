@@ -178,6 +178,23 @@ TEST(Flows, leave_through_open_boundaries_what_comes_in) {
     EXPECT_LE(flow_error(flow, w, uniform), 1e-8);
 }
 
+TEST(Flows, that_walls_do_not_let_through_are_at_rest) {
+    const auto mesh = discretize(grid(12, 12));
+    const Points right = Eigen::RowVector2d(1, 0).replicate(mesh.size(0), 1);
+    for (const double speed : {0x1p-600, 1.0, 0x1p600}) {
+        const Vector given = speed * flow_of_velocity(mesh, right);
+        const IncompressibleFlow flow(mesh);
+        const Vector w = flow.project(given);
+        EXPECT_TRUE(w.isZero(0));
+        EXPECT_EQ(flow.divergence(w), 0);
+        EXPECT_EACH_SAYS(warning_of_rest(given, w), {"at rest", "FlowOptions::boundary_flux"});
+        const IncompressibleFlow open(mesh, {.everywhere = FlowBoundary::open});
+        EXPECT_LE((open.project(given) - given).norm() / speed, 1e-12);
+        EXPECT_TRUE(warning_of_rest(given, open.project(given)).empty());
+        EXPECT_NEAR(open.relative_energy(2 * given, given), 4, 1e-12);
+    }
+}
+
 TEST(Flows, of_a_vorticity_have_it_in_any_unit) {
     for (const auto& [name, mesh] : flow_meshes()) {
         if (mesh.simplices.cols() != 3)

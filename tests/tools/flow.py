@@ -46,6 +46,17 @@ class Flow(TestCase):
                                        "--until", 1),
                         f"{square}: ", "net outflow", "boundary", "expected 0", "open facet")
 
+    def test_a_velocity_that_no_wall_lets_through_leaves_the_fluid_at_rest(self):
+        square = self.generate("grid", "--nx", 12, "--ny", 12)
+        answer = self.ask("flow", square, "--velocity", "1; 0; 0", "--until", 1)
+        self.assertEqual((answer["energy"], answer["divergence"], answer["max_vorticity"]), (0, 0, 0))
+        self.assertSays(answer["warnings"][-1], "velocity", "at rest", "--boundary-velocity",
+                        "--open-where")
+        moving = self.ask("flow", square, "--velocity", "1; 0; 0", "--open-where", "x<.001 || x>.999",
+                          "--until", .1)
+        self.assertAlmostEqual(moving["energy"], 0.5, delta=1e-9)
+        self.assertEqual(moving["warnings"], [])
+
     def test_velocities_make_flows_in_solids_and_with_harmonic_parts(self):
         cube = golden("kuhn3.nsc")
         answer = self.ask("flow", cube, "--velocity", "y-.5; .5-x; 0", "--until", 0.5)
