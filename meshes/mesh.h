@@ -32,6 +32,7 @@ struct JointTag {
 struct FacetTags {
     std::vector<Index> tags = {}; ///< or empty
     std::vector<JointTag> joint = {};
+    std::vector<Index> groups = {}; ///< all with facets before merging and flips, ascending
 };
 
 /// The input cell that contains each simplex: polygons and solids are split, other cells are

@@ -196,7 +196,7 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
         cell_tags = merged_tags(merged.merging, n, tags, mesh.warnings);
         facet_tags.tags = merged_tags(merged.merging, n - 1, facet_tags.tags, mesh.warnings);
     } else {
-        facet_tags = {};
+        facet_tags = {.groups = std::move(facet_tags.groups)};
         if (!mesh.tags.empty())
             mesh.warnings.emplace_back(
                 "left out the tags, because flips join triangles of different groups");

@@ -198,6 +198,10 @@ public:
     const std::vector<JointTag>& joint_tags() const& { return parts_->facet_tags.joint; }
     std::vector<JointTag> joint_tags() && { return joint_tags(); }
 
+    /// The groups with facets in the input, ascending; merging and flips may leave none of a group.
+    const std::vector<Index>& facet_groups() const& { return parts_->facet_tags.groups; }
+    std::vector<Index> facet_groups() && { return facet_groups(); }
+
     /// Names of the groups of the input.
     const std::vector<GroupName>& groups() const& { return parts_->groups; }
     std::vector<GroupName> groups() && { return groups(); }

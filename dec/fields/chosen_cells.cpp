@@ -42,8 +42,22 @@ std::string groups_with_facets(const Discretization& mesh) {
                                    named == mesh.groups().end() ? fmt::to_string(tag) : named->name,
                                    count));
     }
-    return list.empty() ? "the mesh has no facets in groups"
-                        : fmt::format("there are {}", fmt::join(list, ", "));
+    if (list.empty())
+        return mesh.facet_groups().empty() ? "the mesh has no facets in groups"
+                                           : "no merged facet is in a group";
+    return fmt::format("there are {}", fmt::join(list, ", "));
+}
+
+/// Why no facet is in a group, and what helps.
+std::string reason_for_none(const Discretization& mesh, Index tag) {
+    const auto& before = mesh.facet_groups();
+    if (!std::binary_search(before.begin(), before.end(), tag))
+        return groups_with_facets(mesh);
+    if (!mesh.passage().is_identity())
+        return "its facets lost their groups when edges were flipped; omit "
+               "DiscretizeOptions::delaunay";
+    return "merging joined each of its facets to facets of other groups, or lost it inside a cell; "
+           "use MergeCriterion::none, or for facets inside, Materials::keep_apart";
 }
 
 std::vector<Index> numbers_of(const std::vector<bool>& marks) {
@@ -68,7 +82,7 @@ std::vector<bool> facets_in(const Discretization& mesh, const std::vector<std::s
         }
         if (!any)
             throw InvalidInput(fmt::format("no facet is in the group {}: {}", groups[i],
-                                           groups_with_facets(mesh)));
+                                           reason_for_none(mesh, tags[i])));
     }
     return marks;
 }

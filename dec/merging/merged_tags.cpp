@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/listed.h"
+#include "base/lists.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -56,8 +57,10 @@ FacetTags tags_of_facets(const SimplicialComplex& complex, const TaggedSimplices
         else if (facets.tags[row] != 0)
             found.emplace_back(facet, facets.tags[row]);
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sort_unique(found);
+    for (const auto& [facet, tag] : found)
+        result.groups.push_back(tag);
+    sort_unique(result.groups);
     std::map<std::vector<Index>, std::vector<Index>> together; // facets of several groups
     for (std::size_t begin = 0, end = 0; begin < found.size(); begin = end) {
         std::vector<Index> groups;

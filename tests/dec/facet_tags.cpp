@@ -210,6 +210,10 @@ TEST(FacetTags, pieces_of_different_groups_have_none_together) {
     EXPECT_EQ(zeros, result.complex().size(2));
     EXPECT_EACH_SAYS(result.warnings(),
                      {std::to_string(zeros), "merged facets", "groups", "tag", "0"});
+    EXPECT_EQ(std::ssize(result.facet_groups()), complex.size(2));
+    EXPECT_REFUSED(facets_in(result, {"5"}), "group 5", "merging", "MergeCriterion::none",
+                   "Materials::keep_apart");
+    EXPECT_REFUSED(facets_in(result, {"1000"}), "group 1000", "no merged facet");
     mesh.facet_tags.tags.assign(mesh.facet_tags.tags.size(), 4);
     const auto one = discretize(mesh);
     EXPECT_EQ(one.facet_tags(), std::vector<Index>(result.facet_tags().size(), 4));
@@ -225,7 +229,9 @@ TEST(FacetTags, and_tags_of_cells_are_one_for_each) {
 
 TEST(FacetTags, flips_leave_none) {
     const Mesh mesh = with_facet_tags(mesh_named("grid4"), 2, 2);
-    EXPECT_TRUE(discretize(mesh, {.delaunay = Delaunay::flips}).facet_tags().empty());
+    const auto flipped = discretize(mesh, {.delaunay = Delaunay::flips});
+    EXPECT_TRUE(flipped.facet_tags().empty());
+    EXPECT_REFUSED(facets_in(flipped, {"1"}), "group 1", "flipped", "DiscretizeOptions::delaunay");
     auto options = apart;
     options.delaunay = Delaunay::flips;
     EXPECT_REFUSED(discretize(mesh, options), "flips", "groups");

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Conditions by groups of the file, and Robin's."""
+import itertools
 import math
 
 import command
@@ -154,6 +155,32 @@ class Conditions(TestCase):
             self.assertSays(self.fail_with(2, *line), name, "none", "facets", "expected", where)
         self.succeed(*poisson, "--fixed-where", "abs(x-.5)+abs(y-.5)<.1", "--boundary", 7)
         self.succeed("poisson", golden("uv8.off"), "--rhs", "z", "--flux", 7) # without a boundary
+
+    def test_groups_that_merging_leaves_without_facets_are_told(self):
+        """A cube of six tetrahedra, which merge: on each side a triangle is in group 5, the other in 6."""
+        corners = list(itertools.product((0, 1), repeat=3))
+        solids, sides = [], {}
+        for axes in itertools.permutations(range(3)):
+            at = [0, 0, 0]
+            solid = [0]
+            for axis in axes:
+                at[axis] = 1
+                solid.append(corners.index(tuple(at)))
+            solids.append((*solid, 1))
+            for side in itertools.combinations(sorted(solid), 3):
+                sides.setdefault(side, []).append(side)
+        outer = sorted(side for side, solids_there in sides.items() if len(solids_there) == 1)
+        seen, facets = set(), []
+        for side in outer:
+            plane = next((axis, corners[side[0]][axis]) for axis in range(3)
+                         if len({corners[v][axis] for v in side}) == 1)
+            facets.append((*side, 6 if plane in seen else 5))
+            seen.add(plane)
+        mesh = self.write("cube.mesh", medit(corners, Triangles=facets, Tetrahedra=solids))
+        ask = ("poisson", mesh, "--rhs", 1, "--side", "primal", "--essential-on", 5)
+        self.assertSays(self.fail_with(2, *ask), "group 5", "merging", "--no-merge", "--keep-groups")
+        self.succeed(*ask, "--no-merge")
+        self.assertSays(self.fail_with(2, *ask[:-1], 7, "--no-merge"), "group 7", "5 (6 facets)")
 
     def test_robin_has_solutions_that_are_linear_exactly_on_duals_and_converges_on_primals(self):
         exact, flux = "1+x", "2*(1+x)+(x>1-1e-9)-(x<1e-9)"

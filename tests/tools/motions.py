@@ -36,11 +36,11 @@ def nsc(points, cells):
 
 
 def medit(points, **sections):
-    """The text of points in the plane and of cells, each with its tag behind its corners."""
-    rows = {"Vertices": [(x, y, 0) for x, y in points],
+    """The text of points and of cells, each with its tag behind its corners."""
+    rows = {"Vertices": [(*point, 0) for point in points],
             **{name: [(*(v + 1 for v in cell), tag) for *cell, tag in cells]
                for name, cells in sections.items()}}
-    return "".join(["MeshVersionFormatted 2\nDimension 2\n",
+    return "".join([f"MeshVersionFormatted 2\nDimension {len(points[0])}\n",
                     *(f"{name}\n{len(lines)}\n" + "".join(" ".join(map(str, line)) + "\n"
                                                          for line in lines)
                       for name, lines in rows.items()), "End\n"])
