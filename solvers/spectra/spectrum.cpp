@@ -61,6 +61,9 @@ std::optional<double> coarseness_of(const FormSpace& space, const Vector& eigenv
     if (!(degree == 0 || degree == n || (degree == 1 && n == 2)) ||
         std::find(fixed.begin(), fixed.end(), true) != fixed.end())
         return std::nullopt;
+    if (degree > 0 && degree < n &&
+        (space.robin_weights().size() > 0 || space.robin_layer().size() > 0))
+        return std::nullopt; // shape_spectrum refuses Robin's condition there
     if (n != 2)
         return 0;
     const CellVolumes& volumes = cells.volumes();

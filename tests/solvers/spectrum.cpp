@@ -240,6 +240,11 @@ TEST(Coarseness, is_that_of_eigenvalues_that_can_be_enclosed) {
     pinned.fixed_vertices[0] = true;
     EXPECT_FALSE(spectrum({square, Side::primal, 0, pinned}, {.count = 3}).coarseness);
     EXPECT_TRUE(spectrum({square, Side::dual, 1}, {.count = 3}).coarseness);
+    const BoundaryConditions robin = robin_elsewhere({BoundaryCondition::natural}, 1);
+    for (const Side side : {Side::primal, Side::dual})
+        for (const int degree : {0, 1})
+            EXPECT_EQ(spectrum({square, side, degree, robin}, {.count = 3}).coarseness.has_value(),
+                      degree == 0);
     EXPECT_FALSE(spectrum({cube, Side::primal, 1}, {.count = 3}).coarseness);
     EXPECT_EQ(spectrum({cube, Side::dual, 0}, {.count = 3}).coarseness, 0);
 }
