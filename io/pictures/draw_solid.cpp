@@ -30,11 +30,13 @@ struct Frame {
             if (direction->size() != 3 || !direction->allFinite())
                 throw InvalidInput(fmt::format(
                     "the view's direction '{}' must have three finite coordinates", name));
-        eye = Place(view.eye).normalized();
-        right = Place(view.up).normalized().cross(eye);
-        if (!(right.norm() > 1e-9))
-            throw InvalidInput("the view's directions 'eye' and 'up' are zero or parallel: choose "
-                               "another 'up'");
+            else if (direction->isZero(0))
+                throw InvalidInput(fmt::format(
+                    "the view's direction '{}' is zero: expected a vector that is not", name));
+        eye = Place(view.eye).stableNormalized();
+        right = Place(view.up).stableNormalized().cross(eye);
+        if (!(right.norm() > 1e-9)) // seen along it, another axis is up
+            right = (std::abs(eye.y()) < 0.5 ? Place::UnitY() : Place::UnitZ()).cross(eye);
         right.normalize();
         up = eye.cross(right);
     }

@@ -47,8 +47,9 @@ SolidFaces kept_cells(const Discretization& mesh,
 /// The direction of view on a solid, without perspective, and the style.
 struct SolidView {
     Vector eye = Eigen::Vector3d(1.0, -2.0, 1.2); ///< direction from the solid to the eye
-    Vector up = Eigen::Vector3d(0.0, 0.0, 1.0);   ///< upward direction in the picture
-    std::optional<ColorMap> map = {};             ///< by default from color_range
+    /// Upward direction in the picture. Seen along it, y is up, or z if that is seen along y.
+    Vector up = Eigen::Vector3d(0.0, 0.0, 1.0);
+    std::optional<ColorMap> map = {}; ///< by default from color_range
     /// The values at the ends of the color map; by default their extremes, for a diverging map plus
     /// and minus the largest absolute value.
     std::optional<SvgPoint> range = {};

@@ -225,6 +225,11 @@ TEST(SeenAt, maps_lengths_across_the_view_to_themselves) {
     EXPECT_GT(place(view.up)[1], 0);
     const Place p(1, 2, -0.5), along = view.eye.normalized();
     EXPECT_NEAR(place(p).norm(), (p - p.dot(along) * along).norm(), 1e-15);
+    // from above and below y is up, and z along y if that is up
+    for (const double z : {-2.0, 2.0})
+        EXPECT_NEAR(seen_at({.eye = Place(0, 0, z)}, Place(0, 1, 0))[1], 1, 1e-15);
+    EXPECT_NEAR(seen_at({.eye = Place(0, 3, 0), .up = Place(0, 1, 0)}, Place(0, 0, 1))[1], 1,
+                1e-15);
     // from the front, x runs to the right
     EXPECT_NEAR(seen_at({.eye = Place(0, -1, 0)}, Place(1, 0, 0))[0], 1, 1e-15);
 }
@@ -352,8 +357,8 @@ TEST(DrawSolidErrors, name_what_is_wrong_with_the_view) {
     };
     EXPECT_EQ(refused({}), "accepted");
     EXPECT_SAYS(refused({.eye = Vector::Ones(2)}), "eye", "three", "coordinates");
-    EXPECT_SAYS(refused({.up = Vector::Zero(3)}), "eye", "up", "parallel");
-    EXPECT_SAYS(refused({.eye = Place(0, 0, 2)}), "eye", "up", "parallel");
+    EXPECT_SAYS(refused({.up = Vector::Zero(3)}), "'up'", "zero");
+    EXPECT_SAYS(refused({.eye = Vector::Zero(3)}), "'eye'", "zero");
     EXPECT_SAYS(refused({.range = SvgPoint{2, 1}}), "range", "2 .. 1", "ascending");
     EXPECT_SAYS(refused({.plain = "blue"}), "plain color", "#rrggbb");
 }

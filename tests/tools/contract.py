@@ -271,6 +271,7 @@ class Usage(TestCase):
         for arguments, words in (
                 (("info", solid, "--angle-tolerance", "1e-3"),
                  ("--angle-tolerance", solid, "dimension 3", "--tolerance")),
+                (("draw", golden("uv8.off"), "--eye", 0, 0, 0), ("'eye'", "zero")),
                 (("merge", solid, "-o", "a.off"), ("a.off: ", "dimension 3", ".vtu")),
                 (("spectrum", flat, "--side", "primal", "--degree", 0, "--count", 26),
                  (f"{flat}: ", "26 eigenvalues", "primal 0-forms", 25, "0-cells", 1, 25)),
