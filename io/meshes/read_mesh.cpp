@@ -10,6 +10,7 @@
 #include <array>
 #include <limits>
 #include <new>
+#include <vector>
 
 namespace polydec {
 
@@ -92,6 +93,18 @@ void close_face(PolygonMesh& polygons, const SourceFile& file) {
 }
 
 Index checked_count(std::size_t count, const char* plural, const SourceFile& file) {
+Mesh segments_of(const PolygonMesh& lines) {
+    std::vector<Index> ends;
+    for (std::size_t line = 1; line < lines.offsets.size(); ++line)
+        for (Index at = lines.offsets[line - 1] + 1; at < lines.offsets[line]; ++at)
+            ends.insert(ends.end(), {lines.corners[at - 1], lines.corners[at]});
+    Mesh mesh;
+    mesh.points = lines.points;
+    mesh.simplices =
+        Eigen::Map<const Simplices>(ends.data(), static_cast<Eigen::Index>(ends.size() / 2), 2);
+    return mesh;
+}
+
     if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
         refuse_contents(
             file.name,

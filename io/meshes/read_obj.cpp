@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,8 +16,11 @@ namespace {
 
 class ObjReader {
 public:
-    explicit ObjReader(const SourceFile& file)
-        : file_(file), scanner_(file.name, file.text, {.comment = '#', .continuation = '\\'}) {}
+    /// The records of this keyword are the cells: "f" of faces, or "l" of lines.
+    ObjReader(const SourceFile& file, const char* cells)
+        : file_(file),
+          scanner_(file.name, file.text, {.comment = '#', .continuation = '\\'}),
+          cells_(cells) {}
 
     Mesh read() {
         while (!scanner_.at_end()) {
@@ -26,7 +30,7 @@ public:
         if (farthest_ >= vertices())
             fail_range(farthest_place_, farthest_ + 1);
         polygons_.points = Eigen::Map<const Points>(coordinates_.data(), vertices(), axes_);
-        Mesh mesh = split_polygons(std::move(polygons_));
+        Mesh mesh = cells_ == "f" ? split_polygons(std::move(polygons_)) : segments_of(polygons_);
         if (left_out_ > 0)
             mesh.warnings.push_back(
                 fmt::format("left out {} records of lines or points; the first is in line {}",
@@ -39,8 +43,8 @@ private:
         const auto keyword = scanner_.word("a keyword");
         if (keyword == "v") {
             read_vertex();
-        } else if (keyword == "f") {
-            read_face();
+        } else if (keyword == cells_) {
+            read_cell();
         } else if (keyword == "l" || keyword == "p") {
             first_left_out_ = left_out_ == 0 ? scanner_.line() : first_left_out_;
             ++left_out_;
@@ -64,7 +68,7 @@ private:
                           "of every vertex, or three; correct the line");
     }
 
-    void read_face() {
+    void read_cell() {
         while (!scanner_.at_line_end())
             polygons_.corners.push_back(read_corner());
         close_face(polygons_, file_);
@@ -98,6 +102,7 @@ private:
 
     const SourceFile& file_;
     Scanner scanner_;
+    std::string_view cells_;
     std::vector<double> coordinates_;
     int axes_ = 3;
     PolygonMesh polygons_;
@@ -110,7 +115,8 @@ private:
 } // namespace
 
 Mesh read_obj(const SourceFile& file) {
-    return ObjReader(file).read();
+    Mesh mesh = ObjReader(file, "f").read();
+    return mesh.simplices.rows() > 0 ? mesh : ObjReader(file, "l").read();
 }
 
 } // namespace polydec

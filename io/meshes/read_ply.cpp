@@ -64,8 +64,10 @@ class BodyReader {
 public:
     BodyReader(const SourceFile& file, const PlyHeader& header)
         : file_(file), header_(header), source_(file, header) {
-        for (const auto& element : header.elements)
+        for (const auto& element : header.elements) {
             vertices_ = element.name == "vertex" ? element.count : vertices_;
+            has_faces_ = has_faces_ || (element.name == "face" && element.count > 0);
+        }
     }
 
     Mesh read() {
@@ -74,10 +76,12 @@ public:
                 read_vertices(element);
             else if (element.name == "face")
                 read_faces(element);
+            else if (element.name == "edge" && !has_faces_)
+                read_edges(element);
             else
                 pass_over(element);
         const bool is_rest = !source_.at_end();
-        Mesh mesh = split_polygons(std::move(polygons_));
+        Mesh mesh = has_faces_ ? split_polygons(std::move(polygons_)) : segments_of(polygons_);
         if (is_rest)
             mesh.warnings.push_back(
                 fmt::format("left out {} bytes after the last element", source_.remaining()));
@@ -140,13 +144,29 @@ private:
 
     void read_corners(const PlyProperty& property, Index face) {
         const auto length = read_length(property);
-        for (std::size_t i = 0; i < length; ++i) {
-            const double value = source_.value(property.type);
-            if (!(value >= 0.0 && value < vertices_) || value != std::floor(value))
-                source_.fail(fmt::format("face {} has the vertex number {}; expected 0 to {}; "
-                                         "correct the index or add the vertex",
-                                         face, value, vertices_ - 1));
-            polygons_.corners.push_back(static_cast<Index>(value));
+        for (std::size_t i = 0; i < length; ++i)
+            read_corner(property, "face", face);
+    }
+
+    void read_corner(const PlyProperty& property, const char* what, Index cell) {
+        const double value = source_.value(property.type);
+        if (!(value >= 0.0 && value < vertices_) || value != std::floor(value))
+            source_.fail(fmt::format("{} {} has the vertex number {}; expected 0 to {}; correct "
+                                     "the index or add the vertex",
+                                     what, cell, value, vertices_ - 1));
+        polygons_.corners.push_back(static_cast<Index>(value));
+    }
+
+    /// The cells of a curve, a file without faces.
+    void read_edges(const PlyElement& element) {
+        for (Index edge = 0; edge < element.count; ++edge) {
+            for (const auto& property : element.properties)
+                if (!property.is_list && (property.name == "vertex1" || property.name == "vertex2"))
+                    read_corner(property, "edge", edge);
+                else
+                    pass_over(property);
+            source_.end_record();
+            close_face(polygons_, file_);
         }
     }
 
@@ -182,6 +202,7 @@ private:
     Source source_;
     PolygonMesh polygons_;
     Index vertices_ = 0;
+    bool has_faces_ = false;
 };
 
 } // namespace

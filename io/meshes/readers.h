@@ -50,6 +50,9 @@ void reserve_faces(PolygonMesh& polygons, Index faces, std::size_t remaining);
 /// Ends the face that was appended last. Throws InvalidInput if there are too many corners.
 void close_face(PolygonMesh& polygons, const SourceFile& file);
 
+/// A curve: an edge from each corner of an open polygon to the next one.
+Mesh segments_of(const PolygonMesh& lines);
+
 /// A counted number of cells or vertices as an Index. Throws InvalidInput, with the plural, if it
 /// does not fit.
 Index checked_count(std::size_t count, const char* plural, const SourceFile& file);

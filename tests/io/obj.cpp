@@ -61,6 +61,13 @@ TEST(Obj, WarnsOfLinesPointsAndSmallFaces) {
                      {"1 polygon", "triangles", "face 2"}, {"2 records", "lines", "line 5"});
 }
 
+TEST(Obj, OfLinesAloneIsACurve) {
+    const auto mesh = read_from("a.obj", vertices + "l 1 2/1 3\nl -1 1\np 2\n");
+    EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1}, {1, 2}, {3, 0}}));
+    EXPECT_EACH_SAYS(mesh.warnings, {"1 record", "points", "line 7"});
+    EXPECT_UNREADABLE("a.obj", vertices + "l 1 2 5\n", "a.obj:5", "vertex", "5", "range");
+}
+
 TEST(Obj, RefusesIndicesOutOfRange) {
     EXPECT_UNREADABLE("a.obj", vertices + "f 1 0 3\n", "a.obj:5", "vertex", "0", "range", "1", "4");
     EXPECT_UNREADABLE("a.obj", vertices + "f 1 -5 3\n", "a.obj:5", "vertex", "-5", "range", "-4",

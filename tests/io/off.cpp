@@ -42,6 +42,13 @@ TEST(Off, LeavesOutNumbersBehindCoordinatesAndCorners) {
     }
 }
 
+TEST(Off, OfFacesWithTwoCornersIsACurve) {
+    const auto mesh = read_from("a.off", "OFF\n4 2 0\n" + vertices + "2 0 1\n2 1 3\n");
+    EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1}, {1, 3}}));
+    const auto mixed = read_from("a.off", "OFF\n4 2 0\n" + vertices + "2 0 1\n3 1 2 3\n");
+    EXPECT_EQ(rows(mixed.simplices), (Cells{{1, 2, 3}}));
+}
+
 TEST(Off, FaceMayGoOverManyLines) {
     const auto mesh =
         read_from("a.off", "OFF\n4 2 0\n" + vertices + "3\n0\n\n1\n2\n# comment\n3 0\n 2 3");

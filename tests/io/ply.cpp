@@ -118,6 +118,22 @@ TEST(Ply, FacesMayComeFirst) {
     EXPECT_EQ(rows(mesh.simplices), (Cells{{2, 1, 0}}));
 }
 
+TEST(Ply, OfEdgesAloneIsACurve) {
+    const auto text = [](const std::string& elements, const std::string& records) {
+        return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n" +
+               elements + "end_header\n0 0\n1 0\n1 1\n" + records;
+    };
+    const std::string edges = "element edge 2\nproperty int vertex1\nproperty int vertex2\n"
+                              "property uchar red\n",
+                      face = "element face 1\nproperty list uchar int vertex_indices\n";
+    EXPECT_EQ(rows(read_from("a.ply", text(edges, "0 1 9\n1 2 9\n")).simplices),
+              (Cells{{0, 1}, {1, 2}}));
+    EXPECT_EQ(rows(read_from("a.ply", text(edges + face, "0 1 9\n1 2 9\n3 0 1 2\n")).simplices),
+              (Cells{{0, 1, 2}}));
+    EXPECT_UNREADABLE("a.ply", text(edges, "0 1 9\n1 3 9\n"), "a.ply:12", "edge 1",
+                      "vertex number 3", "0", "2");
+}
+
 TEST(Ply, WarnsOfWhatFollows) {
     EXPECT_EACH_SAYS(read_from("a.ply", small_binary("little") + "abc").warnings,
                      {"3 bytes", "last element"});
