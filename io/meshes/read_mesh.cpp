@@ -40,7 +40,8 @@ const Format& format_of(const std::filesystem::path& path) {
         refuse_contents(path.string(), ".nsl holds lengths of edges and no points; expected a mesh "
                                        "with points; read it with read_lengths");
     refuse_contents(path.string(), fmt::format("'{}' is not the extension of a mesh format; "
-                                               "expected one of {}; rename or convert the file",
+                                               "expected one of {}, or .nsl for edge lengths "
+                                               "without points; rename or convert the file",
                                                extension, known));
 }
 
@@ -92,7 +93,6 @@ void close_face(PolygonMesh& polygons, const SourceFile& file) {
     polygons.offsets.push_back(checked_count(polygons.corners.size(), "corners of faces", file));
 }
 
-Index checked_count(std::size_t count, const char* plural, const SourceFile& file) {
 Mesh segments_of(const PolygonMesh& lines) {
     std::vector<Index> ends;
     for (std::size_t line = 1; line < lines.offsets.size(); ++line)
@@ -105,6 +105,7 @@ Mesh segments_of(const PolygonMesh& lines) {
     return mesh;
 }
 
+Index checked_count(std::size_t count, const char* plural, const SourceFile& file) {
     if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
         refuse_contents(
             file.name,

@@ -180,7 +180,8 @@ TEST(RealFiles, AreMissedWhereThereAreOthers) {
 }
 
 TEST(ReadMesh, RefusesUnknownExtensions) {
-    const std::string known = ".off .obj .ply .stl .nsc .mesh .msh .node .ele .vtk .vtu .pdm";
+    const std::string known =
+        ".off .obj .ply .stl .nsc .mesh .msh .node .ele .vtk .vtu .pdm, or .nsl";
     EXPECT_REFUSED(read_mesh("folder/a.xyz"), "folder/a.xyz:", "'.xyz'", "extension", known);
     EXPECT_REFUSED(read_mesh("a"), "a:", "''", "extension", known);
 }
