@@ -69,7 +69,8 @@ void add_fill(CLI::App& generate) {
                         "with --mesher: mesh file of a closed surface");
     generate
         .add_option("--quality", options.quality,
-                    "Q\tlargest ratio of circumradius to shortest edge, at least 1.2")
+                    "Q\tlargest ratio of circumradius to shortest edge, at least 0.613; below "
+                    "1.2 the mesher may not end")
         ->needs(mesher);
     generate.add_option("--volume", options.largest_volume, "V\tlargest volume of a tetrahedron")
         ->needs(mesher);
