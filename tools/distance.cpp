@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
+#include "base/lists.h"
 #include "dec/discretization/cell_data.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/chosen_cells.h"
@@ -55,6 +56,7 @@ std::vector<Index> sources(const Discretization& mesh, const DistanceArguments& 
             numbers.push_back(group_tag({}, 0, word).value());
     const auto named = cells_of_vertices(mesh, "--from", numbers);
     cells.insert(cells.end(), named.begin(), named.end());
+    sort_unique(cells);
     return cells;
 }
 

@@ -70,6 +70,11 @@ class Distance(TestCase):
         two = self.ask("distance", sphere, "--from", 0, one["farthest"])
         self.assertLess(two["max"], 0.55 * one["max"])
 
+    def test_a_source_counts_once(self):
+        grid = self.generate("grid", "--nx", 2, "--ny", 2)
+        for more in (("--from", 0, 0), ("--from", 0, "--from-where", "x+y<.1")):
+            self.assertEqual(self.ask("distance", grid, *more)["from"], [0])
+
     def test_counts_what_fell_below_0(self):
         # rows of triangles whose every second vertex is moved along the row, far from Delaunay
         ribbon = self.write("ribbon.off", off(*squares(24, 24, lambda i, j: (
