@@ -34,6 +34,16 @@ constexpr int most_coordinates = 64;
                                                    printable(text), printable_message(reason)));
 }
 
+/// The parser's message, which counts positions from 0 and may name the one behind its own space.
+std::string counted_from_1(std::string message, std::size_t text_size, int position) {
+    const std::string own = fmt::format("position {}", position);
+    if (const auto at = message.find(own); at != std::string::npos)
+        message.replace(
+            at, own.size(),
+            fmt::format("position {}", std::min(position + 1, static_cast<int>(text_size) + 1)));
+    return message;
+}
+
 /// The parser's own way goes through a stream, which takes a lack of memory for a wrong number.
 int recognize_number(const char* text, int* position, double* value) {
     const bool begins_number = std::isdigit(static_cast<unsigned char>(*text)) != 0 || *text == '.';
@@ -122,7 +132,8 @@ Expression::Expression(const std::string& option, const std::string& text, const
                 state_->used =
                     std::max(state_->used, static_cast<int>(place - state_->position.data()) + 1);
     } catch (const mu::Parser::exception_type& error) {
-        refuse(option, text, error.GetMsg());
+        refuse(option, text,
+               counted_from_1(error.GetMsg(), text.size(), static_cast<int>(error.GetPos())));
     }
 }
 

@@ -63,6 +63,11 @@ class Expressions(TestCase):
                 self.fail_with(1, *self.arguments(option, "x=0", "there-is-no-such.off")),
                 f"polydec: {option}: ", "'x=0'", "expression", "=", "==", "position 2")
 
+    def test_positions_count_from_1(self):
+        for text, position in (("q", 1), ("x+", 3), ("1+)", 3), ("x=0", 2)):
+            self.assertSays(self.fail_with(1, *self.arguments("--rhs", text)), f"'{text}'",
+                            f"position {position}")
+
     def test_good_ones_have_their_values(self):
         for text, value in GOOD.items():
             with self.subTest(text[:40]):
