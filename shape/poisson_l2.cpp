@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace polydec {
 
@@ -78,11 +77,10 @@ public:
         counts_[i] += 1, counts_[j] += 1;
     }
 
-    void block(const SparseMatrix& A, Index row, double sign, const std::vector<Index>& places) {
+    void block(const SparseMatrix& A, double sign, const std::vector<Index>& places) {
         for (Index i = 0; i < A.rows(); ++i)
             for (SparseMatrix::InnerIterator at(A, i); at; ++at)
-                if (places[i] >= 0 && places[at.col()] >= 0) {
-                    const Index r = row + places[i], c = row + places[at.col()];
+                if (const Index r = places[i], c = places[at.col()]; r >= 0 && c >= 0) {
                     entries_.emplace_back(r, c, sign * at.value());
                     counts_[r] += 1;
                     if (r == c)
@@ -108,45 +106,82 @@ private:
     Vector sizes_, counts_;
 };
 
-/// Whether k^2 is proved: as many negative eigenvalues as functions at vertices.
+/// The rows of simplices, facets and vertices in the block matrix, -1 for those left out.
 ///
 /// Where constants are free, a function on facets is fixed to 0 at one of them, which leaves the
 /// energy of its answer to loads of mean 0 as it is. The constants at vertices are multipliers that
-/// keep the means of loads at 0.
+/// keep the means of loads at 0. A component of one simplex is left out: its only load of mean 0
+/// is 0.
+struct Places {
+    std::vector<Index> simplices, facets, vertices;
+    Index of_vertices = 0, size = 0;
+
+    explicit Places(const PoissonForms& forms)
+        : simplices(forms.simplices(), 0),
+          facets(forms.facets().K.rows(), 0),
+          vertices(forms.vertices().K.rows(), 0) {
+        for (const auto& constant : forms.facets().kernel.colwise()) {
+            Eigen::Index fixed = 0;
+            constant.maxCoeff(&fixed);
+            facets[fixed] = -1;
+        }
+        leave_out_single(forms);
+        for (auto* places : {&simplices, &facets, &vertices}) {
+            const Index before = size;
+            for (Index& place : *places)
+                place = place < 0 ? -1 : size++;
+            of_vertices = size - before;
+        }
+    }
+
+private:
+    void leave_out_single(const PoissonForms& forms) {
+        std::vector<Index> counts(forms.facets().kernel.cols(), 0);
+        for (const Index component : forms.components())
+            if (component >= 0)
+                ++counts[component];
+        const int width = forms.dimension() + 1;
+        for (Index s = 0; s < forms.simplices(); ++s) {
+            const Index component = forms.components()[s];
+            if (component < 0 || counts[component] > 1)
+                continue;
+            simplices[s] = -1;
+            for (int i = 0; i < width; ++i) {
+                facets[forms.facets().unknowns[std::size_t(width) * s + i]] = -1;
+                vertices[forms.vertices().unknowns[std::size_t(width) * s + i]] = -1;
+            }
+        }
+    }
+};
+
+/// Whether k^2 is proved: as many negative eigenvalues as functions at vertices.
 bool is_proved(const PoissonForms& forms, const SparseMatrix& on_facets,
                const SparseMatrix& on_vertices, double square, const std::string& engine) {
-    const Index m = forms.simplices();
-    std::vector<Index> facets(forms.facets().K.rows(), 0), vertices(forms.vertices().K.rows());
-    std::iota(vertices.begin(), vertices.end(), 0);
-    for (const auto& constant : forms.facets().kernel.colwise()) {
-        Eigen::Index fixed = 0;
-        constant.maxCoeff(&fixed);
-        facets[fixed] = -1;
-    }
-    Index first = 0;
-    for (Index& place : facets)
-        place = place < 0 ? -1 : first++;
-    const auto second = static_cast<Index>(vertices.size());
-    Blocks blocks(m + first + second);
-    blocks.block(forms.facets().K, m, 1, facets);
-    blocks.block(forms.vertices().K, m + first, -1, vertices);
-    for (Index s = 0; s < m; ++s) {
-        const double value = (square - forms.bubbles()[s]) * forms.volumes()[s];
-        blocks.diagonal(s, value, (square + forms.bubbles()[s]) * forms.volumes()[s]);
-    }
-    const auto couple = [&](const SparseMatrix& B, Index begin, const std::vector<Index>& places) {
-        for (Index s = 0; s < m; ++s)
+    const Places places(forms);
+    if (places.size == 0)
+        return true;
+    Blocks blocks(places.size);
+    blocks.block(forms.facets().K, 1, places.facets);
+    blocks.block(forms.vertices().K, -1, places.vertices);
+    for (Index s = 0; s < forms.simplices(); ++s)
+        if (const Index row = places.simplices[s]; row >= 0) {
+            const double value = (square - forms.bubbles()[s]) * forms.volumes()[s];
+            blocks.diagonal(row, value, (square + forms.bubbles()[s]) * forms.volumes()[s]);
+        }
+    const auto couple = [&](const SparseMatrix& B, const std::vector<Index>& columns) {
+        for (Index s = 0; s < forms.simplices(); ++s)
             for (SparseMatrix::InnerIterator at(B, s); at; ++at)
-                if (const Index place = places[at.col()]; place >= 0) {
-                    blocks.both(s, begin + place, at.value());
-                    blocks.raise(s, at.value() * at.value() / blocks.size(begin + place));
+                if (const Index row = places.simplices[s], column = columns[at.col()];
+                    row >= 0 && column >= 0) {
+                    blocks.both(row, column, at.value());
+                    blocks.raise(row, at.value() * at.value() / blocks.size(column));
                 }
     };
-    couple(on_facets, m, facets);
-    couple(on_vertices, m + first, vertices);
+    couple(on_facets, places.facets);
+    couple(on_vertices, places.vertices);
     const auto negative =
         blocks.negative(engine, forms.dimension(), forms.facets().doubt + forms.vertices().doubt);
-    return negative && *negative == second;
+    return negative && *negative == places.of_vertices;
 }
 
 } // namespace

@@ -305,6 +305,29 @@ TEST(PoissonError, of_L2_is_by_a_constant_a_little_above_the_least) {
     }
 }
 
+TEST(PoissonError, of_separate_simplices_without_given_values_is_that_of_the_rest_of_f) {
+    for (const Index count : {1, 3, 150}) {
+        Mesh mesh;
+        mesh.points.resize(3 * count, 2);
+        mesh.simplices.resize(count, 3);
+        for (Index t = 0; t < count; ++t) {
+            mesh.points.middleRows(3 * t, 3) << 2 * t, 0, 2 * t + 1, 0, 2 * t, 1;
+            mesh.simplices.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
+        }
+        PoissonProblem problem{unmerged(mesh), DenseMatrix::Ones(count, 1), {}};
+        const Vector zero = Vector::Zero(3 * count);
+        const PoissonError none = poisson_error(problem, zero); // f of mean 0 is 0
+        EXPECT_EQ(none.energy, 0);
+        ASSERT_TRUE(none.l2) << count;
+        EXPECT_EQ(*none.l2, 0);
+        problem.source = mesh.points.col(0).reshaped(3, count).transpose();
+        const PoissonError error = poisson_error(problem, zero);
+        ASSERT_TRUE(error.l2) << count;
+        EXPECT_LE(error.energy, 2 * error.oscillation);
+        EXPECT_LE(*error.l2, error.energy);
+    }
+}
+
 TEST(PoissonError, of_a_mesh_takes_what_the_solver_takes_also_on_merged_cells) {
     const Mesh square = kuhn(2, 8);
     const Discretization merged = discretize(square),
