@@ -190,6 +190,30 @@ std::optional<double> l2_error(const PoissonForms& forms, const DenseMatrix& cor
     return std::sqrt(*constant) * energy + std::sqrt(square) * (1 + 1e-12);
 }
 
+/// The norm of S in docs/what-is-proved.md.
+double distance(const PoissonForms& forms, const PoissonPair& pair) {
+    return root_of_sum(forms.products(pair, pair).cwiseMax(0), pair.rounding);
+}
+
+/// A bound on F(v) over the energy norm of v, for any v that vanishes on essential facets, however
+/// the signs of simplices and facets in F may be changed.
+double load_of_any_signs(const PoissonForms& forms, const DenseMatrix& source, const Vector& flow) {
+    const LocalData sizes = forms.local(source.cwiseAbs(), flow.cwiseAbs());
+    const DenseMatrix zero = DenseMatrix::Zero(forms.simplices(), forms.dimension() + 1);
+    return distance(forms, forms.pair(zero, sizes)) + sizes.oscillation.norm();
+}
+
+/// By how much a goal may differ on shapes of the lengths allowed, where energies and loads of
+/// simplices and facets differ by a share. The error of u is known.
+double change_of_goal(const PoissonForms& forms, const PoissonProblem& problem,
+                      const DenseMatrix& goal, const DenseMatrix& u, double error, double share) {
+    const double of_f = load_of_any_signs(forms, problem.source, problem.flow),
+                 of_goal = load_of_any_signs(forms, goal, {}),
+                 on_u = forms.load(forms.local(goal.cwiseAbs(), {}), u.cwiseAbs()),
+                 size = std::sqrt(std::max(forms.energy(u, u), 0.0)) + error;
+    return share * (on_u + of_goal * (error + (1 + 2 * share * (1 + share)) * (of_f + size)));
+}
+
 } // namespace
 
 PoissonError poisson_error(const PoissonProblem& given, const Vector& values,
@@ -249,17 +273,15 @@ Enclosed goal_interval(const PoissonProblem& given, const Vector& values, const 
     const DenseMatrix u = forms.at_corners(units.in_unit(values));
     const DenseMatrix z = forms.to_galerkin(DenseMatrix::Zero(u.rows(), u.cols()), wanted);
     const PoissonPair first = forms.pair(u, data), second = forms.pair(z, wanted);
-    const auto distance = [&](const PoissonPair& pair) {
-        return root_of_sum(forms.products(pair, pair).cwiseMax(0), pair.rounding);
-    };
     const double value = forms.load(wanted, u) + forms.load(data, z) - forms.energy(u, z) +
                          forms.products(first, second).sum() / 2;
-    const double a = distance(first), b = distance(second), rest = data.oscillation.norm(),
-                 rest_of_goal = wanted.oscillation.norm();
-    const double rounding =
-        1e-13 * (std::abs(forms.load(wanted, u)) + std::abs(forms.load(data, z)));
+    const double a = distance(forms, first), b = distance(forms, second),
+                 rest = data.oscillation.norm(), rest_of_goal = wanted.oscillation.norm();
+    constexpr double rounding = 1e-13; // of sums
     const double half = a * b / 2 + rest * b + a * rest_of_goal + rest * rest_of_goal +
-                        first.rounding * b + a * second.rounding + rounding;
+                        first.rounding * b + a * second.rounding +
+                        change_of_goal(forms, units.problem, scaled, u, a + rest,
+                                       energy_share(units.problem.shape) + rounding);
     const auto restored = [&](double number) {
         const int n = forms.dimension();
         return std::ldexp(number, unit + units.value + n * units.length);

@@ -67,8 +67,9 @@ struct Enclosed {
 
 /// Bounds the integral of g u over the shape, where u is the solution approximated by `values` and
 /// g is given like a problem's source. Combines the errors of u and of the solution with source g
-/// (Ainsworth, Rankin 2012). Throws InvalidInput like poisson_error, and if a component has neither
-/// essential nor Robin facets.
+/// (Ainsworth, Rankin 2012). The bounds hold for every shape that the errors of lengths allow.
+/// Throws InvalidInput like poisson_error, if these errors hide the goal, and if a component has
+/// neither essential nor Robin facets.
 Enclosed goal_interval(const PoissonProblem& problem, const Vector& values, const DenseMatrix& goal,
                        const PoissonErrorOptions& options = {});
 

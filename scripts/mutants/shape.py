@@ -95,6 +95,8 @@ MUTANTS = {
                           "PoissonError.of_L2_is_by_a_constant_a_little_above_the_least"),
     "single_simplices_counted": ("shape/poisson_l2.cpp", "counts[component] > 1", "counts[component] > 0",
                                  "PoissonError.of_separate_simplices_without_given_values_is_that_of_the_rest_of_f"),
+    "goals_of_known_lengths": ("shape/poisson_error.cpp", "energy_share(units.problem.shape) + rounding", "rounding",
+                               "GoalInterval.knows_the_errors_of_lengths"),
     "conditions_of_pieces": ("shape/shape.cpp", "= by_cell.facets[cell]", "= by_cell.facets[f % by_cell.facets.size()]",
                              "PoissonError.of_a_mesh_takes_what_the_solver_takes_also_on_merged_cells"),
     "path_ends_too_soon": ("shape/bisection.cpp", "next >= 0; next = longer_around(1, edge, edge)", "next >= 0; next = -1",
