@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
 #include "shape/measured_simplex.h"
 #include "shape/shape.h"
 
@@ -20,7 +21,7 @@ public:
 
     void bisect(Index simplex);
     bool is_new(Index simplex, int times) const { return generations_[simplex] >= times; }
-    Shape result(const Shape& shape) const;
+    Shape result(const Shape& shape, double error) const;
 
 private:
     /// The half at the first end of the divided edge, the half at its second end, and the simplex
@@ -316,7 +317,7 @@ Pieces Bisection::pieces(const Pieces& of, const std::vector<std::vector<Index>>
     return {std::move(tables), {orientations_.begin(), orientations_.end()}, std::move(names)};
 }
 
-Shape Bisection::result(const Shape& shape) const {
+Shape Bisection::result(const Shape& shape, double error) const {
     const int n = dimension();
     const auto kept = whole();
     Shape result = shape;
@@ -334,19 +335,24 @@ Shape Bisection::result(const Shape& shape) const {
     result.conductivity = of_parents(shape.conductivity, degrees_[n].parents, 1.0);
     result.density = of_parents(shape.density, degrees_[n].parents, 1.0);
     result.length_error = 0;
-    result.metric_error = metric_share(shape) + *std::max_element(errors_.begin(), errors_.end());
+    result.metric_error = error + *std::max_element(errors_.begin(), errors_.end());
     return result;
 }
 
 } // namespace
 
 Shape bisected(const Shape& shape, const std::vector<Index>& simplices) {
+    check(shape);
+    for (const Index s : simplices)
+        check_number("the bisection of simplex", s, 0,
+                     shape.pieces.size(shape.pieces.dimension()) - 1);
+    const double error = metric_share(shape); // throws where there is no simplex of such lengths
     Bisection bisection(shape);
     for (int times = 1; times <= 2; ++times)
         for (const Index s : simplices)
             if (!bisection.is_new(s, times))
                 bisection.bisect(s);
-    return bisection.result(shape);
+    return bisection.result(shape, error);
 }
 
 } // namespace polydec

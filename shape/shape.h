@@ -74,7 +74,8 @@ FlippedShape flipped(const Shape& shape);
 /// above half of the smallest initial angle. Vertices keep their numbers; new ones follow. Facets
 /// and simplices inherit conditions and weights. Branching facets and simplices glued to themselves
 /// are allowed. Uses lengths alone: the median of a triangle is l^2 = (2 b^2 + 2 c^2 - a^2) / 4.
-/// Source: Rivara 1984.
+/// Throws InvalidInput like check, and naming the simplex if it does not exist, has no volume, or
+/// is so flat that errors of lengths hide its shape. Source: Rivara 1984.
 Shape bisected(const Shape& shape, const std::vector<Index>& simplices);
 
 } // namespace polydec

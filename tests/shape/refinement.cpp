@@ -9,6 +9,7 @@
 #include "shape/shape_spectrum.h"
 #include "tests/shape/known_shapes.h"
 #include "tests/support/glued.h"
+#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
@@ -20,6 +21,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace polydec::test::in_refinement {
@@ -193,6 +195,21 @@ TEST(Bisection, of_triangles_glued_to_themselves_keeps_area_and_topology) {
 std::vector<Shape> shapes_without_long_edges(const Mesh& mesh, double longest) {
     const DiscretizeOptions options{.criterion = MergeCriterion::none, .refine = longest};
     return {shape_of(discretize(mesh, options)), shape_of(discretize(length_mesh(mesh), options))};
+}
+
+TEST(Bisection, of_what_is_no_shape_is_refused) {
+    Simplices edges(2, 2), triangle(1, 3); // a triangle with two sides glued
+    edges << 0, 0, 0, 0;
+    triangle << 0, 1, 0;
+    Shape shape{.pieces = Pieces({edges, triangle}, {1}, {0}), .lengths = Vector(2)};
+    shape.lengths << 0.6031, 1.2084;
+    EXPECT_REFUSED(bisected(shape, {0}), "simplex 0", "edge lengths");
+    shape.lengths << 0.6031, -1;
+    EXPECT_REFUSED(bisected(shape, {0}), "-1");
+    const Shape square = unmerged(kuhn(2, 2));
+    for (const Index simplex : {-1, 8, 1'000'000})
+        EXPECT_REFUSED(bisected(square, {0, simplex}), "simplex " + std::to_string(simplex),
+                       "0 to 7");
 }
 
 TEST(Refine, encloses_the_eigenvalues_of_the_same_shape) {
