@@ -329,6 +329,7 @@ Shape Bisection::result(const Shape& shape, double error) const {
     for (const Index facet : kept[n - 1])
         parents.push_back(degrees_[n - 1].parents[facet]);
     auto& [everywhere, facets, coefficients, vertices] = result.conditions;
+    vertices.clear(); // of which none is fixed
     facets = of_parents(facets, parents, BoundaryCondition::natural);
     if (std::ssize(coefficients) == shape.pieces.size(n - 1))
         coefficients = of_parents(coefficients, parents, 1.0);

@@ -4,6 +4,7 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
+#include "shape/gluing.h"
 #include "shape/measured_simplex.h"
 
 #include <fmt/format.h>
@@ -62,13 +63,22 @@ Vector weights_of(const Discretization& mesh, const CellData& weights, const cha
     return result;
 }
 
-/// By the facets of the pieces; those inside of merged cells do not matter.
+/// By the facets and vertices of the pieces; those inside of merged cells do not matter.
 BoundaryConditions conditions_of(const Discretization& mesh, BoundaryConditions conditions) {
-    if (conditions.facets.empty() || mesh.merging().is_identity())
+    if (mesh.merging().is_identity())
+        return conditions;
+    const auto by_cell = conditions;
+    if (const auto& marks = by_cell.fixed_vertices; !marks.empty()) {
+        check_as_many("marks of fixed vertices", std::ssize(marks), mesh.complex().size(0));
+        const auto& carriers = mesh.merging().carriers(0);
+        conditions.fixed_vertices.assign(carriers.size(), false);
+        for (std::size_t v = 0; v < carriers.size(); ++v)
+            conditions.fixed_vertices[v] = carriers[v].dimension == 0 && marks[carriers[v].cell];
+    }
+    if (conditions.facets.empty())
         return conditions;
     robin_coefficients(mesh.complex(), conditions); // throws unless there is one for each
     const int k = mesh.dimension() - 1;
-    const auto by_cell = conditions;
     const auto& carriers = mesh.merging().carriers(k);
     conditions.facets.assign(carriers.size(), BoundaryCondition::natural);
     if (by_cell.coefficients.size() > 1)
@@ -120,6 +130,8 @@ void check(const Shape& shape) {
     check_weights("conductivity", shape.conductivity, pieces.size(n));
     check_weights("density", shape.density, pieces.size(n));
     const auto& fixed = shape.conditions.fixed_vertices;
+    if (!fixed.empty())
+        check_as_many("marks of fixed vertices", std::ssize(fixed), pieces.size(0));
     if (std::find(fixed.begin(), fixed.end(), true) != fixed.end())
         throw InvalidInput("a vertex has a given value, but functions on a shape have no values at "
                            "points: give conditions on facets");
@@ -127,7 +139,7 @@ void check(const Shape& shape) {
         if (!(error >= 0 && error < 0.1))
             throw InvalidInput(fmt::format(
                 "the relative error of lengths is {}: expected a number from 0 to 0.1", error));
-    robin_coefficients(pieces, shape.conditions);
+    facet_sides(shape); // throws for wrong conditions, and where twisted functions branch
 }
 
 } // namespace polydec

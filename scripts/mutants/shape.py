@@ -101,6 +101,8 @@ MUTANTS = {
                              "PoissonError.of_a_mesh_takes_what_the_solver_takes_also_on_merged_cells"),
     "any_simplex_bisected": ("shape/bisection.cpp", "check_number(\"the bisection of simplex\", s, 0,", "check_number(\"the bisection of simplex\", 0, 0,",
                              "Bisection.of_what_is_no_shape_is_refused"),
+    "branching_twisted_functions": ("shape/shape.cpp", "facet_sides(shape); //", "robin_coefficients(pieces, shape.conditions); //",
+                                    "CountBelow.refuses_what_is_no_shape"),
     "path_ends_too_soon": ("shape/bisection.cpp", "next >= 0; next = longer_around(1, edge, edge)", "next >= 0; next = -1",
                            "Bisection.of_solids_keeps_volume_topology_and_shape"),
     "rounded_middles_forgotten": ("shape/shape.cpp", "130 * mesh.dimension()", "0 * mesh.dimension()",

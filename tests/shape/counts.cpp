@@ -123,13 +123,26 @@ TEST(CountBelow, refuses_what_is_no_shape) {
     other = shape;
     other.conditions.fixed_vertices.assign(9, true);
     EXPECT_SAYS(refused(other), "vertex", "facets");
+    other.conditions.fixed_vertices.assign(3, false);
+    EXPECT_REFUSED(check(other), "3 marks of fixed vertices", "9");
+    other.conditions.fixed_vertices.assign(9, false);
+    EXPECT_NO_THROW(check(bisected(other, {0})));
     other = shape;
     other.length_error = 0.5;
     EXPECT_SAYS(refused(other), "0.5", "0.1");
     std::mt19937 random(1);
     other = book(random, 3, 2).shape;
     other.functions = ShapeFunctions::twisted;
-    EXPECT_SAYS(refused(other), "3 simplices", "facet", "twisted");
+    EXPECT_REFUSED(check(other), "3 simplices", "facet", "twisted");
+}
+
+TEST(Shape, of_merged_cells_has_the_marks_of_vertices_of_its_pieces) {
+    const Discretization merged = discretize(grid(3, 3));
+    BoundaryConditions conditions;
+    conditions.fixed_vertices.assign(merged.complex().size(0), false);
+    EXPECT_NO_THROW(shape_of(merged, conditions));
+    conditions.fixed_vertices.pop_back();
+    EXPECT_REFUSED(shape_of(merged, conditions), "15 marks of fixed vertices", "16");
 }
 
 /// Forms say nothing from there on.
