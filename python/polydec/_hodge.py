@@ -16,6 +16,8 @@ from ._conditions import conditions_or_none
 class HodgeParts:
     """A form as the orthogonal sum of an exact, a coexact and a harmonic form.
 
+    The inner product is that of the free values: it differs from that of all cells only where
+    values of dual forms are fixed and the star is a matrix.
     ``potential.d()`` is the exact part; ``copotential.d()`` is the star of the coexact part.
     """
 

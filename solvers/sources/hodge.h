@@ -9,7 +9,8 @@
 namespace polydec {
 
 /// A form as the sum of an exact, a coexact and a harmonic form, orthogonal in the inner product of
-/// its side.
+/// its side on space.inside(). This is the one of all cells, unless the star is a matrix and the
+/// space fixes values of dual forms: the inverse of a part of a matrix is no part of its inverse.
 struct HodgeParts {
     Cochain exact, coexact, harmonic;
     Cochain potential;   ///< on the same side, degree k-1: d potential = exact
