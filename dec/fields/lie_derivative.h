@@ -54,14 +54,16 @@ SparseMatrix lie_derivative(const Discretization& mesh, const Points& field, int
 
 /// The inflow rate of a k-form given outside, for lie_derivative with upwind sampling: size(k) x
 /// size(k), k = 0..n, applied to one outside value per boundary k-simplex; values without inflow do
-/// not matter. Diagonal and >= 0. It is 0 for k = n, since n-forms enter through facets only. In
-/// any degree, prescribed values of i_X a on the (k-1)-simplices with inflow are added as d_(k-1)
-/// of them. Outside, each boundary simplex is assumed to be mirrored. Throws like interior_product.
+/// not matter. Diagonal and >= 0, except for k = 1 after flips, which forms are carried across. It
+/// is 0 for k = n, since n-forms enter through facets only. In any degree, prescribed values of i_X
+/// a on the (k-1)-simplices with inflow are added as d_(k-1) of them. Outside, each boundary
+/// simplex is assumed to be mirrored. Throws like interior_product.
 SparseMatrix inflow(const Discretization& mesh, const Points& field, int k);
 
 /// Interior product and Lie derivative of primal k-forms without matrices: built once per mesh, for
 /// solvers whose field changes at every step. Equal to rounding to interior_product, lie_derivative
-/// and inflow, in linear time and a fraction of theirs; fields and forms are as there.
+/// and, with upwind sampling, inflow, in linear time and a fraction of theirs; fields and forms are
+/// as there. With centered sampling, which takes no values from outside, the inflow is 0.
 /// A handle: copies cost nothing.
 class LieDerivative {
 public:
