@@ -10,7 +10,8 @@ struct StreamlineOptions {
     double spacing = 0;
     /// Maximal length of a line, in spacings.
     double longest = 200;
-    /// Minimal length, in spacings: shorter lines are left out, and their places stay empty.
+    /// Minimal length, in spacings: shorter lines are left out, and their places stay empty. 0:
+    /// none is too short.
     double shortest = 2;
 };
 
@@ -24,7 +25,9 @@ struct StreamlineOptions {
 /// O(simplices log simplices + steps).
 ///
 /// Throws InvalidInput for a wrong number of vectors, one that is not finite (naming its cell),
-/// options that are not positive, flipped edges, and if only lengths are known.
+/// a negative spacing, a longest line of no positive length or shorter than the shortest, a
+/// negative shortest one, options that are not finite, flipped edges, and if only lengths are
+/// known.
 Mesh streamlines(const Discretization& mesh, const DenseMatrix& vectors,
                  StreamlineOptions options = {});
 

@@ -190,6 +190,8 @@ TEST(Streamlines, RefuseWhatTheyCannotFollow) {
     EXPECT_REFUSED(streamlines(mesh, wind.topRows(2)), "2 vectors", "2 coordinates", "6 2-cells");
     EXPECT_REFUSED(streamlines(mesh, wind, {.spacing = -1}), "streamlines", "-1", "200 spacings");
     EXPECT_REFUSED(streamlines(mesh, wind, {.longest = 1}), "streamlines", "2 to 1 spacings");
+    EXPECT_REFUSED(streamlines(mesh, wind, {.shortest = -1}), "streamlines", "-1 to 200 spacings");
+    EXPECT_REFUSED(streamlines(mesh, wind, {.shortest = NAN}), "streamlines", "nan to 200");
     wind(4, 1) = NAN;
     EXPECT_REFUSED(streamlines(mesh, wind), "vector", "2-cell 4", "finite");
 }
