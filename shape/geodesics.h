@@ -62,7 +62,8 @@ public:
     const Vector& distances() const;
 
     /// The distance at a point of a triangle, given by barycentric coordinates with respect to the
-    /// tails of its half-edges: not negative, of sum 1.
+    /// tails of its half-edges. Throws InvalidInput unless the triangle exists and, up to rounding,
+    /// they are not negative and of sum 1.
     double at(Index triangle, const Eigen::Vector3d& coordinates) const;
 
     /// The path from a vertex: straight in every triangle and across edges, along edges where it

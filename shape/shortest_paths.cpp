@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "base/checks.h"
+#include "base/errors.h"
 #include "shape/geodesics.h"
 #include "shape/sources.h"
 #include "shape/windows.h"
+
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +122,11 @@ const Vector& ShortestPaths::distances() const {
 double ShortestPaths::at(Index triangle, const Eigen::Vector3d& coordinates) const {
     const Parts& parts = *parts_;
     check_number("the distance of a point of triangle", triangle, 0, parts.surface.triangles() - 1);
+    constexpr double rounding = 1e-9;
+    if (!(coordinates.minCoeff() >= -rounding && std::abs(coordinates.sum() - 1) <= rounding))
+        throw InvalidInput(fmt::format("the distance of a point of triangle {} at the barycentric "
+                                       "coordinates {}: expected numbers >= 0 whose sum is 1",
+                                       triangle, fmt::join(coordinates, ", ")));
     double nearest = std::numeric_limits<double>::infinity();
     for (Index i = 0; i < 3; ++i) {
         const Index h = 3 * triangle + i;

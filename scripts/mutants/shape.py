@@ -103,6 +103,8 @@ MUTANTS = {
                              "Bisection.of_what_is_no_shape_is_refused"),
     "branching_twisted_functions": ("shape/shape.cpp", "facet_sides(shape); //", "robin_coefficients(pieces, shape.conditions); //",
                                     "CountBelow.refuses_what_is_no_shape"),
+    "places_outside_of_triangles": ("shape/shortest_paths.cpp", "coordinates.minCoeff() >= -rounding", "coordinates.size() == 3",
+                                    "ShortestPaths.from_vertices_and_at_places_that_are_none_are_refused"),
     "path_ends_too_soon": ("shape/bisection.cpp", "next >= 0; next = longer_around(1, edge, edge)", "next >= 0; next = -1",
                            "Bisection.of_solids_keeps_volume_topology_and_shape"),
     "rounded_middles_forgotten": ("shape/shape.cpp", "130 * mesh.dimension()", "0 * mesh.dimension()",

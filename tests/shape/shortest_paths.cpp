@@ -5,6 +5,7 @@
 #include "shape/geodesics.h"
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"
+#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -148,12 +149,17 @@ TEST(ShortestPaths, over_a_cube_cross_an_edge_in_its_middle_and_diagonals_in_thi
     }
 }
 
-TEST(ShortestPaths, from_vertices_that_are_none_are_refused) {
+TEST(ShortestPaths, from_vertices_and_at_places_that_are_none_are_refused) {
     const MeasuredSurface shape = measured(cube(1));
     const ShortestPaths paths(shape.surface, shape.lengths, std::vector<Index>{0});
     EXPECT_THROW(paths.from(8), InvalidInput);
     EXPECT_THROW(paths.from(-1), InvalidInput);
     EXPECT_THROW(paths.at(12, {1, 0, 0}), InvalidInput);
+    EXPECT_REFUSED(paths.at(3, {std::nan(""), 1, 0}), "triangle 3", "nan, 1, 0", "sum is 1");
+    EXPECT_REFUSED(paths.at(3, {1, 0, std::nan("")}), "1, 0, nan");
+    EXPECT_REFUSED(paths.at(3, {-1, 1, 1}), "-1, 1, 1");
+    EXPECT_REFUSED(paths.at(3, {0.5, 0.5, 0.5}), "0.5, 0.5, 0.5");
+    EXPECT_NO_THROW(paths.at(3, {1 + 1e-15, 0, -1e-15}));
 }
 
 } // namespace
