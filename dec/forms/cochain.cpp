@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/cochain.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "base/exponent.h"
 #include "dec/forms/laplacian.h"
@@ -78,6 +79,7 @@ SparseMatrix derivative(const CellComplex& complex, int k) {
 }
 
 SparseMatrix dual_derivative(const CellComplex& complex, int j) {
+    check_number("the derivative of dual forms of degree", j, -1, complex.dimension());
     const int k = complex.dimension() - j - 1;
     return dual_sign(k) * SparseMatrix(derivative(complex, k).transpose());
 }

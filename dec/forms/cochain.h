@@ -18,7 +18,7 @@ inline const char* name(Side side) {
 SparseMatrix derivative(const CellComplex& complex, int k);
 
 /// Exterior derivative of dual j-forms, which live on the (n-j)-cells, to dual (j+1)-forms:
-/// (-1)^(k+1) d_k^T with k = n-j-1, size(k) x size(k+1).
+/// (-1)^(k+1) d_k^T with k = n-j-1, size(k) x size(k+1). j = -1..n, like k.
 SparseMatrix dual_derivative(const CellComplex& complex, int j);
 
 /// A discrete k-form: its integral over each oriented k-cell, primal or dual. The dual k-cells are

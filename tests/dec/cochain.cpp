@@ -167,6 +167,8 @@ TEST(CochainErrors, name_side_degree_and_sizes) {
                    "16 2-cells");
     EXPECT_REFUSED(star({P, m.volumes}, Cochain{Side::dual, 3, {}}), "dual forms", "degree 3",
                    "dimension 2", "0", "2");
+    EXPECT_REFUSED(dual_derivative(P, 7), "dual forms of degree 7", "-1 to 2");
+    EXPECT_EQ(dual_derivative(P, -1).cols(), 0);
     EXPECT_REFUSED(pairing({Side::primal, 1, Vector::Zero(40)}, {Side::dual, 1, Vector::Zero(40)}),
                    "dual 1-chain", "40 values", "primal 1-form", "40 values");
     const Cochain vertices{Side::primal, 0, Vector::Zero(25)},
