@@ -211,7 +211,7 @@ double change_of_goal(const PoissonForms& forms, const PoissonProblem& problem,
                  of_goal = load_of_any_signs(forms, goal, {}),
                  on_u = forms.load(forms.local(goal.cwiseAbs(), {}), u.cwiseAbs()),
                  size = std::sqrt(std::max(forms.energy(u, u), 0.0)) + error;
-    return share * (on_u + of_goal * (error + (1 + 2 * share * (1 + share)) * (of_f + size)));
+    return share * (on_u + of_goal * (error + (1 + 2 * share / (1 - share)) * (of_f + size)));
 }
 
 } // namespace
