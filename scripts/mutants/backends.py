@@ -26,4 +26,8 @@ MUTANTS = {
     "inertia_hidden": ("backends/spectra/inertia.cpp", "return *negative - matrices_.hidden;",
                        "return *negative - matrices_.hidden + 1;",
                        "PeriodicBox.has_the_eigenvalues_of_plane_waves"),
+    "parts_without_rows": ("backends/spectra/scaled_pencil.cpp", "if (part.F.rows() > 0)", "if (part.F.rows() >= 0)",
+                           "SpectraByStars.exist_where_no_cell_below_is_free"),
+    "not_finite_is_a_value": ("base/checks.cpp", "if (!std::isfinite(values[i]))", "if (values[i] > 1e300)",
+                              "LevelSets.SayWhatTheyCannotCut"),
 }

@@ -113,4 +113,6 @@ MUTANTS = {
                                     "Adaptive.fills_the_most_triangles_and_warns"),
     "corners_stretch": ("shape/unfolded_triangles.cpp", "twice_scalar_product(a, b, c) / (2", "(c * c + (b - a) * (b + a)) / (2",
                         "ExactDistance.is_no_longer_than_ways_along_edges_where_all_triangles_are_needles"),
+    "l2_constant_too_large": ("shape/poisson_l2.cpp", "1.01 * estimate", "1.1 * estimate",
+                              "PoissonError.of_L2_is_by_a_constant_a_little_above_the_least"),
 }

@@ -143,4 +143,8 @@ MUTANTS = {
                                "gradient.dot(hats[i]) / (2 * gradient.norm())",
                                "gradient.dot(hats[i]) / gradient.norm()",
                                "GeodesicDistance.of_a_bundle_is_that_of_its_triangles_before_or_after_flips"),
+    "growth_by_rounding": ("solvers/time/diffusion.cpp", "epsilon() * largest_", "epsilon()",
+                           "evolution.diffusion_goes_on_for_any_time"),
+    "losses_beyond_steps": ("solvers/time/waves.cpp", "* time_step() > 2)", "* time_step() > 4)",
+                            "WavesWithLosses.warn_of_rates_that_steps_do_not_follow"),
 }
