@@ -57,7 +57,7 @@ std::string reason_for_none(const Discretization& mesh, Index tag) {
         return "its facets lost their groups when edges were flipped; omit "
                "DiscretizeOptions::delaunay";
     return "merging joined each of its facets to facets of other groups, or lost it inside a cell; "
-           "use MergeCriterion::none, or for facets inside, Materials::keep_apart";
+           "use Materials::keep_apart, or MergeCriterion::none";
 }
 
 std::vector<Index> numbers_of(const std::vector<bool>& marks) {

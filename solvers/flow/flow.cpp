@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "base/exponent.h"
 
 #include <fmt/format.h>
 
@@ -81,13 +82,18 @@ std::optional<Fingerprint> Flow::fingerprint() const {
 Vector Flow::midpoint(const Vector& w) const {
     const Vector momentum = equations_.momentum(w);
     Vector middle = w;
+    constexpr int most_growth = 400; // squares of more soon leave the range
     double change = 0;
-    for (int pass = 0; pass < steps_.most_passes && std::isfinite(change); ++pass) {
+    int first = exponent_of(w);
+    for (int pass = 0; pass < steps_.most_passes && exponent_of(middle) - first < most_growth;
+         ++pass) {
         const Vector next =
             implicit_.solve(momentum + steps_.time_step / 2 * equations_.inertia(middle)).flux;
         const Vector by = next - middle;
         change = by.isZero(0) ? 0 : std::sqrt(equations_.ratio_of_energies(by, next));
         middle = next;
+        if (pass == 0)
+            first = exponent_of(middle);
         if (change <= steps_.tolerance)
             return 2 * middle - w;
     }

@@ -130,7 +130,7 @@ TEST(Ply, OfEdgesAloneIsACurve) {
               (Cells{{0, 1}, {1, 2}}));
     EXPECT_EQ(rows(read_from("a.ply", text(edges + face, "0 1 9\n1 2 9\n3 0 1 2\n")).simplices),
               (Cells{{0, 1, 2}}));
-    EXPECT_UNREADABLE("a.ply", text(edges, "0 1 9\n1 3 9\n"), "a.ply:12", "edge 1",
+    EXPECT_UNREADABLE("a.ply", text(edges, "0 1 9\n1 3 9\n"), "a.ply:15", "edge 1",
                       "vertex number 3", "0", "2");
 }
 
