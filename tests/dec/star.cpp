@@ -169,10 +169,12 @@ TEST(StarErrors, matrices_fit_their_cells_and_are_symmetric_and_definite) {
                    "symmetric");
     M.coeffRef(1, 0) = 0.5;
     EXPECT_NO_THROW(HodgeStar(volumes, 1, M));
-    M.coeffRef(0, 0) = std::nan("");
-    EXPECT_THROW(HodgeStar(volumes, 1, M), InvalidInput);
-    M.coeffRef(0, 0) = -1;
-    EXPECT_THROW(HodgeStar(volumes, 1, M), InvalidInput);
+    for (const double entry : {std::nan(""), -1.0, 0.0}) {
+        M.coeffRef(0, 0) = entry;
+        const auto on_diagonal = fmt::format("entry 0 on the diagonal is {}", entry);
+        EXPECT_REFUSED(HodgeStar(volumes, 1, M), "star", "1-cells", on_diagonal, "definite");
+        EXPECT_REFUSED(HodgeStars(volumes).with(1, M), on_diagonal);
+    }
     M.coeffRef(0, 0) = 0.01; // indefinite with the entries beside it
     EXPECT_REFUSED(HodgeStar(volumes, 1, M).solve(x), "star", "1-cells", "1 negative");
 }
