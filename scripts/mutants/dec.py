@@ -2,6 +2,10 @@
 """Flaws of dec/; see mutate.py."""
 
 MUTANTS = {
+    "diagonals_of_any_sign": ("dec/stars/star.cpp", "!(entry > 0)", "entry != entry",
+                              "StarErrors.matrices_fit_their_cells_and_are_symmetric_and_definite"),
+    "degrees_without_digits": ("dec/fields/quadrature.cpp", "rounding_share(k, lower) <= 1e-9", "rounding_share(k, lower) <= 1e-4",
+                               "Quadrature.of_high_degree_integrates_constants_or_is_refused"),
     "dual_derivative_sign": ("dec/forms/cochain.cpp", "k % 2 == 0 ? -1 : 1", "k % 2 == 0 ? 1 : -1",
                              "GluedBox.has_the_theorem_of_stokes"),
     "star_solve_multiplies": ("dec/stars/star.cpp", "return inverse().cwiseProduct(values);",

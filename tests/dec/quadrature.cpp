@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace polydec::test::in_quadrature {
 namespace {
@@ -62,6 +63,17 @@ TEST(QuadratureBroken, beyond_its_degree_is_not_exact) {
             EXPECT_GT(largest_error(rule, degree + 1), 1e-7) << "k = " << k << ", " << degree;
             EXPECT_GT(largest_error(rule, degree + 2), 1e-7) << "k = " << k << ", " << degree;
         }
+}
+
+TEST(Quadrature, of_high_degree_integrates_constants_or_is_refused) {
+    EXPECT_NEAR(grundmann_moeller(1, 41).weights.sum(), 1, 1e-8);
+    EXPECT_REFUSED(grundmann_moeller(1, 42), "degree 42", "dimension 1", "at most 41");
+    for (int k = 1; k <= 4; ++k) {
+        EXPECT_NEAR(grundmann_moeller(k, 37).weights.sum(), 1, 1e-8) << k;
+        for (const int degree : {200, 1'000'000})
+            EXPECT_REFUSED(grundmann_moeller(k, degree), "degree " + std::to_string(degree),
+                           "weights cancel", "at most");
+    }
 }
 
 TEST(Quadrature, refuses_negative_numbers) {
