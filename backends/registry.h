@@ -44,7 +44,6 @@ std::unique_ptr<Integrator> make_integrator(const std::string& name,
                                             const IntegratorOptions& options = {});
 
 /// Registers an engine under a name; the registry sets `available`. Throws InvalidInput if the name
-/// Registers an engine under a name; the registry sets `available`. Throws InvalidInput if the name
 /// is empty or taken, or the factory is empty. By its name alone, an engine must be new: it does
 /// not take the place of one that a module may bring.
 void register_linear_solver(const EngineInfo& info, LinearSolverFactory factory);

@@ -79,7 +79,13 @@ TEST(registry, names_are_taken_once) {
     const auto factory = adapt<DenseLu>("registry.lu");
     register_linear_solver("registry.lu", factory);
     EXPECT_REFUSED(register_linear_solver("registry.lu", factory), "engine", "registry.lu",
-                   "known");
+                   "known already");
+    // those that a module may bring, there or not
+    EXPECT_REFUSED(register_linear_solver("mumps", factory), "mumps", "known already");
+    EXPECT_REFUSED(register_eigen_solver("slepc", [] { return nullptr; }), "slepc",
+                   "known already");
+    EXPECT_REFUSED(register_integrator("cvode", [](const IntegratorOptions&) { return nullptr; }),
+                   "cvode", "known already");
     EXPECT_THROW(register_linear_solver("auto", factory), InvalidInput);
     EXPECT_THROW(register_linear_solver("", factory), InvalidInput);
     EXPECT_THROW(register_linear_solver("registry.empty", {}), InvalidInput);
