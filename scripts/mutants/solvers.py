@@ -2,6 +2,8 @@
 """Flaws of solvers/; see mutate.py."""
 
 MUTANTS = {
+    "gravity_of_any_sign": ("solvers/flow/shallow_water.cpp", "!(options.gravity > 0)", "options.gravity == 0",
+                            "ShallowWaterErrors.name_the_number_that_is_none"),
     "essential_data_cut_off": ("solvers/sources/form_equations.cpp",
                                "left_out[k + 1][cell] && !fixed[k + 1][cell];",
                                "left_out[k + 1][cell];",

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace polydec::test::in_incompressible_flow {
 namespace {
 
@@ -230,6 +232,11 @@ TEST(FlowErrors, name_what_is_wrong) {
     const Vector w = some_flow(flow, 1);
     EXPECT_REFUSED(Flow(flow, w, {.time_step = 0}), "time step is 0");
     EXPECT_REFUSED(Flow(flow, Vector(3), {.time_step = 1}), "3 fluxes");
+    Vector broken = w;
+    broken[7] = std::nan("");
+    EXPECT_REFUSED(flow.divergence(broken), "fluxes", "value 7 is nan");
+    EXPECT_REFUSED(flow.exchange_time(broken), "fluxes", "value 7 is nan");
+    EXPECT_REFUSED(flow.project(broken), "fluxes", "value 7 is nan");
     Flow rash(flow, w, {.time_step = 50 * flow.exchange_time(w)});
     EXPECT_THROW(rash.advance(), SolverFailure);
     EXPECT_EQ(rash.flux(), w);

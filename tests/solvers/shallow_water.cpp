@@ -8,6 +8,7 @@
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -142,6 +143,23 @@ TEST(ShallowWaterErrors, name_the_cell_and_the_dimension) {
                    "0");
     EXPECT_REFUSED(ShallowWater{circumcentric(kuhn(3, 1))}, "shallow water", "dimension 3",
                    "surface");
+}
+
+TEST(ShallowWaterErrors, name_the_number_that_is_none) {
+    const auto mesh = circumcentric(grid(2, 2));
+    const double nan = std::nan(""), infinite = INFINITY;
+    for (const double gravity : {nan, -1.0, 0.0, infinite})
+        EXPECT_REFUSED((ShallowWater{mesh, {.gravity = gravity}}), "gravity",
+                       fmt::format("{}", gravity));
+    EXPECT_REFUSED((ShallowWater{mesh, {.rotation = Vector::Constant(9, nan)}}), "frame",
+                   "value 0 is nan");
+    EXPECT_REFUSED((ShallowWater{mesh, {.bottom = Vector{{0, 0, infinite, 0}}}}), "bottom",
+                   "value 2 is inf");
+    const ShallowWater water(mesh);
+    EXPECT_REFUSED(water.rate({Vector{{1, infinite, 1, 1}}, Vector::Zero(12)}), "depth", "cell 1",
+                   "inf");
+    EXPECT_REFUSED(water.rate({Vector::Ones(4), Vector::Constant(12, nan)}), "fluxes",
+                   "value 0 is nan");
 }
 
 } // namespace
