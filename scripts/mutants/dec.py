@@ -2,7 +2,7 @@
 """Flaws of dec/; see mutate.py."""
 
 MUTANTS = {
-    "diagonals_of_any_sign": ("dec/stars/star.cpp", "!(entry > 0)", "entry != entry",
+    "diagonals_of_any_sign": ("dec/stars/star.cpp", "!(diagonal[cell] > 0)", "diagonal[cell] < 0",
                               "StarErrors.matrices_fit_their_cells_and_are_symmetric_and_definite"),
     "degrees_without_digits": ("dec/fields/quadrature.cpp", "rounding_share(k, lower) <= 1e-9", "rounding_share(k, lower) <= 1e-4",
                                "Quadrature.of_high_degree_integrates_constants_or_is_refused"),

@@ -211,8 +211,8 @@ TEST(FacetTags, pieces_of_different_groups_have_none_together) {
     EXPECT_EACH_SAYS(result.warnings(),
                      {std::to_string(zeros), "merged facets", "groups", "tag", "0"});
     EXPECT_EQ(std::ssize(result.facet_groups()), complex.size(2));
-    EXPECT_REFUSED(facets_in(result, {"5"}), "group 5", "merging", "MergeCriterion::none",
-                   "Materials::keep_apart");
+    EXPECT_REFUSED(facets_in(result, {"5"}), "group 5", "merging", "Materials::keep_apart",
+                   "MergeCriterion::none");
     EXPECT_REFUSED(facets_in(result, {"1000"}), "group 1000", "no merged facet");
     mesh.facet_tags.tags.assign(mesh.facet_tags.tags.size(), 4);
     const auto one = discretize(mesh);

@@ -25,7 +25,7 @@ Vector slopes(const Discretization& mesh, double size) {
 
 /// Robin's condition, which n-forms do not have.
 BoundaryConditions leaky(const Discretization& mesh, int degree, double size) {
-    return degree < mesh.dimension() ? robin(1.5 / size) : BoundaryCondition::natural;
+    return degree < mesh.dimension() ? robin(1.5 / size) : BoundaryCondition::essential;
 }
 
 TEST(InputUnits, are_those_of_heat) {

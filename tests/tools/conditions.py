@@ -178,7 +178,7 @@ class Conditions(TestCase):
             seen.add(plane)
         mesh = self.write("cube.mesh", medit(corners, Triangles=facets, Tetrahedra=solids))
         ask = ("poisson", mesh, "--rhs", 1, "--side", "primal", "--essential-on", 5)
-        self.assertSays(self.fail_with(2, *ask), "group 5", "merging", "--no-merge", "--keep-groups")
+        self.assertSays(self.fail_with(2, *ask), "group 5", "merging", "--keep-groups", "--no-merge")
         self.succeed(*ask, "--no-merge")
         self.assertSays(self.fail_with(2, *ask[:-1], 7, "--no-merge"), "group 7", "5 (6 facets)")
 

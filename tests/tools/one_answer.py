@@ -149,7 +149,11 @@ def wave(mesh, *words, degree, essential):
         run = polydec.Waves(mesh, start, degree=degree, time_step=until / steps,
                             essential=essential)
         run.march(until)
-        return {**extremes(run.forms[0]), "energy": run.energy}, max(np.abs(start).max(), run.energy)
+        try:
+            energy = run.energy
+        except polydec.InvalidInput:  # out of range
+            return {**extremes(run.forms[0]), "energy": None}, np.abs(start).max()
+        return {**extremes(run.forms[0]), "energy": energy}, max(np.abs(start).max(), energy)
 
     return Question([*words, "--initial", texts(mesh.points.shape[1])[degree], *in_time(until)],
                     ["min", "max", "energy"], python)
