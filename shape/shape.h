@@ -49,9 +49,9 @@ Shape top_forms(const Shape& shape);
 
 /// Throws InvalidInput, naming the fault and the edge, simplex or facet, unless there is one
 /// positive length per edge, one positive weight per simplex, one condition for all facets or one
-/// per facet, and every Robin coefficient is positive. Also throws for twisted functions if more
-/// than two simplices meet at a facet, and for fixed vertices (of which there may be marks, all
-/// false): in dimension 2 and above, points have no capacity.
+/// per facet, no mark or one mark per vertex, and every Robin coefficient is positive. Also throws
+/// for twisted functions if more than two simplices meet at a facet, and if a vertex is fixed: in
+/// dimension 2 and above, points have no capacity.
 void check(const Shape& shape);
 
 /// The number of zero eigenvalues: components, connected through facets, without essential or Robin
