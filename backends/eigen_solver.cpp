@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/eigen_solver.h"
 
+#include "base/checks.h"
 #include "base/random.h"
 #include "system/memory.h"
 
@@ -22,9 +23,7 @@ void check(const std::string& name, const SymmetricOperator& A, Index count,
     if (count < 0 || count > A.size)
         throw InvalidInput(fmt::format("{}: {} eigenpairs requested, but the operator has size {}",
                                        name, count, A.size));
-    if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance))
-        throw InvalidInput(
-            fmt::format("{}: the tolerance {} is not positive", name, options.tolerance));
+    check_positive(fmt::format("{}: the tolerance", name), options.tolerance);
     if (options.krylov_dimension < 0 || options.max_restarts < 0)
         throw InvalidInput(fmt::format("{}: Krylov dimension {} and restarts {} must not be "
                                        "negative",

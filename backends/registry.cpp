@@ -3,6 +3,7 @@
 
 #include "backends/builtin_engines.h"
 #include "backends/engine_folder.h"
+#include "base/checks.h"
 #include "base/did_you_mean.h"
 #include "base/errors.h"
 #include "system/child_process.h"
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -241,9 +241,7 @@ EngineInfo tetgen() {
 }
 
 void check(const LinearSolverOptions& options) {
-    if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance))
-        throw InvalidInput(
-            fmt::format("linear solver: the tolerance {} is not positive", options.tolerance));
+    check_positive("linear solver: the tolerance", options.tolerance);
     if (options.max_iterations < 0 || options.blas_threads < 0)
         throw InvalidInput(fmt::format(
             "linear solver: {} iterations on {} threads: expected numbers of at least 0",

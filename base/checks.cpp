@@ -17,6 +17,17 @@ void refuse_number(std::string_view what, std::int64_t number, std::int64_t leas
         fmt::format("{} {} is out of range: expected {} to {}", what, number, least, most));
 }
 
+void check_positive(std::string_view what, double value) {
+    if (!(value > 0) || !std::isfinite(value))
+        throw InvalidInput(fmt::format("{} is {}: expected a finite number above 0", what, value));
+}
+
+void check_not_negative(std::string_view what, double value) {
+    if (!(value >= 0) || !std::isfinite(value))
+        throw InvalidInput(
+            fmt::format("{} is {}: expected a finite number of at least 0", what, value));
+}
+
 void check_as_many(std::string_view what, std::int64_t given, std::int64_t expected) {
     if (given != expected)
         throw InvalidInput(fmt::format("{} {} are given: expected {}", given, what, expected));

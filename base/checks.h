@@ -19,6 +19,10 @@ inline void check_number(std::string_view what, std::int64_t number, std::int64_
         refuse_number(what, number, least, most);
 }
 
+/// Throw InvalidInput, naming `what`, unless the value is finite, and above 0 or at least 0.
+void check_positive(std::string_view what, double value);
+void check_not_negative(std::string_view what, double value);
+
 /// Throws InvalidInput, naming `what`, unless the number of values given is the expected one.
 void check_as_many(std::string_view what, std::int64_t given, std::int64_t expected);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate_parts.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "system/memory.h"
 
@@ -20,9 +21,7 @@ void check_count(std::string_view generator, std::string_view name, std::int64_t
 }
 
 void check_length(std::string_view generator, std::string_view name, double value) {
-    if (!(value > 0.0) || !std::isfinite(value))
-        throw InvalidInput(
-            fmt::format("{}: {} = {} is not positive and finite", generator, name, value));
+    check_positive(fmt::format("{}: {}", generator, name), value);
 }
 
 void check_sizes(std::string_view generator, double vertices, double cells, int n) {

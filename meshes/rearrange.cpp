@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/rearrange.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "base/random.h"
 
@@ -16,9 +17,7 @@
 namespace polydec {
 
 Mesh perturbed(Mesh mesh, double amplitude, std::uint64_t seed) {
-    if (!(amplitude >= 0.0) || !std::isfinite(amplitude))
-        throw InvalidInput(fmt::format(
-            "perturbed: amplitude = {}: expected a finite number of at least 0", amplitude));
+    check_not_negative("perturbed: the amplitude", amplitude);
     Random random(seed);
     for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
         for (Eigen::Index k = 0; k < mesh.points.cols(); ++k)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/refine.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "base/lists.h"
 #include "meshes/edges.h"
@@ -105,9 +106,7 @@ public:
           of_vertices_(mesh.vertices),
           of_corners_(static_cast<Index>(vertices.size())),
           vertices_(std::move(vertices)) {
-        if (!(longest > 0) || !std::isfinite(longest))
-            throw InvalidInput(fmt::format(
-                "the length of edges is at most {:g}: expected a positive number", longest));
+        check_positive("the largest length of edges", longest);
         for (Index e = 0; e < mesh.edges.rows(); ++e)
             squares_[key(mesh.edges(e, 0), mesh.edges(e, 1))] =
                 std::pow(mesh.lengths[e] / unit_, 2);

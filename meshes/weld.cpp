@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/weld.h"
 
+#include "base/checks.h"
 #include "base/decompositions.h"
-#include "base/errors.h"
 #include "base/listed.h"
 #include "base/lists.h"
 #include "meshes/edges.h"
@@ -276,10 +276,7 @@ private:
 };
 
 double checked_length(double length) {
-    if (!(length >= 0) || !std::isfinite(length))
-        throw InvalidInput(fmt::format("the length within which vertices are joined is {}: "
-                                       "expected a finite number of at least 0",
-                                       length));
+    check_not_negative("the length within which vertices are joined", length);
     return length;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/integrator.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -11,12 +12,6 @@
 namespace polydec {
 
 namespace {
-
-void check_option(const std::string& engine, const char* option, double value, bool may_be_zero) {
-    if (!std::isfinite(value) || value < 0 || (value == 0 && !may_be_zero))
-        throw InvalidInput(fmt::format("{}: {} is {}: expected a finite number {} 0", engine,
-                                       option, value, may_be_zero ? "of at least" : "above"));
-}
 
 Eigen::Index first_not_finite(const Vector& values) {
     Eigen::Index i = 0;
@@ -30,11 +25,11 @@ Eigen::Index first_not_finite(const Vector& values) {
 Integrator::Integrator(const std::string& name, const IntegratorOptions& options)
     : options_(options) {
     report_.engine = name;
-    check_option(name, "relative_tolerance", options.relative_tolerance, true);
-    check_option(name, "absolute_tolerance", options.absolute_tolerance, false);
-    check_option(name, "first_step", options.first_step, true);
-    check_option(name, "largest_step", options.largest_step, true);
-    check_option(name, "fixed_step", options.fixed_step, true);
+    check_not_negative(name + ": relative_tolerance", options.relative_tolerance);
+    check_positive(name + ": absolute_tolerance", options.absolute_tolerance);
+    check_not_negative(name + ": first_step", options.first_step);
+    check_not_negative(name + ": largest_step", options.largest_step);
+    check_not_negative(name + ": fixed_step", options.fixed_step);
     if (options.most_steps < 1)
         throw InvalidInput(
             fmt::format("{}: most_steps is {}: expected at least 1", name, options.most_steps));

@@ -2,7 +2,6 @@
 #include "dec/merging/merge.h"
 
 #include "base/checks.h"
-#include "base/errors.h"
 #include "complex/blocks.h"
 #include "complex/components.h"
 #include "complex/sides.h"
@@ -148,10 +147,7 @@ std::vector<bool> flat_in_cells(const Pieces& complex, const std::vector<bool>& 
 
 CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOptions& options,
                                      const CellMarks& stays) {
-    if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
-        throw InvalidInput(fmt::format("the merge tolerance is {}: expected a number >= 0, such as "
-                                       "1e-4",
-                                       options.tolerance));
+    check_not_negative("the merge tolerance", options.tolerance);
     const Pieces& complex = geometry.pieces();
     const int n = complex.dimension();
     if (!stays.empty())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
 #include "base/errors.h"
 #include "io/pictures/draw_structure.h"
 #include "io/pictures/structure_style.h"
@@ -95,9 +96,7 @@ std::vector<SvgDrawing> draw_both(const Discretization& mesh, StructureOptions o
 } // namespace
 
 SvgDrawing draw_lesson(const Discretization& mesh, const LessonOptions& options) {
-    if (!(options.explode >= 0) || !std::isfinite(options.explode))
-        throw InvalidInput(fmt::format("cells move apart by {}: expected a number of at least 0",
-                                       options.explode));
+    check_not_negative("how far cells move apart", options.explode);
     if (options.explode > 0 && mesh.dimension() != 3)
         throw InvalidInput(fmt::format("only the cells of a solid move apart, and this mesh has "
                                        "dimension {}: leave 'explode' out",

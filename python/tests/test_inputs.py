@@ -352,5 +352,5 @@ def test_refined_meshes_have_short_edges_and_values_for_each_cell(by_lengths):
     assert fine.volumes(1).max() <= 0.3 * (1 + 1e-11) and fine.size(2) == 64
     assert np.isclose(fine.volumes(2).sum(), 1)
     assert fine.with_conductivity([1, 2], "primal").size(2) == 64
-    refused(mesh, "positive", refine=0)
+    refused(mesh, "above 0", refine=0)
     refused(mesh, "at least", "1e+08", refine=1e-7)

@@ -79,9 +79,7 @@ struct ShallowWater::Parts {
             options.bottom = Vector::Zero(areas.size());
         check_values("vorticities of the frame", options.rotation, vertex_areas.size());
         check_values("heights of the bottom", options.bottom, areas.size());
-        if (!(options.gravity > 0) || !std::isfinite(options.gravity))
-            throw InvalidInput(
-                fmt::format("gravity is {}: expected a number above 0", options.gravity));
+        check_positive("gravity", options.gravity);
         options.gravity = in_unit(Vector::Constant(1, options.gravity), 2, "gravity")[0];
     }
 

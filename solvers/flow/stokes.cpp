@@ -12,18 +12,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 namespace polydec {
 
 namespace {
-
-void check_viscosity(double viscosity) {
-    if (!(viscosity > 0) || !std::isfinite(viscosity))
-        throw InvalidInput(
-            fmt::format("the viscosity is {}: expected a finite number above 0", viscosity));
-}
 
 /// Throws InvalidInput if there are flows without vorticity, divergence and pressure: those around
 /// holes and between facets with known pressure, which a wall without slip holds back.
@@ -98,7 +91,7 @@ struct StokesSolver::System {
     std::unique_ptr<SaddleSolver> solver;
 
     System(const Cells& on, const StokesOptions& options)
-        : cells((check_viscosity(options.viscosity), on)),
+        : cells((check_positive("the viscosity", options.viscosity), on)),
           n(cells.dimension()),
           viscosity(in_unit(Vector::Constant(1, options.viscosity), 2, "viscosity")[0]),
           spaces(cells, options.everywhere, options.facets),

@@ -2,14 +2,10 @@
 #include "solvers/sources/form_equations.h"
 
 #include "base/checks.h"
-#include "base/errors.h"
 #include "dec/boundary/boundary_conditions.h"
 #include "dec/forms/cochain.h"
 #include "dec/forms/gram.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <vector>
 
 namespace polydec {
@@ -94,10 +90,7 @@ PrimalData primal_data(const BoundaryForms& data, const FormEquations& of) {
         const auto size = degree == k ? of.M.rows() : of.M_below.rows();
         if (given.size() == 0)
             return Vector(Vector::Zero(size));
-        check_as_many(what, given.size(), size);
-        for (Index i = 0; i < given.size(); ++i)
-            if (!std::isfinite(given[i]))
-                throw InvalidInput(fmt::format("{}: value {} is {}", what, i, given[i]));
+        check_values(what, given, size);
         return Vector(factor * given);
     };
     constexpr auto trace = "boundary values of the form",

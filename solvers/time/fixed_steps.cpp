@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
 #include "base/errors.h"
 #include "solvers/time/diffusion.h"
 
@@ -17,9 +18,7 @@ constexpr double most = 1e15; // steps
 
 FixedSteps::FixedSteps(double time_step, std::vector<Vector> state)
     : time_step_(time_step), state_(std::move(state)) {
-    if (!(time_step > 0) || !std::isfinite(time_step))
-        throw InvalidInput(
-            fmt::format("the time step is {}: expected a finite number above 0", time_step));
+    check_positive("the time step", time_step);
 }
 
 void FixedSteps::advance(std::int64_t steps, const TimeListener& progress) {

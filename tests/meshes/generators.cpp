@@ -195,8 +195,8 @@ TEST(Generators, refuse_wrong_arguments_by_name_and_range) {
     const auto most = std::numeric_limits<int>::max();
     EXPECT_REFUSED(grid(0, 1), "grid", "nx", "0", "1", "2147483647");
     EXPECT_REFUSED(grid(1, -3), "grid", "ny", "-3", "1", "2147483647");
-    EXPECT_REFUSED(grid(1, 1, 0.0), "grid", "width", "0", "positive");
-    EXPECT_REFUSED(grid(1, 1, 1.0, infinity), "grid", "height", "inf", "positive");
+    EXPECT_REFUSED(grid(1, 1, 0.0), "grid", "width", "0", "above 0");
+    EXPECT_REFUSED(grid(1, 1, 1.0, infinity), "grid", "height", "inf", "above 0");
     EXPECT_REFUSED(grid(100000, 100000), "grid", "1.00002e+10 vertices", "2^31 - 1");
     EXPECT_REFUSED(hexagons(1), "hexagons", "columns", "1", "2", "1000000000");
     EXPECT_REFUSED(hexagons(1000000000), "hexagons", "2.309401079e+18 vertices", "2^31 - 1");
@@ -222,14 +222,14 @@ TEST(Generators, refuse_wrong_arguments_by_name_and_range) {
     EXPECT_REFUSED(kuhn(3, 0), "kuhn", "cells_per_side", "0", "1", "2147483647");
     EXPECT_REFUSED(kuhn({2, 0}), "kuhn", "cells[1]", "0", "1", "2147483647");
     EXPECT_REFUSED(kuhn({2, 2}, {1.0}), "kuhn", "1 lengths", "2 axes");
-    EXPECT_REFUSED(kuhn({2, 2}, {1.0, -1.0}), "kuhn", "lengths[1]", "-1", "positive");
+    EXPECT_REFUSED(kuhn({2, 2}, {1.0, -1.0}), "kuhn", "lengths[1]", "-1", "above 0");
     EXPECT_REFUSED(kuhn(1, most), "kuhn", "2147483648 vertices", "2^31 - 1");
     EXPECT_REFUSED(bcc(0), "bcc", "cells", "0", "1", "2147483647");
     EXPECT_REFUSED(bcc(600), "bcc", "2592000000 cells", "2^31 - 1");
     EXPECT_REFUSED(bcc({2, 2}), "bcc", "2 counts", "3 axes");
     EXPECT_REFUSED(bcc({2, 2, 0}), "bcc", "cells[2]", "0", "1", "2147483647");
-    EXPECT_REFUSED(fcc({1, 1, 1}, -2.0), "fcc", "edge", "-2", "positive");
-    EXPECT_REFUSED(bcc({1, 4, 1}, 1e308), "bcc", "cells[1] * edge", "inf", "positive");
+    EXPECT_REFUSED(fcc({1, 1, 1}, -2.0), "fcc", "edge", "-2", "above 0");
+    EXPECT_REFUSED(bcc({1, 4, 1}, 1e308), "bcc", "cells[1] * edge", "inf", "above 0");
     EXPECT_REFUSED(d4(0), "d4", "cells", "0", "1", "2147483647");
     EXPECT_REFUSED(d4(60), "d4", "2488320000 cells", "2^31 - 1");
     EXPECT_REFUSED(split_boxes({}), "split_boxes", "n = 0", "1", "12");

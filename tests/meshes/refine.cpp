@@ -199,7 +199,7 @@ TEST(Refined, works_in_any_unit) {
 TEST(Refined, refuses_lengths_that_make_too_much) {
     const Mesh mesh = kuhn(2, 2);
     for (const double length : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
-        EXPECT_REFUSED(refined(mesh, length), "positive");
+        EXPECT_REFUSED(refined(mesh, length), "above 0");
     EXPECT_REFUSED(refined(mesh, 1e-6), "1e-06", "at least 2.31e+12", "1e+08");
     EXPECT_REFUSED(refined(mesh, 1e-300), "1e-300", "at least inf");
 }

@@ -59,7 +59,7 @@ class Refine(TestCase):
 
     def test_lengths_that_make_no_sense_are_refused(self):
         for length in (0, -1):
-            self.assertSays(self.fail_with(2, "info", golden("grid4.nsc"), "--refine", length), "positive")
+            self.assertSays(self.fail_with(2, "info", golden("grid4.nsc"), "--refine", length), "above 0")
         self.assertSays(self.fail_with(2, "info", golden("grid4.nsc"), "--refine", 1e-9),
                         "would give", "simplices", "1e+08")
 
