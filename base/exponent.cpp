@@ -18,7 +18,7 @@ Vector times_power(const Vector& values, int exponent) {
     return values.unaryExpr([=](double value) { return std::ldexp(value, exponent); });
 }
 
-double in_range(double part, int exponent, std::string_view what) {
+double ScaledNumber::in_range(std::string_view what) const {
     const double number = std::ldexp(part, exponent);
     if (!std::isfinite(number) || (number == 0 && part != 0))
         throw InvalidInput(fmt::format("{} is {:.3g} times 2^{}, outside the range of double "
@@ -26,6 +26,10 @@ double in_range(double part, int exponent, std::string_view what) {
                                        "to 1",
                                        what, part, exponent));
     return number;
+}
+
+double ratio(const ScaledNumber& a, const ScaledNumber& b) {
+    return std::ldexp(a.part / b.part, a.exponent - b.exponent);
 }
 
 } // namespace polydec

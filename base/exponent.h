@@ -14,7 +14,22 @@ int exponent_of(const Vector& values);
 /// The values times 2^exponent.
 Vector times_power(const Vector& values, int exponent);
 
-/// part * 2^exponent. Throws InvalidInput, naming `what`, if that overflows or vanishes.
-double in_range(double part, int exponent, std::string_view what);
+/// part * 2^exponent: a square or a product, which may be outside the range of double precision.
+struct ScaledNumber {
+    double part = 0;
+    int exponent = 0;
+
+    /// Throws InvalidInput, naming `what`, on overflow and underflow.
+    double in_range(std::string_view what) const;
+};
+
+double ratio(const ScaledNumber& a, const ScaledNumber& b);
+
+/// x^T A y, where map(y) is A y.
+template <class Map>
+ScaledNumber product(const Vector& x, const Vector& y, const Map& map) {
+    const int of_x = exponent_of(x), of_y = exponent_of(y);
+    return {times_power(x, -of_x).dot(map(times_power(y, -of_y))), of_x + of_y};
+}
 
 } // namespace polydec

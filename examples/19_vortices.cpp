@@ -47,7 +47,7 @@ void march(const std::string& name, const polydec::Discretization& mesh, double 
     }
     std::cout << name << ", " << steps << " steps to the time " << vortices.time()
               << ": energy off by " << drift << ", circulation by "
-              << std::abs(flow.total_circulation(w)) / size << ", divergence "
+              << std::abs(flow.circulations(w).sum()) / size << ", divergence "
               << flow.divergence(w);
     if (around != 0)
         std::cout << ", harmonic part from " << harmonic << " to " << harmonic_part();

@@ -102,16 +102,17 @@ struct Flowed : Answer {
     TimeSteps steps;
     Ran ran;
     std::string conditions;
-    double viscosity, exchange_time, circulation, divergence;
-    std::optional<double> energy, relative_energy, enstrophy, most, least;
+    double viscosity, exchange_time, divergence;
+    std::optional<double> circulation, energy, relative_energy, enstrophy, most, least;
     ChosenStars stars;
 
     Flowed(const IncompressibleFlow& flow, const Vector& start, const Vector& w, double nu)
         : viscosity(nu),
           exchange_time(flow.exchange_time(w)),
-          circulation(flow.total_circulation(w)),
           divergence(flow.divergence(w)),
           stars(flow.mesh().chosen_stars()) {
+        if (flow.mesh().dimension() == 2) // numbers of edges in space have arbitrary signs
+            circulation = flow.circulations(w).sum();
         if (!start.isZero(0))
             relative_energy = in_range([&] { return flow.relative_energy(w, start); });
         energy = in_range([&] { return flow.energy(w); });
@@ -141,8 +142,9 @@ struct Flowed : Answer {
         text("  {}\n  {}\n", conditions, in_words(stars));
         text("  energy {}{}; enstrophy {}\n", in_digits(energy), in_words(relative_energy),
              in_digits(enstrophy));
-        text("  circulation {:.3g} in all; divergence {:.2g}; vorticity from {} to {}\n",
-             circulation, divergence, in_digits(least, 6), in_digits(most, 6));
+        text("  {}divergence {:.2g}; vorticity from {} to {}\n",
+             circulation ? fmt::format("circulation {:.3g} in all; ", *circulation) : "",
+             divergence, in_digits(least, 6), in_digits(most, 6));
     }
 };
 
@@ -250,7 +252,8 @@ void add_flow(CLI::App& app) {
         ->default_str("midpoint");
     add_engine(*command, arguments->flow.linear_solver);
     command->footer(
-        "Walls have free slip by default. The circulations around all vertices add up to 0.\n\n"
+        "Walls have free slip by default. On closed surfaces, the circulations\n"
+        "around all vertices add up to 0.\n\n"
         "Examples:\n"
         "  polydec flow sphere.off --vorticity 'exp(-20*(x-1)^2-20*y^2)' --until 20 -o flow.html\n"
         "  polydec flow square.off --viscosity .01 --no-slip-where 1 \\\n"

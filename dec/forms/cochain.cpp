@@ -54,22 +54,16 @@ double dual_sign(int k) {
     return k % 2 == 0 ? -1 : 1;
 }
 
-/// A product is part * 2^exponent.
-struct Product {
-    double part;
-    int exponent;
-};
-
-/// In the units of the input; even if the squares of values, or these units, are out of range. The
-/// exponent of a square is even, because a unit is a power of 4.
-Product product(const Cells& cells, const Cochain& a, const Cochain& b) {
+/// In the units of the input. The exponent of a square is even, because a unit is a power of 4.
+ScaledNumber product(const Cells& cells, const Cochain& a, const Cochain& b) {
     check(cells.complex(), a);
     check_alike(a, b, "form");
-    const int of_a = exponent_of(a.values), of_b = exponent_of(b.values);
-    const Vector x = times_power(a.values, -of_a), y = times_power(b.values, -of_b);
     const HodgeStar star = cells.stars()[cell_degree(cells.complex(), a.side, a.degree)];
-    return {x.dot(a.side == Side::primal ? star * y : star.solve(y)),
-            of_a + of_b + (cells.dimension() - 2 * a.degree) * std::ilogb(cells.unit())};
+    ScaledNumber result = polydec::product(a.values, b.values, [&](const Vector& values) {
+        return a.side == Side::primal ? star * values : star.solve(values);
+    });
+    result.exponent += (cells.dimension() - 2 * a.degree) * std::ilogb(cells.unit());
+    return result;
 }
 
 } // namespace
@@ -167,9 +161,8 @@ Cochain laplacian(const Cells& cells, const Cochain& form) {
 }
 
 double inner_product(const Cells& cells, const Cochain& a, const Cochain& b) {
-    const auto [part, exponent] = product(cells, a, b);
-    const double number = std::ldexp(part, exponent);
-    return number == 0 ? 0 : in_range(part, exponent, "the inner product");
+    const ScaledNumber found = product(cells, a, b);
+    return std::ldexp(found.part, found.exponent) == 0 ? 0 : found.in_range("the inner product");
 }
 
 double norm(const Cells& cells, const Cochain& form) {
@@ -179,7 +172,7 @@ double norm(const Cells& cells, const Cochain& form) {
                                        "have negative duals: use positive stars",
                                        described(form, "form"), std::ldexp(square, exponent),
                                        cell_degree(cells.complex(), form.side, form.degree)));
-    return in_range(std::sqrt(square), exponent / 2, "the norm of a form");
+    return ScaledNumber{std::sqrt(square), exponent / 2}.in_range("the norm of a form");
 }
 
 Cochain operator+(const Cochain& a, const Cochain& b) {

@@ -155,9 +155,7 @@ void add_runs(py::module_& module) {
                  return of_kind<Waves>(self, [](Waves& run) { return run.energy(); });
              })
         .def("warnings",
-             [](AnyRun& self) {
-                 return of_kind<Waves>(self, [](Waves& run) { return run.warnings(); });
-             })
+             [](AnyRun& self) { return self.use([](auto& run) { return run->warnings(); }); })
         .def("layer", [](AnyRun& self) {
             return of_kind<Waves>(self, [](Waves& run) { return name(run.layer()); });
         });

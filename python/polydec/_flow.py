@@ -119,7 +119,7 @@ class IncompressibleFlow:
         return self._flow.pressure(_fluxes(self._complex, w))
 
     def circulations(self, w: npt.ArrayLike) -> Floats:
-        """Circulations around the (n-2)-cells. Their sum is constant on a closed surface."""
+        """``star z``: circulations around the (n-2)-cells. On a closed surface their sum is 0."""
         return self._flow.circulations(_fluxes(self._complex, w))
 
     def energy(self, w: npt.ArrayLike) -> float:

@@ -6,10 +6,6 @@
 #include "dec/discretization/positive_mass.h"
 #include "dec/fields/cell_centers.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
 namespace polydec {
 
 namespace {
@@ -22,9 +18,7 @@ void check_numbers(const char* what, const Vector& values, Index expected) {
 void check_options(const Discretization& mesh, const FlowOptions& options) {
     const int n = mesh.dimension();
     const Index facets = mesh.complex().size(n - 1);
-    if (!(options.viscosity >= 0) || !std::isfinite(options.viscosity))
-        throw InvalidInput(fmt::format(
-            "the viscosity is {}: expected a finite number of at least 0", options.viscosity));
+    check_not_negative("the viscosity", options.viscosity);
     check_numbers("fluxes at the boundary", options.boundary_flux, facets);
     check_numbers("vorticities of the frame", options.rotation, mesh.complex().size(n - 2));
     if (options.wall_velocity.size() == 0)
@@ -94,10 +88,14 @@ FlowOperators::FlowOperators(const Discretization& on, const FlowOptions& how)
     spaces.check_balance(boundary_flux);
 }
 
+Vector FlowOperators::circulation(const Vector& w, double along) const {
+    const Vector all = curl.transposed() * (star * w) + along * wall_circulation;
+    return spaces.vorticity.extend(spaces.vorticity.restrict(all));
+}
+
 Vector FlowOperators::vorticity(const Vector& w, double along) const {
-    const Vector circulation = curl.transposed() * (star * w) + along * wall_circulation;
-    return spaces.vorticity.extend(
-        Vector(vorticity_star.solve(spaces.vorticity.restrict(circulation))));
+    const Vector around = spaces.vorticity.restrict(circulation(w, along));
+    return spaces.vorticity.extend(Vector(vorticity_star.solve(around)));
 }
 
 } // namespace polydec

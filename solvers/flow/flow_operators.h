@@ -24,8 +24,11 @@ struct FlowOperators {
     Vector wall_circulation;  // around all (n-2)-cells, along facets with a known velocity
     Vector boundary_flux;     // size(n-1), 0 at the free ones
 
-    /// The vorticity z of all (n-2)-cells. `along` is a factor of the known velocities on the
-    /// boundary: 1, or 0 for the linear part.
+    /// Circulations around all (n-2)-cells, 0 where the vorticity is fixed at 0. `along` is a
+    /// factor of the known velocities on the boundary: 1, or 0 for the linear part.
+    Vector circulation(const Vector& w, double along) const;
+
+    /// The vorticity z: star^-1 of the circulations.
     Vector vorticity(const Vector& w, double along) const;
 
     /// star d z, size(n-1).

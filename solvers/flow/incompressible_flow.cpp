@@ -30,24 +30,18 @@ struct IncompressibleFlow::Parts {
         return operators->in_unit(w, operators->n, "fluxes");
     }
 
-    /// part * 2^exponent, in the unit of the mesh: squares may be out of range.
-    struct Square {
-        double part;
-        int exponent;
-    };
-
+    /// In the unit of the mesh.
     template <class Star>
-    static Square squared(const Vector& values, const Star& star) {
-        const int exponent = exponent_of(values);
-        const Vector scaled = times_power(values, -exponent);
-        return {scaled.dot(star * scaled), 2 * exponent};
+    static ScaledNumber squared(const Vector& values, const Star& star) {
+        return product(values, values, [&](const Vector& x) { return star * x; });
     }
-    Square squared(const Vector& w) const { return squared(fluxes(w), operators->star); }
+    ScaledNumber squared(const Vector& w) const { return squared(fluxes(w), operators->star); }
 
     /// Half a square, in the units of the input.
-    double half(const Square& square, int power, const char* what) const {
-        return in_range(square.part / 2,
-                        square.exponent + power * std::ilogb(operators->mesh.unit()), what);
+    double half(const ScaledNumber& square, int power, const char* what) const {
+        return ScaledNumber{square.part / 2,
+                            square.exponent + power * std::ilogb(operators->mesh.unit())}
+            .in_range(what);
     }
 };
 
@@ -129,8 +123,7 @@ double IncompressibleFlow::relative_energy(const Vector& w, const Vector& other)
 }
 
 double IncompressibleFlow::ratio_of_energies(const Vector& w, const Vector& other) const {
-    const auto of_w = parts_->squared(w), of_other = parts_->squared(other);
-    return std::ldexp(of_w.part / of_other.part, of_w.exponent - of_other.exponent);
+    return ratio(parts_->squared(w), parts_->squared(other));
 }
 
 double IncompressibleFlow::enstrophy(const Vector& w) const {
@@ -145,7 +138,7 @@ double IncompressibleFlow::dissipation(const Vector& w) const {
 
 Vector IncompressibleFlow::circulations(const Vector& w) const {
     const auto& flow = *parts_->operators;
-    return Operator::derivative(flow.mesh.complex(), flow.n - 2).transposed() * momentum(w);
+    return flow.in_input(flow.circulation(parts_->fluxes(w), 1), 2, "circulations");
 }
 
 double IncompressibleFlow::divergence(const Vector& w) const {

@@ -34,10 +34,9 @@ struct FlowOptions {
 /// energy w . star w / 2 is constant, because the advection is antisymmetric (see Advection).
 /// Viscosity dissipates nu |omega|^2.
 ///
-/// The vorticity z is a primal (n-2)-form, star^-1 of the circulation around its cells. The sum of
-/// the circulations around all cells is the circulation along the boundary, to rounding: 0 on
-/// closed surfaces. A handle; use it from one thread at a time. All is in the units of the input.
-/// Source: Mullen, Crane, Pavlov, Tong, Desbrun 2009; Mohamed, Hirani, Samtaney 2016.
+/// The vorticity z is a primal (n-2)-form, star^-1 of the circulation around its cells. A handle;
+/// use it from one thread at a time. All is in the units of the input. Source: Mullen, Crane,
+/// Pavlov, Tong, Desbrun 2009; Mohamed, Hirani, Samtaney 2016.
 class IncompressibleFlow {
 public:
     /// Throws InvalidInput like Advection; naming the cells, if star_(n-1) or star_(n-2) is not
@@ -82,9 +81,9 @@ public:
     /// Throws InvalidInput if it is not finite.
     double relative_energy(const Vector& w, const Vector& other) const;
 
-    /// Circulations around all (n-2)-cells: star_(n-2) z; and their sum.
+    /// Circulations around all (n-2)-cells: star_(n-2) z. On a surface their sum is the circulation
+    /// along the boundary, as far as that has no free slip: to rounding 0 if there is none.
     Vector circulations(const Vector& w) const;
-    double total_circulation(const Vector& w) const { return circulations(w).sum(); }
 
     /// The largest |d w| of an n-cell, relative to the largest sum of |w| over its facets. At
     /// rounding level for flows.

@@ -4,6 +4,7 @@
 #include "backends/registry.h"
 #include "backends/spectra/mass.h"
 #include "base/block_matrix.h"
+#include "base/checks.h"
 #include "base/errors.h"
 #include "base/exponent.h"
 #include "base/lazy.h"
@@ -72,10 +73,7 @@ Diffusion::Diffusion(const FormSpace& space, double nu, const std::string& linea
     const Cells inside = space.inside();
     const int k = space.cell_degree();
     check_positive_mass(mass_, side_, degree_);
-    if (!(coefficient_ >= 0) || !std::isfinite(coefficient_))
-        throw InvalidInput(fmt::format(
-            "the coefficient of diffusion is {}: expected a finite number of at least 0",
-            coefficient_));
+    check_not_negative("the coefficient of diffusion", coefficient_);
     solver_ = make_linear_solver(linear_solver);
     stiffness_ = space.stiffness();
     facts_ = {.symmetry = Symmetry::symmetric,
@@ -128,18 +126,17 @@ void Diffusion::prepare(double gamma) {
 
 /// The resolvent of a semidefinite operator is a contraction, up to rounding of long steps.
 void Diffusion::check_growth(const Vector& before, const Vector& after) const {
-    const int exponent = exponent_of(before); // so that squares are in range
     const auto squared = [&](const Vector& values) {
-        const Vector scaled = times_power(values, -exponent);
-        return scaled.dot(mass_ * scaled);
+        return product(values, values, [&](const Vector& x) { return mass_ * x; });
     };
-    const double rounding = 1e-9 + 64 * std::numeric_limits<double>::epsilon() * largest_,
-                 from = squared(before), to = squared(after);
-    if (!(to <= from * (1 + rounding)))
+    const double rounding = 1e-9 + 64 * std::numeric_limits<double>::epsilon() * largest_;
+    const ScaledNumber from = squared(before), to = squared(after);
+    if (!(std::ldexp(to.part, to.exponent - from.exponent) <= from.part * (1 + rounding)))
         throw SolverFailure(fmt::format(
             "a step of diffusion of {} {}-forms increases their norm by a factor of 1 + {:.2g}: "
             "the Laplacian has negative eigenvalues, probably because of negative duals; use {}",
-            name(side_), degree_, std::sqrt(to / from) - 1, positive_stars(mass_.dimension())));
+            name(side_), degree_, std::sqrt(ratio(to, from)) - 1,
+            positive_stars(mass_.dimension())));
 }
 
 Vector Diffusion::solve(const Vector& values) const {

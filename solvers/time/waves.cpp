@@ -167,19 +167,13 @@ struct Waves::Scheme {
         void advance(Vector& values, Vector rate, double time_step) const;
     };
 
-    /// part * 2^exponent, in the unit of the mesh: energies may be out of range.
-    struct Energy {
-        double part;
-        int exponent;
-    };
-
     Scheme(const FormSpace& space, const WaveOptions& options);
 
     HodgeStar star(int k) const { return space.inside().stars()[k]; }
     Field field(int k) const;
     std::vector<Vector> begun(const Vector& start, const Vector& upper) const;
     void step(std::vector<Vector>& state, const WaveOptions& options, double time) const;
-    Energy energy(const std::vector<Vector>& state) const;
+    ScaledNumber energy(const std::vector<Vector>& state) const;
 
     FormSpace space;
     Degrees on;
@@ -301,8 +295,8 @@ void Waves::Scheme::step(std::vector<Vector>& state, const WaveOptions& options,
     B.put_back(unit * b, state[1]);
 }
 
-/// Half of <E, E> + <B, B'>.
-Waves::Scheme::Energy Waves::Scheme::energy(const std::vector<Vector>& state) const {
+/// Half of <E, E> + <B, B'>, in the unit of the mesh.
+ScaledNumber Waves::Scheme::energy(const std::vector<Vector>& state) const {
     Vector e = E.restricted(state[0], "E"), b = B.restricted(state[1], "B") / unit;
     const int exponent =
         exponent_of(Vector{{e.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>()}});
@@ -381,15 +375,15 @@ std::vector<std::string> Waves::warnings() const {
 
 double Waves::energy() const {
     const auto [part, exponent] = scheme_->energy(now());
-    return in_range(part, exponent + scheme_->energy_power * std::ilogb(scheme_->unit),
-                    "the energy");
+    return ScaledNumber{part, exponent + scheme_->energy_power * std::ilogb(scheme_->unit)}
+        .in_range("the energy");
 }
 
 std::optional<double> Waves::relative_energy() const {
     const auto before = scheme_->energy(start_), after = scheme_->energy(now());
     if (!(before.part > 0))
         return std::nullopt;
-    return std::ldexp(after.part / before.part, after.exponent - before.exponent);
+    return ratio(after, before);
 }
 
 LayerKind Waves::layer() const {

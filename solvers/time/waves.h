@@ -66,7 +66,7 @@ public:
 
     /// Losses that are too fast for these steps: above 2 / time_step, values change sign in each
     /// step instead of dying away.
-    std::vector<std::string> warnings() const;
+    std::vector<std::string> warnings() const override;
 
 private:
     struct Scheme;
