@@ -111,7 +111,7 @@ public:
     SparseMatrix free_robin_weights() const;
 
     /// star Delta of primal forms (for a dual space: of the primal forms whose stars its forms
-    /// are), with Robin's weights, on the free values.
+    /// are), with Robin's weights, on the free values; in cells().unit().
     Operator stiffness() const;
 
 private:

@@ -139,7 +139,7 @@ PageStep draw_step(const Page& page, std::string time, const std::vector<NamedFo
 Page draw_page(const Discretization& mesh, const Spectrum& spectrum, std::string title) {
     std::vector<NamedForm> modes;
     for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
-        modes.emplace_back(fmt::format("mode_{}", i), shown_mode(mesh, spectrum, i),
+        modes.emplace_back(fmt::format("mode_{}", i), shown_mode(spectrum, i),
                            fmt::format("{} {}-form, eigenvalue {:.10g}", name(spectrum.side),
                                        spectrum.degree, spectrum.eigenvalues[i]));
     Page page = draw_page(mesh, modes, std::move(title));

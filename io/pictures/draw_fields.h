@@ -47,9 +47,9 @@ void add_fields(VtuGrid& grid, const Discretization& mesh, const std::vector<Nam
 /// Throws like draw_cells and add_field.
 VtuGrid draw_fields(const Discretization& mesh, const std::vector<NamedForm>& fields);
 
-/// A mode of a spectrum as a form of norm 1 in the units of the input. Its arbitrary sign makes the
-/// largest value positive; of several, the first one.
-Cochain shown_mode(const Discretization& discretization, const Spectrum& spectrum, Index i);
+/// A mode of a spectrum. Its arbitrary sign makes the largest value positive; of several, the first
+/// one.
+Cochain shown_mode(const Spectrum& spectrum, Index i);
 
 /// Adds the certificate of a spectrum to the field data: eigenvalues, their radii and residuals,
 /// the certificate by shift, below_shift, returned_below_shift and complete (1 or 0), and degree

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_fields.h"
-#include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>
 
@@ -22,17 +21,9 @@ double sign_of(const Vector& values) {
 
 } // namespace
 
-Cochain shown_mode(const Discretization& discretization, const Spectrum& spectrum, Index i) {
-    const int n = discretization.dimension();
-    const int k = cell_degree(discretization.complex(), spectrum.side, spectrum.degree);
-    // stars of k-forms are unit^(n-2k) times as large in the units of the input
-    const bool primal =
-        spectrum.side == Side::primal || (!discretization.passage().is_identity() && k < n);
-    const double half_power = (n - 2 * k) / 2.0;
+Cochain shown_mode(const Spectrum& spectrum, Index i) {
     const Vector mode = spectrum.modes.col(i);
-    return {spectrum.side, spectrum.degree,
-            in_input_units(sign_of(mode) * mode, discretization.unit(),
-                           primal ? -half_power : half_power, fmt::format("mode {}", i))};
+    return {spectrum.side, spectrum.degree, sign_of(mode) * mode};
 }
 
 void add_spectrum(VtuGrid& grid, const Spectrum& spectrum) {
@@ -53,7 +44,7 @@ void add_spectrum(VtuGrid& grid, const Spectrum& spectrum) {
 VtuGrid draw_modes(const Discretization& discretization, const Spectrum& spectrum) {
     std::vector<NamedForm> modes;
     for (Index i = 0; i < spectrum.modes.cols(); ++i)
-        modes.emplace_back(fmt::format("mode_{}", i), shown_mode(discretization, spectrum, i));
+        modes.emplace_back(fmt::format("mode_{}", i), shown_mode(spectrum, i));
     VtuGrid grid = draw_cells(
         discretization, cell_degree(discretization.complex(), spectrum.side, spectrum.degree));
     add_fields(grid, discretization, modes);

@@ -3,6 +3,7 @@
 
 #include "complex/homology.h"
 #include "dec/forms/cochain.h"
+#include "dec/forms/input_units.h"
 #include "dec/forms/laplacian.h"
 #include "python/bindings/convert.h"
 
@@ -153,7 +154,11 @@ void add_spaces(py::module_& module) {
         .def("inside", &FormSpace::inside, Unlocking())
         .def("stiffness",
              [](const FormSpace& space) {
-                 return matrix([&] { return space.stiffness().matrix(); });
+                 return matrix([&] {
+                     const double power = space.cells().dimension() - 2 * space.cell_degree() - 2;
+                     return in_input_units(space.stiffness().matrix(), space.cells().unit(), power,
+                                           "the stiffness");
+                 });
              })
         .def("in_words", &FormSpace::in_words);
 }

@@ -120,7 +120,7 @@ class Complex(Cells):
 
     @property
     def unit(self) -> float:
-        """Unit of length of points and volumes, in units of the input: mostly 1."""
+        """Length in which numbers are computed, mostly 1. All results are in units of the input."""
         return self._mesh.unit
 
     @property

@@ -78,6 +78,10 @@ def test_all_is_in_the_units_of_the_input(exponent):
     for side in ("primal", "dual"):
         assert near(polydec.de_rham(c, 1, lambda x: x / size @ field, side=side) / size,
                     polydec.de_rham(usual, 1, lambda x: x @ field, side=side))
+    for degree in range(3):
+        stiffness, of_usual = (polydec.FormSpace(m, degree=degree, essential=True).stiffness()
+                               for m in (c, usual))
+        assert near((stiffness * size ** (2 * degree - 1)).toarray(), of_usual.toarray())
     own = c.with_star(1, sp.diags(np.asarray(usual.star(1)) * size))
     assert near(own.star(1).diagonal() / size, usual.star(1))
     assert near(c.material_star(1, 2.0) / size, usual.material_star(1, 2.0))

@@ -65,7 +65,8 @@ PoissonSolution PoissonSolver::solve(const Cochain& f, const BoundaryForms& data
     const int n = space_.cells().dimension(), k = space_.cell_degree(), degree = space_.degree();
     const double unit = space_.cells().unit();
     auto [form, flux, removed, report, compatibility] = system_->solve(
-        in_input_units(f.values, unit, 2, "source"), in_unit(data, unit, n, degree), harmonic);
+        in_input_units(f.values, unit, 2, "source"), in_unit(data, unit, n, degree),
+        form_in_input_units(harmonic, unit, degree - n / 2.0, "coefficients of harmonic forms"));
     // exponents relative to u, whose values are equal in both units
     const int power = side == Side::primal ? -2 : 2 * k - n - 2;
     PoissonSolution solution{{side, degree, std::move(form)},
@@ -86,7 +87,9 @@ PoissonSolution PoissonSolver::solve(const Cochain& f, const BoundaryForms& data
 }
 
 DenseMatrix PoissonSolver::harmonic_forms() const {
-    return system_->harmonic_forms();
+    const Cells& cells = space_.cells();
+    return in_input_units(system_->harmonic_forms(), cells.unit(),
+                          space_.degree() - cells.dimension() / 2.0, "harmonic forms");
 }
 
 CurlCurlSolution solve_curl_curl(const PoissonSolver& solver, const Cochain& j,

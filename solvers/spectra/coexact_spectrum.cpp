@@ -151,7 +151,7 @@ Spectrum coexact_spectrum(const FormSpace& space, const SpectrumOptions& options
         if (modes.cols() >= options.count) {
             check_zeros(found, betti[k]);
             measure(coexact_pencil(complex, inside.stars(), k), modes, options.count, found);
-            use_input_units(found, inside.unit());
+            use_input_units(found, complex.dimension(), inside.unit());
             found.modes = space.extend(found.modes);
             return found;
         }

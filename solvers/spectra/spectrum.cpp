@@ -108,7 +108,7 @@ std::string advice_of_shape(const Spectrum& spectrum) {
     return advice;
 }
 
-void use_input_units(Spectrum& spectrum, double unit) {
+void use_input_units(Spectrum& spectrum, int n, double unit) {
     if (unit == 1)
         return;
     auto& shift = spectrum.certificate.shift; // above all values, which are rounding only
@@ -119,6 +119,13 @@ void use_input_units(Spectrum& spectrum, double unit) {
     std::for_each(spectrum.residuals.begin(), spectrum.residuals.end(), convert);
     std::for_each(spectrum.radii.begin(), spectrum.radii.end(), convert);
     convert(shift);
+    try {
+        spectrum.modes =
+            in_input_units(spectrum.modes, unit, spectrum.degree - n / 2.0, "modes of norm 1");
+    } catch (const InvalidInput& beyond) { // their eigenvalues are in range
+        spectrum.modes.resize(spectrum.modes.rows(), 0);
+        spectrum.warnings.emplace_back(beyond.what());
+    }
     // the value and the radius each have an error of half the least positive number
     for (double& radius : spectrum.radii)
         if (radius < std::numeric_limits<double>::min())
@@ -176,7 +183,7 @@ Spectrum spectrum(const FormSpace& space, const SpectrumOptions& options) {
         result.warnings.push_back(std::move(warning));
     if (auto missed = take_missed_engines(); !missed.empty())
         result.warnings.push_back(std::move(missed));
-    use_input_units(result, inside.unit());
+    use_input_units(result, complex.dimension(), inside.unit());
     return result;
 }
 

@@ -28,7 +28,9 @@ struct Spectrum {
     int degree;
     Vector eigenvalues; ///< ascending, with multiplicity; length^-2 in the input's units
     Vector radii;       ///< bounds on the distance to the exact eigenvalues
-    DenseMatrix modes;  ///< columns: forms of the space, of norm 1 in the star; 0 where fixed
+    /// Columns: forms of the space, of norm 1 in the star; 0 where fixed. None, with a warning, if
+    /// they are outside the range of double precision.
+    DenseMatrix modes;
     Vector residuals;   ///< |A x - lambda M x| / |M x|
     Certificate certificate;
     std::string linear_solver;
@@ -57,9 +59,10 @@ struct Spectrum {
 /// be inverted has a zero; SolverFailure if the eigenpairs cannot be found or certified.
 Spectrum spectrum(const FormSpace& space, const SpectrumOptions& options = {});
 
-/// Converts a spectrum from a mesh's unit of length to the units of its input. Values at rounding
-/// level relative to the largest may underflow; radii grow by the loss.
-void use_input_units(Spectrum& spectrum, double unit);
+/// Converts a spectrum in dimension n from a mesh's unit of length to the units of its input.
+/// Values at rounding level relative to the largest may underflow; radii grow by the loss. May add
+/// a warning about modes.
+void use_input_units(Spectrum& spectrum, int n, double unit);
 
 /// Where to find the eigenvalues of the shape itself, and whether the mesh is coarse for the last
 /// ones; empty without coarseness.

@@ -113,12 +113,19 @@ TEST(InputUnits, are_those_of_currents) {
         1);
 }
 
+Vector norms(const Discretization& mesh, const Spectrum& found) {
+    Vector result(found.modes.cols());
+    for (Eigen::Index i = 0; i < result.size(); ++i)
+        result[i] = norm(mesh, {found.side, found.degree, found.modes.col(i)});
+    return result;
+}
+
 TEST(InputUnits, are_those_of_spectra) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side side, int degree) {
             const auto found =
                 spectrum({mesh, side, degree, leaky(mesh, degree, size)}, {.count = 5});
-            return Vector(size * size * found.eigenvalues);
+            return joined({size * size * found.eigenvalues, norms(mesh, found)});
         },
         all_degrees);
 }
@@ -129,7 +136,8 @@ TEST(InputUnits, are_those_of_coexact_spectra) {
             if (side == Side::dual || degree == mesh.dimension())
                 return Vector();
             const auto found = coexact_spectrum({mesh, Side::primal, degree}, {.count = 3});
-            return Vector(size * size * joined({found.eigenvalues, found.radii}));
+            return joined(
+                {size * size * joined({found.eigenvalues, found.radii}), norms(mesh, found)});
         },
         all_degrees);
 }
@@ -139,14 +147,16 @@ TEST(InputUnits, are_those_of_hodge_decompositions) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side side, int degree) {
             const int power = mesh.dimension() - 2 * degree;
-            const DenseMatrix harmonic = harmonic_forms({mesh, side, degree});
+            const DenseMatrix harmonic = harmonic_forms({mesh, side, degree}),
+                              of_sources = PoissonSolver({mesh, side, degree}).harmonic_forms();
             const Vector copotential =
                 hodge_decomposition({mesh, side, degree}, any_form(mesh, side, degree))
                     .copotential.values;
             if (power == 0 || copotential.size() + harmonic.size() == 0)
                 return Vector();
             return joined({std::pow(size, -power) * copotential,
-                           std::pow(size, power / 2.0) * harmonic.reshaped()});
+                           std::pow(size, power / 2.0) * harmonic.reshaped(),
+                           std::pow(size, power / 2.0) * of_sources.reshaped()});
         },
         all_degrees);
 }

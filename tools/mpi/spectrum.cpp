@@ -51,12 +51,12 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
         return spectrum(ranks, mesh, arguments.side, arguments.degree, arguments.spectrum);
     });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
+    use_input_units(result, n, mesh.unit);
     if (!arguments.out.empty()) {
         log.begin("write");
         write_pvtu(ranks, arguments.out, mesh, modes_to_show(result, k));
     }
     log.warn(warning_of_rough_values(result.rough));
-    use_input_units(result, mesh.unit);
     const Eigenvalues answer(result, in_words(ranks, mesh, built_in_conditions(side), degree),
                              ChosenStars(HodgeStars(mesh.cells.volumes), StarKind::circumcentric),
                              seconds.count());
