@@ -27,6 +27,14 @@ void check_weights(const char* what, const Vector& weights, Index simplices) {
                                            what, weights[s], s));
 }
 
+/// As given, or between the points given: those in their n-plane are rounded once more.
+Vector lengths_of(const Discretization& mesh, const Geometry& geometry) {
+    const SimplexMetric metric = geometry.metric();
+    return metric.points() != nullptr
+               ? edge_lengths(geometry.pieces(), mesh.measured_input_points())
+               : *metric.lengths();
+}
+
 /// The share by which the lengths of a flipped surface may be off.
 double error_of_flips(const IntrinsicDelaunay& flips) {
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
@@ -38,16 +46,11 @@ double error_of_flips(const IntrinsicDelaunay& flips) {
 double error_of_refining(const Discretization& mesh) {
     // h / longest <= 1e8, and n bisections divide the longest edge h by 2 / sqrt(3) (Kearfott 1978)
     const double bisections = 130 * mesh.dimension();
-    const SimplexMetric metric = mesh.input_geometry().metric();
-    const bool has_points = metric.points() != nullptr;
-    const Shape before{.pieces = mesh.input(),
-                       .lengths = has_points ? edge_lengths(mesh.input(), *metric.points())
-                                             : *metric.lengths()};
+    const Shape before{.pieces = mesh.input(), .lengths = lengths_of(mesh, mesh.input_geometry())};
     double rounding = bisections * std::numeric_limits<double>::epsilon();
-    if (has_points) {
-        const Points& points = mesh.measured_input_points();
+    const Points& points = mesh.measured_input_points();
+    if (points.cols() > 0)
         rounding *= points.rowwise().norm().maxCoeff() / before.lengths.minCoeff();
-    }
     return rounding * most_sensitivity(before);
 }
 
@@ -98,20 +101,16 @@ Shape shape_of(const Discretization& mesh, const BoundaryConditions& conditions,
                const CellData& conductivity, const CellData& density) {
     const Pieces& pieces = mesh.pieces();
     Shape shape{.pieces = pieces,
-                .lengths = {},
+                .lengths = mesh.unit() * lengths_of(mesh, mesh.geometry()),
                 .conditions = conditions_of(mesh, conditions),
                 .conductivity = weights_of(mesh, conductivity, "conductivity"),
                 .density = weights_of(mesh, density, "density")};
-    const SimplexMetric metric = mesh.geometry().metric();
-    shape.lengths =
-        metric.points() != nullptr ? edge_lengths(pieces, *metric.points()) : *metric.lengths();
     if (mesh.points().cols() > 0 || mesh.box()) // else the lengths are what is given
         shape.length_error = 4 * std::numeric_limits<double>::epsilon();
     if (!mesh.passage().is_identity())
         shape.length_error = error_of_flips(mesh.passage().flips());
     if (mesh.options().refine)
         shape.metric_error = error_of_refining(mesh);
-    shape.lengths *= mesh.unit();
     check(shape);
     return shape;
 }

@@ -321,10 +321,9 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Pro
     Points isolated = unit * isolated_points(complex, mesh.points);
     const auto points = std::make_shared<const Points>(vertex_points(complex, mesh.points));
     mesh.points = {};
-    Points plane = plane_points(*points, complex.dimension());
-    const auto metric = plane.cols() > 0 ? SimplexMetric(std::move(plane)) : SimplexMetric(points);
-    Given given{complex, std::move(mesh), points, metric, std::move(isolated),
-                unit,    std::move(flat)};
+    Given given{
+        complex, std::move(mesh), points, metric_in_plane(complex, points), std::move(isolated),
+        unit,    std::move(flat)};
     if (!can_do_with_flat_cells(given, options))
         refuse_flat_cells(given, unmerged(complex));
     if (options.delaunay != Delaunay::off)

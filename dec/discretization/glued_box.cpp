@@ -68,10 +68,7 @@ Discretization measured(const PeriodicMesh& glued, const Discretization& mesh,
     const int n = box.dimension();
     const Points by_number = glued.box.points / mesh.unit();
     const auto points = std::make_shared<const Points>(vertex_points(box, by_number));
-    Points plane = plane_points(*points, n);
-    const Geometry pieces(
-        box, plane.cols() > 0 ? SimplexMetric(std::move(plane)) : SimplexMetric(points),
-        mesh.options().centers);
+    const Geometry pieces(box, metric_in_plane(box, points), mesh.options().centers);
     const MergedCells merged(cells, pieces, merged_volumes(cells, pieces.volumes()));
     std::vector<std::string> told; // warnings of the glued mesh, discarded
     auto tags = merged_tags(cells, n, tags_of_cells(box, glued.box.tags), told);

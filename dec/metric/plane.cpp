@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/plane.h"
 
+#include "complex/pieces.h"
+
 #include <limits>
 
 namespace polydec {
@@ -33,6 +35,18 @@ Points plane_points(const Points& points, int n) {
         off -= result.col(i) * axis.transpose();
     }
     return off.cwiseAbs().maxCoeff() <= rounding ? result : Points();
+}
+
+SimplexMetric metric_in_plane(const Pieces& complex, const std::shared_ptr<const Points>& points) {
+    constexpr double kept = 1e-12;
+    Points plane = plane_points(*points, complex.dimension());
+    if (plane.cols() == 0)
+        return points;
+    const Vector lengths = edge_lengths(complex, *points);
+    const Vector changes = (edge_lengths(complex, plane) - lengths).cwiseAbs();
+    if ((changes.array() > kept * lengths.array()).any())
+        return points;
+    return plane;
 }
 
 } // namespace polydec

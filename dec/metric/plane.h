@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/types.h"
+#include "dec/metric/simplex_metric.h"
 
+#include <memory>
 #include <vector>
 
 namespace polydec {
@@ -14,5 +15,10 @@ std::vector<Eigen::Index> varying_coordinates(const Points& points);
 /// same distances. If only n coordinates vary, these. Without columns if N = n, and if there is no
 /// such plane.
 Points plane_points(const Points& points, int n);
+
+/// The metric of these points, between their coordinates in the n-plane that contains them if there
+/// is one, and if that changes no length of an edge by more than 1e-12: details far smaller than
+/// their distance from each other would be lost in rounding there.
+SimplexMetric metric_in_plane(const Pieces& complex, const std::shared_ptr<const Points>& points);
 
 } // namespace polydec

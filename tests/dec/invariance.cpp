@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace polydec::test::in_invariance {
@@ -82,6 +83,23 @@ TEST(Shapes, of_tilted_planes_are_those_of_the_plane) {
     EXPECT_EQ(shape(discretize(tilted)), shape(discretize(flat)));
     EXPECT_EQ(plane_points(perturbed(tilted, 1e-9, 1).points, 3).cols(), 0);
     EXPECT_EQ(plane_points(flat.points, 3).cols(), 0);
+}
+
+TEST(Shapes, of_details_far_smaller_than_their_distance_are_not_flattened) {
+    // a pyramid of 48 units in the last place of its coordinates
+    Mesh near = grid(8, 8);
+    near.points.conservativeResize(Eigen::NoChange, 3);
+    for (Eigen::Index v = 0; v < near.points.rows(); ++v) {
+        const double x = near.points(v, 0), y = near.points(v, 1);
+        near.points.row(v) << 160 * x, 160 * y,
+            48 * (1 - 2 * std::max(std::abs(x - 0.5), std::abs(y - 0.5)));
+    }
+    near.points *= std::ldexp(1, -33);
+    Mesh far = near;
+    far.points.array() += std::ldexp(1, 20);
+    ASSERT_EQ(DenseMatrix(far.points.array() - std::ldexp(1, 20)), DenseMatrix(near.points));
+    const auto area = [](const Mesh& mesh) { return discretize(mesh).volumes().primal(2).sum(); };
+    EXPECT_NEAR(area(far) / area(near), 1, 1e-12);
 }
 
 TEST(Kinds, of_pairs_do_not_depend_on_numbers_where_a_center_is_on_the_facet) {

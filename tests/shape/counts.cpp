@@ -136,6 +136,16 @@ TEST(CountBelow, refuses_what_is_no_shape) {
     EXPECT_REFUSED(check(other), "3 simplices", "facet", "twisted");
 }
 
+TEST(Shape, of_a_tilted_plane_has_the_lengths_between_the_points_given) {
+    Mesh mesh = grid(24, 24);
+    DenseMatrix basis(2, 3);
+    basis << 0.6, 0.64, 0.48, -0.8, 0.48, 0.36;
+    mesh.points = (mesh.points * basis).eval();
+    const auto on = discretize(mesh, {.criterion = MergeCriterion::none});
+    ASSERT_EQ(on.geometry().metric().ambient_dimension(), 2);
+    EXPECT_EQ(shape_of(on).lengths, edge_lengths(on.pieces(), mesh.points));
+}
+
 TEST(Shape, of_merged_cells_has_the_marks_of_vertices_of_its_pieces) {
     const Discretization merged = discretize(grid(3, 3));
     BoundaryConditions conditions;
