@@ -11,6 +11,7 @@ _WORDING = {
     "DiscretizeOptions::delaunay": "delaunay=\"flips\"",
     "Delaunay::flips_and_splits": "delaunay=\"flips_and_splits\"",
     "Delaunay::flips": "delaunay=\"flips\"",
+    "symmetric matrix C of": "symmetric matrix A of",
     "StarKind::": "star=",
     "star=automatic": "star=\"automatic\"",
     "Side::primal": "side=\"primal\"",

@@ -2,6 +2,8 @@
 """Flaws of dec/; see mutate.py."""
 
 MUTANTS = {
+    "details_flattened": ("dec/metric/plane.cpp", "kept = 1e-12;", "kept = 1;",
+                          "Shapes.of_details_far_smaller_than_their_distance_are_not_flattened"),
     "diagonals_of_any_sign": ("dec/stars/star.cpp", "!(diagonal[cell] > 0)", "diagonal[cell] < 0",
                               "StarErrors.matrices_fit_their_cells_and_are_symmetric_and_definite"),
     "degrees_without_digits": ("dec/fields/quadrature.cpp", "rounding_share(k, lower) <= 1e-9", "rounding_share(k, lower) <= 1e-4",
@@ -81,7 +83,8 @@ MUTANTS = {
                         "FacetTags.of_several_groups_of_a_facet_all_count"),
     "data_that_apply_nowhere": ("dec/boundary/boundary_conditions.cpp", "!is_used && on.all > 0", "false",
                                 "Conditions.that_give_values_nowhere_are_found"),
-    "squares_out_of_range": ("dec/forms/cochain.cpp", "of_a = exponent_of(a.values),", "of_a = 0 * exponent_of(a.values),",
+    "squares_out_of_range": ("dec/forms/cochain.cpp", "polydec::product(a.values, b.values, [&]",
+                             "polydec::product(a.values, b.values * 0 + b.values.cwiseProduct(b.values).cwiseSqrt(), [&]",
                              "Norms.are_in_range_where_their_squares_are_not"),
     "groups_forgotten_by_merging": ("dec/merging/merged_tags.cpp", "sort_unique(result.groups);",
                                     "result.groups.clear();",

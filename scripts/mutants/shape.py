@@ -2,6 +2,9 @@
 """Flaws of shape/; see mutate.py."""
 
 MUTANTS = {
+    "lengths_rounded_in_the_plane": ("shape/shape.cpp", "edge_lengths(geometry.pieces(), mesh.measured_input_points())",
+                                     "edge_lengths(geometry.pieces(), *metric.points())",
+                                     "Shape.of_a_tilted_plane_has_the_lengths_between_the_points_given"),
     "mass_not_enlarged": ("shape/crouzeix_raviart.cpp", "-s * s / (1 - reach)", "0 * reach",
                           "CountBelow.encloses_the_number_of_eigenvalues"),
     "doubt_of_means_left_out": ("shape/hybrid_form.cpp", "-s * s / ((1 - eps) * (1 - reach))", "0 * s",

@@ -11,7 +11,7 @@ namespace polydec {
 namespace {
 
 Triangles triangles_of(const Discretization& mesh) {
-    if (mesh.input_points().cols() == 0)
+    if (mesh.places().points.cols() == 0)
         throw InvalidInput("only lengths of the surface are known, so paths have no positions in "
                            "space: use ShortestPaths");
     return Triangles(mesh.input());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/discretization/discretization.h"
 #include "meshes/generate.h"
+#include "meshes/periodic.h"
 #include "solvers/surfaces/geodesic_distance.h"
 #include "tests/support/circumcentric.h"
 
@@ -33,6 +34,16 @@ TEST(Isolines, of_a_plane_are_circles_with_order_2) {
     const double coarse = defect(8), fine = defect(16);
     EXPECT_LT(coarse, 2e-3);
     EXPECT_NEAR(std::log2(coarse / fine), 2, 0.4);
+}
+
+TEST(ShortestPaths, across_a_seam_have_their_places_in_the_box) {
+    const auto torus = discretize(periodic(grid(6, 6), {Vector{{1, 0}}, Vector{{0, 1}}}));
+    const auto path = SurfacePaths(torus, std::vector<Index>{0}).from(4); // at (2/3, 0)
+    EXPECT_NEAR(path.length, 1. / 3, 1e-14);
+    double length = 0;
+    for (const auto& ends : path.lines.simplices.rowwise())
+        length += (path.lines.points.row(ends[0]) - path.lines.points.row(ends[1])).norm();
+    EXPECT_NEAR(length, path.length, 1e-14);
 }
 
 } // namespace
