@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "base/solve_report.h"
 
 #include <filesystem>
@@ -32,7 +33,7 @@ public:
     const Place& place() const noexcept { return *place_; }
 
 private:
-    std::shared_ptr<const Place> place_; // copies of errors must not throw
+    Shared<const Place> place_; // copies of errors must not throw
 };
 
 /// Invalid data: the text names the cell, vertex or line, the expected value, and a remedy.
@@ -53,7 +54,7 @@ public:
     const SolveReport& report() const noexcept { return *report_; }
 
 private:
-    std::shared_ptr<const SolveReport> report_;
+    Shared<const SolveReport> report_;
 };
 
 /// The engine is not part of this build: the text names the package and the build option.

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "base/checks.h"
+#include "base/shared.h"
 #include "base/types.h"
 #include "complex/coface_counts.h"
 #include "complex/incidences.h"
 
-#include <memory>
 #include <vector>
 
 namespace polydec {
@@ -41,10 +41,6 @@ public:
 
     /// As above without the checks.
     CellComplex(Unchecked, std::vector<Coboundary> coboundaries);
-
-    // no moves, which would leave a handle on nothing
-    CellComplex(const CellComplex&) = default;
-    CellComplex& operator=(const CellComplex&) = default;
 
     int dimension() const { return static_cast<int>(tower_->size()) - 2; }
 
@@ -93,7 +89,7 @@ private:
     const Coboundary& at(int k) const { return (*tower_)[k + 1]; }
     [[noreturn]] void refuse_degree(int k) const;
 
-    std::shared_ptr<const std::vector<Coboundary>> tower_; // d_k at k + 1, for k = -1..n
+    Shared<const std::vector<Coboundary>> tower_; // d_k at k + 1, for k = -1..n
 };
 
 /// Euler characteristic: the alternating sum of the numbers of cells.

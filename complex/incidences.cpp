@@ -58,7 +58,7 @@ Eigen::SparseMatrix<Scalar, Eigen::RowMajor, Index> Incidences::make() const {
     return result;
 }
 
-const IncidenceMatrix& Incidences::matrix() const {
+const IncidenceMatrix& Incidences::matrix() const& {
     return matrix_->get([this] { return make<std::int8_t>(); });
 }
 

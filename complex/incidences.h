@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/lazy.h"
+#include "base/shared.h"
 #include "base/types.h"
 
 #include <cstddef>
@@ -86,7 +87,8 @@ public:
     int sign(Index cell, Index face) const;
 
     /// d_k with entries of one byte; computed on first use, and kept.
-    const IncidenceMatrix& matrix() const;
+    const IncidenceMatrix& matrix() const&;
+    IncidenceMatrix matrix() && { return matrix(); }
 
     /// The same with doubles, and the transpose, recomputed at each call. Linear time.
     SparseMatrix real_matrix() const;
@@ -116,9 +118,9 @@ private:
     Index rows_, cols_, width_ = 0;
     const Index *faces_, *begins_ = nullptr; // null: each row has width_ faces
     const std::int8_t* signs_;               // of entries; where rows have one width, of rows
-    std::shared_ptr<const Simplices> table_;
-    std::shared_ptr<const Signs> turns_;
-    std::shared_ptr<const Lazy<IncidenceMatrix>> matrix_;
+    Shared<const Simplices> table_;
+    Shared<const Signs> turns_;
+    Shared<const Lazy<IncidenceMatrix>> matrix_;
 };
 
 /// Rows of `width` faces with alternating signs; width 0 means `given`.

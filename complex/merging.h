@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/lazy.h"
+#include "base/shared.h"
 #include "complex/pieces.h"
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -83,7 +83,7 @@ private:
 
     Pieces pieces_;
     bool is_identity_;
-    std::shared_ptr<const Lazy<Maps>> maps_; // shared by copies
+    Shared<const Lazy<Maps>> maps_;
     CellComplex merged_;
 };
 

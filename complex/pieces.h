@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "complex/cell_complex.h"
 
 #include <span>
@@ -113,7 +114,7 @@ private:
     static Pieces glued(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
                         std::vector<Index> vertices);
 
-    std::shared_ptr<const Parts> parts_;
+    Shared<const Parts> parts_;
 };
 
 /// A simplex around one of its faces.

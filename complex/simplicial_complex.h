@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "complex/pieces.h"
 
 namespace polydec {
@@ -52,7 +53,7 @@ private:
     static SimplicialComplex sorted(const Simplices& tops);
     static SimplicialComplex with_faces(SortedRows tops, std::vector<Index> names);
 
-    std::shared_ptr<const std::vector<Index>> input_rows_;
+    Shared<const std::vector<Index>> input_rows_;
     Index turned_;
 };
 

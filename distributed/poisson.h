@@ -32,6 +32,9 @@ public:
     const Points& sites() const& { return sites_; }
     const Points& boundary_sites() const& { return side_ == Side::primal ? sites_ : flux_sites_; }
     const Points& flux_sites() const& { return flux_sites_; }
+    Points sites() && { return sites_; }
+    Points boundary_sites() && { return boundary_sites(); }
+    Points flux_sites() && { return flux_sites_; }
 
     /// See PoissonSolver::solve.
     Solution solve(const Vector& f, const Vector& boundary_values,

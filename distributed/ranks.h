@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "base/types.h"
 
 #include <algorithm>
@@ -202,7 +203,7 @@ private:
                   const std::vector<const void*>& from, const std::vector<GlobalIndex>& arriving,
                   const std::vector<void*>& to) const;
 
-    std::shared_ptr<State> state_;
+    Shared<State> state_;
 };
 
 } // namespace polydec

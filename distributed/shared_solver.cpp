@@ -139,10 +139,7 @@ Vector SharedSolver::State::solve(const Vector& b, SolveReport& report) {
 }
 
 SharedSolver::SharedSolver(const Ranks& ranks, SharedSystem system, const SharedEngine& engine)
-    : state_(std::make_unique<State>(ranks, std::move(system), engine)) {}
-
-SharedSolver::SharedSolver(SharedSolver&&) noexcept = default;
-SharedSolver::~SharedSolver() = default;
+    : state_(std::make_shared<State>(ranks, std::move(system), engine)) {}
 
 Solution SharedSolver::solve(const Vector& b, const Vector& fixed_values) const {
     State& s = *state_;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "backends/linear_solver.h"
+#include "base/shared.h"
 #include "distributed/connected.h"
 
-#include <memory>
 #include <string>
 
 namespace polydec {
@@ -30,15 +30,13 @@ public:
     /// Throws InvalidInput for an unknown engine or option, SolverFailure if no engine can be set
     /// up.
     SharedSolver(const Ranks& ranks, SharedSystem system, const SharedEngine& engine);
-    SharedSolver(SharedSolver&&) noexcept;
-    ~SharedSolver();
 
     /// See ConstrainedSolver::solve. Throws SolverFailure if no engine solves it.
     Solution solve(const Vector& b, const Vector& fixed_values) const;
 
 private:
     struct State;
-    std::unique_ptr<State> state_;
+    Shared<State> state_;
 };
 
 } // namespace polydec

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "complex/surfaces/glued_surface.h"
 
 #include <Eigen/Core>
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -55,11 +55,10 @@ class ShortestPaths {
 public:
     /// Throws like exact_distance.
     ShortestPaths(const Triangles& surface, const Vector& lengths, std::span<const Index> sources);
-    ShortestPaths(ShortestPaths&&) noexcept;
-    ~ShortestPaths();
 
     /// At the vertices.
-    const Vector& distances() const;
+    const Vector& distances() const&;
+    Vector distances() && { return distances(); }
 
     /// The distance at a point of a triangle, given by barycentric coordinates with respect to the
     /// tails of its half-edges. Throws InvalidInput unless the triangle exists and, up to rounding,
@@ -72,7 +71,7 @@ public:
 
 private:
     struct Parts;
-    std::unique_ptr<Parts> parts_;
+    Shared<Parts> parts_;
 };
 
 } // namespace polydec

@@ -93,7 +93,7 @@ struct ShortestPaths::Parts {
 
 ShortestPaths::ShortestPaths(const Triangles& surface, const Vector& lengths,
                              std::span<const Index> sources)
-    : parts_(std::make_unique<Parts>(Parts{{surface, lengths}, {}, {}, {}, {}, {}})) {
+    : parts_(std::make_shared<Parts>(Parts{{surface, lengths}, {}, {}, {}, {}, {}})) {
     Parts& parts = *parts_;
     check_sources(surface, sources);
     parts.unfolded = distances_by_windows(parts.surface, sources, most_windows(surface.triangles()),
@@ -112,10 +112,7 @@ ShortestPaths::ShortestPaths(const Triangles& surface, const Vector& lengths,
         parts.order[next[windows[w].side]++] = static_cast<Index>(w);
 }
 
-ShortestPaths::ShortestPaths(ShortestPaths&&) noexcept = default;
-ShortestPaths::~ShortestPaths() = default;
-
-const Vector& ShortestPaths::distances() const {
+const Vector& ShortestPaths::distances() const& {
     return parts_->distances;
 }
 

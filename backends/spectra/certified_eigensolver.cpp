@@ -325,14 +325,11 @@ struct CertifiedEigensolver::State {
 };
 
 CertifiedEigensolver::CertifiedEigensolver(const Pencil& pencil, EigensolverOptions options)
-    : state_(std::make_unique<State>(pencil, std::move(options))) {}
+    : state_(std::make_shared<State>(pencil, std::move(options))) {}
 
 CertifiedEigensolver::CertifiedEigensolver(const SparseMatrix& A, const Vector& M,
                                            EigensolverOptions options)
     : CertifiedEigensolver(Pencil{.C = A, .M = M}, std::move(options)) {}
-
-CertifiedEigensolver::CertifiedEigensolver(CertifiedEigensolver&&) noexcept = default;
-CertifiedEigensolver::~CertifiedEigensolver() = default;
 
 CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
     State& s = *state_;

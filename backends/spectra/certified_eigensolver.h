@@ -4,9 +4,9 @@
 #include "backends/eigen_solver.h"
 #include "backends/linear_solver.h"
 #include "backends/spectra/pencil.h"
+#include "base/shared.h"
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,15 +76,13 @@ struct CertifiedEigenpairs {
 /// completeness, they hold for the i-th smallest eigenvalue and the i-th value. Not covered:
 /// rounding in the inertia count; InertiaCounter states when it is trusted.
 ///
-/// Scale-free. Reuses earlier results in further calls.
+/// Scale-free. Reuses earlier results in further calls; copies share them.
 class CertifiedEigensolver {
 public:
     /// Throws InvalidInput for sizes that do not fit, a mass that is not positive, numbers that are
     /// not finite, and matrices that are not symmetric.
     explicit CertifiedEigensolver(const Pencil& pencil, EigensolverOptions options = {});
     CertifiedEigensolver(const SparseMatrix& A, const Vector& M, EigensolverOptions options = {});
-    CertifiedEigensolver(CertifiedEigensolver&&) noexcept;
-    ~CertifiedEigensolver();
 
     /// The `count` (algebraically) smallest eigenpairs, 1 <= count <= size. Throws InvalidInput for
     /// an impossible count, and for start vectors of wrong size or that are not finite;
@@ -94,7 +92,7 @@ public:
 
 private:
     struct State;
-    std::unique_ptr<State> state_;
+    Shared<State> state_;
 };
 
 } // namespace polydec

@@ -72,7 +72,7 @@ public:
     explicit GluedSurface(const std::vector<std::array<SignedEdge, 3>>& triangles);
 
     /// The half-edges of an edge; the second is -1 on the boundary.
-    const std::array<Index, 2>& halfedges(Index edge) const { return halfedges_[edge]; }
+    std::array<Index, 2> halfedges(Index edge) const { return halfedges_[edge]; }
     bool is_boundary(Index edge) const { return halfedges_[edge][1] < 0; }
 
     /// The other half-edge of the same edge; -1 on the boundary.

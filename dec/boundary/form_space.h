@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/lazy.h"
+#include "base/shared.h"
 #include "dec/boundary/boundary_conditions.h"
 #include "dec/forms/cells.h"
 #include "dec/forms/cochain.h"
@@ -133,7 +134,7 @@ private:
     const CellMarks& on_the_boundary() const;
     SparseMatrix free_part(int k, const SparseMatrix& of_all) const;
 
-    std::shared_ptr<const Parts> parts_;
+    Shared<const Parts> parts_;
 };
 
 } // namespace polydec

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "dec/forms/cells.h"
 #include "dec/merging/merge.h"
 #include "dec/merging/merged_cells.h"
@@ -92,10 +93,6 @@ public:
     /// vertices, and all points have the same number of coordinates.
     explicit Discretization(Parts parts);
 
-    // no moves, which would leave a handle on nothing
-    Discretization(const Discretization&) = default;
-    Discretization& operator=(const Discretization&) = default;
-
     /// The same with other stars (see Cells), or with stars of this kind; throws like choose_stars.
     Discretization with_stars(const ChosenStars& chosen) const;
     Discretization with_stars(const HodgeStars& stars) const {
@@ -147,6 +144,8 @@ public:
         return passage().is_identity() ? measured_input_points() : parts_->points;
     }
     const Points& measured_input_points() const& { return *parts_->input_points; }
+    Points measured_points() && { return measured_points(); }
+    Points measured_input_points() && { return measured_input_points(); }
 
     /// The box from which a glued mesh was made; null for other meshes.
     const std::shared_ptr<const GluedBox>& box() const& { return parts_->box; }
@@ -211,8 +210,8 @@ private:
         Points points, input_points; ///< in the units of the input
     };
 
-    std::shared_ptr<const Parts> parts_;
-    std::shared_ptr<const Given> given_; // null where unit() is 1
+    Shared<const Parts> parts_;
+    Shared<const Given> given_; // null where unit() is 1
 };
 
 /// Computes the merged complex, volumes and stars of a mesh. Untidy input is tidied with a warning

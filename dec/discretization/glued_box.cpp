@@ -141,7 +141,7 @@ GluedBox::Parts GluedBox::parts(const PeriodicMesh& glued, const Discretization&
 GluedBox::GluedBox(const PeriodicMesh& glued, const Discretization& mesh)
     : parts_(parts(glued, mesh)), vertices_(forth(0, parts_.mesh.measured_input_points())) {}
 
-const std::vector<Index>& GluedBox::onto(int k) const {
+const std::vector<Index>& GluedBox::onto(int k) const& {
     check_number("the simplices of a box of degree", k, 0, mesh().dimension());
     return parts_.maps[k].onto;
 }

@@ -18,16 +18,20 @@ public:
 
     /// The box as a mesh of its own, in the unit of the glued mesh and with the same orientation of
     /// n-simplices. Its cells are the cells of the glued mesh, cut along the seams.
-    const Discretization& mesh() const { return parts_.mesh; }
+    const Discretization& mesh() const& { return parts_.mesh; }
+    Discretization mesh() && { return mesh(); }
 
     /// The n-simplices of the glued mesh, between the points of the box.
-    PlacedSimplices places() const { return {mesh().measured_input_points(), parts_.corners}; }
+    PlacedSimplices places() const& { return {mesh().measured_input_points(), parts_.corners}; }
+    PlacedSimplices places() const&& = delete;
 
     /// The first place of each vertex of the glued mesh: one row per vertex.
-    const Points& vertices() const { return vertices_; }
+    const Points& vertices() const& { return vertices_; }
+    Points vertices() && { return vertices(); }
 
     /// For each k-simplex of the box, the k-simplex of the glued mesh that it becomes.
-    const std::vector<Index>& onto(int k) const;
+    const std::vector<Index>& onto(int k) const&;
+    std::vector<Index> onto(int k) && { return onto(k); }
 
     /// The pull-back of primal k-cochains (columns) from the simplices of the glued mesh to the
     /// simplices of the box; commutes with d.

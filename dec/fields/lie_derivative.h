@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "dec/discretization/discretization.h"
 #include "dec/forms/cochain.h"
-
-#include <memory>
 
 namespace polydec {
 
@@ -84,7 +83,7 @@ public:
 private:
     struct Parts;
 
-    std::shared_ptr<const Parts> parts_;
+    Shared<const Parts> parts_;
 };
 
 } // namespace polydec

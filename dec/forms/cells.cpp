@@ -35,7 +35,7 @@ const ChosenStars& Cells::chosen_stars() const& {
     return stars_->get(make_stars_);
 }
 
-const HodgeStars& Cells::input_stars() const {
+const HodgeStars& Cells::input_stars() const& {
     return unit_ == 1 ? stars()
                       : input_stars_->get([this] { return in_input_units(stars(), unit_); });
 }

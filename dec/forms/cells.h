@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/lazy.h"
+#include "base/shared.h"
 #include "complex/cell_complex.h"
 #include "dec/stars/star.h"
 
@@ -22,10 +23,6 @@ public:
     /// Cells of your own, measured in some unit (see unit()). Throws InvalidInput, naming the
     /// degree, unless the sizes of the stars match the numbers of cells.
     Cells(const CellComplex& complex, const HodgeStars& stars, double unit = 1);
-
-    // no moves, which would leave a handle on nothing
-    Cells(const Cells&) = default;
-    Cells& operator=(const Cells&) = default;
 
     const CellComplex& complex() const& { return complex_; }
     CellComplex complex() && { return complex_; }
@@ -50,7 +47,8 @@ public:
 
     /// The stars in the units of the input. Throws InvalidInput, naming the degree, for overflow or
     /// underflow.
-    const HodgeStars& input_stars() const;
+    const HodgeStars& input_stars() const&;
+    HodgeStars input_stars() && { return input_stars(); }
 
     /// The same with other stars, or with a matrix as the star of k-forms, in the units of the
     /// input. Products of dual forms and integrals over duals still use the volumes. Throws
@@ -88,10 +86,10 @@ protected:
 private:
     CellComplex complex_;
     CellVolumes volumes_;
-    std::shared_ptr<const MergedCells> merged_; // null for cells of your own
+    Shared<const MergedCells> merged_; // null for cells of your own
     std::function<ChosenStars()> make_stars_;
-    std::shared_ptr<const Lazy<ChosenStars>> stars_;
-    std::shared_ptr<const Lazy<HodgeStars>> input_stars_;
+    Shared<const Lazy<ChosenStars>> stars_;
+    Shared<const Lazy<HodgeStars>> input_stars_;
     double unit_;
 };
 

@@ -24,7 +24,7 @@ MergedCells MergedCells::with_volumes(const CellVolumes& volumes) const {
     return result;
 }
 
-const std::vector<SparseMatrix>& MergedCells::lift() const {
+const std::vector<SparseMatrix>& MergedCells::lift() const& {
     return lift_->get([this] { return commuting_lift(merging_, geometry_); });
 }
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "base/lazy.h"
+#include "base/shared.h"
 #include "complex/merging.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/geometry.h"
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,18 +20,23 @@ public:
     /// unless their sizes match the merging.
     MergedCells(const Merging& merging, const Geometry& geometry, const CellVolumes& volumes);
 
-    const CellComplex& complex() const { return merging_.merged(); }
+    const CellComplex& complex() const& { return merging_.merged(); }
+    CellComplex complex() && { return complex(); }
     int dimension() const { return complex().dimension(); }
-    const CellVolumes& volumes() const { return volumes_; }
-    const Merging& merging() const { return merging_; }
-    const Geometry& geometry() const { return geometry_; }
+    const CellVolumes& volumes() const& { return volumes_; }
+    CellVolumes volumes() && { return volumes(); }
+    const Merging& merging() const& { return merging_; }
+    Merging merging() && { return merging(); }
+    const Geometry& geometry() const& { return geometry_; }
+    Geometry geometry() && { return geometry(); }
 
     /// The same with other volumes of the cells. Throws like the constructor.
     MergedCells with_volumes(const CellVolumes& volumes) const;
 
     /// The lift of forms on the cells to the pieces (see commuting_lift); computed on first use,
     /// once for all copies.
-    const std::vector<SparseMatrix>& lift() const;
+    const std::vector<SparseMatrix>& lift() const&;
+    std::vector<SparseMatrix> lift() && { return lift(); }
 
     /// The part of |E||*E| in each n-cell, for all k-cells E: size(n) x size(k). Columns sum to
     /// |E||*E|, with *E between these centers. length^n.
@@ -41,7 +46,7 @@ private:
     Merging merging_;
     Geometry geometry_;
     CellVolumes volumes_;
-    std::shared_ptr<const Lazy<std::vector<SparseMatrix>>> lift_;
+    Shared<const Lazy<std::vector<SparseMatrix>>> lift_;
 };
 
 /// Sums over the pieces s of one cell, in ascending order: |s|, and |s| times the dual volume, the

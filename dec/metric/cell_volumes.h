@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "dec/metric/values.h"
 
 #include <functional>
@@ -24,10 +25,6 @@ public:
     /// No cells: dimension -1.
     CellVolumes() : parts_(std::make_shared<Parts>()) {}
 
-    // no moves, which would leave a handle on nothing
-    CellVolumes(const CellVolumes&) = default;
-    CellVolumes& operator=(const CellVolumes&) = default;
-
     /// One vector per degree 0..n, one number per cell. Without `terms` and `rounding` the duals
     /// count as exact up to their last digits: terms are the duals' own sizes.
     /// Throws InvalidInput, naming degree and cell, for sizes that differ, for a primal volume that
@@ -42,8 +39,9 @@ public:
     /// Number of k-cells. The accessors below throw InvalidInput for a degree outside 0..n.
     Index size(int k) const { return degree(k).primal.size(); }
 
-    /// All numbers of the k-cells, for innermost loops; valid as long as a copy of these volumes.
-    const Degree& degree(int k) const { return parts_->degrees[checked(k)]; }
+    /// All numbers of the k-cells, for innermost loops.
+    const Degree& degree(int k) const& { return parts_->degrees[checked(k)]; }
+    Degree degree(int k) && { return degree(k); }
 
     /// k-volumes |s| > 0, 1 for vertices; length^k.
     const Vector& primal(int k) const& { return degree(k).primal.vector(); }
@@ -105,7 +103,7 @@ private:
         std::vector<Degree> degrees;
         std::vector<std::vector<Index>> numbers; // empty: their own
     };
-    std::shared_ptr<const Parts> parts_;
+    Shared<const Parts> parts_;
 };
 
 /// Throws InvalidInput, naming the degree, unless sizes of volumes match the numbers of cells.

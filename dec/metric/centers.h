@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "base/types.h"
 
-#include <memory>
 #include <vector>
 
 namespace polydec {
@@ -50,7 +50,7 @@ private:
 
     Kind kind_ = Kind::circumcenters;
     // one vector entry per degree; a single row for all centroids; for of_cells: moments, terms
-    std::shared_ptr<const std::vector<Points>> given_;
+    Shared<const std::vector<Points>> given_;
 };
 
 /// The barycentric coordinates of the centers of all k-simplices: size(k) x (k+1).

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "complex/pieces.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/simplex_metric.h"
 
-#include <memory>
 #include <vector>
 
 namespace polydec {
@@ -32,13 +32,18 @@ public:
     Geometry(const Pieces& pieces, const SimplexMetric& metric, const CellVolumes& volumes,
              const Centers& centers = {}, std::vector<bool> flat = {});
 
-    const Pieces& pieces() const { return pieces_; }
-    const SimplexMetric& metric() const { return metric_; }
-    const CellVolumes& volumes() const { return volumes_; }
-    const Centers& centers() const { return centers_; }
+    const Pieces& pieces() const& { return pieces_; }
+    Pieces pieces() && { return pieces(); }
+    const SimplexMetric& metric() const& { return metric_; }
+    SimplexMetric metric() && { return metric(); }
+    const CellVolumes& volumes() const& { return volumes_; }
+    CellVolumes volumes() && { return volumes(); }
+    const Centers& centers() const& { return centers_; }
+    Centers centers() && { return centers(); }
 
     /// The marks of all n-simplices (may be empty), and the mark of one.
-    const std::vector<bool>& flat() const { return *flat_; }
+    const std::vector<bool>& flat() const& { return *flat_; }
+    std::vector<bool> flat() && { return flat(); }
     bool is_flat(Index t) const { return !flat_->empty() && (*flat_)[t]; }
 
     /// The same simplices with duals between other centers. Throws like dual_volumes.
@@ -54,7 +59,7 @@ private:
     SimplexMetric metric_;
     CellVolumes volumes_;
     Centers centers_;
-    std::shared_ptr<const std::vector<bool>> flat_;
+    Shared<const std::vector<bool>> flat_;
 };
 
 /// Volumes of the simplices and signed volumes of their circumcentric duals, by the recursion |*s|

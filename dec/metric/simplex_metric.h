@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "base/types.h"
 
 #include <memory>
@@ -41,8 +42,8 @@ public:
     }
 
 private:
-    std::shared_ptr<const Points> points_;
-    std::shared_ptr<const Vector> lengths_;
+    Shared<const Points> points_;
+    Shared<const Vector> lengths_;
 };
 
 /// Lengths of the 1-simplices between points. Size size(1). Throws like require_points.

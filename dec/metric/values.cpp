@@ -29,7 +29,7 @@ Values::Values(Vector values)
     values_ = vector().data();
 }
 
-const Vector& Values::vector() const {
+const Vector& Values::vector() const& {
     return vector_->get([this]() -> Vector { return Vector::Constant(size_, first_); });
 }
 

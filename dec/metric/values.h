@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/lazy.h"
+#include "base/shared.h"
 #include "base/types.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <memory>
 
 namespace polydec {
 
@@ -26,13 +26,14 @@ public:
     bool are_above(double least) const;
 
     /// All numbers as a vector; computed on first use, and kept.
-    const Vector& vector() const;
+    const Vector& vector() const&;
+    Vector vector() && { return vector(); }
 
 private:
     Index size_;
     double first_;
     const double* values_ = nullptr; // null: all are equal
-    std::shared_ptr<const Lazy<Vector>> vector_;
+    Shared<const Lazy<Vector>> vector_;
 };
 
 /// An upper bound per cell, not negative, to a few digits, in two bytes: nine bits of a double's

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/errors.h"
+#include "base/shared.h"
 #include "base/types.h"
 #include "dec/metric/cell_volumes.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -73,7 +73,7 @@ private:
 
     CellVolumes volumes_;
     int degree_;
-    std::shared_ptr<Matrix> matrix_; // none: diagonal
+    Shared<Matrix> matrix_; // none: diagonal
 };
 
 /// The stars of all degrees. Volumes convert implicitly to the diagonal stars made from them.
@@ -91,7 +91,8 @@ public:
     HodgeStars with(int k, SparseMatrix matrix) const;
 
     /// Volumes of the cells; diagonal stars are ratios of these.
-    const CellVolumes& volumes() const { return volumes_; }
+    const CellVolumes& volumes() const& { return volumes_; }
+    CellVolumes volumes() && { return volumes(); }
 
 private:
     CellVolumes volumes_;

@@ -51,6 +51,10 @@ const IntrinsicDelaunay& Passage::flips(std::string_view what) const& {
     return flipped_->flips;
 }
 
+IntrinsicDelaunay Passage::flips(std::string_view what) && {
+    return flips(what);
+}
+
 Vector Passage::turned(int k, Vector values) const {
     return k == 1 ? Vector(flipped_->directions.cwiseProduct(values)) : values;
 }

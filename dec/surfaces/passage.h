@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "complex/simplicial_complex.h"
 
 #include <array>
-#include <memory>
 #include <string_view>
 
 namespace polydec {
@@ -32,6 +32,7 @@ public:
 
     /// The flips. Throws InvalidInput if nothing was flipped; `what` names the caller.
     const IntrinsicDelaunay& flips(std::string_view what = "what edges were flipped") const&;
+    IntrinsicDelaunay flips(std::string_view what = "what edges were flipped") &&;
 
     /// Maps primal k-cochains (columns) from the simplices to the pieces. Commutes with d. Both
     /// directions throw InvalidInput, naming both sizes, for a wrong number of values.
@@ -53,7 +54,7 @@ private:
 
     SimplicialComplex input_;
     Pieces pieces_;
-    std::shared_ptr<const Flipped> flipped_; // null: the identity
+    Shared<const Flipped> flipped_; // null: the identity
 };
 
 /// The input's triangles cut along the edges of the flipped triangles: convex flat pieces, each in

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "dec/discretization/discretization.h"
 #include "dec/fields/lie_derivative.h"
 #include "dec/forms/cochain.h"
 #include "dec/forms/operator.h"
 
-#include <memory>
 #include <vector>
 
 namespace polydec {
@@ -49,7 +49,7 @@ public:
 private:
     struct Parts;
 
-    std::shared_ptr<const Parts> parts_;
+    Shared<const Parts> parts_;
 };
 
 /// Transport of a density by fluxes: d rho/dt + div(rho u) = 0 for a dual 0-form rho, the density

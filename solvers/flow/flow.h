@@ -28,10 +28,9 @@ public:
     /// step is positive and there is one flux per facet; and like LinearSolver.
     Flow(const IncompressibleFlow& equations, const Vector& start, const FlowSteps& steps);
 
-    const IncompressibleFlow& equations() const { return equations_; }
-
     /// The current flux, also the only form in forms().
-    const Vector& flux() const { return now()[0]; }
+    const Vector& flux() const& { return now()[0]; }
+    Vector flux() && { return flux(); }
     std::vector<Cochain> forms() const override;
 
     std::optional<Fingerprint> fingerprint() const override;

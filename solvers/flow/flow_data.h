@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "base/types.h"
 #include "dec/discretization/discretization.h"
 
@@ -67,9 +68,9 @@ private:
     /// Takes data in the unit of the mesh.
     Flow solve(const Vector& momentum, const Vector& boundary) const;
 
-    std::shared_ptr<const FlowOperators> operators_;
+    Shared<const FlowOperators> operators_;
     double theta_;
-    std::shared_ptr<const Solver> solver_;
+    Shared<const Solver> solver_;
 };
 
 } // namespace polydec

@@ -48,15 +48,15 @@ struct IncompressibleFlow::Parts {
 IncompressibleFlow::IncompressibleFlow(const Discretization& mesh, const FlowOptions& options)
     : parts_(std::make_shared<Parts>(mesh, options)) {}
 
-const Discretization& IncompressibleFlow::mesh() const {
+const Discretization& IncompressibleFlow::mesh() const& {
     return parts_->operators->mesh;
 }
 
-const FlowOptions& IncompressibleFlow::options() const {
+const FlowOptions& IncompressibleFlow::options() const& {
     return parts_->options;
 }
 
-const Advection& IncompressibleFlow::advection() const {
+const Advection& IncompressibleFlow::advection() const& {
     return parts_->advection;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "dec/discretization/discretization.h"
 #include "solvers/flow/advection.h"
 #include "solvers/flow/flow_data.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -44,9 +44,12 @@ public:
     /// viscosity if star_(n-2) is a matrix.
     IncompressibleFlow(const Discretization& mesh, const FlowOptions& options = {});
 
-    const Discretization& mesh() const;
-    const FlowOptions& options() const;
-    const Advection& advection() const;
+    const Discretization& mesh() const&;
+    Discretization mesh() && { return mesh(); }
+    const FlowOptions& options() const&;
+    FlowOptions options() && { return options(); }
+    const Advection& advection() const&;
+    Advection advection() && { return advection(); }
 
     /// The flow without divergence, with the given boundary fluxes, that is nearest to these fluxes
     /// in the norm of star_(n-1). If only rounding errors are left of these fluxes, the flow
@@ -103,7 +106,7 @@ private:
 
     double ratio_of_energies(const Vector& w, const Vector& other) const;
 
-    std::shared_ptr<const Parts> parts_;
+    Shared<const Parts> parts_;
 };
 
 /// A warning if fluxes are given but `flow`, their projection, is 0.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "dec/discretization/discretization.h"
 #include "dec/forms/cochain.h"
 
-#include <memory>
 #include <vector>
 
 namespace polydec {
@@ -56,7 +56,7 @@ public:
 private:
     struct Parts;
 
-    std::shared_ptr<const Parts> parts_;
+    Shared<const Parts> parts_;
 };
 
 } // namespace polydec

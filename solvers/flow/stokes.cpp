@@ -144,10 +144,7 @@ struct StokesSolver::System {
 };
 
 StokesSolver::StokesSolver(const Cells& cells, const StokesOptions& options)
-    : system_(std::make_unique<System>(cells, options)) {}
-
-StokesSolver::StokesSolver(StokesSolver&&) noexcept = default;
-StokesSolver::~StokesSolver() = default;
+    : system_(std::make_shared<System>(cells, options)) {}
 
 StokesFlow StokesSolver::solve(const Cochain& force, const StokesData& data) const {
     const System& of = *system_;

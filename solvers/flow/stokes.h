@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "base/solve_report.h"
 #include "dec/discretization/discretization.h"
 #include "dec/forms/cochain.h"
 #include "solvers/flow/flow_data.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,8 +43,8 @@ struct StokesFlow {
 /// for the flux u, a primal (n-1)-form, with one factorization. Each facet of the boundary has two
 /// conditions (see FlowBoundary); on slipping walls a vorticity other than 0 may be given. The
 /// balance d u is 0 in every cell to rounding. On grids this is the marker-and-cell scheme. All is
-/// in the units of the input. Use an object from one thread at a time. Source: Dubois 2002
-/// (vorticity, velocity, pressure); Harlow, Welch 1965 (grids).
+/// in the units of the input. Copies share the factorization; use them from one thread at a time.
+/// Source: Dubois 2002 (vorticity, velocity, pressure); Harlow, Welch 1965 (grids).
 class StokesSolver {
 public:
     /// Throws InvalidInput for n < 2, a viscosity that is not positive, and a wrong number of
@@ -54,9 +54,6 @@ public:
     /// known pressure, and no wall without slip that holds them back.
     explicit StokesSolver(const Cells& cells, const StokesOptions& options = {});
 
-    StokesSolver(StokesSolver&&) noexcept;
-    ~StokesSolver();
-
     /// `force` is the flux of f, a primal (n-1)-form. Data on other cells are ignored. Throws
     /// InvalidInput for wrong sizes, for values that are not finite, and if the known fluxes of a
     /// component without known pressure do not balance.
@@ -64,7 +61,7 @@ public:
 
 private:
     struct System;
-    std::unique_ptr<const System> system_;
+    Shared<const System> system_;
 };
 
 } // namespace polydec

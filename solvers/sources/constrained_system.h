@@ -2,10 +2,10 @@
 #pragma once
 
 #include "backends/linear_solver.h"
+#include "base/shared.h"
 
 #include <algorithm>
 #include <functional>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -83,7 +83,7 @@ struct Solution {
 
 /// Solves constrained systems with one factorization. On free components it removes the
 /// incompatible part of b (its sum, distributed by the weights), and the weighted mean of u is 0.
-/// Use an object from one thread at a time.
+/// Copies share the factorization; use them from one thread at a time.
 class ConstrainedSolver {
 public:
     /// Throws InvalidInput for sizes that do not fit, SolverFailure if A cannot be factorized.
@@ -100,7 +100,7 @@ private:
     ConstrainedSystem system_;
     std::vector<Index> unknowns_; // indices of the free unknowns
     FreeComponents components_;
-    std::unique_ptr<LinearSolver> solver_;
+    Shared<LinearSolver> solver_;
 };
 
 } // namespace polydec

@@ -155,7 +155,7 @@ HodgeSolver::HodgeSolver(const FormSpace& space, const std::string& linear_solve
     const int n = complex.dimension(), k = space.cell_degree();
     const HodgeStar mass = inside.input_stars()[k];
     check_positive_mass(mass, space.side(), space.degree());
-    parts_ = std::make_unique<Parts>(Parts{ScaledStar(mass)});
+    parts_ = std::make_shared<Parts>(Parts{ScaledStar(mass)});
     auto& [star, exact, coexact] = *parts_;
     const auto least_squares = [&](SparseMatrix D, SparseMatrix weighted,
                                    const std::vector<Index>& kept, int degree_of_potential) {
@@ -182,9 +182,6 @@ HodgeSolver::HodgeSolver(const FormSpace& space, const std::string& linear_solve
             std::make_unique<ByMultipliers>(derivative(complex, k), star.matrix, linear_solver, n);
     }
 }
-
-HodgeSolver::HodgeSolver(HodgeSolver&&) noexcept = default;
-HodgeSolver::~HodgeSolver() = default;
 
 HodgeParts HodgeSolver::decompose(const Cochain& form) const {
     space_.check(form);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "dec/boundary/form_space.h"
 
-#include <memory>
 #include <string>
 
 namespace polydec {
@@ -31,8 +31,6 @@ public:
     /// Throws InvalidInput for a Robin condition and, naming the cells, if the star of these forms
     /// is not positive. Passes on the engine's errors.
     explicit HodgeSolver(const FormSpace& space, const std::string& linear_solver = "auto");
-    HodgeSolver(HodgeSolver&&) noexcept;
-    ~HodgeSolver();
 
     /// Throws InvalidInput like FormSpace::check.
     HodgeParts decompose(const Cochain& form) const;
@@ -46,7 +44,7 @@ private:
     struct Parts;
 
     FormSpace space_;
-    std::unique_ptr<Parts> parts_;
+    Shared<Parts> parts_;
 };
 
 /// The Hodge decomposition of one form, with a solver made for it.

@@ -55,9 +55,6 @@ std::unique_ptr<const PoissonSystem> system_of(const FormSpace& space, const std
 PoissonSolver::PoissonSolver(const FormSpace& space, const std::string& linear_solver)
     : space_(space), system_(system_of(space, linear_solver)), warnings_(warnings_of(space)) {}
 
-PoissonSolver::PoissonSolver(PoissonSolver&&) noexcept = default;
-PoissonSolver::~PoissonSolver() = default;
-
 PoissonSolution PoissonSolver::solve(const Cochain& f, const BoundaryForms& data,
                                      const Vector& harmonic) const {
     space_.check(f);

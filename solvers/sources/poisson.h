@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "dec/boundary/form_space.h"
 #include "solvers/sources/boundary_forms.h"
 #include "solvers/sources/constrained_system.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -51,7 +51,7 @@ struct PoissonSolution {
 /// linear u is reproduced exactly on every flat mesh.
 ///
 /// Source: Arnold, Falk, Winther 2006, sec. 7 and 8; Raviart, Thomas 1977.
-/// Use an object from one thread at a time.
+/// Copies share the factorization; use them from one thread at a time.
 class PoissonSolver {
 public:
     /// Throws InvalidInput, naming the cells, for dual functions if the cells branch, are
@@ -59,9 +59,6 @@ public:
     /// of the forms or of their codifferentials is not positive; with a Robin condition, like
     /// Cells::boundary_star. Passes on the engine's errors.
     explicit PoissonSolver(const FormSpace& space, const std::string& linear_solver = "auto");
-
-    PoissonSolver(PoissonSolver&&) noexcept;
-    ~PoissonSolver();
 
     /// f is a form of the space, given by integrals over cells like every form; functions by their
     /// values. `data` belong to the conditions, by default 0 (see BoundaryForms and outward_flow);
@@ -79,7 +76,7 @@ public:
 
 private:
     FormSpace space_;
-    std::unique_ptr<const PoissonSystem> system_;
+    Shared<const PoissonSystem> system_;
     std::vector<std::string> warnings_; // included in every solution
 };
 

@@ -28,7 +28,7 @@ struct GeodesicDistance::Parts {
 
 GeodesicDistance::GeodesicDistance(const Triangles& surface, const Vector& lengths,
                                    const GeodesicOptions& options)
-    : parts_(std::make_unique<Parts>(Parts{surface, lengths})) {
+    : parts_(std::make_shared<Parts>(Parts{surface, lengths})) {
     check_lengths(surface, lengths);
     if (options.method == DistanceMethod::heat) {
         parts_->heat.emplace(surface, lengths, options.time_scale, options.linear_solver);
@@ -53,9 +53,6 @@ GeodesicDistance::GeodesicDistance(const Discretization& discretization,
     warnings_ = warning_of_negative_duals(by_duals, 1, "distances may be far off");
     advice_ = flip_advice(by_duals);
 }
-
-GeodesicDistance::GeodesicDistance(GeodesicDistance&&) noexcept = default;
-GeodesicDistance::~GeodesicDistance() = default;
 
 Distance GeodesicDistance::to(std::span<const Index> sources) const {
     const Vector distance = parts_->heat

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "complex/surfaces/glued_surface.h"
 #include "dec/discretization/discretization.h"
 #include "meshes/level_sets.h"
 
-#include <memory>
 #include <span>
 #include <string>
 
@@ -53,8 +53,6 @@ public:
     /// On the surface of a discretization, after intrinsic flips on the flipped triangles. Also
     /// throws InvalidInput if it is not a surface.
     GeodesicDistance(const Discretization& discretization, const GeodesicOptions& options = {});
-    GeodesicDistance(GeodesicDistance&&) noexcept;
-    ~GeodesicDistance();
 
     /// Distance of every vertex from the nearest source, in the unit of the lengths, for a mesh in
     /// the unit of its input. 0 at the sources. With the heat method, triangles far from Delaunay
@@ -66,7 +64,7 @@ public:
 
 private:
     struct Parts;
-    std::unique_ptr<Parts> parts_;
+    Shared<Parts> parts_;
     std::vector<std::string> warnings_; // of the mesh, for the heat method
     std::string advice_;                // on negative duals
     double unit_ = 1;                   // unit of length of the mesh
@@ -99,8 +97,6 @@ public:
     /// From 0-cells of complex(). Throws InvalidInput if the mesh is not a surface or has lengths
     /// only; for a 0-cell created by splits; and like exact_distance.
     SurfacePaths(const Discretization& mesh, std::span<const Index> sources);
-    SurfacePaths(SurfacePaths&&) noexcept;
-    ~SurfacePaths();
 
     /// Throws InvalidInput for a vertex that is not in the input.
     SurfacePath from(Index vertex) const;
@@ -112,7 +108,7 @@ public:
 
 private:
     struct Parts;
-    std::unique_ptr<Parts> parts_;
+    Shared<Parts> parts_;
 };
 
 } // namespace polydec

@@ -161,11 +161,8 @@ struct HeatDistance::Parts {
 HeatDistance::HeatDistance(const Triangles& surface, const Vector& lengths, double time_scale,
                            const std::string& engine) {
     check_time_scale(time_scale);
-    parts_ = std::make_unique<Parts>(surface, lengths, time_scale, engine);
+    parts_ = std::make_shared<Parts>(surface, lengths, time_scale, engine);
 }
-
-HeatDistance::HeatDistance(HeatDistance&&) noexcept = default;
-HeatDistance::~HeatDistance() = default;
 
 Vector HeatDistance::to(std::span<const Index> sources) const {
     const SurfaceMetric& metric = parts_->metric;

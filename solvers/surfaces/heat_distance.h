@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "complex/surfaces/glued_surface.h"
 
-#include <memory>
 #include <span>
 #include <string>
 
@@ -20,8 +20,6 @@ public:
     /// Throws like GeodesicDistance.
     HeatDistance(const Triangles& surface, const Vector& lengths, double time_scale,
                  const std::string& engine);
-    HeatDistance(HeatDistance&&) noexcept;
-    ~HeatDistance();
 
     /// In the unit of the lengths; 0 at the sources. Triangles far from Delaunay can cause negative
     /// values.
@@ -29,7 +27,7 @@ public:
 
 private:
     struct Parts;
-    std::unique_ptr<Parts> parts_;
+    Shared<Parts> parts_;
 };
 
 } // namespace polydec

@@ -143,13 +143,10 @@ struct ParallelTransport::Parts {
 ParallelTransport::ParallelTransport(const GluedSurface& surface, const Vector& lengths,
                                      const TransportOptions& options) {
     check_time_scale(options.time_scale);
-    parts_ = std::make_unique<Parts>(surface, lengths, options);
+    parts_ = std::make_shared<Parts>(surface, lengths, options);
 }
 
-ParallelTransport::ParallelTransport(ParallelTransport&&) noexcept = default;
-ParallelTransport::~ParallelTransport() = default;
-
-const TangentFrames& ParallelTransport::frames() const {
+const TangentFrames& ParallelTransport::frames() const& {
     return parts_->frames;
 }
 

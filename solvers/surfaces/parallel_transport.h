@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/shared.h"
 #include "complex/surfaces/glued_surface.h"
 
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -62,11 +62,10 @@ public:
     /// scale is from 1e-6 to 1e6; SolverFailure if the engine cannot factorize.
     ParallelTransport(const GluedSurface& surface, const Vector& lengths,
                       const TransportOptions& options = {});
-    ParallelTransport(ParallelTransport&&) noexcept;
-    ~ParallelTransport();
 
     /// The coordinates of vectors, both input and output.
-    const TangentFrames& frames() const;
+    const TangentFrames& frames() const&;
+    TangentFrames frames() && { return frames(); }
 
     /// Extends one vector per source to a vector at every vertex. Magnitudes lie between the
     /// smallest and the largest given. Where vectors from several sources cancel to rounding, the
@@ -78,7 +77,7 @@ public:
 
 private:
     struct Parts;
-    std::unique_ptr<Parts> parts_;
+    Shared<Parts> parts_;
 };
 
 } // namespace polydec

@@ -50,10 +50,7 @@ struct SurfacePaths::Parts {
 };
 
 SurfacePaths::SurfacePaths(const Discretization& mesh, std::span<const Index> sources)
-    : parts_(std::make_unique<Parts>(mesh, sources)) {}
-
-SurfacePaths::SurfacePaths(SurfacePaths&&) noexcept = default;
-SurfacePaths::~SurfacePaths() = default;
+    : parts_(std::make_shared<Parts>(mesh, sources)) {}
 
 SurfacePath SurfacePaths::from(Index vertex) const {
     const Parts& parts = *parts_;

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "backends/linear_solver.h"
+#include "base/shared.h"
 #include "dec/boundary/form_space.h"
 #include "dec/discretization/fingerprint.h"
 #include "solvers/sources/boundary_forms.h"
 #include "solvers/time/run.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,7 +38,8 @@ public:
 
     Side side() const { return side_; }
     int degree() const { return degree_; }
-    const std::vector<Index>& kept() const { return kept_; }
+    const std::vector<Index>& kept() const& { return kept_; }
+    std::vector<Index> kept() && { return kept(); }
     Index size() const { return static_cast<Index>(kept_.size()); } ///< the number of values
 
     /// -nu Delta u.
@@ -85,12 +86,12 @@ private:
     HodgeStar mass_;
     bool is_mixed_ = false;
     MatrixFacts facts_;
-    std::shared_ptr<LinearSolver> solver_;
+    Shared<LinearSolver> solver_;
     Vector scales_;      // of rows and columns of the matrix of a step
     double largest_ = 1; // of its diagonal, over the mass
 
     struct Space;
-    std::shared_ptr<const Space> space_; // none for a user-defined stiffness
+    Shared<const Space> space_; // none for a user-defined stiffness
 };
 
 /// A run with fixed steps from time 0. A march to a time ends after the step that is nearest to it.
