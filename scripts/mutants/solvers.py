@@ -2,6 +2,9 @@
 """Flaws of solvers/; see mutate.py."""
 
 MUTANTS = {
+    "transport_without_the_sign_of_heat": ("solvers/surfaces/parallel_transport.cpp", "2 * v + 1]) / all;",
+                                           "2 * v + 1]) / std::abs(all);",
+                                           "ParallelTransport.on_flat_surfaces_is_exact"),
     "gravity_of_any_sign": ("solvers/flow/shallow_water.cpp", 'check_positive("gravity"', 'check_not_negative("gravity"',
                             "ShallowWaterErrors.name_the_number_that_is_none"),
     "modes_in_the_unit": ("solvers/spectra/spectrum.cpp", "spectrum.degree - n / 2.0", "0 * spectrum.degree",

@@ -164,10 +164,11 @@ TangentVectors ParallelTransport::extend(std::span<const Index> sources,
     const Heat heat = explaining_failure(parts.surface, parts.metric,
                                          [&] { return parts_->heat(sources, vectors / largest); });
     for (Eigen::Index v = 0; v < result.size(); ++v) {
-        const Complex vector(heat.vectors[2 * v], heat.vectors[2 * v + 1]);
-        const double size = std::abs(vector), all = heat.functions(v, 0);
+        // far from Delaunay, heat can be negative: that of functions and of vectors alike
+        const double all = heat.functions(v, 0);
+        const Complex vector = Complex(heat.vectors[2 * v], heat.vectors[2 * v + 1]) / all;
         const double magnitude = std::clamp(heat.functions(v, 1) / all * largest, least, largest);
-        if (size > 1e-12 * std::abs(all))
+        if (const double size = std::abs(vector); size > 1e-12)
             result[v] = magnitude * (vector / size);
     }
     return result;
