@@ -91,7 +91,6 @@ public:
                 continue;
             ++line_;
             const Spot start{t, Vector::Constant(n_ + 1, 1.0 / (n_ + 1))};
-            enter(bins_[t], 0);
             const auto ahead = half(start, 1);
             auto line = half(start, -1);
             std::reverse(line.begin(), line.end());
@@ -226,14 +225,15 @@ private:
     /// Speed of the field along the simplex.
     double speed(const Spot& spot) const { return place({spot.simplex, rate(spot, 1)}).norm(); }
 
-    /// Returns false if another line has passed here, or this line has come around.
-    bool enter(Index bin, double at) {
-        if (taken_[bin] != 0 &&
-            (taken_[bin] != line_ || std::abs(at - taken_at_[bin]) > 3 * spacing_))
-            return false;
+    /// Whether no other line has passed here, and this line has not come around.
+    bool is_open(Index bin, double at) const {
+        return taken_[bin] == 0 ||
+               (taken_[bin] == line_ && std::abs(at - taken_at_[bin]) <= 3 * spacing_);
+    }
+
+    void take(Index bin, double at) {
         taken_[bin] = line_;
         taken_at_[bin] = at;
-        return true;
     }
 
     /// The places of a line after a spot, along the field or against it.
@@ -241,14 +241,18 @@ private:
         std::vector<Vector> places;
         Vector last = place(spot), watched = last;
         double length = 0, watched_length = 0;
+        Index bin = bins_[spot.simplex];
+        take(bin, 0);
         for (int step = 1; step <= most_steps && length < longest_ * spacing_; ++step) {
             if (!(speed(spot) > slowest_))
                 break;
             const bool goes_on = advance(spot, sign);
             const Vector next = place(spot);
             length += (next - last).norm();
-            if (!enter(bins_[spot.simplex], sign * length))
+            const Index left = std::exchange(bin, bins_[spot.simplex]);
+            if (bin != left && !is_open(bin, sign * length)) // one step may be several spacings
                 break;
+            take(bin, sign * length);
             if ((next - last).norm() > 1e-9 * spacing_) {
                 places.push_back(next);
                 last = next;

@@ -2,6 +2,8 @@
 """Flaws of dec/; see mutate.py."""
 
 MUTANTS = {
+    "streamlines_meet_themselves": ("dec/fields/streamlines.cpp", "bin != left && !is_open", "!is_open",
+                                    "Streamlines.OfAConstantFieldReachFromSideToSideOnCellsOfAnySize"),
     "details_flattened": ("dec/metric/plane.cpp", "kept = 1e-12;", "kept = 1;",
                           "Shapes.of_details_far_smaller_than_their_distance_are_not_flattened"),
     "diagonals_of_any_sign": ("dec/stars/star.cpp", "!(diagonal[cell] > 0)", "diagonal[cell] < 0",

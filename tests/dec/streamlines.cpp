@@ -86,6 +86,26 @@ TEST(Streamlines, OfAConstantFieldAreStraight) {
     }
 }
 
+TEST(Streamlines, OfAConstantFieldReachFromSideToSideOnCellsOfAnySize) {
+    for (const Index cells : {1, 3, 12})
+        for (const double spacing : {4.0 / cells, 1.0 / cells, 0.3 / cells, 0.01 / cells})
+            for (const int axis : {0, 1})
+                for (const double sign : {1.0, -1.0}) {
+                    const auto mesh = discretize(grid(cells, cells));
+                    const Vector wind = sign * Vector::Unit(2, axis);
+                    const auto lines = streamlines(mesh, sampled(mesh, [&](auto&) { return wind; }),
+                                                   {.spacing = spacing, .longest = 1e4, .shortest = 0});
+                    double sum = 0;
+                    Index ends = 0;
+                    for (const auto& segment : lines.simplices.rowwise())
+                        sum += (lines.points.row(segment[1]) - lines.points.row(segment[0])).norm();
+                    for (const double at : lines.points.col(axis))
+                        ends += std::abs(at - 0.5) > 0.5 - 1e-9 ? 1 : 0;
+                    EXPECT_GT(ends, 0);
+                    EXPECT_NEAR(sum, ends / 2.0, 1e-9) << cells << " cells, " << spacing;
+                }
+}
+
 TEST(Streamlines, OfARotationAreCirclesToSecondOrder) {
     for (const int cells : {12, 24, 48, 96})
         EXPECT_LT(drift(cells) * cells * cells, 0.2) << cells;
