@@ -2,6 +2,9 @@
 """Flaws of solvers/; see mutate.py."""
 
 MUTANTS = {
+    "resume_between_steps": ("solvers/time/fixed_steps.cpp", "!is_a_step || ", "", "FixedSteps.resume_from_no_other_state"),
+    "resume_without_values": ("solvers/time/fixed_steps.cpp", "given.size() == own.size() &&", "given.size() <= own.size() &&",
+                              "FixedSteps.resume_from_no_other_state"),
     "transport_without_the_sign_of_heat": ("solvers/surfaces/parallel_transport.cpp", "2 * v + 1]) / all;",
                                            "2 * v + 1]) / std::abs(all);",
                                            "ParallelTransport.on_flat_surfaces_is_exact"),

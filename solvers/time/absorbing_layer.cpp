@@ -165,8 +165,6 @@ const char* name(LayerKind kind) {
 void LayerMemory::add(const Vector& values, Vector& memory, Vector& derivative) const {
     if (is_empty())
         return;
-    if (memory.size() == 0)
-        memory = Vector::Zero(decays_.size());
     check_as_many("values of the layer's memory", memory.size(), decays_.size());
     memory.array() =
         decays_.array() * memory.array() + (decays_.array() - 1) * (parts_ * values).array();

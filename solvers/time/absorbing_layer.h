@@ -46,6 +46,8 @@ public:
 
     bool is_empty() const { return cells_.empty(); }
 
+    Vector at_start() const { return Vector::Zero(decays_.size()); }
+
     /// Advances the memory by a step with these values, and adds its terms to their derivative.
     void add(const Vector& values, Vector& memory, Vector& derivative) const;
 

@@ -122,6 +122,9 @@ protected:
     const std::vector<Vector>& now() const { return state_; }
 
 private:
+    /// The number of the step that is nearest to a time; throws InvalidInput before the start.
+    std::int64_t steps_to(double time) const;
+
     double time_step_;
     std::int64_t steps_ = 0;
     std::vector<Vector> state_;

@@ -35,13 +35,21 @@ void FixedSteps::advance(std::int64_t steps, const TimeListener& progress) {
                                             steps_, time()));
 }
 
+std::int64_t FixedSteps::steps_to(double time) const {
+    const double steps = std::round(time / time_step_);
+    if (!(time >= 0 && steps <= most))
+        throw InvalidInput(fmt::format("there is no step to time {:.6g}: expected 0 to {:.6g}",
+                                       time, most * time_step_));
+    return static_cast<std::int64_t>(steps);
+}
+
 Arrival FixedSteps::march(double until, const TimeListener& progress) {
-    const double last = std::round(until / time_step_);
-    if (!(until >= 0 && last >= static_cast<double>(steps_) && last <= most))
+    const std::int64_t last = steps_to(until);
+    if (last < steps_)
         throw InvalidInput(fmt::format(
             "the run cannot march to time {:.6g}: expected at least {:.6g}, the current time",
             until, time()));
-    advance(static_cast<std::int64_t>(last) - steps_, progress);
+    advance(last - steps_, progress);
     return Arrival::at_time;
 }
 
@@ -55,14 +63,16 @@ StepPlan FixedSteps::plan(const std::vector<double>& times) const {
 }
 
 void FixedSteps::resume(double time, const std::vector<Vector>& state) {
-    bool fits = state.size() == state_.size() && time >= 0 && std::isfinite(time);
-    for (std::size_t i = 0; fits && i < state.size(); ++i)
-        fits =
-            state[i].size() == state_[i].size() || std::min(state[i].size(), state_[i].size()) == 0;
-    if (!fits)
+    const std::int64_t steps = steps_to(time);
+    const auto exact = static_cast<double>(steps);
+    const bool is_a_step = std::abs(time / time_step_ - exact) <= 1e-12 * std::max(1.0, exact);
+    if (!is_a_step || !std::equal(state.begin(), state.end(), state_.begin(), state_.end(),
+                                  [](const Vector& given, const Vector& own) {
+                                      return given.size() == own.size() && given.allFinite();
+                                  }))
         throw InvalidInput("the state belongs to another run: expected a state that state() of "
                            "this run returned, and its time");
-    steps_ = std::llround(time / time_step_);
+    steps_ = steps;
     state_ = state;
 }
 

@@ -258,9 +258,10 @@ void Waves::Scheme::Field::advance(Vector& values, Vector rate, double time_step
         values += time_step * rate;
 }
 
-/// E under the conditions, and its B half a step before; no memories.
+/// E under the conditions, its B half a step before, and memories of nothing.
 std::vector<Vector> Waves::Scheme::begun(const Vector& start, const Vector& upper) const {
-    std::vector<Vector> state{Vector(E.whole), Vector(B.whole), {}, {}};
+    std::vector<Vector> state{Vector(E.whole), Vector(B.whole), E.layer.at_start(),
+                              B.layer.at_start()};
     space.check({space.side(), space.degree(), start});
     Vector values = E.restricted(start, "E");
     if (upper.size() > 0) {

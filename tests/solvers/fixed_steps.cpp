@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/generate.h"
+#include "solvers/flow/flow.h"
+#include "solvers/time/waves.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace polydec::test::in_fixed_steps {
+namespace {
+
+using Made = std::unique_ptr<FixedSteps>;
+
+Made waves() {
+    const auto mesh = discretize(kuhn(2, 4));
+    return std::make_unique<Waves>(FormSpace(mesh, Side::primal, 0),
+                                   Vector::LinSpaced(mesh.complex().size(0), 0, 1),
+                                   WaveOptions{.time_step = 0.01, .layer = {{mesh, 0.3}}});
+}
+
+Made flow() {
+    const auto mesh = discretize(kuhn(2, 4));
+    const IncompressibleFlow equations(mesh, {.viscosity = 0.1});
+    const Vector any = Vector::LinSpaced(mesh.complex().size(1), 0, 3).array().sin().matrix();
+    return std::make_unique<Flow>(equations, equations.project(any), FlowSteps{0.01});
+}
+
+TEST(FixedSteps, resume_from_each_of_their_states) {
+    for (const auto make : {waves, flow}) {
+        const Made whole = make();
+        whole->march(0.1);
+        for (const int steps : {0, 1, 3, 7}) {
+            const Made first = make(), second = make();
+            first->advance(steps);
+            second->advance(2);
+            second->resume(first->time(), first->state());
+            EXPECT_EQ(second->time(), first->time());
+            second->march(0.1);
+            EXPECT_EQ(second->state(), whole->state());
+        }
+        const Made rounded = make();
+        rounded->resume(0.07, whole->state()); // not 7 * 0.01
+        EXPECT_EQ(rounded->time(), 7 * 0.01);
+    }
+}
+
+TEST(FixedSteps, resume_from_no_other_state) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const auto make : {waves, flow}) {
+        const Made run = make();
+        run->advance(5);
+        const auto state = run->state();
+        for (const double time : {0.014, 0.005, 1e-5})
+            EXPECT_REFUSED(run->resume(time, state), "another run");
+        for (const double time : {-0.01, 1e300, nan, std::numeric_limits<double>::infinity()}) {
+            EXPECT_REFUSED(run->resume(time, state), "time", "expected 0 to");
+            EXPECT_REFUSED(run->march(time), "time", "expected 0 to");
+        }
+        EXPECT_REFUSED(run->resume(0.01, {}), "another run");
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            auto empty = state, not_finite = state;
+            empty[i].resize(0);
+            not_finite[i].tail(1).setConstant(nan);
+            EXPECT_REFUSED(run->resume(0.01, empty), "another run");
+            EXPECT_REFUSED(run->resume(0.01, not_finite), "another run");
+        }
+        EXPECT_EQ(run->state(), state);
+        EXPECT_EQ(run->time(), 5 * 0.01);
+    }
+}
+
+} // namespace
+} // namespace polydec::test::in_fixed_steps
