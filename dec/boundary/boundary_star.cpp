@@ -18,7 +18,7 @@ namespace {
 Vector on_boundary(const CellComplex& complex, int k, const Vector& weights) {
     const int n = complex.dimension();
     check_number("the star within the boundary of degree", k, 0, n - 1);
-    check_as_many("weights of facets", weights.size(), complex.size(n - 1));
+    check_values("weights of facets", weights, complex.size(n - 1));
     Vector result = Vector::Zero(weights.size());
     for (const BoundaryFacet& on : boundary_facets(complex))
         result[on.facet] = weights[on.facet];

@@ -62,7 +62,8 @@ public:
     /// the boundary. size(k) x size(k); `weights` has one value per (n-1)-cell, and only boundary
     /// facets matter. Units length^(n-1-2k) times the weights' units, in unit(). With Robin
     /// coefficients it is Robin's term of a Laplacian; with ones, the inner product of traces.
-    /// Throws InvalidInput for 0 < k < n-1 on cells of your own, and for a wrong number of weights.
+    /// Throws InvalidInput for 0 < k < n-1 on cells of your own, for a wrong number of weights, and
+    /// for weights that are not finite.
     SparseMatrix boundary_star(int k, const Vector& weights) const;
 
     /// Marks the (n-1)-cells on the boundary whose dual has length zero up to rounding (see

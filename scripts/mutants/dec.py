@@ -2,6 +2,9 @@
 """Flaws of dec/; see mutate.py."""
 
 MUTANTS = {
+    "boundary_stars_of_no_number": ("dec/boundary/boundary_star.cpp", 'check_values("weights of facets", weights,',
+                                    'check_as_many("weights of facets", weights.size(),',
+                                    "BoundaryStars.refuse_weights_that_are_not_finite"),
     "streamlines_meet_themselves": ("dec/fields/streamlines.cpp", "bin != left && !is_open", "!is_open",
                                     "Streamlines.OfAConstantFieldReachFromSideToSideOnCellsOfAnySize"),
     "details_flattened": ("dec/metric/plane.cpp", "kept = 1e-12;", "kept = 1;",

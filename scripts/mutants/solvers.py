@@ -2,6 +2,9 @@
 """Flaws of solvers/; see mutate.py."""
 
 MUTANTS = {
+    "fluxes_of_no_number": ("solvers/flow/flux_transport.cpp", 'check_values("fluxes", flux, facets)',
+                            'check_as_many("fluxes", flux.size(), facets)',
+                            "FluxTransportErrors.name_the_value_that_is_not_finite"),
     "resume_between_steps": ("solvers/time/fixed_steps.cpp", "!is_a_step || ", "", "FixedSteps.resume_from_no_other_state"),
     "resume_without_values": ("solvers/time/fixed_steps.cpp", "given.size() == own.size() &&", "given.size() <= own.size() &&",
                               "FixedSteps.resume_from_no_other_state"),

@@ -67,7 +67,7 @@ public:
 
     /// Mass through each facet, as it is oriented: size(n-1). outside has a density for each facet,
     /// of which those count where the flux goes in through the boundary; empty: 0. They all throw
-    /// InvalidInput for other numbers of values.
+    /// InvalidInput for other numbers of values, and for values that are not finite.
     Vector mass_flux(const Vector& flux, const Vector& density, const Vector& outside = {}) const;
 
     /// d rho/dt: size(n).

@@ -26,10 +26,10 @@ FluxTransport::FluxTransport(const Cells& cells, Sampling sampling)
 Vector FluxTransport::mass_flux(const Vector& flux, const Vector& density,
                                 const Vector& outside) const {
     const auto facets = static_cast<Index>(sides_.size());
-    check_as_many("fluxes", flux.size(), facets);
-    check_as_many("densities", density.size(), volumes_.size());
+    check_values("fluxes", flux, facets);
+    check_values("densities", density, volumes_.size());
     if (outside.size() > 0)
-        check_as_many("densities outside", outside.size(), facets);
+        check_values("densities outside", outside, facets);
     Vector result(facets);
     for (Index f = 0; f < facets; ++f) {
         const auto [back, front] = sides_[f];
@@ -52,7 +52,7 @@ Vector FluxTransport::rate(const Vector& flux, const Vector& density, const Vect
 }
 
 double FluxTransport::stable_step(const Vector& flux) const {
-    check_as_many("fluxes", flux.size(), static_cast<Index>(sides_.size()));
+    check_values("fluxes", flux, std::ssize(sides_));
     const int n = complex_.dimension();
     double most = 0;
     for (Index cell = 0; cell < complex_.size(n); ++cell) {
@@ -65,12 +65,12 @@ double FluxTransport::stable_step(const Vector& flux) const {
 }
 
 double FluxTransport::mass(const Vector& density) const {
-    check_as_many("densities", density.size(), volumes_.size());
+    check_values("densities", density, volumes_.size());
     return volumes_.dot(density);
 }
 
 double FluxTransport::outflow(const Vector& mass_flux) const {
-    check_as_many("mass fluxes", mass_flux.size(), static_cast<Index>(sides_.size()));
+    check_values("mass fluxes", mass_flux, std::ssize(sides_));
     const auto& cofaces = complex_.coface_counts(complex_.dimension() - 1);
     double sum = 0;
     for (Index f = 0; f < mass_flux.size(); ++f)

@@ -218,6 +218,16 @@ TEST(BoundaryStars, beside_matrices_integrate_products_of_linear_functions) {
     }
 }
 
+TEST(BoundaryStars, refuse_weights_that_are_not_finite) {
+    const auto mesh = circumcentric(mesh_named("grid4"));
+    for (const double none : {NAN, INFINITY}) {
+        Vector weights = Vector::Ones(mesh.complex().size(1));
+        weights[0] = none;
+        for (const int k : {0, 1})
+            EXPECT_REFUSED(mesh.boundary_star(k, weights), "weights of facets", "value 0");
+    }
+}
+
 TEST(BranchingCells, have_no_dual_functions) {
     const auto mesh = circumcentric(mesh_named("branching"));
     const auto ask = [&](Side side, int degree) {

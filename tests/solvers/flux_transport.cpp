@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace polydec::test::in_flux_transport {
 namespace {
 
@@ -123,6 +125,22 @@ TEST(FluxTransportErrors, name_the_numbers) {
     const FluxTransport transport(circumcentric(grid(2, 2)));
     EXPECT_REFUSED(transport.rate(Vector::Ones(3), Vector::Ones(4)), "3 fluxes", "12");
     EXPECT_REFUSED(transport.rate(Vector::Ones(12), Vector::Ones(3)), "3 densities", "4");
+}
+
+TEST(FluxTransportErrors, name_the_value_that_is_not_finite) {
+    const FluxTransport transport(circumcentric(grid(2, 2)));
+    const Vector fluxes = Vector::Ones(12), densities = Vector::Ones(4);
+    for (const double none : {NAN, INFINITY}) {
+        Vector bad_fluxes = fluxes, bad_densities = densities;
+        bad_fluxes[5] = bad_densities[2] = none;
+        EXPECT_REFUSED(transport.rate(bad_fluxes, densities), "fluxes", "value 5");
+        EXPECT_REFUSED(transport.rate(fluxes, bad_densities), "densities", "value 2");
+        EXPECT_REFUSED(transport.rate(fluxes, densities, bad_fluxes), "densities outside",
+                       "value 5");
+        EXPECT_REFUSED(transport.stable_step(bad_fluxes), "fluxes", "value 5");
+        EXPECT_REFUSED(transport.outflow(bad_fluxes), "mass fluxes", "value 5");
+        EXPECT_REFUSED(transport.mass(bad_densities), "densities", "value 2");
+    }
 }
 
 } // namespace
