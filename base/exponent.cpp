@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 
 namespace polydec {
 
@@ -15,6 +16,9 @@ int exponent_of(const Vector& values) {
 }
 
 Vector times_power(const Vector& values, int exponent) {
+    constexpr int factor = 1000; // 2 to this power is a normal number
+    if (std::abs(exponent) <= factor)
+        return std::ldexp(1.0, exponent) * values;
     return values.unaryExpr([=](double value) { return std::ldexp(value, exponent); });
 }
 
