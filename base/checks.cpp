@@ -28,6 +28,10 @@ void check_not_negative(std::string_view what, double value) {
             fmt::format("{} is {}: expected a finite number of at least 0", what, value));
 }
 
+void refuse_empty(std::string_view what) {
+    throw InvalidInput(fmt::format("{} is empty: give a function", what));
+}
+
 void check_as_many(std::string_view what, std::int64_t given, std::int64_t expected) {
     if (given != expected)
         throw InvalidInput(fmt::format("{} {} are given: expected {}", given, what, expected));

@@ -23,6 +23,15 @@ inline void check_number(std::string_view what, std::int64_t number, std::int64_
 void check_positive(std::string_view what, double value);
 void check_not_negative(std::string_view what, double value);
 
+[[noreturn]] void refuse_empty(std::string_view what);
+
+/// Throws InvalidInput, naming `what`, if a std::function is empty.
+template <class Function>
+void check_callable(std::string_view what, const Function& function) {
+    if (!function)
+        refuse_empty(what);
+}
+
 /// Throws InvalidInput, naming `what`, unless the number of values given is the expected one.
 void check_as_many(std::string_view what, std::int64_t given, std::int64_t expected);
 

@@ -232,6 +232,7 @@ PeriodicMesh glue_by_images(Mesh box, const std::vector<Points>& images) {
 PeriodicMesh glue(Mesh box, const std::vector<Isometry>& isometries) {
     std::vector<Points> images;
     for (const Isometry& isometry : isometries) {
+        check_callable(fmt::format("isometry {}", images.size()), isometry);
         Points image(box.points.rows(), box.points.cols());
         for (Index v = 0; v < image.rows(); ++v) {
             const Vector to = isometry(box.points.row(v).transpose());

@@ -32,8 +32,8 @@ using Isometry = std::function<Vector(const Vector& point)>;
 
 /// Glues vertices that isometries map to each other, such as (x + 1, 1 - y) with the translation
 /// (x, y + 1): a Klein bottle from the unit square. A vertex may be a fixed point, such as the tip
-/// of a wedge glued to a cone. Throws like periodic, with the number of the isometry from 0, and
-/// naming an edge whose image has another length or is not an edge.
+/// of a wedge glued to a cone. Throws like periodic, with the number of the isometry from 0;
+/// for an empty isometry; and naming an edge whose image has another length or is not an edge.
 PeriodicMesh glue(Mesh box, const std::vector<Isometry>& isometries);
 
 /// The same, given the images of the vertices under each isometry, one row per vertex.

@@ -192,6 +192,7 @@ BoundaryConditions BoundaryConditions::robin(const std::vector<bool>& marks,
 
 BoundaryConditions essential_where(const Points& sites,
                                    const std::function<bool(const Vector& site)>& predicate) {
+    check_callable("the predicate of facets", predicate);
     std::vector<bool> marks;
     for (Index f = 0; f < sites.rows(); ++f)
         marks.push_back(predicate(sites.row(f).transpose()));

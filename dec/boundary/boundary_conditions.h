@@ -85,7 +85,8 @@ std::string in_words(std::int64_t facets, std::int64_t essential, int degree, in
                      const BoundaryData& data = {}, std::int64_t robin = 0);
 
 /// Mixed conditions: essential where the predicate holds at a facet's site, natural elsewhere.
-/// `sites` has one row of coordinates per (n-1)-cell, e.g. circumcenters (cell_centers).
+/// `sites` has one row of coordinates per (n-1)-cell, e.g. circumcenters (cell_centers). Throws
+/// InvalidInput for an empty function.
 BoundaryConditions essential_where(const Points& sites,
                                    const std::function<bool(const Vector& site)>& predicate);
 

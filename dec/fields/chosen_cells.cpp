@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/chosen_cells.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "complex/components.h"
 #include "dec/fields/cell_centers.h"
@@ -108,6 +109,7 @@ std::vector<Index> boundary_vertices(const Discretization& mesh) {
 
 std::vector<Index> vertices_where(const Discretization& mesh,
                                   const std::function<bool(const Vector& point)>& predicate) {
+    check_callable("the predicate of vertices", predicate);
     require_points(mesh.ambient_dimension(), "a vertex chosen by its place");
     const Points points = cell_centers(mesh, 0);
     std::vector<bool> marks;

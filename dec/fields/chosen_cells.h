@@ -24,7 +24,7 @@ BoundaryConditions essential_on(const Discretization& mesh, const std::vector<st
 std::vector<Index> boundary_vertices(const Discretization& mesh);
 
 /// The 0-cells at which the predicate holds; it is called with size(0) points in the units of the
-/// input. Throws InvalidInput if it holds at none, and if only lengths are known.
+/// input. Throws InvalidInput if it holds at none, if it is empty, and if only lengths are known.
 std::vector<Index> vertices_where(const Discretization& mesh,
                                   const std::function<bool(const Vector& point)>& predicate);
 

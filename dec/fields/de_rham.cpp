@@ -2,7 +2,6 @@
 #include "dec/fields/de_rham.h"
 
 #include "base/checks.h"
-#include "base/errors.h"
 #include "dec/discretization/glued_box.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/flat_pieces.h"
@@ -33,11 +32,6 @@ Vector mean_of(const SmoothForm& form, const SimplexQuadrature& rule, const Dens
     return mean;
 }
 
-void require_form(const SmoothForm& form) {
-    if (!form)
-        throw InvalidInput("the function of a smooth form is empty: give a function of a point");
-}
-
 /// Integrals of one k-form over simplices given by their corners.
 class Integral {
 public:
@@ -46,7 +40,7 @@ public:
           rule_(grundmann_moeller(k, quadrature_degree)),
           product_(static_cast<int>(N), k),
           factorial_(std::tgamma(k + 1.0)) {
-        require_form(form);
+        check_callable("the function of a smooth form", form);
     }
 
     /// Over the simplex whose corners are the k+1 rows.
@@ -225,7 +219,7 @@ Vector inverse_star_de_rham(const Pieces& complex, const Points& points, int j,
                             const SmoothForm& form, int quadrature_degree) {
     cell_degree(complex, Side::dual, j);
     require_straight(complex, points, "the de Rham map");
-    require_form(form);
+    check_callable("the function of a smooth form", form);
     const DenseMatrix means = means_over(complex, points, j, form, quadrature_degree);
     return inverse_star_means(complex, points, complex.simplices(complex.dimension()), j,
                               [&](Index, Index s) { return means.row(s); });
@@ -235,7 +229,7 @@ namespace {
 
 /// The form as a function of places in the unit of the mesh.
 SmoothForm in_unit_of(const Discretization& mesh, const SmoothForm& form) {
-    require_form(form);
+    check_callable("the function of a smooth form", form);
     const double unit = mesh.unit();
     return unit == 1 ? form : [&form, unit](const Vector& place) {
         const Vector point = unit * place;

@@ -26,7 +26,7 @@ SimplexQuadrature grundmann_moeller(int k, int degree);
 
 /// A k-form on R^N: maps a point to its N over k coefficients at dx_I, for the k-subsets I of
 /// 0..N-1 in lexicographic order. For k = 1 these are the components of the vector field whose
-/// circulation the form is.
+/// circulation the form is. All that take or make one throw InvalidInput for an empty function.
 using SmoothForm = std::function<Vector(const Vector& point)>;
 
 /// A function as a 0-form; on R^N also the density f dx_1 ^ .. ^ dx_N, which has one coefficient as

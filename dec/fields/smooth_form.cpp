@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
 #include "base/errors.h"
 #include "dec/fields/de_rham.h"
 
@@ -22,18 +23,21 @@ Vector checked_value(const SmoothForm& form, const Vector& point, Index size, co
 }
 
 SmoothForm function_form(std::function<double(const Vector& point)> function) {
+    check_callable("the function of a form", function);
     return [f = std::move(function)](const Vector& point) {
         return Vector(Vector::Constant(1, f(point)));
     };
 }
 
 SmoothForm circulation_form(std::function<Vector(const Vector& point)> field) {
+    check_callable("the vector field of a form", field);
     return [X = std::move(field)](const Vector& point) {
         return checked_value(X, point, static_cast<Index>(point.size()), "vector field");
     };
 }
 
 SmoothForm flux_form(std::function<Vector(const Vector& point)> field) {
+    check_callable("the vector field of a form", field);
     return [X = std::move(field)](const Vector& point) {
         const auto N = static_cast<Index>(point.size());
         const Vector value = checked_value(X, point, N, "vector field");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/pictures/draw_solid.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "complex/merging.h"
 #include "dec/discretization/glued_box.h"
@@ -191,6 +192,7 @@ public:
     Kept(const Discretization& given, const std::function<bool(const Vector&)>& keep,
          const Vector& values)
         : mesh_(placed(given)), values_(values) {
+        check_callable("the predicate of kept cells", keep);
         const Index n_cells = given.complex().size(3);
         require_points(mesh_.points().cols(), "a drawing");
         if (mesh_.dimension() != 3 || mesh_.points().cols() != 3)

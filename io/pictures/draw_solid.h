@@ -32,8 +32,8 @@ struct SolidFaces {
 ///
 /// Cells are painted one after the other by the depth of their circumcenters. In a Delaunay mesh no
 /// cell hides one that is painted later (Edelsbrunner 1990, An acyclicity theorem for cell
-/// complexes). Throws InvalidInput unless cells and space have three dimensions, and for a wrong
-/// number of values; and if no cell is kept.
+/// complexes). Throws InvalidInput unless cells and space have three dimensions, for a wrong number
+/// of values, for an empty function, and if no cell is kept.
 SolidFaces kept_faces(const Discretization& mesh,
                       const std::function<bool(const Vector& centroid)>& keep,
                       const Vector& values = {});

@@ -2,6 +2,14 @@
 """Flaws of dec/; see mutate.py."""
 
 MUTANTS = {
+    "forms_of_nothing": ("dec/fields/smooth_form.cpp", '    check_callable("the function of a form", function);\n', "",
+                         "DeRhamRefuses.what_is_no_form"),
+    "facets_where_nothing_holds": ("dec/boundary/boundary_conditions.cpp",
+                                   '    check_callable("the predicate of facets", predicate);\n', "",
+                                   "BoundaryConditions.refuse_an_empty_predicate"),
+    "vertices_where_nothing_holds": ("dec/fields/chosen_cells.cpp",
+                                     '    check_callable("the predicate of vertices", predicate);\n', "",
+                                     "ChosenVertices.are_those_of_a_place_a_group_and_the_boundary"),
     "boundary_stars_of_no_number": ("dec/boundary/boundary_star.cpp", 'check_values("weights of facets", weights,',
                                     'check_as_many("weights of facets", weights.size(),',
                                     "BoundaryStars.refuse_weights_that_are_not_finite"),

@@ -2,6 +2,8 @@
 """Flaws of io/; see mutate.py."""
 
 MUTANTS = {
+    "solids_of_no_predicate": ("io/pictures/draw_solid.cpp", '        check_callable("the predicate of kept cells", keep);\n', "",
+                               "DrawSolidErrors.say_what_is_no_solid"),
     "vectors_left_in_the_plane": ("io/pages/still_scene.cpp", "return in_space(shown_.vectors[step]);",
                                   "return shown_.vectors[step];",
                                   "StillScenes.HaveTheVectorsOfPlaneFormsInSpace"),

@@ -2,6 +2,10 @@
 """Flaws of meshes/; see mutate.py."""
 
 MUTANTS = {
+    "glued_by_nothing": ("meshes/periodic.cpp", '        check_callable(fmt::format("isometry {}", images.size()), isometry);\n', "",
+                         "PeriodicErrors.name_the_cell_or_the_translation"),
+    "cubes_of_no_dimension": ("meshes/split_cells.cpp", '    check_number("a cube of dimension", n, 1, 30);\n', "",
+                              "CubeShapes.have_one_dimension_at_least"),
     "input_cells_cut_off": ("meshes/mesh.cpp", "return {at_rows(cells.of_simplices, rows), cells.count};",
                             "return {{cells.of_simplices.begin(), cells.of_simplices.begin() + std::ssize(rows)}, cells.count};",
                             "InputCells.are_known_when_others_are_left_out"),

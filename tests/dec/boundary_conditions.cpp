@@ -218,6 +218,10 @@ TEST(BoundaryStars, beside_matrices_integrate_products_of_linear_functions) {
     }
 }
 
+TEST(BoundaryConditions, refuse_an_empty_predicate) {
+    EXPECT_REFUSED(essential_where(Points::Zero(0, 2), {}), "predicate", "empty", "function");
+}
+
 TEST(BoundaryStars, refuse_weights_that_are_not_finite) {
     const auto mesh = circumcentric(mesh_named("grid4"));
     for (const double none : {NAN, INFINITY}) {

@@ -40,6 +40,7 @@ TEST(ChosenVertices, are_those_of_a_place_a_group_and_the_boundary) {
     EXPECT_REFUSED(vertices_on(mesh, {"77"}), "no facet", "77", "wall");
     EXPECT_REFUSED(boundary_vertices(discretize(icosphere(1))), "boundary");
     EXPECT_REFUSED(vertices_where(mesh, [](const Vector&) { return false; }), "5 vertices");
+    EXPECT_REFUSED(vertices_where(mesh, {}), "predicate", "empty", "function");
 }
 
 } // namespace

@@ -332,6 +332,9 @@ TEST(DeRhamRefuses, what_is_no_form) {
     EXPECT_REFUSED(de_rham(mesh, 3, two), "primal forms", "degree 3", "dimension 2", "0", "2");
     EXPECT_THROW(dual_de_rham(mesh, -1, two), InvalidInput);
     EXPECT_REFUSED(de_rham(mesh, 1, none), "empty", "function");
+    EXPECT_REFUSED(function_form({}), "empty", "function");
+    EXPECT_REFUSED(circulation_form({}), "vector field", "empty", "function");
+    EXPECT_REFUSED(flux_form({}), "vector field", "empty", "function");
     const auto pole = function_form([](const Vector& x) { return 1 / x.norm(); });
     EXPECT_REFUSED(de_rham(mesh, 0, pole), "form", "finite", "(0, 0)");
     EXPECT_REFUSED(de_rham(mesh, 1, circulation_form(constant_form(Vector::Ones(3)))),

@@ -369,6 +369,7 @@ TEST(DrawSolidErrors, say_what_is_no_solid) {
                    "solid", "3", "3");
     EXPECT_REFUSED(kept_faces(mesh, all_of_it, Vector::Ones(3)), "3 values", "8 merged 3-cells");
     EXPECT_REFUSED(kept_faces(mesh, [](const auto&) { return false; }), "no cell", "keep");
+    EXPECT_REFUSED(kept_faces(mesh, {}), "predicate of kept cells", "empty", "function");
     EXPECT_REFUSED(kept_cells(mesh, all_of_it, 1), "gap", "1", "0", "1");
     EXPECT_REFUSED(color_at(ColorMap::diverging, std::nan("")), "NaN", "color");
     EXPECT_REFUSED(seen_at({}, Vector::Ones(2)), "point", "three", "coordinates");

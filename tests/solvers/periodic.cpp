@@ -230,6 +230,7 @@ TEST(PeriodicErrors, name_the_cell_or_the_translation) {
                    "isometry 0", "no vertex", "2 coordinates");
     EXPECT_REFUSED(glue(grid(3, 3), {[](const Vector& x) -> Vector { return 2 * x; }}),
                    "isometry 0", "edge", "vertices 0", "1", "0", "2");
+    EXPECT_REFUSED(glue(grid(3, 3), {Isometry()}), "isometry 0", "empty", "function");
     // diagonals of the sides that do not fit to each other
     EXPECT_REFUSED(glue(kuhn(3, 3), {[](const Vector& x) -> Vector {
                             return Vector{{x[0] + 1, 1 - x[1], x[2]}};
