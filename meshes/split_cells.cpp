@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/split_cells.h"
 
+#include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/listed.h"
@@ -178,6 +179,7 @@ const CellShape* cell_shape(int dimension, std::size_t corners) {
 }
 
 CellShape cube_shape(int n) {
+    check_number("a cube of dimension", n, 1, 30);
     CellShape shape{n};
     if (n == 1)
         return shape;

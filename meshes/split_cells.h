@@ -28,7 +28,7 @@ struct CellShape {
 const CellShape* cell_shape(int dimension, std::size_t corners);
 
 /// The n-cube, n >= 1: bit k of a corner's number is its coordinate along axis k. Its facets are
-/// not oriented.
+/// not oriented. Throws InvalidInput unless n is 1 to 30.
 CellShape cube_shape(int n);
 
 /// Appends the simplices of a cell: cones from the cell's smallest vertex over the simplices of the

@@ -195,6 +195,13 @@ TEST(SplitCells, RefusesOtherNumbersOfCorners) {
     EXPECT_REFUSED(split_cells(mesh_of(points, {{0, 1, 2, 8}}), 3), "8", "7");
 }
 
+TEST(CubeShapes, have_one_dimension_at_least) {
+    for (const int n : {1, 2, 3})
+        EXPECT_EQ(std::ssize(cube_shape(n).facets), n == 1 ? 0 : 2 * n);
+    for (const int n : {0, -1, 31})
+        EXPECT_REFUSED(cube_shape(n), "cube", "1 to 30");
+}
+
 TEST(SplitCells, RefusesTagsOfSomeCellsAlone) {
     for (const int dimension : {2, 3}) {
         auto mesh = mesh_of(Points::Random(4, 3), {{0, 1, 2, 3}, {0, 1, 3, 2}});
