@@ -31,7 +31,7 @@ struct Spectrum {
     /// Columns: forms of the space, of norm 1 in the star; 0 where fixed. None, with a warning, if
     /// they are outside the range of double precision.
     DenseMatrix modes;
-    Vector residuals;   ///< |A x - lambda M x| / |M x|
+    Vector residuals; ///< |A x - lambda M x| / |M x|
     Certificate certificate;
     std::string linear_solver;
     std::string eigen_solver;

@@ -93,8 +93,9 @@ TEST(Streamlines, OfAConstantFieldReachFromSideToSideOnCellsOfAnySize) {
                 for (const double sign : {1.0, -1.0}) {
                     const auto mesh = discretize(grid(cells, cells));
                     const Vector wind = sign * Vector::Unit(2, axis);
-                    const auto lines = streamlines(mesh, sampled(mesh, [&](auto&) { return wind; }),
-                                                   {.spacing = spacing, .longest = 1e4, .shortest = 0});
+                    const auto lines =
+                        streamlines(mesh, sampled(mesh, [&](auto&) { return wind; }),
+                                    {.spacing = spacing, .longest = 1e4, .shortest = 0});
                     double sum = 0;
                     Index ends = 0;
                     for (const auto& segment : lines.simplices.rowwise())
