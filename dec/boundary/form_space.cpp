@@ -53,6 +53,23 @@ Vector coefficients_on(const Cells& cells, BoundaryConditions conditions) {
     return robin_coefficients(cells.complex(), conditions);
 }
 
+/// A star plus Robin's part, which is inverted.
+SparseMatrix with_layer(const HodgeStar& star, const SparseMatrix& layer) {
+    const SparseMatrix sum = star.matrix() + layer;
+    std::vector<Index> bad;
+    for (Index cell = 0; cell < sum.rows(); ++cell)
+        if (!(sum.coeff(cell, cell) > 0))
+            bad.push_back(cell);
+    if (!bad.empty())
+        throw InvalidInput(
+            fmt::format("{} of {} {}-cells have a dual of negative or zero volume (cells {}), which "
+                        "dual forms with Robin's condition do not allow; use stars that are "
+                        "positive on every mesh (StarKind::automatic)",
+                        bad.size(), star.size(), star.degree(), star.numbers(bad)),
+            star.place(bad));
+    return sum;
+}
+
 } // namespace
 
 FormSpace::FormSpace(const Cells& cells, Side side, int degree)
@@ -145,7 +162,7 @@ Cells FormSpace::inside() const {
         HodgeStars stars = relative_stars(relative(), parts_->cells.stars());
         const int below = cell_degree() - 1;
         if (robin_layer().size() > 0)
-            stars = stars.with(below, stars[below].matrix() + free_part(below, robin_layer()));
+            stars = stars.with(below, with_layer(stars[below], free_part(below, robin_layer())));
         return Cells(relative().complex, stars, parts_->cells.unit());
     });
 }

@@ -82,7 +82,7 @@ public:
 
     /// These cells with their stars. Operators, homology and all functions of cells act on the free
     /// values here. For dual forms Robin's layer is added to the star below, which is then a
-    /// matrix.
+    /// matrix; throws InvalidInput, naming the cells, if its diagonal is not positive.
     Cells inside() const;
 
     const std::vector<Index>& free() const& { return relative().cells[cell_degree()]; }

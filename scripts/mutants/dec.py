@@ -2,6 +2,8 @@
 """Flaws of dec/; see mutate.py."""
 
 MUTANTS = {
+    "robin_beside_negative_duals": ("dec/boundary/form_space.cpp", "if (!bad.empty())", "if (false && !bad.empty())",
+                                    "FormSpace.refuses_robins_condition_beside_negative_duals_by_name"),
     "forms_of_nothing": ("dec/fields/smooth_form.cpp", '    check_callable("the function of a form", function);\n', "",
                          "DeRhamRefuses.what_is_no_form"),
     "facets_where_nothing_holds": ("dec/boundary/boundary_conditions.cpp",

@@ -105,6 +105,17 @@ TEST(FormSpace, has_what_robins_condition_adds_in_the_stiffness_or_in_the_star_b
                  mesh.boundary_star(1, facets.cwiseInverse()), 1e-12);
 }
 
+TEST(FormSpace, refuses_robins_condition_beside_negative_duals_by_name) {
+    const BoundaryConditions robin{BoundaryCondition::robin, {}, {2.5}};
+    const auto mesh = circumcentric(mesh_named("obtuse_planar"));
+    const auto negative = star(mesh, 1).negatives();
+    ASSERT_FALSE(negative.empty());
+    const FormSpace space(mesh, Side::dual, 0, robin);
+    EXPECT_REFUSED(space.inside(), "1-cells", "dual of negative", "Robin", "StarKind::automatic");
+    const auto positive = discretize(mesh_named("obtuse_planar"), {.star = StarKind::automatic});
+    EXPECT_NO_THROW(FormSpace(positive, Side::dual, 0, robin).inside());
+}
+
 TEST(FormSpace, is_told_apart_by_cells_side_degree_conditions_and_what_is_fixed) {
     const auto mesh = circumcentric(mesh_named("grid4")), other = circumcentric(kuhn(2, 3));
     const BoundaryConditions essential{BoundaryCondition::essential};
