@@ -28,6 +28,17 @@ void check_degree_of_contraction(int k, int largest) {
             largest));
 }
 
+/// Throws InvalidInput for upwind transport of functions with values at vertices that splits have
+/// added: carried to the input and back, these would follow their neighbors only.
+void check_transport(const Discretization& mesh, int k, Sampling sampling) {
+    const Index added = mesh.pieces().size(0) - mesh.input().size(0);
+    if (k == 0 && sampling == Sampling::upwind && added > 0)
+        throw InvalidInput(fmt::format(
+            "upwind transport of functions is not monotone at the {} vertices that splits have "
+            "added: use Delaunay::flips, which add none, or centered sampling",
+            added));
+}
+
 /// Vectors at the vertices of the input, from vectors at the points of a mesh, in its unit. Throws
 /// InvalidInput, naming the vertex, unless the field has one finite vector per point, and if only
 /// lengths are known.
@@ -278,6 +289,7 @@ SparseMatrix interior_product(const Discretization& mesh, const Points& field, i
 
 SparseMatrix lie_derivative(const Discretization& mesh, const Points& field, int k,
                             Sampling sampling) {
+    check_transport(mesh, k, sampling);
     const Points here = field_on_input(mesh, field);
     return on_cells(mesh, lie_derivative(mesh.input(), mesh.places(), here, k, sampling), k, k);
 }
@@ -299,6 +311,7 @@ struct LieDerivative::Parts {
         const PlacedSimplices places = mesh.places();
         check_degree_of_contraction(k, complex.dimension());
         require_points(mesh.ambient_dimension(), "a vector field");
+        check_transport(mesh, k, sampling);
         if (k > 0)
             lower.emplace(complex, places, k);
         if (k < complex.dimension())

@@ -302,7 +302,8 @@ def lie_derivative(complex: Complex, field: npt.ArrayLike, k: int, *,
                    sampling: str = "centered") -> Any:
     """Lie derivative of primal k-forms, ``i_X d + d i_X``, a sparse matrix; commutes with d.
 
-    For the parameters see `interior_product`.
+    For the parameters see `interior_product`. Upwind sampling of functions needs a mesh without
+    vertices added by splits: use ``delaunay="flips"``.
 
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.well_centered(4))
@@ -333,7 +334,7 @@ class LieDerivative:
     """Matrix-free Lie derivative of primal k-forms, for vector fields that change in every step.
 
     Agrees to rounding with `lie_derivative`, `interior_product` and `inflow`, in a fraction of the
-    time.
+    time, with the same limits.
 
     Parameters
     ----------

@@ -2,6 +2,8 @@
 """Flaws of dec/; see mutate.py."""
 
 MUTANTS = {
+    "transport_after_splits": ("dec/fields/lie_derivative.cpp", "sampling == Sampling::upwind && added > 0", "sampling == Sampling::upwind && added < 0",
+                               "LieDerivativesAfterFlips.transport_functions_within_their_range_or_refuse"),
     "robin_beside_negative_duals": ("dec/boundary/form_space.cpp", "if (!bad.empty())", "if (false && !bad.empty())",
                                     "FormSpace.refuses_robins_condition_beside_negative_duals_by_name"),
     "forms_of_nothing": ("dec/fields/smooth_form.cpp", '    check_callable("the function of a form", function);\n', "",

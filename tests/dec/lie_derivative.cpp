@@ -75,6 +75,30 @@ TEST(LieDerivativesAfterFlips, do_what_the_matrices_do) {
     }
 }
 
+/// Functions keep their range in an upwind step of the largest size; vertices from splits have no
+/// such step.
+TEST(LieDerivativesAfterFlips, transport_functions_within_their_range_or_refuse) {
+    Mesh sheared = grid(6, 6);
+    sheared.points.col(0) += 2 * sheared.points.col(1);
+    const auto field_on = [](const Discretization& mesh) {
+        return Points(Points::Ones(mesh.points().rows(), 2));
+    };
+    const auto flipped = discretize(sheared, {.delaunay = Delaunay::flips});
+    const SparseMatrix L = lie_derivative(flipped, field_on(flipped), 0, Sampling::upwind);
+    const Vector u = random_vector(flipped.complex().size(0), 3).cwiseAbs();
+    const Vector after = u - L * u / L.diagonal().maxCoeff();
+    EXPECT_GE(after.minCoeff(), -rounding);
+    EXPECT_LE(after.maxCoeff(), u.maxCoeff() + rounding);
+
+    const auto split = discretize(sheared, {.delaunay = Delaunay::flips_and_splits});
+    ASSERT_GT(split.complex().size(0), flipped.complex().size(0));
+    EXPECT_REFUSED(lie_derivative(split, field_on(split), 0, Sampling::upwind), "monotone",
+                   "vertices", "Delaunay::flips", "centered");
+    EXPECT_REFUSED(LieDerivative(split, 0, Sampling::upwind), "monotone", "Delaunay::flips");
+    EXPECT_NO_THROW(lie_derivative(split, field_on(split), 1, Sampling::upwind));
+    EXPECT_NO_THROW(lie_derivative(split, field_on(split), 0, Sampling::centered));
+}
+
 TEST(LieDerivativeErrors, name_the_kind_of_form_and_the_degree) {
     const auto& mesh = discretized("grid4");
     const Points field = Points::Ones(mesh.points().rows(), 2);
