@@ -2,6 +2,8 @@
 """Flaws of solvers/; see mutate.py."""
 
 MUTANTS = {
+    "paths_through_vertices_twice": ("solvers/surfaces/surface_paths.cpp", "if (points.row(2 * count) != points.row(2 * count + 1))", "if (true)",
+                                     "ShortestPaths.through_vertices_have_no_piece_that_is_a_point"),
     "fluxes_of_no_number": ("solvers/flow/flux_transport.cpp", 'check_values("fluxes", flux, facets)',
                             'check_as_many("fluxes", flux.size(), facets)',
                             "FluxTransportErrors.name_the_value_that_is_not_finite"),

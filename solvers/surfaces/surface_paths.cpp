@@ -55,16 +55,20 @@ SurfacePaths::SurfacePaths(const Discretization& mesh, std::span<const Index> so
 SurfacePath SurfacePaths::from(Index vertex) const {
     const Parts& parts = *parts_;
     const ShortestPath path = parts.paths.from(vertex);
-    const auto count = static_cast<Index>(path.pieces.size());
-    const Index width = parts.mesh.ambient_dimension();
     SurfacePath drawn{path.source, path.length * parts.mesh.unit(), {}};
-    drawn.lines.points.resize(2 * Eigen::Index(count), width);
-    drawn.lines.simplices.resize(count, 2);
-    for (Index i = 0; i < count; ++i) {
-        drawn.lines.points.row(2 * i) = parts.place(path.pieces[i].begin);
-        drawn.lines.points.row(2 * i + 1) = parts.place(path.pieces[i].end);
-        drawn.lines.simplices.row(i) << 2 * i, 2 * i + 1;
+    Points& points = drawn.lines.points;
+    points.resize(2 * std::ssize(path.pieces), parts.mesh.ambient_dimension());
+    Index count = 0;
+    for (const PathPiece& piece : path.pieces) {
+        points.row(2 * count) = parts.place(piece.begin);
+        points.row(2 * count + 1) = parts.place(piece.end);
+        if (points.row(2 * count) != points.row(2 * count + 1)) // through a vertex
+            ++count;
     }
+    points.conservativeResize(2 * Eigen::Index(count), Eigen::NoChange);
+    drawn.lines.simplices.resize(count, 2);
+    for (Index i = 0; i < count; ++i)
+        drawn.lines.simplices.row(i) << 2 * i, 2 * i + 1;
     return drawn;
 }
 

@@ -46,5 +46,24 @@ TEST(ShortestPaths, across_a_seam_have_their_places_in_the_box) {
     EXPECT_NEAR(length, path.length, 1e-14);
 }
 
+// Windows turn around vertices within triangles of which paths have one corner only.
+TEST(ShortestPaths, through_vertices_have_no_piece_that_is_a_point) {
+    for (const Mesh& mesh : {grid(6, 6), icosphere(4), torus(9, 6)}) {
+        const auto surface = circumcentric(mesh);
+        const SurfacePaths paths(surface, std::vector<Index>{0});
+        for (Index v = 0; v < surface.complex().size(0); ++v) {
+            const auto path = paths.from(v);
+            double length = 0;
+            for (const auto& ends : path.lines.simplices.rowwise()) {
+                const double piece =
+                    (path.lines.points.row(ends[0]) - path.lines.points.row(ends[1])).norm();
+                EXPECT_GT(piece, 0);
+                length += piece;
+            }
+            EXPECT_NEAR(length, path.length, 1e-12);
+        }
+    }
+}
+
 } // namespace
 } // namespace polydec::test::in_surface_paths
