@@ -62,10 +62,11 @@ SparseMatrix with_layer(const HodgeStar& star, const SparseMatrix& layer) {
             bad.push_back(cell);
     if (!bad.empty())
         throw InvalidInput(
-            fmt::format("{} of {} {}-cells have a dual of negative or zero volume (cells {}), which "
-                        "dual forms with Robin's condition do not allow; use stars that are "
-                        "positive on every mesh (StarKind::automatic)",
-                        bad.size(), star.size(), star.degree(), star.numbers(bad)),
+            fmt::format(
+                "{} of {} {}-cells have a dual of negative or zero volume (cells {}), which "
+                "dual forms with Robin's condition do not allow; use stars that are "
+                "positive on every mesh (StarKind::automatic)",
+                bad.size(), star.size(), star.degree(), star.numbers(bad)),
             star.place(bad));
     return sum;
 }

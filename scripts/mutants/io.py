@@ -65,7 +65,7 @@ MUTANTS = {
                      "Openings.CutSolidsThroughTheLargestValueInside"),
     "ply_length_bound": ("io/meshes/read_ply.cpp", "length <= most)", "true)",
                          "Ply.RefusesBrokenBinaryBodies"),
-    "march_backward": ("solvers/time/fixed_steps.cpp", "until >= 0 && ", "",
+    "march_backward": ("solvers/time/fixed_steps.cpp", "time >= 0 && ", "",
                        "March.does_not_go_back_before_the_start"),
     "steps_planned_to_the_end_alone": ("solvers/time/evolution.cpp", "for (const double next : times)",
                                        "for (const double next : {times.back()})",

@@ -103,7 +103,8 @@ public:
 
     /// Isolines at these distances, as segments. Their ends lie on the isolines up to the square of
     /// the segment length. Each triangle is divided into `divisions` squared ones. Segments share
-    /// points within a triangle, not across its sides. `owners` are triangles of the input. Throws InvalidInput like level_sets, and for divisions below 1.
+    /// points within a triangle, not across its sides. `owners` are triangles of the input. Throws
+    /// InvalidInput like level_sets, and for divisions below 1.
     LevelSets isolines(const Vector& levels, Index divisions = 8) const;
 
 private:
