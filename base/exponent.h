@@ -23,6 +23,7 @@ struct ScaledNumber {
     double in_range(std::string_view what) const;
 };
 
+/// a / b; not finite if b is 0 or the ratio overflows.
 double ratio(const ScaledNumber& a, const ScaledNumber& b);
 
 /// x^T A y, where map(y) is A y.
@@ -30,6 +31,14 @@ template <class Map>
 ScaledNumber product(const Vector& x, const Vector& y, const Map& map) {
     const int of_x = exponent_of(x), of_y = exponent_of(y);
     return {times_power(x, -of_x).dot(map(times_power(y, -of_y))), of_x + of_y};
+}
+
+/// x^T A x, likewise.
+template <class Map>
+ScaledNumber square(const Vector& x, const Map& map) {
+    const int exponent = exponent_of(x);
+    const Vector scaled = times_power(x, -exponent);
+    return {scaled.dot(map(scaled)), 2 * exponent};
 }
 
 } // namespace polydec

@@ -6,8 +6,8 @@
 
 namespace polydec {
 
-/// The data of a handle: a shared pointer without moves. A class with such a member has none
-/// either: moving it copies it, so that no handle is left without data.
+/// The data of a handle: a shared pointer without moves. A class with such a member has no moves
+/// either: a move copies, so the old handle keeps its data.
 template <class T>
 class Shared : public std::shared_ptr<T> {
 public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/merging.h"
 
-#include "base/errors.h"
+#include "base/checks.h"
 #include "complex/blocks.h"
 #include "dec/merging/facet_links.h"
 #include "dec/merging/straightness.h"
@@ -9,10 +9,7 @@
 #include "distributed/facet_classes.h"
 #include "distributed/labels.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 
 namespace polydec {
 
@@ -261,12 +258,7 @@ DistributedMerging Rounds::run() {
 
 DistributedMerging merge_cospherical(const Ranks& ranks, const LocalComplex& local,
                                      const CellVolumes& volumes, const MergeOptions& options) {
-    ranks.together("merge", [&] {
-        if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
-            throw InvalidInput(
-                fmt::format("the merge tolerance is {}: expected a number >= 0, such as 1e-4",
-                            options.tolerance));
-    });
+    ranks.together("merge", [&] { check_not_negative("the merge tolerance", options.tolerance); });
     return Rounds(ranks, local, volumes, options).run();
 }
 

@@ -33,7 +33,7 @@ ROOT = Path(__file__).resolve().parent.parent
 
 # The test programs that each folder's flaws are asked of, one after the other.
 PROGRAMS = {folder: (f"{folder}/test_{folder}",) for folder in ("io", "shape")}
-for lower in ("complex", "meshes"):
+for lower in ("base", "complex", "meshes"):
     PROGRAMS[lower] = (f"{lower}/test_{lower}", "dec/test_dec")
 PROGRAMS["dec"] = ("dec/test_dec", "solvers/test_solvers")
 PROGRAMS["backends"] = ("backends/test_backends", "solvers/test_solvers")

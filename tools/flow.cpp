@@ -112,7 +112,7 @@ struct Flowed : Answer {
           divergence(flow.divergence(w)),
           stars(flow.mesh().chosen_stars()) {
         if (flow.mesh().dimension() == 2) // numbers of edges in space have arbitrary signs
-            circulation = flow.circulations(w).sum();
+            circulation = in_range([&] { return flow.circulations(w).sum(); });
         if (!start.isZero(0))
             relative_energy = in_range([&] { return flow.relative_energy(w, start); });
         energy = in_range([&] { return flow.energy(w); });

@@ -207,8 +207,8 @@ void add_maxwell(CLI::App& app) {
         "  polydec maxwell box.off --initial '0; 0; exp(-99*((x-.5)^2+(y-.5)^2+(z-.5)^2))' \\\n"
         "      --until .4 -o pulse.html\n"
         "  polydec maxwell plane.msh --degree 0 --current 'exp(-400*(x^2+y^2))' \\\n"
-        "      --pulse 'sin(40*t)' --permittivity 'group==2 ? 4 : 1' --absorb .2 --until 3 \\\n"
-        "      -o lens.pvd --checkpoint lens.checkpoint --resume");
+        "      --pulse 'sin(40*t)' --permittivity 'group==2 ? 4 : 1' --keep-groups --absorb .2 \\\n"
+        "      --until 3 -o lens.pvd --checkpoint lens.checkpoint --resume");
 }
 
 } // namespace polydec::tools

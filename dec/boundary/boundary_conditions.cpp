@@ -154,17 +154,24 @@ void require_essential(const CellComplex& complex, const BoundaryConditions& con
 void require_use(const CellComplex& complex, const BoundaryConditions& conditions,
                  const NamedData& data) {
     const Facets on(complex, conditions);
+    NamedData others = data;
+    if (on.fixed_vertices > 0)
+        others.values.clear();
+    require_use(on.all, on.essential, on.robin, others);
+}
+
+void require_use(std::int64_t facets, std::int64_t essential, std::int64_t robin,
+                 const NamedData& data) {
     const auto require = [&](const std::string& what, bool is_used, const char* expected) {
-        if (!what.empty() && !is_used && on.all > 0)
+        if (!what.empty() && !is_used && facets > 0)
             throw InvalidInput(fmt::format("{} would apply at none of the {} boundary facets: "
                                            "expected {} (see BoundaryConditions::essential), or "
                                            "none of these data",
-                                           what, on.all, expected));
+                                           what, facets, expected));
     };
-    require(data.values, on.essential + on.fixed_vertices > 0,
-            "an essential facet or a fixed vertex");
-    require(data.flow, on.essential < on.all, "a facet that is not essential");
-    require(data.robin, on.robin > 0, "a facet that is not essential");
+    require(data.values, essential > 0, "an essential facet or a fixed vertex");
+    require(data.flow, essential < facets, "a facet that is not essential");
+    require(data.robin, robin > 0, "a facet that is not essential");
 }
 
 BoundaryConditions BoundaryConditions::essential(const std::vector<bool>& marks) const {

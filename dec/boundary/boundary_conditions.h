@@ -107,6 +107,10 @@ struct NamedData {
 void require_use(const CellComplex& complex, const BoundaryConditions& conditions,
                  const NamedData& data);
 
+/// The same from numbers of boundary facets: in all, essential, and Robin's.
+void require_use(std::int64_t facets, std::int64_t essential, std::int64_t robin,
+                 const NamedData& data);
+
 /// The conditions with Robin's in place of natural.
 BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coefficient);
 

@@ -63,10 +63,10 @@ SparseMatrix with_layer(const HodgeStar& star, const SparseMatrix& layer) {
     if (!bad.empty())
         throw InvalidInput(
             fmt::format(
-                "{} of {} {}-cells have a dual of negative or zero volume (cells {}), which "
-                "dual forms with Robin's condition do not allow; use stars that are "
-                "positive on every mesh (StarKind::automatic)",
-                bad.size(), star.size(), star.degree(), star.numbers(bad)),
+                "the star of {}-cells with Robin's condition is not positive on {} of {} cells "
+                "({}): their duals have negative or zero volume; use stars that are positive on "
+                "every mesh (StarKind::automatic)",
+                star.degree(), bad.size(), star.size(), star.numbers(bad)),
             star.place(bad));
     return sum;
 }

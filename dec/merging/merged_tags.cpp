@@ -108,10 +108,11 @@ std::vector<Index> merged_tags(const Merging& merging, int k, const std::vector<
     }
     if (different > 0) {
         const bool are_facets = k < merging.merged().dimension();
-        warnings.push_back(
-            fmt::format("{} merged {}{} {} of different groups; {} tag is 0", different,
-                        are_facets ? "facet" : "cell", different == 1 ? " joins" : "s join",
-                        are_facets ? "facets" : "simplices", different == 1 ? "its" : "their"));
+        warnings.push_back(fmt::format(
+            "{} merged {}{} {} of different groups; {} tag is 0, also in data that depend on "
+            "groups: to keep groups apart, use Materials::keep_apart",
+            different, are_facets ? "facet" : "cell", different == 1 ? " joins" : "s join",
+            are_facets ? "facets" : "simplices", different == 1 ? "its" : "their"));
     }
     return result;
 }

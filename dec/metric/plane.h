@@ -16,9 +16,9 @@ std::vector<Eigen::Index> varying_coordinates(const Points& points);
 /// such plane.
 Points plane_points(const Points& points, int n);
 
-/// The metric of these points, between their coordinates in the n-plane that contains them if there
-/// is one, and if that changes no length of an edge by more than 1e-12: details far smaller than
-/// their distance from each other would be lost in rounding there.
+/// The metric of these points. If they lie in an n-plane, it uses their coordinates there, unless
+/// these change the length of an edge by more than 1e-12 of it: rounding in the plane would spoil
+/// details that are far smaller than the coordinates.
 SimplexMetric metric_in_plane(const Pieces& complex, const std::shared_ptr<const Points>& points);
 
 } // namespace polydec

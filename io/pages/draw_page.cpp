@@ -74,7 +74,8 @@ PageTable table_of(const Spectrum& spectrum, const std::vector<NamedForm>& modes
         table.rows.push_back({std::to_string(i), fmt::format("{:.12g}", spectrum.eigenvalues[i]),
                               fmt::format("{:.2e}", spectrum.radii[i]),
                               fmt::format("{:.2e}", spectrum.residuals[i])});
-        table.fields.push_back(modes[i].name);
+        if (i < std::ssize(modes))
+            table.fields.push_back(modes[i].name);
     }
     return table;
 }
@@ -138,7 +139,7 @@ PageStep draw_step(const Page& page, std::string time, const std::vector<NamedFo
 
 Page draw_page(const Discretization& mesh, const Spectrum& spectrum, std::string title) {
     std::vector<NamedForm> modes;
-    for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
+    for (Index i = 0; i < spectrum.modes.cols(); ++i)
         modes.emplace_back(fmt::format("mode_{}", i), shown_mode(spectrum, i),
                            fmt::format("{} {}-form, eigenvalue {:.10g}", name(spectrum.side),
                                        spectrum.degree, spectrum.eigenvalues[i]));

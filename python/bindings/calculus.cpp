@@ -173,6 +173,10 @@ FormSpace space_of(const Cells& cells, Side side, int degree, const GivenConditi
 
 void add_calculus(py::module_& module) {
     py::class_<BoundaryConditions>(module, "Conditions").def(py::init(&conditions_of));
+    module.def("require_robin",
+               [](const Cells& of, const BoundaryConditions& conditions, const std::string& what) {
+                   require_use(of.complex(), conditions, {.robin = what});
+               });
     module.def("require_essential",
                [](const Cells& of, const BoundaryConditions& conditions, const std::string& what) {
                    require_essential(of.complex(), conditions, what);

@@ -120,7 +120,7 @@ class Complex(Cells):
 
     @property
     def unit(self) -> float:
-        """Length in which numbers are computed, mostly 1. All results are in units of the input."""
+        """Unit of length of the computations, mostly 1. All results are in units of the input."""
         return self._mesh.unit
 
     @property

@@ -192,7 +192,7 @@ def _problem(complex: CellsLike, f: Form | Values, flux: Values, essential: Any,
 
 
 def poisson_error(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,
-                  flux: Values = 0.0, *, essential: Any = True, robin: Values | None = None,
+                  flux: Values = 0.0, *, essential: Any = None, robin: Values | None = None,
                   conductivity: CellNumbers | None = None, l2: bool = True,
                   engine: str = "auto") -> PoissonError:
     """A proved bound of the error of any approximate solution u of ``-div kappa grad u = f``.
@@ -225,7 +225,7 @@ def poisson_error(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,
 
 
 def goal_interval(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,
-                  flux: Values = 0.0, goal: Form | Values = 1.0, *, essential: Any = True,
+                  flux: Values = 0.0, goal: Form | Values = 1.0, *, essential: Any = None,
                   robin: Values | None = None, conductivity: CellNumbers | None = None,
                   engine: str = "auto") -> tuple[float, float, float]:
     """Two bounds of the integral of goal times the solution over the shape, and an estimate.

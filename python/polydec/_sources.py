@@ -111,9 +111,10 @@ class PoissonSolver:
         0-forms have values at the circumcenters of n-cells.
     essential : bool or array of bool or callable or str or list of str
         Boundary facets with given u (Dirichlet); for forms, given tangential parts of u and
-        delta u. All, none, or one mark per (n-1)-cell. Elsewhere the normal derivative is given
-        (Neumann); for forms, the tangential parts of star u and star du. A callable takes all facet
-        sites, (size(n-1), N), and returns marks. Names select groups of the file.
+        delta u. All, none, or one mark per (n-1)-cell; by default all, or none if `robin` is given.
+        Elsewhere the normal derivative is given (Neumann); for forms, the tangential parts of
+        star u and star du. A callable takes all facet sites, (size(n-1), N), and returns marks.
+        Names select groups of the file.
     robin : float, array_like, callable or dict, optional
         Coefficients alpha on other facets, where du/dn + alpha u is given (Robin): positive, one
         for all facets or one each; du/dn is given where alpha is 0.
@@ -140,7 +141,7 @@ class PoissonSolver:
     """
 
     def __init__(self, complex: CellsLike, *, degree: int = 0, side: str = "primal",
-                 essential: Any = True, robin: OnFacets | None = None, fixed: Any = None,
+                 essential: Any = None, robin: OnFacets | None = None, fixed: Any = None,
                  conductivity: CellNumbers | None = None, engine: str = "auto") -> None:
         complex = as_cells(complex, in_units=True)
         if conductivity is not None:
@@ -273,7 +274,7 @@ def _integrals(given: Any, degree: int) -> Any:
 
 def poisson(complex: CellsLike, f: Form | Values = 0.0, boundary: OnFacets = 0.0,
             flux: OnFacets = 0.0, *, degree: int | None = None, side: str = "primal",
-            essential: Any = True, robin: OnFacets | None = None, fixed: Any = None,
+            essential: Any = None, robin: OnFacets | None = None, fixed: Any = None,
             conductivity: CellNumbers | None = None, engine: str = "auto") -> PoissonSolution:
     """Solves ``Delta u = f`` once, by a `PoissonSolver`. A Cochain f gives side and degree;
     otherwise the default is primal 0-forms.

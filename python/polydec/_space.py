@@ -75,7 +75,10 @@ class FormSpace:
         return Cells(self._space.inside())
 
     def stiffness(self) -> Any:
-        """``star Delta`` on the free values, symmetric, with the weights of Robin's condition."""
+        """``star Delta`` on the free values, symmetric, with the weights of Robin's condition.
+
+        For dual forms it is that of the primal forms whose stars they are: multiply solutions by
+        ``inside.star(n - degree)``."""
         return self._space.stiffness()
 
     def restrict(self, values: Form, k: int | None = None) -> Floats:

@@ -37,7 +37,7 @@ class Eigenpairs:
     eigenvalues : numpy.ndarray
         Ascending, with multiplicity.
     modes : numpy.ndarray
-        Columns of norm 1.
+        Columns of norm 1; none, with a warning, if they exceed double precision.
     radii : numpy.ndarray
         Bound of the distance between each eigenvalue and the exact one.
     residuals : numpy.ndarray

@@ -202,3 +202,14 @@ def test_numbers_for_groups_of_the_file(grouped_square):
         polydec.poisson(square, 0.0, {"lid": 1.0})
     with pytest.raises(polydec.InvalidInput, match=said("one for each 2-cell", "dual 0-form")):
         square.with_conductivity(np.ones(1))
+
+
+def test_robins_condition_alone_holds_on_the_whole_boundary_as_in_the_command():
+    square = polydec.meshes.kuhn([4, 4])
+    alone = polydec.poisson(square, 1.0, robin=.7)
+    assert near(alone.values, polydec.poisson(square, 1.0, robin=.7, essential=False).values)
+    assert alone.values.min() > .3
+    for ask in (lambda: polydec.poisson(square, 1.0, robin=.7, essential=True),
+                lambda: polydec.spectrum(square, robin=.7, essential=True)):
+        with pytest.raises(polydec.InvalidInput, match=said("robin", "none of the 16")):
+            ask()

@@ -2,8 +2,8 @@
 """Flaws of meshes/; see mutate.py."""
 
 MUTANTS = {
-    "glued_by_nothing": ("meshes/periodic.cpp", '        check_callable(fmt::format("isometry {}", images.size()), isometry);\n', "",
-                         "PeriodicErrors.name_the_cell_or_the_translation"),
+    "levels_of_a_constant": ("meshes/level_sets.cpp", "if (least == most && count > 0)", "if (false)",
+                             "LevelSets.AreEmptyWhereThereIsNothingBetween"),
     "cubes_of_no_dimension": ("meshes/split_cells.cpp", '    check_number("a cube of dimension", n, 1, 30);\n', "",
                               "CubeShapes.have_one_dimension_at_least"),
     "input_cells_cut_off": ("meshes/mesh.cpp", "return {at_rows(cells.of_simplices, rows), cells.count};",

@@ -102,8 +102,6 @@ MUTANTS = {
                                "GoalInterval.knows_the_errors_of_lengths"),
     "conditions_of_pieces": ("shape/shape.cpp", "= by_cell.facets[cell]", "= by_cell.facets[f % by_cell.facets.size()]",
                              "PoissonError.of_a_mesh_takes_what_the_solver_takes_also_on_merged_cells"),
-    "any_simplex_bisected": ("shape/bisection.cpp", "check_number(\"the bisection of simplex\", s, 0,", "check_number(\"the bisection of simplex\", 0, 0,",
-                             "Bisection.of_what_is_no_shape_is_refused"),
     "branching_twisted_functions": ("shape/shape.cpp", "facet_sides(shape); //", "robin_coefficients(pieces, shape.conditions); //",
                                     "CountBelow.refuses_what_is_no_shape"),
     "places_outside_of_triangles": ("shape/shortest_paths.cpp", "coordinates.minCoeff() >= -rounding", "coordinates.size() == 3",

@@ -2,7 +2,9 @@
 """Flaws of solvers/; see mutate.py."""
 
 MUTANTS = {
-    "paths_through_vertices_twice": ("solvers/surfaces/surface_paths.cpp", "if (points.row(2 * count) != points.row(2 * count + 1))", "if (true)",
+    "spectra_without_modes_fail": ("solvers/spectra/spectrum.cpp", "spectrum.modes.resize(spectrum.modes.rows(), 0);", "throw;",
+                                   "Spectra.have_no_modes_where_these_are_out_of_range"),
+    "paths_through_vertices_twice": ("solvers/surfaces/surface_paths.cpp", "if (length > 1e-12 * drawn.length)", "if (true)",
                                      "ShortestPaths.through_vertices_have_no_piece_that_is_a_point"),
     "fluxes_of_no_number": ("solvers/flow/flux_transport.cpp", 'check_values("fluxes", flux, facets)',
                             'check_as_many("fluxes", flux.size(), facets)',
@@ -19,7 +21,7 @@ MUTANTS = {
                           "InputUnits.are_those_of_spectra"),
     "harmonic_forms_in_the_unit": ("solvers/sources/poisson.cpp", "space_.degree() - cells.dimension() / 2.0", "0",
                                    "InputUnits.are_those_of_hodge_decompositions"),
-    "walls_without_circulation": ("solvers/flow/flow_operators.cpp", "+ along * wall_circulation;", "+ 0 * wall_circulation;",
+    "walls_without_circulation": ("solvers/flow/flow_operators.cpp", "+ along * wall_circulation)", "+ 0 * wall_circulation)",
                                   "Flows.that_turn_with_their_walls_have_twice_the_area_as_circulation"),
     "paths_not_across_seams": ("solvers/surfaces/surface_paths.cpp", "mesh.places().points.cols() == 0", "mesh.input_points().cols() == 0",
                                "ShortestPaths.across_a_seam_have_their_places_in_the_box"),
@@ -100,7 +102,7 @@ MUTANTS = {
                                          "find(spread_out(A, below), {.tolerance = 1e-5}).vectors",
                                          "rough.vectors.col(0)",
                                          "StableStep.does_not_depend_on_the_order_of_vertices"),
-    "growth_out_of_range": ("solvers/time/diffusion.cpp", "return product(values, values, [&](const Vector& x) { return mass_ * x; });",
+    "growth_out_of_range": ("solvers/time/diffusion.cpp", "return square(values, [&](const Vector& x) { return mass_ * x; });",
                             "return ScaledNumber{values.dot(mass_ * values), 0};", "Heat.of_any_size_does_not_grow"),
     "rounding_flows": ("solvers/flow/incompressible_flow.cpp", "<= rounding * rounding", "< 0",
                        "Flows.that_walls_do_not_let_through_are_at_rest"),

@@ -88,14 +88,13 @@ FlowOperators::FlowOperators(const Discretization& on, const FlowOptions& how)
     spaces.check_balance(boundary_flux);
 }
 
-Vector FlowOperators::circulation(const Vector& w, double along) const {
-    const Vector all = curl.transposed() * (star * w) + along * wall_circulation;
-    return spaces.vorticity.extend(spaces.vorticity.restrict(all));
+Vector FlowOperators::free_circulation(const Vector& w, double along) const {
+    return spaces.vorticity.restrict(
+        Vector(curl.transposed() * (star * w) + along * wall_circulation));
 }
 
 Vector FlowOperators::vorticity(const Vector& w, double along) const {
-    const Vector around = spaces.vorticity.restrict(circulation(w, along));
-    return spaces.vorticity.extend(Vector(vorticity_star.solve(around)));
+    return spaces.vorticity.extend(Vector(vorticity_star.solve(free_circulation(w, along))));
 }
 
 } // namespace polydec

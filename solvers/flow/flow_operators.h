@@ -26,7 +26,10 @@ struct FlowOperators {
 
     /// Circulations around all (n-2)-cells, 0 where the vorticity is fixed at 0. `along` is a
     /// factor of the known velocities on the boundary: 1, or 0 for the linear part.
-    Vector circulation(const Vector& w, double along) const;
+    Vector circulation(const Vector& w, double along) const {
+        return spaces.vorticity.extend(free_circulation(w, along));
+    }
+    Vector free_circulation(const Vector& w, double along) const;
 
     /// The vorticity z: star^-1 of the circulations.
     Vector vorticity(const Vector& w, double along) const;

@@ -33,7 +33,7 @@ struct IncompressibleFlow::Parts {
     /// In the unit of the mesh.
     template <class Star>
     static ScaledNumber squared(const Vector& values, const Star& star) {
-        return product(values, values, [&](const Vector& x) { return star * x; });
+        return square(values, [&](const Vector& x) { return star * x; });
     }
     ScaledNumber squared(const Vector& w) const { return squared(fluxes(w), operators->star); }
 

@@ -84,8 +84,9 @@ public:
     /// Throws InvalidInput if it is not finite.
     double relative_energy(const Vector& w, const Vector& other) const;
 
-    /// Circulations around all (n-2)-cells: star_(n-2) z. On a surface their sum is the circulation
-    /// along the boundary, as far as that has no free slip: to rounding 0 if there is none.
+    /// Circulations around all (n-2)-cells: star_(n-2) z, so 0 where the vorticity is fixed at 0.
+    /// On a surface whose walls all have a known velocity, their sum is the circulation along the
+    /// walls; on a closed surface it is 0 to rounding.
     Vector circulations(const Vector& w) const;
 
     /// The largest |d w| of an n-cell, relative to the largest sum of |w| over its facets. At

@@ -62,7 +62,8 @@ SurfacePath SurfacePaths::from(Index vertex) const {
     for (const PathPiece& piece : path.pieces) {
         points.row(2 * count) = parts.place(piece.begin);
         points.row(2 * count + 1) = parts.place(piece.end);
-        if (points.row(2 * count) != points.row(2 * count + 1)) // through a vertex
+        const double length = (points.row(2 * count + 1) - points.row(2 * count)).norm();
+        if (length > 1e-12 * drawn.length) // else through a vertex
             ++count;
     }
     points.conservativeResize(2 * Eigen::Index(count), Eigen::NoChange);

@@ -46,6 +46,7 @@ public:
 
     bool is_empty() const { return cells_.empty(); }
 
+    /// The memory before the first step: zeros.
     Vector at_start() const { return Vector::Zero(decays_.size()); }
 
     /// Advances the memory by a step with these values, and adds its terms to their derivative.

@@ -127,7 +127,7 @@ void Diffusion::prepare(double gamma) {
 /// The resolvent of a semidefinite operator is a contraction, up to rounding of long steps.
 void Diffusion::check_growth(const Vector& before, const Vector& after) const {
     const auto squared = [&](const Vector& values) {
-        return product(values, values, [&](const Vector& x) { return mass_ * x; });
+        return square(values, [&](const Vector& x) { return mass_ * x; });
     };
     const double rounding = 1e-9 + 64 * std::numeric_limits<double>::epsilon() * largest_;
     const ScaledNumber from = squared(before), to = squared(after);

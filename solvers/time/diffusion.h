@@ -122,8 +122,9 @@ protected:
     const std::vector<Vector>& now() const { return state_; }
 
 private:
-    /// The number of the step that is nearest to a time; throws InvalidInput before the start.
-    std::int64_t steps_to(double time) const;
+    /// The number of the step that is nearest to a time. Throws InvalidInput if it is below
+    /// `least`.
+    std::int64_t steps_to(double time, std::int64_t least) const;
 
     double time_step_;
     std::int64_t steps_ = 0;

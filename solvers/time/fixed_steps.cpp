@@ -35,21 +35,17 @@ void FixedSteps::advance(std::int64_t steps, const TimeListener& progress) {
                                             steps_, time()));
 }
 
-std::int64_t FixedSteps::steps_to(double time) const {
+std::int64_t FixedSteps::steps_to(double time, std::int64_t least) const {
     const double steps = std::round(time / time_step_);
-    if (!(time >= 0 && steps <= most))
-        throw InvalidInput(fmt::format("there is no step to time {:.6g}: expected 0 to {:.6g}",
-                                       time, most * time_step_));
+    if (!(time >= 0 && steps >= static_cast<double>(least) && steps <= most))
+        throw InvalidInput(
+            fmt::format("there is no step to time {:.6g} from here: expected {:.6g} to {:.6g}",
+                        time, static_cast<double>(least) * time_step_, most * time_step_));
     return static_cast<std::int64_t>(steps);
 }
 
 Arrival FixedSteps::march(double until, const TimeListener& progress) {
-    const std::int64_t last = steps_to(until);
-    if (last < steps_)
-        throw InvalidInput(fmt::format(
-            "the run cannot march to time {:.6g}: expected at least {:.6g}, the current time",
-            until, time()));
-    advance(last - steps_, progress);
+    advance(steps_to(until, steps_) - steps_, progress);
     return Arrival::at_time;
 }
 
@@ -63,7 +59,7 @@ StepPlan FixedSteps::plan(const std::vector<double>& times) const {
 }
 
 void FixedSteps::resume(double time, const std::vector<Vector>& state) {
-    const std::int64_t steps = steps_to(time);
+    const std::int64_t steps = steps_to(time, 0);
     const auto exact = static_cast<double>(steps);
     const bool is_a_step = std::abs(time / time_step_ - exact) <= 1e-12 * std::max(1.0, exact);
     if (!is_a_step || !std::equal(state.begin(), state.end(), state_.begin(), state_.end(),

@@ -41,7 +41,7 @@ public:
     /// before the start; SolverFailure, naming the time, if values are not finite.
     virtual Arrival march(double until, const TimeListener& progress = {}) = 0;
 
-    /// What makes the results of a run that succeeds doubtful.
+    /// Reasons to doubt the results, known before the first step; none by default.
     virtual std::vector<std::string> warnings() const { return {}; }
 
     /// The steps that marches from now to these ascending times will take, if no event ends them.

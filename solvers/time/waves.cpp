@@ -258,7 +258,7 @@ void Waves::Scheme::Field::advance(Vector& values, Vector rate, double time_step
         values += time_step * rate;
 }
 
-/// E under the conditions, its B half a step before, and memories of nothing.
+/// E under the conditions, its B half a step before, and memories that are 0.
 std::vector<Vector> Waves::Scheme::begun(const Vector& start, const Vector& upper) const {
     std::vector<Vector> state{Vector(E.whole), Vector(B.whole), E.layer.at_start(),
                               B.layer.at_start()};

@@ -83,7 +83,8 @@ def hold_info(commands, ranks, name, mesh):
 
 def hold_poisson(commands, ranks, name, mesh):
     for side in ["primal", "dual"]:
-        for more in [["--boundary", "x"], ["--natural"], ["--essential-where", "x<.3", "--flux=y"]]:
+        for more in [["--boundary", "x"], ["--natural"], ["--essential-where", "x<.3", "--flux=y"],
+                     ["--boundary", "3", "--flux", "5"], ["--essential-where", "x>99"]]:
             words = ["poisson", mesh, "--side", side, "--rhs", "1+x*y", *more]
             one = commands.alone(*words, "--star", "circumcentric", "--json")
             several = commands.on(ranks, *words, "--star", "circumcentric", "--json")

@@ -90,7 +90,10 @@ std::vector<Door> doors_of_the_metric(const Sample& s) {
         {"interior_product", 0, n + 1,
          [=, &s](int k) { interior_product(s.mesh, field, k, Sampling::centered); }},
         {"lie_derivative", 0, n,
-         [=, &s](int k) { lie_derivative(s.mesh, field, k, Sampling::centered); }},
+         [=, &s](int k) {
+             const bool has_added = s.mesh.pieces().size(0) > s.mesh.input().size(0);
+             lie_derivative(s.mesh, field, k, has_added ? Sampling::centered : Sampling::upwind);
+         }},
     };
 }
 

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -58,7 +57,7 @@ TEST(FixedSteps, resume_from_no_other_state) {
             EXPECT_REFUSED(run->resume(time, state), "another run");
         for (const double time : {-0.01, 1e300, nan, std::numeric_limits<double>::infinity()}) {
             EXPECT_REFUSED(run->resume(time, state), "time", "expected 0 to");
-            EXPECT_REFUSED(run->march(time), "time", "expected 0 to");
+            EXPECT_REFUSED(run->march(time), "time", "expected 0.05 to");
         }
         EXPECT_REFUSED(run->resume(0.01, {}), "another run");
         for (std::size_t i = 0; i < state.size(); ++i) {

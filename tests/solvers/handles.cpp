@@ -20,7 +20,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace polydec::test {
+namespace polydec::test::in_handles {
 namespace {
 
 /// use(handle) is a number that needs the handle's data.
@@ -125,4 +125,4 @@ static_assert(
                decltype(of<ParallelTransport>().frames()), decltype(of<Diffusion>().kept())>);
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_handles

@@ -130,6 +130,16 @@ TEST(InputUnits, are_those_of_spectra) {
         all_degrees);
 }
 
+TEST(Spectra, have_no_modes_where_these_are_out_of_range) {
+    Mesh mesh = kuhn(5, 1);
+    mesh.points *= 1e140;
+    const auto found = spectrum({discretize(mesh), Side::primal, 0}, {.count = 1});
+    EXPECT_EQ(found.eigenvalues.size(), 1);
+    EXPECT_EQ(found.modes.cols(), 0);
+    ASSERT_FALSE(found.warnings.empty());
+    EXPECT_SAYS(found.warnings.back(), "modes of norm 1", "range");
+}
+
 TEST(InputUnits, are_those_of_coexact_spectra) {
     expect_the_same_of_all_sizes(
         [](const Discretization& mesh, double size, Side side, int degree) {

@@ -97,6 +97,12 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
     const int n = mesh.dimension(), k = side == Side::primal ? 0 : n;
     log.begin("solve");
     arguments.poisson.boundary = conditions_on(ranks, mesh, arguments, data);
+    const auto [facets, essential] = boundary_facets(ranks, mesh, arguments.poisson.boundary);
+    require_use(facets, essential, 0,
+                {.values = !arguments.boundary.empty() ? "--boundary"
+                           : data.essential_where      ? "--essential-where"
+                                                       : "",
+                 .flow = arguments.flux.empty() ? "" : "--flux"});
     const auto solver = computed_on(file, [&] {
         const SharedProgress progress(ranks);
         return SharedPoissonSolver(ranks, mesh, arguments.poisson);

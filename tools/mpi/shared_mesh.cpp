@@ -144,8 +144,8 @@ DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Share
     return mesh;
 }
 
-std::string in_words(const Ranks& ranks, const DistributedMesh& mesh,
-                     const BoundaryConditions& conditions, int degree, const BoundaryData& data) {
+std::pair<GlobalIndex, GlobalIndex> boundary_facets(const Ranks& ranks, const DistributedMesh& mesh,
+                                                    const BoundaryConditions& conditions) {
     const int n = mesh.dimension();
     const auto& first = mesh.cells.degree(n - 1).first;
     GlobalIndex facets = 0, essential = 0;
@@ -155,7 +155,13 @@ std::string in_words(const Ranks& ranks, const DistributedMesh& mesh,
             if (conditions.at(static_cast<Index>(f)) == BoundaryCondition::essential)
                 ++essential;
         }
-    return polydec::in_words(ranks.sum(facets), ranks.sum(essential), degree, n, data);
+    return {ranks.sum(facets), ranks.sum(essential)};
+}
+
+std::string in_words(const Ranks& ranks, const DistributedMesh& mesh,
+                     const BoundaryConditions& conditions, int degree, const BoundaryData& data) {
+    const auto [facets, essential] = boundary_facets(ranks, mesh, conditions);
+    return polydec::in_words(facets, essential, degree, mesh.dimension(), data);
 }
 
 void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, SharedLog& log,

@@ -52,6 +52,9 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
     });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
     use_input_units(result, n, mesh.unit);
+    if (ranks.any(result.modes.cols() == 0)) // values of one rank may be out of range
+        result.modes.resize(result.modes.rows(), 0);
+    log.warn(result.warnings);
     if (!arguments.out.empty()) {
         log.begin("write");
         write_pvtu(ranks, arguments.out, mesh, modes_to_show(result, k));
