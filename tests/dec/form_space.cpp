@@ -111,7 +111,8 @@ TEST(FormSpace, refuses_robins_condition_beside_negative_duals_by_name) {
     const auto negative = star(mesh, 1).negatives();
     ASSERT_FALSE(negative.empty());
     const FormSpace space(mesh, Side::dual, 0, robin);
-    EXPECT_REFUSED(space.inside(), "1-cells", "Robin", "duals have negative", "StarKind::automatic");
+    EXPECT_REFUSED(space.inside(), "1-cells", "Robin", "duals have negative",
+                   "StarKind::automatic");
     const auto positive = discretize(mesh_named("obtuse_planar"), {.star = StarKind::automatic});
     EXPECT_NO_THROW(FormSpace(positive, Side::dual, 0, robin).inside());
 }
