@@ -27,8 +27,8 @@ struct CellShape {
 /// over it). Null if there is none. Dimension 0 to 3.
 const CellShape* cell_shape(int dimension, std::size_t corners);
 
-/// The n-cube: bit k of a corner's number is its coordinate along axis k. Its facets are
-/// not oriented. Throws InvalidInput unless n is 1 to 30.
+/// The n-cube: bit k of a corner's number is its coordinate along axis k. Its facets are not
+/// oriented. Throws InvalidInput unless n is 1 to 30.
 CellShape cube_shape(int n);
 
 /// Appends the simplices of a cell: cones from the cell's smallest vertex over the simplices of the

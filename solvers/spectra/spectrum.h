@@ -29,8 +29,7 @@ struct Spectrum {
     Vector eigenvalues; ///< ascending, with multiplicity; length^-2 in the input's units
     Vector radii;       ///< bounds on the distance to the exact eigenvalues
     /// Columns: forms of the space, of norm 1 in the star, in units of the input; 0 where fixed.
-    /// None, with a warning, if
-    /// they are outside the range of double precision.
+    /// None, with a warning, if they are outside the range of double precision.
     DenseMatrix modes;
     Vector residuals; ///< |A x - lambda M x| / |M x|
     Certificate certificate;
