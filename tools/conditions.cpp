@@ -52,7 +52,7 @@ std::optional<BoundaryConditions> ConditionValues::on(const Discretization& mesh
         return conditions;
     auto with_robin = robin_elsewhere(
         conditions.value_or(BoundaryConditions{BoundaryCondition::natural}), robin_);
-    require_use(mesh.complex(), with_robin, {.robin = "--robin"});
+    require_use(boundary_counts(mesh.complex(), with_robin), {.robin = "--robin"});
     return with_robin;
 }
 
@@ -68,7 +68,7 @@ std::optional<BoundaryConditions> ConditionValues::without_robin(const Discretiz
         for (const double value : essential_where_->at(facet_sites(mesh)))
             result.facets.push_back(value != 0 ? BoundaryCondition::essential
                                                : BoundaryCondition::natural);
-        require_essential(mesh.complex(), result, "--essential-where");
+        require_use(boundary_counts(mesh.complex(), result), {.values = "--essential-where"});
     } else if (!natural_ && !fixed_where_)
         return std::nullopt;
     if (fixed_where_) {

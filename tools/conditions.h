@@ -45,7 +45,7 @@ public:
     explicit ConditionValues(const ConditionArguments& arguments);
 
     /// On the facets of this mesh; none if no conditions were requested. Throws like
-    /// SiteValues::at, polydec::essential_on and require_essential.
+    /// SiteValues::at, polydec::essential_on and require_use.
     std::optional<BoundaryConditions> on(const Discretization& mesh) const;
 
     /// The forms of this side and degree under these conditions, or under the default ones.

@@ -217,9 +217,8 @@ void run_heat(HeatArguments arguments) {
     const Discretization mesh = load_to_draw(arguments.mesh, arguments.time.out, log);
     const auto space =
         computed_on(arguments.mesh.mesh, [&] { return asked.space(mesh, side, degree); });
-    require_use(mesh.complex(), space.conditions(),
-                {.values = arguments.boundary.empty() ? "" : "--boundary-values",
-                 .flow = arguments.flux.empty() ? "" : "--flux"});
+    space.require_use({.values = arguments.boundary.empty() ? "" : "--boundary-values",
+                       .flow = arguments.flux.empty() ? "" : "--flux"});
     const Heat heat{arguments,
                     mesh,
                     initial.on(mesh, side, degree),
@@ -229,8 +228,7 @@ void run_heat(HeatArguments arguments) {
                     std::move(flux)};
     log.timing.begin("solve");
     const std::string words =
-        in_words(space.conditions(), mesh.complex(), degree,
-                 {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
+        space.in_words({.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
     PageText text;
     text.title = fmt::format("{}: heat", arguments.mesh.mesh.filename().string());
     text.facts = {fmt::format("du/dt = -Delta u{} of a {} {}-form, u = {} at the time 0",

@@ -104,12 +104,6 @@ struct Data {
     std::optional<SiteValues> exact, conductivity;
 };
 
-/// What is known on the boundary, in words.
-std::string conditions(const FormSpace& space, const PoissonArguments& arguments) {
-    return in_words(space.conditions(), space.cells().complex(), 0,
-                    {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
-}
-
 /// What is proved of the error, on triangles, or why nothing is.
 void add_bound(Solved& answer, const Discretization& mesh, const FormSpace& space,
                const CellData& conductivity, const std::string& engine, const Vector& f,
@@ -150,9 +144,8 @@ void run_poisson(PoissonArguments arguments) {
         return FormSpace(cells, arguments.side, 0,
                          data.conditions.on(mesh).value_or(BoundaryConditions{}));
     });
-    require_use(cells.complex(), space.conditions(),
-                {.values = arguments.boundary.empty() ? "" : "--boundary",
-                 .flow = arguments.flux.empty() ? "" : "--flux"});
+    space.require_use({.values = arguments.boundary.empty() ? "" : "--boundary",
+                       .flow = arguments.flux.empty() ? "" : "--flux"});
     log.timing.begin("solve");
     const auto at = [&](const SiteValues& values, const Points& places) {
         return arguments.side == Side::primal ? vertex_values(mesh, values, places)
@@ -179,7 +172,8 @@ void run_poisson(PoissonArguments arguments) {
     const Vector& u = solution.form.values;
     log.warn(solution.warnings);
     Solved answer = describe(mesh, arguments, solution);
-    answer.conditions = conditions(space, arguments);
+    answer.conditions =
+        space.in_words({.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
     log.timing.begin("bound");
     add_bound(answer, mesh, space, conductivity, arguments.engine, f, h, u);
     if (data.exact)

@@ -151,6 +151,8 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
     arguments.mesh.star = StarKind::galerkin; // shapes do not use stars
     const Discretization mesh = load(arguments.mesh, log);
     const auto boundary = asked.on(mesh).value_or(built_in_conditions(Side::primal));
+    const std::string words =
+        in_words(boundary_counts(mesh.complex(), boundary), arguments.degree, mesh.dimension());
     log.timing.begin("solve");
     const auto since = std::chrono::steady_clock::now();
     ShapeSpectrumOptions& options = arguments.shape;
@@ -170,7 +172,7 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
         answer.simplices = shape.shape.pieces.size(mesh.dimension());
         answer.flips = before + shape.flips;
         answer.dimension = mesh.dimension();
-        answer.conditions = in_words(boundary, mesh.complex(), options.degree);
+        answer.conditions = words;
         for (const double s : arguments.below) {
             answer.counts.push_back(computed_on(
                 arguments.mesh.mesh, [&] { return count_below(shape.shape, s, answer.options); }));
@@ -186,9 +188,8 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
     });
     const double seconds = seconds_since();
     log.warn(found.warnings);
-    tell(ShapeEigenvalues(found, options, shape.shape, before + shape.flips,
-                          in_words(boundary, mesh.complex(), options.degree), seconds),
-         log, arguments.mesh.tell);
+    tell(ShapeEigenvalues(found, options, shape.shape, before + shape.flips, words, seconds), log,
+         arguments.mesh.tell);
 }
 
 void add_shape(CLI::App& command, SpectrumArguments& arguments) {

@@ -5,6 +5,7 @@
 #include "base/errors.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,21 +22,6 @@ void check_facets(const CellComplex& complex, const BoundaryConditions& conditio
                                        "the {} {}-cells, or one for all",
                                        conditions.facets.size(), complex.size(n - 1), n - 1));
 }
-
-/// Numbers of facets on the boundary, and of fixed vertices.
-struct Facets {
-    std::int64_t all = 0, essential = 0, robin = 0, fixed_vertices;
-
-    Facets(const CellComplex& complex, const BoundaryConditions& conditions)
-        : fixed_vertices(std::count(conditions.fixed_vertices.begin(),
-                                    conditions.fixed_vertices.end(), true)) {
-        for (const BoundaryFacet& on : boundary_facets(complex)) {
-            ++all;
-            essential += conditions.at(on.facet) == BoundaryCondition::essential ? 1 : 0;
-            robin += conditions.at(on.facet) == BoundaryCondition::robin ? 1 : 0;
-        }
-    }
-};
 
 /// For a form of this degree; `where` is "the boundary" or a number of its facets.
 std::string in_words(BoundaryCondition condition, int degree, int n, const BoundaryData& data,
@@ -110,68 +96,50 @@ void refuse_robin(const CellComplex& complex, const BoundaryConditions& conditio
                 {.degree = n - 1, .cells = {f}});
 }
 
-std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
-                     const BoundaryData& data) {
+BoundaryCounts boundary_counts(const CellComplex& complex, const BoundaryConditions& conditions) {
     check_facets(complex, conditions);
-    const Facets on(complex, conditions);
-    const auto fixed = on.fixed_vertices;
-    return in_words(on.all, on.essential, degree, complex.dimension(), data, on.robin) +
-           (fixed == 0 ? ""
-                       : fmt::format(", values {} at {} vert{}", data.values ? "given" : "0", fixed,
-                                     fixed == 1 ? "ex" : "ices"));
+    BoundaryCounts on;
+    on.fixed_vertices =
+        std::count(conditions.fixed_vertices.begin(), conditions.fixed_vertices.end(), true);
+    for (const auto& [f, cell, outward] : boundary_facets(complex)) {
+        ++on.facets;
+        on.essential += conditions.at(f) == BoundaryCondition::essential ? 1 : 0;
+        on.robin += conditions.at(f) == BoundaryCondition::robin ? 1 : 0;
+    }
+    return on;
 }
 
-std::string in_words(std::int64_t facets, std::int64_t essential, int degree, int n,
-                     const BoundaryData& data, std::int64_t robin) {
-    if (facets == 0)
-        return "no boundary";
-    const auto words = [&](BoundaryCondition condition, std::int64_t count) {
-        return in_words(condition, degree, n, data,
-                        count == facets ? "the boundary"
-                                        : fmt::format("{} of {} boundary facets", count, facets));
-    };
-    std::string result;
+std::string in_words(const BoundaryCounts& on, int degree, int n, const BoundaryData& data) {
+    std::vector<std::string> parts;
     const auto add = [&](BoundaryCondition condition, std::int64_t count) {
         if (count > 0)
-            result += (result.empty() ? "" : ", ") + words(condition, count);
+            parts.push_back(in_words(
+                condition, degree, n, data,
+                count == on.facets ? "the boundary"
+                                   : fmt::format("{} of {} boundary facets", count, on.facets)));
     };
-    add(BoundaryCondition::essential, essential);
-    add(BoundaryCondition::natural, facets - essential - robin);
-    add(BoundaryCondition::robin, robin);
-    return result;
-}
-
-void require_essential(const CellComplex& complex, const BoundaryConditions& conditions,
-                       const std::string& what) {
-    const Facets on(complex, conditions);
-    if (on.all > 0 && on.essential == 0 && on.fixed_vertices == 0)
-        throw InvalidInput(
-            fmt::format("{} gives values on none of the {} boundary facets: expected at least one; "
-                        "omit it for natural conditions, or fix vertices for values inside",
-                        what, on.all));
-}
-
-void require_use(const CellComplex& complex, const BoundaryConditions& conditions,
-                 const NamedData& data) {
-    const Facets on(complex, conditions);
-    NamedData others = data;
+    add(BoundaryCondition::essential, on.essential);
+    add(BoundaryCondition::natural, on.facets - on.essential - on.robin);
+    add(BoundaryCondition::robin, on.robin);
+    if (on.facets == 0)
+        parts.emplace_back("no boundary");
     if (on.fixed_vertices > 0)
-        others.values.clear();
-    require_use(on.all, on.essential, on.robin, others);
+        parts.push_back(fmt::format("values {} at {} vert{}", data.values ? "given" : "0",
+                                    on.fixed_vertices, on.fixed_vertices == 1 ? "ex" : "ices"));
+    return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-void require_use(std::int64_t facets, std::int64_t essential, std::int64_t robin,
-                 const NamedData& data) {
+void require_use(const BoundaryCounts& on, const NamedData& data) {
     const auto require = [&](const std::string& what, bool is_used, const char* expected) {
-        if (!what.empty() && !is_used && facets > 0)
+        if (!what.empty() && !is_used && on.facets > 0)
             throw InvalidInput(fmt::format("{} would apply at none of the {} boundary facets: "
-                                           "expected {} (see BoundaryConditions::essential), or "
-                                           "none of these data",
-                                           what, facets, expected));
+                                           "expected {}, or none of these data",
+                                           what, on.facets, expected));
     };
-    require(data.values, essential > 0, "an essential facet or a fixed vertex");
-    require(data.flow, essential < facets, "a facet that is not essential");
-    require(data.robin, robin > 0, "a facet that is not essential");
+    require(data.values, on.essential + on.fixed_vertices > 0,
+            "an essential facet or a fixed vertex");
+    require(data.flow, on.essential < on.facets, "a facet that is not essential");
+    require(data.robin, on.robin > 0, "a facet that is not essential");
 }
 
 BoundaryConditions BoundaryConditions::essential(const std::vector<bool>& marks) const {

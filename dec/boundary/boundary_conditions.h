@@ -71,29 +71,28 @@ struct BoundaryData {
     bool flow = false;
 };
 
-/// The conditions in words, for forms of this degree. 0-forms: "values 0 on the boundary
-/// (Dirichlet)" or "no flow through the boundary (Neumann)"; n-forms: the same for their density;
-/// in between: "tangential part 0 on the boundary" or "normal part 0 on the boundary". Mixed
-/// conditions: all of them with their numbers of facets. Robin: "flow given" or "0". Without a
-/// boundary: "no boundary". Throws InvalidInput unless conditions are uniform or one per facet.
-std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
-                     const BoundaryData& data = {});
+/// How many cells boundary conditions apply to. Ranks add up their numbers.
+struct BoundaryCounts {
+    std::int64_t facets = 0;               ///< on the boundary
+    std::int64_t essential = 0, robin = 0; ///< of these; the others are natural
+    std::int64_t fixed_vertices = 0;
+};
 
-/// The same from numbers of boundary facets: in all, essential, and Robin's. The forms live on
-/// cells of dimension n.
-std::string in_words(std::int64_t facets, std::int64_t essential, int degree, int n,
-                     const BoundaryData& data = {}, std::int64_t robin = 0);
+/// Throws InvalidInput unless conditions are uniform or one per facet.
+BoundaryCounts boundary_counts(const CellComplex& complex, const BoundaryConditions& conditions);
+
+/// The conditions in words, for forms of this degree on cells of dimension n. 0-forms: "values 0 on
+/// the boundary (Dirichlet)" or "no flow through the boundary (Neumann)"; n-forms: the same for
+/// their density; in between: "tangential part 0 on the boundary" or "normal part 0 on the
+/// boundary". Mixed conditions: all of them with their numbers of facets. Robin: "flow given" or
+/// "0". Without a boundary: "no boundary".
+std::string in_words(const BoundaryCounts& on, int degree, int n, const BoundaryData& data = {});
 
 /// Mixed conditions: essential where the predicate holds at a facet's site, natural elsewhere.
 /// `sites` has one row of coordinates per (n-1)-cell, e.g. circumcenters (cell_centers). Throws
 /// InvalidInput for an empty function.
 BoundaryConditions essential_where(const Points& sites,
                                    const std::function<bool(const Vector& site)>& predicate);
-
-/// Throws InvalidInput, stating the number of boundary facets, if a mesh has a boundary but these
-/// conditions prescribe values neither on a facet nor at a vertex; `what` names their origin.
-void require_essential(const CellComplex& complex, const BoundaryConditions& conditions,
-                       const std::string& what);
 
 /// Data given on the boundary, by their names for messages; empty: not given.
 struct NamedData {
@@ -102,14 +101,9 @@ struct NamedData {
     std::string robin = {};  ///< the coefficients of Robin facets
 };
 
-/// Throws InvalidInput, naming the data, if a mesh has a boundary but under these conditions some
+/// Throws InvalidInput, naming the data and the number of facets, if a mesh has a boundary but some
 /// of the data apply nowhere.
-void require_use(const CellComplex& complex, const BoundaryConditions& conditions,
-                 const NamedData& data);
-
-/// The same from numbers of boundary facets: in all, essential, and Robin's.
-void require_use(std::int64_t facets, std::int64_t essential, std::int64_t robin,
-                 const NamedData& data);
+void require_use(const BoundaryCounts& on, const NamedData& data);
 
 /// The conditions with Robin's in place of natural.
 BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coefficient);

@@ -105,8 +105,14 @@ FormSpace FormSpace::vanishing_on(const Cells& cells, Side side, int degree,
         new Parts{cells, side, degree, k, {BoundaryCondition::natural}, std::move(fixed)}));
 }
 
-std::string FormSpace::in_words() const {
-    return polydec::in_words(conditions(), parts_->cells.complex(), degree());
+std::string FormSpace::in_words(const BoundaryData& data) const {
+    const CellComplex& complex = parts_->cells.complex();
+    return polydec::in_words(boundary_counts(complex, conditions()), degree(), complex.dimension(),
+                             data);
+}
+
+void FormSpace::require_use(const NamedData& data) const {
+    polydec::require_use(boundary_counts(parts_->cells.complex(), conditions()), data);
 }
 
 Cochain FormSpace::form(Vector values) const {

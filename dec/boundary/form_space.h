@@ -53,7 +53,10 @@ public:
     BoundaryConditions conditions() && { return conditions(); }
 
     /// The conditions in words, like polydec::in_words.
-    std::string in_words() const;
+    std::string in_words(const BoundaryData& data = {}) const;
+
+    /// Throws InvalidInput, like polydec::require_use, if data on the boundary apply nowhere.
+    void require_use(const NamedData& data) const;
 
     /// The form of the space with these values, one per cell. Throws like check.
     Cochain form(Vector values) const;

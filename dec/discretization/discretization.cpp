@@ -290,6 +290,12 @@ PlacedSimplices Discretization::places() const& {
                  : PlacedSimplices{measured_input_points(), input().simplices(input().dimension())};
 }
 
+PlacedSimplices Discretization::places_of_pieces() const& {
+    return passage().is_identity()
+               ? places()
+               : PlacedSimplices{measured_points(), pieces().simplices(dimension())};
+}
+
 int Discretization::ambient_dimension() const {
     return static_cast<int>(places().points.cols());
 }

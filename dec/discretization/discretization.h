@@ -156,6 +156,9 @@ public:
     /// Without columns if only lengths are known.
     PlacedSimplices places() const&;
     PlacedSimplices places() const&& = delete;
+    /// Places of the n-pieces. Pieces between flipped edges are not straight, but have corners.
+    PlacedSimplices places_of_pieces() const&;
+    PlacedSimplices places_of_pieces() const&& = delete;
 
     /// Number N of coordinates of the points; 0 if only lengths are known.
     int ambient_dimension() const;

@@ -94,8 +94,8 @@ BoundaryConditions essential_on(const Discretization& mesh,
         return BoundaryConditions(BoundaryCondition::natural).essential(facets_in(mesh, some));
     };
     for (const auto& group : groups) // each of them separately
-        require_essential(mesh.complex(), conditions({group}),
-                          fmt::format("the group {} ({})", group, groups_with_facets(mesh)));
+        require_use(boundary_counts(mesh.complex(), conditions({group})),
+                    {.values = fmt::format("the group {} ({})", group, groups_with_facets(mesh))});
     return conditions(groups);
 }
 

@@ -132,10 +132,8 @@ Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix
 /// field at vertices, on the pieces for a field on cells.
 Cochain star_of_fluxes(const Discretization& mesh, bool at_vertices, const DenseMatrix& field) {
     const int n = mesh.dimension();
-    const bool straight = at_vertices || mesh.passage().is_identity();
     const Pieces& K = at_vertices ? mesh.input() : mesh.pieces();
-    const Points& points = straight ? mesh.places().points : mesh.measured_points();
-    const Simplices& corners = straight ? mesh.places().corners : K.simplices(n);
+    const auto [points, corners] = at_vertices ? mesh.places() : mesh.places_of_pieces();
     const Points of_facets = at_vertices ? means(K, field.topRows(K.size(0)), n - 1) : Points();
     const Points of_cells = at_vertices ? Points() : copied_to_pieces(mesh, field);
     const Cochain fluxes{Side::primal, n - 1,

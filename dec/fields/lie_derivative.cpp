@@ -269,10 +269,7 @@ SparseMatrix lie_derivative(const Pieces& complex, const PlacedSimplices& places
 SparseMatrix on_cells(const Discretization& mesh, const SparseMatrix& fine, int k, int j) {
     if (fine.rows() == 0 || fine.cols() == 0)
         return SparseMatrix(mesh.complex().size(j), mesh.complex().size(k));
-    const SparseMatrix& lift = mesh.merged().lift()[k];
-    if (mesh.passage().is_identity())
-        return mesh.merging().diamond(j).cast<double>() * SparseMatrix(fine * lift);
-    const SparseMatrix back = mesh.passage().matrix_back(k) * lift;
+    const SparseMatrix back = mesh.passage().matrix_back(k) * mesh.merged().lift()[k];
     const SparseMatrix there = mesh.passage().matrix(j) * SparseMatrix(fine * back);
     return mesh.merging().diamond(j).cast<double>() * there;
 }

@@ -79,9 +79,7 @@ constexpr double rank_tolerance = 1e-12;
 /// as for a triangle that flips have laid around a spike.
 DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
     const int n = mesh.dimension();
-    const bool straight = mesh.passage().is_identity();
-    const Points& points = straight ? mesh.places().points : mesh.measured_points();
-    const Simplices& tops = straight ? mesh.places().corners : mesh.pieces().simplices(n);
+    const auto [points, tops] = mesh.places_of_pieces();
     const auto N = points.cols();
     DenseMatrix sum = DenseMatrix::Zero(N, N);
     for (const Index t : mesh.merging().pieces_of(n, cell)) {

@@ -108,8 +108,6 @@ SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& 
                                        columns, O.rows(), O.cols()));
     const SparseMatrix down = O * merged_from(discretization, from);
     const SparseMatrix result = pieces_from(discretization, to) * down;
-    if (discretization.passage().is_identity())
-        return result;
     const SparseMatrix on_pieces = result * forth(discretization, from);
     return back(discretization, to) * on_pieces;
 }
@@ -117,11 +115,9 @@ SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& 
 Cochain to_merged(const Discretization& discretization, const Cochain& form) {
     check(discretization.input(), form);
     const FormKind kind{form.side, form.degree};
-    Vector values = form.values;
-    if (form.side == Side::primal)
-        values = discretization.passage().forth(form.degree, values);
-    else if (!discretization.passage().is_identity())
-        values = forth(discretization, kind) * values;
+    const Vector values = form.side == Side::primal
+                              ? Vector(discretization.passage().forth(form.degree, form.values))
+                              : Vector(forth(discretization, kind) * form.values);
     return {form.side, form.degree, merged_from(discretization, kind) * values};
 }
 

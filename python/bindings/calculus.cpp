@@ -160,7 +160,7 @@ void add_spaces(py::module_& module) {
                                            "the stiffness");
                  });
              })
-        .def("in_words", &FormSpace::in_words);
+        .def("in_words", [](const FormSpace& space) { return space.in_words(); });
 }
 
 } // namespace
@@ -173,14 +173,10 @@ FormSpace space_of(const Cells& cells, Side side, int degree, const GivenConditi
 
 void add_calculus(py::module_& module) {
     py::class_<BoundaryConditions>(module, "Conditions").def(py::init(&conditions_of));
-    module.def("require_robin",
-               [](const Cells& of, const BoundaryConditions& conditions, const std::string& what) {
-                   require_use(of.complex(), conditions, {.robin = what});
-               });
-    module.def("require_essential",
-               [](const Cells& of, const BoundaryConditions& conditions, const std::string& what) {
-                   require_essential(of.complex(), conditions, what);
-               });
+    module.def("require_use", [](const Cells& of, const BoundaryConditions& conditions,
+                                 const std::string& values, const std::string& robin) {
+        require_use(boundary_counts(of.complex(), conditions), {.values = values, .robin = robin});
+    });
     py::class_<Cells> calculus(module, "Cells");
     calculus.def(py::init(&own_cells))
         .def_property_readonly("dimension",

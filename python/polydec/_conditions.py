@@ -100,10 +100,8 @@ def conditions_of(cells: Cells, essential: Any, robin: Any = None,
     """Conditions for C++ from user input; by default Robin's where they are given, else essential."""
     marked = facet_marks(cells, robin is None if essential is None else essential)
     made = _core.Conditions(marked, facet_coefficients(cells, robin), vertex_marks(cells, fixed))
-    if len(marked) > 1:
-        _core.require_essential(cells._cells, made, "essential")
-    if robin is not None:
-        _core.require_robin(cells._cells, made, "robin")
+    _core.require_use(cells._cells, made, "essential" if len(marked) > 1 else "",
+                      "" if robin is None else "robin")
     return made
 
 

@@ -68,6 +68,23 @@ TEST(auto_solver, multigrid_goes_before_all_else_for_large_solids_where_it_is_th
         EXPECT_TRUE(there.empty() || others != there);
 }
 
+TEST(auto_solver, short_steps_on_solids_are_iterated) {
+    const auto first = [](int dimension, Index size, double beside) {
+        SparseMatrix A(size, size);
+        for (Index i = 0; i < size; ++i) {
+            A.insert(i, i) = 4;
+            A.insert(i, (i + 1) % size) = A.insert((i + 1) % size, i) = beside;
+        }
+        MatrixFacts facts = positive();
+        facts.domain_dimension = dimension;
+        facts.many_solves = true;
+        return suitable_engines(A, facts).front();
+    };
+    EXPECT_EQ(first(3, 6000, -1), "eigen.cg");
+    for (const auto& other : {first(3, 6000, -1.1), first(2, 6000, -1), first(3, 4000, -1)})
+        EXPECT_NE(other, "eigen.cg");
+}
+
 TEST(auto_solver, surfaces_go_to_multigrid_once_they_are_very_large_or_memory_is_short) {
     if (!has_linear_solver("petsc.cg-gamg"))
         return;

@@ -147,19 +147,22 @@ TEST(BoundaryData, of_a_cone_reaches_the_vertex_of_its_loop) {
 }
 
 TEST(BoundaryWords, say_what_holds_for_forms_of_each_degree) {
+    const auto words = [](const BoundaryConditions& conditions, const CellComplex& complex,
+                          int degree, const polydec::BoundaryData& data = {}) {
+        return in_words(boundary_counts(complex, conditions), degree, complex.dimension(), data);
+    };
     const auto& P = merged("kuhn3").P();
     const BoundaryConditions essential{BoundaryCondition::essential};
     const BoundaryConditions natural{BoundaryCondition::natural};
-    EXPECT_EQ(in_words(essential, P, 0), "values 0 on the boundary (Dirichlet)");
-    EXPECT_EQ(in_words(natural, P, 0), "no flow through the boundary (Neumann)");
-    EXPECT_EQ(in_words(essential, P, 1), "tangential part 0 on the boundary");
-    EXPECT_EQ(in_words(natural, P, 2), "normal part 0 on the boundary");
-    EXPECT_EQ(in_words(essential, P, 3), "no flow through the boundary (Neumann)");
-    EXPECT_EQ(in_words(natural, P, 3), "values 0 on the boundary (Dirichlet)");
-    EXPECT_EQ(in_words(essential, P, 0, {.values = true}),
-              "values given on the boundary (Dirichlet)");
-    EXPECT_EQ(in_words(natural, P, 0, {.flow = true}), "flow given through the boundary (Neumann)");
-    EXPECT_EQ(in_words(essential, merged("uv8").P(), 0), "no boundary");
+    EXPECT_EQ(words(essential, P, 0), "values 0 on the boundary (Dirichlet)");
+    EXPECT_EQ(words(natural, P, 0), "no flow through the boundary (Neumann)");
+    EXPECT_EQ(words(essential, P, 1), "tangential part 0 on the boundary");
+    EXPECT_EQ(words(natural, P, 2), "normal part 0 on the boundary");
+    EXPECT_EQ(words(essential, P, 3), "no flow through the boundary (Neumann)");
+    EXPECT_EQ(words(natural, P, 3), "values 0 on the boundary (Dirichlet)");
+    EXPECT_EQ(words(essential, P, 0, {.values = true}), "values given on the boundary (Dirichlet)");
+    EXPECT_EQ(words(natural, P, 0, {.flow = true}), "flow given through the boundary (Neumann)");
+    EXPECT_EQ(words(essential, merged("uv8").P(), 0), "no boundary");
 
     const auto& squares = merged("grid4").P();
     BoundaryConditions mixed;
@@ -169,10 +172,10 @@ TEST(BoundaryWords, say_what_holds_for_forms_of_each_degree) {
             mixed.facets[f] = BoundaryCondition::essential;
             --left;
         }
-    EXPECT_EQ(in_words(mixed, squares, 0),
+    EXPECT_EQ(words(mixed, squares, 0),
               "values 0 on 3 of 16 boundary facets (Dirichlet), no flow through 13 of 16 boundary "
               "facets (Neumann)");
-    EXPECT_EQ(in_words(exchanged(mixed), squares, 0),
+    EXPECT_EQ(words(exchanged(mixed), squares, 0),
               "values 0 on 13 of 16 boundary facets (Dirichlet), no flow through 3 of 16 boundary "
               "facets (Neumann)");
     EXPECT_EQ(exchanged(exchanged(mixed)).facets, mixed.facets);

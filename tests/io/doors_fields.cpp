@@ -171,7 +171,7 @@ void ask_of_diagnoses(const Asking& ask, const Sample& s) {
     ask("essential_where and in_words", [&](Inputs& in) {
         const Points sites = Points::Ones(std::ssize(in.list(s.size(n - 1), 0)), 2);
         const auto conditions = essential_where(sites, [](const Vector&) { return true; });
-        return fit(!in_words(conditions, s.P(), 0).empty() &&
+        return fit(!in_words(boundary_counts(s.P(), conditions), 0, s.P().dimension()).empty() &&
                    std::ssize(essential_cells(s.P(), conditions)) == n + 1);
     });
     ask("FormSpace", [&](Inputs& in) {

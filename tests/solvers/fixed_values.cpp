@@ -55,25 +55,27 @@ TEST(Conditions, fix_values_of_primal_functions_at_vertices) {
 TEST(Conditions, that_give_values_nowhere_are_found) {
     const auto mesh = discretize(grid(4, 4));
     BoundaryConditions inside = neumann;
+    const auto require = [&](const BoundaryConditions& conditions, const NamedData& data) {
+        require_use(boundary_counts(mesh.complex(), conditions), data);
+    };
     const auto& cofaces = mesh.complex().coface_counts(1);
     for (const Index count : cofaces)
         inside.facets.push_back(count == 2 ? BoundaryCondition::essential
                                            : BoundaryCondition::natural);
-    EXPECT_REFUSED(require_essential(mesh.complex(), inside, "the wall"), "the wall", "none", "16");
+    EXPECT_REFUSED(require(inside, {.values = "the wall"}), "the wall", "none", "16");
     inside.facets[std::find(cofaces.begin(), cofaces.end(), 1) - cofaces.begin()] =
         BoundaryCondition::essential;
-    require_essential(mesh.complex(), inside, "the wall");
+    require(inside, {.values = "the wall"});
     const BoundaryConditions all{BoundaryCondition::essential};
-    EXPECT_REFUSED(require_use(mesh.complex(), all, {.flow = "the inflow"}), "the inflow", "none",
-                   "16", "expected");
-    EXPECT_REFUSED(require_use(mesh.complex(), all, {.robin = "alpha"}), "alpha", "none", "16");
-    EXPECT_REFUSED(require_use(mesh.complex(), neumann, {.values = "the wall"}), "the wall", "none",
-                   "16", "expected", "fixed vertex");
-    require_use(mesh.complex(), all, {.values = "the wall"});
-    require_use(mesh.complex(), neumann, {.flow = "the inflow"});
-    require_use(mesh.complex(), inside, {.values = "the wall", .flow = "the inflow"});
-    require_use(discretize(icosphere(2)).complex(), all, {.flow = "on no boundary"});
-    require_essential(discretize(icosphere(2)).complex(), neumann, "a surface without boundary");
+    EXPECT_REFUSED(require(all, {.flow = "the inflow"}), "the inflow", "none", "16", "expected");
+    EXPECT_REFUSED(require(all, {.robin = "alpha"}), "alpha", "none", "16");
+    EXPECT_REFUSED(require(neumann, {.values = "the wall"}), "the wall", "none", "16", "expected",
+                   "fixed vertex");
+    require(all, {.values = "the wall"});
+    require(neumann, {.flow = "the inflow"});
+    require(inside, {.values = "the wall", .flow = "the inflow"});
+    const FormSpace closed(discretize(icosphere(2)), Side::primal, 0);
+    closed.require_use({.values = "on no boundary", .flow = "on no boundary"});
 }
 
 } // namespace

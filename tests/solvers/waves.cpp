@@ -79,8 +79,7 @@ std::vector<WaveSample> samples() {
 
 std::string in_words(const WaveSample& waves) {
     return std::string(name(waves.side)) + " " + std::to_string(waves.degree) + "-forms in " +
-           std::to_string(waves.mesh.dimension()) + " dimensions, " +
-           in_words(waves.conditions, waves.mesh.complex(), waves.degree);
+           std::to_string(waves.mesh.dimension()) + " dimensions, " + waves.space.in_words();
 }
 
 double half_stable(const WaveSample& waves) {

@@ -97,12 +97,11 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
     const int n = mesh.dimension(), k = side == Side::primal ? 0 : n;
     log.begin("solve");
     arguments.poisson.boundary = conditions_on(ranks, mesh, arguments, data);
-    const auto [facets, essential] = boundary_facets(ranks, mesh, arguments.poisson.boundary);
-    require_use(facets, essential, 0,
-                {.values = !arguments.boundary.empty() ? "--boundary"
-                           : data.essential_where      ? "--essential-where"
-                                                       : "",
-                 .flow = arguments.flux.empty() ? "" : "--flux"});
+    const BoundaryCounts on = boundary_counts(ranks, mesh, arguments.poisson.boundary);
+    require_use(on, {.values = !arguments.boundary.empty() ? "--boundary"
+                               : data.essential_where      ? "--essential-where"
+                                                           : "",
+                     .flow = arguments.flux.empty() ? "" : "--flux"});
     const auto solver = computed_on(file, [&] {
         const SharedProgress progress(ranks);
         return SharedPoissonSolver(ranks, mesh, arguments.poisson);
@@ -132,9 +131,8 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
     answer.max = ranks.largest(u.size() > 0 ? u.maxCoeff() : -infinity);
     answer.report = solution.report;
     answer.free_components = solution.compatibility.free_components;
-    answer.conditions =
-        in_words(ranks, mesh, arguments.poisson.boundary, 0,
-                 {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
+    answer.conditions = in_words(
+        on, 0, n, {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
     if (data.exact)
         answer.errors = errors_of(ranks, mesh, side,
                                   u - values_at(ranks, mesh, *data.exact, k, solver.sites()));

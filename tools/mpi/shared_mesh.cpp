@@ -144,24 +144,18 @@ DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Share
     return mesh;
 }
 
-std::pair<GlobalIndex, GlobalIndex> boundary_facets(const Ranks& ranks, const DistributedMesh& mesh,
-                                                    const BoundaryConditions& conditions) {
+BoundaryCounts boundary_counts(const Ranks& ranks, const DistributedMesh& mesh,
+                               const BoundaryConditions& conditions) {
     const int n = mesh.dimension();
     const auto& first = mesh.cells.degree(n - 1).first;
-    GlobalIndex facets = 0, essential = 0;
+    BoundaryCounts on;
     for (std::size_t f = 0; f < first.size(); ++f)
         if (mesh.local.complex.coface_counts(n - 1)[first[f]] == 1) {
-            ++facets;
+            ++on.facets;
             if (conditions.at(static_cast<Index>(f)) == BoundaryCondition::essential)
-                ++essential;
+                ++on.essential;
         }
-    return {ranks.sum(facets), ranks.sum(essential)};
-}
-
-std::string in_words(const Ranks& ranks, const DistributedMesh& mesh,
-                     const BoundaryConditions& conditions, int degree, const BoundaryData& data) {
-    const auto [facets, essential] = boundary_facets(ranks, mesh, conditions);
-    return polydec::in_words(facets, essential, degree, mesh.dimension(), data);
+    return {.facets = ranks.sum(on.facets), .essential = ranks.sum(on.essential)};
 }
 
 void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, SharedLog& log,

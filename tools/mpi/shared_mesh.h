@@ -41,14 +41,9 @@ private:
 /// Collective: reads, merges and measures the mesh; reports its warnings.
 DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, SharedLog& log);
 
-/// Collective: the numbers of boundary facets, in all and essential.
-std::pair<GlobalIndex, GlobalIndex> boundary_facets(const Ranks& ranks, const DistributedMesh& mesh,
-                                                    const BoundaryConditions& conditions);
-
-/// Collective: the conditions on the boundary in words, as in one process.
-std::string in_words(const Ranks& ranks, const DistributedMesh& mesh,
-                     const BoundaryConditions& conditions, int degree,
-                     const BoundaryData& data = {});
+/// Collective: the boundary facets of all ranks, under conditions other than Robin's.
+BoundaryCounts boundary_counts(const Ranks& ranks, const DistributedMesh& mesh,
+                               const BoundaryConditions& conditions);
 
 /// Collective: prints the answer, which all ranks have, with its effort and, if timing is
 /// requested, the busiest rank's effort per stage.

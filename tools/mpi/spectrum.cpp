@@ -60,9 +60,10 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
         write_pvtu(ranks, arguments.out, mesh, modes_to_show(result, k));
     }
     log.warn(warning_of_rough_values(result.rough));
-    const Eigenvalues answer(result, in_words(ranks, mesh, built_in_conditions(side), degree),
-                             ChosenStars(HodgeStars(mesh.cells.volumes), StarKind::circumcentric),
-                             seconds.count());
+    const Eigenvalues answer(
+        result,
+        in_words(boundary_counts(ranks, mesh, built_in_conditions(side)), degree, mesh.dimension()),
+        ChosenStars(HodgeStars(mesh.cells.volumes), StarKind::circumcentric), seconds.count());
     tell(ranks, mesh, answer, log, arguments.mesh.mesh.tell);
 }
 
