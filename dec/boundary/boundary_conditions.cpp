@@ -133,7 +133,8 @@ void require_use(const BoundaryCounts& on, const NamedData& data) {
     const auto require = [&](const std::string& what, bool is_used, const char* expected) {
         if (!what.empty() && !is_used && on.facets > 0)
             throw InvalidInput(fmt::format("{} would apply at none of the {} boundary facets: "
-                                           "expected {}, or none of these data",
+                                           "expected {} (see BoundaryConditions::essential), or "
+                                           "none of these data",
                                            what, on.facets, expected));
     };
     require(data.values, on.essential + on.fixed_vertices > 0,

@@ -13,6 +13,8 @@ MUTANTS = {
                                  "checked_solver.factors_that_exceed_the_limit_are_refused"),
     "factor_after_factor": ("backends/linear/auto_solver.cpp", "if (lacks_memory_ && engine_", "if (false && engine_",
                             "auto_solver.factors_beyond_the_memory_limit_leave_the_work_to_an_iterative_engine"),
+    "short_steps_factorized": ("backends/linear/auto_solver.cpp", "diagonal > 0 && others <= diagonal / 2", "false",
+                               "auto_solver.short_steps_on_solids_are_iterated"),
     "midpoint_out_of_the_middle": ("backends/integrators/additive_table.cpp",
                                    "one_stage(2, 0.5)", "one_stage(2, 0.45)",
                                    "Robin.lets_heat_fade_as_its_closed_form"),

@@ -70,11 +70,13 @@ TEST(auto_solver, multigrid_goes_before_all_else_for_large_solids_where_it_is_th
 
 TEST(auto_solver, short_steps_on_solids_are_iterated) {
     const auto first = [](int dimension, Index size, double beside) {
-        SparseMatrix A(size, size);
+        std::vector<Eigen::Triplet<double, Index>> entries;
         for (Index i = 0; i < size; ++i) {
-            A.insert(i, i) = 4;
-            A.insert(i, (i + 1) % size) = A.insert((i + 1) % size, i) = beside;
+            const Index next = (i + 1) % size;
+            entries.insert(entries.end(), {{i, i, 4}, {i, next, beside}, {next, i, beside}});
         }
+        SparseMatrix A(size, size);
+        A.setFromTriplets(entries.begin(), entries.end());
         MatrixFacts facts = positive();
         facts.domain_dimension = dimension;
         facts.many_solves = true;
