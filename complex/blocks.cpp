@@ -2,6 +2,7 @@
 #include "complex/blocks.h"
 
 #include "base/checks.h"
+#include "complex/open_balls.h"
 #include "complex/sides.h"
 
 #include <algorithm>
@@ -104,6 +105,55 @@ void join_degree(const Pieces& complex, int k, const Straightness& straight, Blo
     name_blocks(complex, k, std::move(joined), blocks);
 }
 
+/// What counting its simplices says of a block, by its first piece.
+struct Tallies {
+    std::vector<std::vector<Index>> euler;            // Euler number beyond that of a ball
+    std::vector<std::vector<Index>> below_interfaces; // at least two dimensions less
+    bool any_undecided = false;
+};
+
+bool is_undecided(const Pieces& complex, Index below_interfaces) {
+    return below_interfaces > (complex.is_simplicial() ? most_below_interfaces : 0);
+}
+
+Tallies tallies(const Pieces& complex, const Blocks& blocks) {
+    Tallies result;
+    for (int k = 0; k <= complex.dimension(); ++k) {
+        result.euler.emplace_back(complex.size(k), 0);
+        result.below_interfaces.emplace_back(complex.size(k), 0);
+    }
+    for (int k = 0; k <= complex.dimension(); ++k) {
+        const auto& carriers = blocks.carriers[k];
+        const auto size = static_cast<Index>(carriers.size());
+        for (Index s = 0; s < size; ++s) {
+            const auto& [dimension, piece] = carriers[s];
+            if (dimension > k || piece != s)
+                result.euler[dimension][piece] += k % 2 == 0 ? 1 : -1;
+            if (dimension > k + 1 &&
+                is_undecided(complex, ++result.below_interfaces[dimension][piece]))
+                result.any_undecided = true;
+        }
+    }
+    return result;
+}
+
+/// The incidences inside undecided blocks with the Euler number of a ball.
+std::vector<OpenIncidence> undecided_interiors(const Pieces& complex, const Blocks& blocks,
+                                               const Tallies& tallies) {
+    std::vector<OpenIncidence> result;
+    for (int k = 1; k <= complex.dimension() && tallies.any_undecided; ++k)
+        for (Index s = 0; s < complex.size(k); ++s) {
+            const auto& [dimension, piece] = blocks.carriers[k][s];
+            if (!is_undecided(complex, tallies.below_interfaces[dimension][piece]) ||
+                tallies.euler[dimension][piece] != 0)
+                continue;
+            for (const auto& [face, sign] : complex.incidences(k - 1)[s])
+                if (blocks.carriers[k - 1][face].dimension == dimension)
+                    result.push_back({{dimension, piece}, k, s, face, sign});
+        }
+    return result;
+}
+
 } // namespace
 
 JoinedSimplices join_tops(const Pieces& complex, const std::vector<bool>& removed_facets) {
@@ -137,16 +187,8 @@ Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facet
 
 std::vector<InadmissibleBlock> inadmissible_blocks(const Pieces& complex, const Blocks& blocks) {
     const int n = complex.dimension();
-    std::vector<std::vector<Index>> wrong; // by first piece: Euler number without that piece, then
-    for (int k = 0; k <= n; ++k)           // not 0 where anything is amiss, then number in result
-        wrong.emplace_back(complex.size(k), 0);
-    for (int k = 0; k <= n; ++k) {
-        const auto& carriers = blocks.carriers[k];
-        const auto size = static_cast<Index>(carriers.size());
-        for (Index s = 0; s < size; ++s)
-            if (const auto& [dimension, piece] = carriers[s]; dimension > k || piece != s)
-                wrong[dimension][piece] += k % 2 == 0 ? 1 : -1;
-    }
+    Tallies of_blocks = tallies(complex, blocks);
+    auto& wrong = of_blocks.euler; // not 0 where anything is amiss, then number in result
     for (int k = 0; k <= n; ++k)
         for (const Index piece : blocks.twisted[k])
             wrong[k][piece] = 1;
@@ -157,6 +199,9 @@ std::vector<InadmissibleBlock> inadmissible_blocks(const Pieces& complex, const 
             for (int i = 0; i <= 1; ++i)
                 if (edges[ends(e, i)] == 0)
                     wrong[blocks.carriers[1][e].dimension][blocks.carriers[1][e].cell] = 1;
+    for (const auto& [dimension, piece] :
+         without_homology_of_balls(undecided_interiors(complex, blocks, of_blocks)))
+        wrong[dimension][piece] = 1;
 
     std::vector<InadmissibleBlock> result;
     for (int k = 0; k <= n; ++k)

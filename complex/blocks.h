@@ -51,8 +51,8 @@ Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facet
                    JoinedSimplices tops, const Straightness& straight);
 
 /// A block that is not an open ball, hence not a cell. Its pieces induce inconsistent orientations,
-/// or its Euler number (the sum of (-1)^dim over its open simplices) is not (-1)^dimension, or a
-/// vertex at it has lost all its edges.
+/// or its homology relative to its boundary is not (0, .., 0, 1), or a vertex at it has lost all
+/// its edges. If no block is like that, the merged complex has the Betti numbers of the pieces.
 struct InadmissibleBlock {
     int dimension;
     Index piece;                   ///< first piece

@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "complex/blocks.h"
+#include "complex/open_balls.h"
 #include "dec/merging/facet_links.h"
 #include "dec/merging/straightness.h"
 #include "dec/metric/geometry.h"
@@ -17,17 +18,19 @@ namespace {
 
 using Carriers = std::vector<std::vector<Carrier>>;
 
-/// A cell by its dimension and its first piece.
-struct CellName {
-    GlobalIndex dimension, first;
-    auto operator<=>(const CellName&) const = default;
-};
+using CellName = BlockName;
 
 /// What a rank knows of what makes a cell no ball: its part of the Euler number without the first
-/// piece, and whether anything else is amiss.
+/// piece, how many of its simplices have at least two dimensions less, and whether anything else is
+/// amiss.
 struct Flaw {
     CellName cell;
-    GlobalIndex euler, is_amiss;
+    GlobalIndex euler, below_interfaces, is_amiss;
+
+    bool makes_no_ball() const { return euler != 0 || is_amiss != 0; }
+    bool is_undecided() const {
+        return !makes_no_ball() && below_interfaces > most_below_interfaces;
+    }
 };
 
 /// What is known of each cell together.
@@ -37,8 +40,9 @@ std::vector<Flaw> summed(std::vector<Flaw> flaws) {
     std::vector<Flaw> sums;
     for (const Flaw& flaw : flaws) {
         if (sums.empty() || sums.back().cell != flaw.cell)
-            sums.push_back({flaw.cell, 0, 0});
+            sums.push_back({flaw.cell, 0, 0, 0});
         sums.back().euler += flaw.euler;
+        sums.back().below_interfaces += flaw.below_interfaces;
         sums.back().is_amiss |= flaw.is_amiss;
     }
     return sums;
@@ -65,7 +69,13 @@ private:
     std::vector<Carrier> pieces_of(const Blocks& blocks, int k);
     Carriers carriers_of(const Blocks& blocks);
     std::vector<Flaw> local_flaws(const Blocks& blocks, const Carriers& carriers) const;
-    std::vector<CellName> bad_cells(const std::vector<Flaw>& flaws) const;
+    std::vector<CellName> bad_cells(const std::vector<Flaw>& flaws, const Carriers& carriers) const;
+    std::vector<CellName> no_balls_among(const std::vector<CellName>& cells,
+                                         const Carriers& carriers) const;
+    int rank_for(const CellName& cell) const {
+        const auto k = static_cast<int>(cell.dimension);
+        return EqualStretches(local_.degree(k).count, ranks_.size()).rank_of(cell.first);
+    }
     void keep_worst(const std::vector<CellName>& bad, const Carriers& carriers);
     DistributedMerging unmerged(DistributedMerging result) const;
 
@@ -140,37 +150,62 @@ std::vector<Flaw> Rounds::local_flaws(const Blocks& blocks, const Carriers& carr
         for (Index s = 0; s < local_.degree(k).size(); ++s) {
             const auto& [dimension, sign, owner, first] = carriers[k][s];
             if (local_.owns(ranks_, k, s) && (dimension > k || first != local_.degree(k).number[s]))
-                flaws.push_back({{dimension, first}, k % 2 == 0 ? 1 : -1, 0});
+                flaws.push_back(
+                    {{dimension, first}, k % 2 == 0 ? 1 : -1, dimension > k + 1 ? 1 : 0, 0});
         }
     for (const CellName& cell : clashing_)
-        flaws.push_back({cell, 0, 1});
+        flaws.push_back({cell, 0, 0, 1});
     const FaceTable ends = local_.complex.faces(1);
     for (Index e = 0; e < local_.degree(1).size(); ++e)
         for (int i = 0; i <= 1; ++i)
             if (const Index v = ends(e, i);
                 local_.owns(ranks_, 0, v) && blocks.active_cofaces[0][v] == 0)
-                flaws.push_back({{carriers[1][e].dimension, carriers[1][e].first}, 0, 1});
+                flaws.push_back({{carriers[1][e].dimension, carriers[1][e].first}, 0, 0, 1});
     return summed(std::move(flaws));
 }
 
 /// Summed up where the numbers of first pieces lie.
-std::vector<CellName> Rounds::bad_cells(const std::vector<Flaw>& flaws) const {
+std::vector<CellName> Rounds::bad_cells(const std::vector<Flaw>& flaws,
+                                        const Carriers& carriers) const {
     auto parcels = ranks_.empty_parcels<Flaw>();
-    for (const Flaw& flaw : flaws) {
-        const auto k = static_cast<int>(flaw.cell.dimension);
-        const EqualStretches stretches(local_.degree(k).count, ranks_.size());
-        parcels[stretches.rank_of(flaw.cell.first)].push_back(flaw);
-    }
+    for (const Flaw& flaw : flaws)
+        parcels[rank_for(flaw.cell)].push_back(flaw);
     const auto arrived = ranks_.deliver(std::move(parcels));
-    auto bad = ranks_.of_all(ranks_.together("cells", [&] {
+    const auto known = ranks_.together("cells", [&] { return summed(unpacked(arrived)); });
+    const auto cells_with = [&](bool (Flaw::*property)() const) {
         std::vector<CellName> own;
-        for (const Flaw& flaw : summed(unpacked(arrived)))
-            if (flaw.euler != 0 || flaw.is_amiss != 0)
+        for (const Flaw& flaw : known)
+            if ((flaw.*property)())
                 own.push_back(flaw.cell);
-        return own;
-    }));
+        auto all = ranks_.of_all(own);
+        std::sort(all.begin(), all.end());
+        return all;
+    };
+    auto bad = cells_with(&Flaw::makes_no_ball);
+    const auto others = no_balls_among(cells_with(&Flaw::is_undecided), carriers);
+    bad.insert(bad.end(), others.begin(), others.end());
     std::sort(bad.begin(), bad.end());
     return bad;
+}
+
+/// Their interiors are gathered in the same places.
+std::vector<CellName> Rounds::no_balls_among(const std::vector<CellName>& cells,
+                                             const Carriers& carriers) const {
+    auto parcels = ranks_.empty_parcels<OpenIncidence>();
+    for (int k = 1; k <= n_ && !cells.empty(); ++k) {
+        const auto &numbers = local_.degree(k).number, &of_faces = local_.degree(k - 1).number;
+        for (Index s = 0; s < local_.degree(k).size(); ++s) {
+            const CellName cell{carriers[k][s].dimension, carriers[k][s].first};
+            if (!local_.owns(ranks_, k, s) || !std::binary_search(cells.begin(), cells.end(), cell))
+                continue;
+            for (const auto& [face, sign] : local_.complex.incidences(k - 1)[s])
+                if (carriers[k - 1][face].dimension == cell.dimension)
+                    parcels[rank_for(cell)].push_back({cell, k, numbers[s], of_faces[face], sign});
+        }
+    }
+    const auto arrived = ranks_.deliver(std::move(parcels));
+    return ranks_.of_all(
+        ranks_.together("cells", [&] { return without_homology_of_balls(unpacked(arrived)); }));
 }
 
 /// As one process does: see merge_cospherical.
@@ -241,8 +276,8 @@ DistributedMerging Rounds::run() {
         }
         const Blocks blocks = ranks_.together("blocks", [&] { return join(classes, of_pieces); });
         Carriers carriers = carriers_of(blocks);
-        const auto bad =
-            bad_cells(ranks_.together("cells", [&] { return local_flaws(blocks, carriers); }));
+        const auto flaws = ranks_.together("cells", [&] { return local_flaws(blocks, carriers); });
+        const auto bad = bad_cells(flaws, carriers);
         if (bad.empty()) {
             result.carriers = std::move(carriers);
             result.of_pieces = of_pieces;

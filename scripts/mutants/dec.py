@@ -205,6 +205,8 @@ MUTANTS = {
                               "FacetDefects.miss_no_facet_within_the_tolerance"),
     "facets_of_one_coface": ("complex/blocks.cpp", "removed_facets[f] && cofaces[f] == 2", "removed_facets[f]",
                              "Blocks.ignore_marks_of_facets_without_two_cofaces"),
+    "balls_by_euler_number": ("complex/open_balls.cpp", "betti_numbers(interior({begin, end})) != of_ball", "of_ball.empty()",
+                              "InadmissibleBlocks.are_found_where_a_handle_and_a_cavity_have_the_euler_number_of_a_ball"),
     "carriers_of_the_largest": ("complex/blocks.cpp", "own[g].dimension < below[s].dimension",
                                 "own[g].dimension > below[s].dimension",
                                 "Tesseract.has_a_boundary_of_eight_cubes"),

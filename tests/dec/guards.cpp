@@ -4,6 +4,7 @@
 #include "dec/merging/facet_defects.h"
 #include "dec/metric/geometry.h"
 #include "meshes/generate.h"
+#include "tests/support/hand_made.h"
 #include "tests/support/over_meshes.h"
 
 #include <gtest/gtest.h>
@@ -78,6 +79,12 @@ TEST_P(Guards, are_needed) {
 TEST(GuardRounds, split_up_what_made_no_disc) {
     const auto mesh = make_merged(icosphere(6), {MergeCriterion::angle, 1.05});
     EXPECT_GT(mesh.result.rounds, 0);
+}
+
+TEST(GuardRounds, keep_the_homology_of_cospherical_cells_around_a_handle_and_a_cavity) {
+    const auto mesh = make_merged(handle_and_cavity());
+    EXPECT_GT(mesh.result.rounds, 0);
+    EXPECT_EQ(betti_numbers(mesh.P()), betti_numbers(mesh.K()));
 }
 
 INSTANTIATE_TEST_SUITE_P(
