@@ -228,7 +228,7 @@ void Rounds::keep_worst(const std::vector<CellName>& bad, const Carriers& carrie
     });
     ranks_.take_largest(worst);
     for_each_interface([&](int k, Index s, double of_cell) {
-        if (k < n_ - 1 || defects_.ratio(s) >= of_cell / 2)
+        if (k < n_ - 1 || is_among_the_worst(defects_.ratio(s), of_cell))
             kept_[k][s] = 1;
     });
     for (int k = 0; k < n_; ++k)

@@ -10,10 +10,6 @@ namespace polydec {
 
 namespace {
 
-/// Relative defects closer than this count as equal: in symmetric meshes they are equal up to
-/// rounding.
-constexpr double tie = 1e-12;
-
 /// Joins links with nonzero defect.
 class LinkJoining {
 public:

@@ -10,6 +10,17 @@ namespace polydec {
 /// Limit, in tolerances, on a class's accumulated defects and on defects removed inside it.
 constexpr double spread_limit = 10;
 
+/// Relative defects closer than this count as equal: in symmetric meshes they are equal up to
+/// rounding.
+constexpr double tie = 1e-12;
+
+/// Whether a facet with this relative defect is restored where the cell that removed it is no ball:
+/// all within a factor of two of the worst, so that the choice depends neither on numbering nor on
+/// rounding. A cell of defects that are rounding loses every facet, as if they were 0.
+inline bool is_among_the_worst(double relative_defect, double worst) {
+    return relative_defect >= worst / 2 - tie;
+}
+
 /// A degenerate facet across which the n-simplices a and b may become one cell.
 struct FacetLink {
     Index a, b;

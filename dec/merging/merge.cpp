@@ -112,9 +112,8 @@ private:
     Sides sides_;
 };
 
-/// Keeps the worst interfaces of each inadmissible block from being removed again. Among facets:
-/// all within a factor of two of the worst, so the choice does not depend on numbering or rounding.
-/// In lower degrees: all.
+/// Keeps interfaces of each inadmissible block from being removed again: the worst facets, and in
+/// lower degrees all.
 void keep_worst(const std::vector<InadmissibleBlock>& blocks, const FacetDefects& defects, int n,
                 CellMarks& kept) {
     for (const auto& block : blocks) {
@@ -123,7 +122,7 @@ void keep_worst(const std::vector<InadmissibleBlock>& blocks, const FacetDefects
             for (const Index f : block.interfaces)
                 worst = std::max(worst, defects.ratio(f));
         for (const Index s : block.interfaces)
-            if (block.dimension < n || defects.ratio(s) >= worst / 2)
+            if (block.dimension < n || is_among_the_worst(defects.ratio(s), worst))
                 kept[block.dimension - 1][s] = true;
     }
 }

@@ -4,6 +4,7 @@
 #include "dec/merging/facet_defects.h"
 #include "dec/metric/geometry.h"
 #include "meshes/generate.h"
+#include "meshes/rearrange.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/over_meshes.h"
 
@@ -79,6 +80,18 @@ TEST_P(Guards, are_needed) {
 TEST(GuardRounds, split_up_what_made_no_disc) {
     const auto mesh = make_merged(icosphere(6), {MergeCriterion::angle, 1.05});
     EXPECT_GT(mesh.result.rounds, 0);
+}
+
+TEST(GuardRounds, restore_every_facet_of_a_ring_that_is_cospherical_up_to_rounding) {
+    bool any_defect = false;
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        const auto mesh = make_merged(shuffled(spherical_ring(), seed).mesh);
+        EXPECT_EQ(mesh.P().size(3), mesh.K().size(3)) << seed;
+        const auto defects = facet_defects(mesh.geometry(), {});
+        any_defect =
+            any_defect || (defects.defect.array() > 0 && defects.defect.array() < 1e-9).any();
+    }
+    EXPECT_TRUE(any_defect); // by rounding, in some orders
 }
 
 TEST(GuardRounds, keep_the_homology_of_cospherical_cells_around_a_handle_and_a_cavity) {

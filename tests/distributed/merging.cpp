@@ -116,6 +116,7 @@ TEST(DistributedMerging,
                                          {"cubes", perturbed(kuhn(3, 3), 1e-5, 4)},
                                          {"tesseracts", perturbed(kuhn(4, 1), 1e-5, 5)},
                                          {"handle_and_cavity", handle_and_cavity()},
+                                         {"spherical_ring", spherical_ring()},
                                          {"loose", perturbed(grid(8, 8), 2e-2, 6)}};
     for (const auto& [name, mesh] : hard)
         for (const double wide : {1e-4, 0.05, 0.2})

@@ -44,6 +44,7 @@ Mesh pinched();                ///< two tetrahedra that share an edge, and a thi
 Mesh with_isolated_vertices(); ///< a grid whose vertices have the odd numbers
 Mesh triangle_soup();          ///< triangles in R^3 that share nothing
 Mesh annulus(int segments);    ///< a ring of rectangles between two regular polygons
+Mesh spherical_ring();         ///< 8 tetrahedra around a hole, cospherical up to rounding
 Mesh handle_and_cavity();      ///< 23 cospherical 5-simplices with the Euler number of a ball
 
 } // namespace polydec::test
