@@ -26,38 +26,26 @@ namespace polydec {
 
 namespace {
 
-/// What must not merge: facets between simplices of different tags and with tags of their own, and
-/// (n-2)-simplices between such facets, or those of the boundary, with different tags. Empty if the
-/// mesh has no tags or tags do not matter.
-CellMarks staying_simplices(const SimplicialComplex& complex, const std::vector<Index>& tags,
-                            const std::vector<Index>& facet_tags,
-                            const DiscretizeOptions& options) {
+/// Facets between simplices of different tags and with tags of their own stay. Nothing is kept if
+/// the mesh has no tags or tags do not matter.
+KeptFacets kept_facets(const SimplicialComplex& complex, const std::vector<Index>& tags,
+                       const std::vector<Index>& facet_tags, const DiscretizeOptions& options) {
     if (options.materials == Materials::join || (tags.empty() && facet_tags.empty()))
         return {};
     if (options.delaunay != Delaunay::off)
         throw InvalidInput("flips join triangles of different groups, but groups must stay apart "
                            "here: omit the flips, or let materials join");
     const int n = complex.dimension();
-    CellMarks marks = no_marks(complex);
+    KeptFacets kept{std::vector<bool>(complex.size(n - 1), false), facet_tags};
     const Cofaces cofaces(complex, n);
     for (Index f = 0; f < complex.size(n - 1); ++f) {
-        marks[n - 1][f] = !facet_tags.empty() && facet_tags[f] != 0;
+        kept.stay[f] = !facet_tags.empty() && facet_tags[f] != 0;
         if (!tags.empty())
             for (const Coface& t : cofaces.of(f))
                 if (tags[t.cell] != tags[cofaces.of(f).front().cell])
-                    marks[n - 1][f] = true;
+                    kept.stay[f] = true;
     }
-    if (facet_tags.empty())
-        return marks;
-    std::vector<std::optional<Index>> beside(complex.size(n - 2));
-    for (Index f = 0; f < complex.size(n - 1); ++f)
-        if (marks[n - 1][f] || cofaces.of(f).size() == 1)
-            for (const SignedFace& s : complex.incidences(n - 2)[f]) {
-                if (beside[s.face].value_or(facet_tags[f]) != facet_tags[f])
-                    marks[n - 2][s.face] = true;
-                beside[s.face] = facet_tags[f];
-            }
-    return marks;
+    return kept;
 }
 
 /// Flips and splits according to the options; `lengths` of the edges.
@@ -177,11 +165,11 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     }
     const auto tags = tags_of_cells(complex, mesh.tags);
     FacetTags facet_tags = tags_of_facets(complex, mesh.facet_tags, mesh.warnings);
-    const auto stays = staying_simplices(complex, tags, facet_tags.tags, options);
+    const auto kept = kept_facets(complex, tags, facet_tags.tags, options);
     begin(stage, "volumes");
     auto [passage, input, pieces, points] = measure(given, options);
     begin(stage, "merge");
-    auto merged = merge_cospherical(pieces, options, stays);
+    auto merged = merge_cospherical(pieces, options, kept);
     refuse_flat_cells(given, merged.merging);
     look_at_flat_cells(merged, pieces, options, mesh.warnings);
     const auto volumes =

@@ -31,8 +31,8 @@ enum class Delaunay {
 /// Whether simplices of different materials (tags of the mesh) may become pieces of one cell.
 enum class Materials {
     join,      ///< cospherical simplices merge; a cell of several materials has tag 0
-    keep_apart ///< facets between different tags stay, so that every cell has the tag of its
-               ///< pieces, and so do facets that have a tag of their own
+    keep_apart ///< facets between different tags stay, and so do facets that have a tag of their
+               ///< own, so that every cell and every (n-1)-cell has the tag of its pieces
 };
 
 /// How discretize prepares a mesh: the criterion of merging, as in MergeOptions, and other choices.

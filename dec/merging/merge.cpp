@@ -145,21 +145,23 @@ std::vector<bool> flat_in_cells(const Pieces& complex, const std::vector<bool>& 
 } // namespace
 
 CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOptions& options,
-                                     const CellMarks& stays) {
+                                     const KeptFacets& facets) {
     check_not_negative("the merge tolerance", options.tolerance);
     const Pieces& complex = geometry.pieces();
     const int n = complex.dimension();
-    if (!stays.empty())
-        check_as_many("degrees of marks", std::ssize(stays), n + 1);
-    for (int k = 0; k < std::ssize(stays); ++k)
-        check_as_many(fmt::format("marks of {}-simplices", k), std::ssize(stays[k]),
-                      complex.size(k));
+    const auto& [stay, tags] = facets;
+    if (!stay.empty())
+        check_as_many("marks of facets", std::ssize(stay), complex.size(n - 1));
+    if (!tags.empty())
+        check_as_many("tags of facets", std::ssize(tags), complex.size(n - 1));
     const auto defects = facet_defects(geometry, options);
     if (options.criterion == MergeCriterion::none ||
         (defects.degenerate.interior == 0 && defects.flat.empty()))
         return {unmerged(complex), defects.degenerate, 0, geometry};
 
-    CellMarks kept = stays.empty() ? no_marks(complex) : stays; // that must not be removed
+    CellMarks kept = no_marks(complex); // that must not be removed
+    if (!stay.empty())
+        kept[n - 1] = stay;
     const FacetChoice choice(geometry, defects, options.tolerance);
 
     // every round keeps at least one more simplex, so the loop ends
@@ -173,7 +175,8 @@ CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOption
             centers.are_circumcenters() ? geometry : geometry.with_centers(centers);
         StraightnessTest test(shared, spread_limit * options.tolerance, options.tolerance);
         const auto straight = [&](int k, Index s, Index f, Index g) {
-            return !kept[k - 1][s] && test(k, s, f, g);
+            const bool are_alike = k < n - 1 || tags.empty() || tags[f] == tags[g];
+            return are_alike && !kept[k - 1][s] && test(k, s, f, g);
         };
         Blocks blocks = join_blocks(complex, removed, std::move(cells.tops), straight);
         const auto inadmissible = inadmissible_blocks(complex, blocks);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/index.h"
-#include "complex/components.h"
 #include "complex/merging.h"
 #include "dec/metric/geometry.h"
 
@@ -44,6 +43,12 @@ struct CosphericalMerging {
                        ///< cell; marks the flat pieces of cells with other pieces
 };
 
+/// Facets that merging keeps, one entry per facet; without entries, none.
+struct KeptFacets {
+    std::vector<bool> stay = {};  ///< marks of facets that are not removed
+    std::vector<Index> tags = {}; ///< (n-1)-cells join only facets with equal tags
+};
+
 /// Merges n-simplices across facets with degenerate duals; then, in descending degree, merges faces
 /// wherever exactly two remain that lie straight across each other. No dual cell of the result is
 /// degenerate. Facets on the boundary or with three or more cofaces never merge; vertices stay.
@@ -56,11 +61,10 @@ struct CosphericalMerging {
 /// neighbor on whose sphere they lie (see absorb_flat); all others stay cells. In R^n every simplex
 /// between two pieces of a cell is removed, and the pieces have one center.
 ///
-/// `stays`: empty, or marks of the simplices that must not be merged away.
 /// Time O(incidences + f log f), f the number of degenerate facets. Throws InvalidInput for a
-/// tolerance that is negative or not finite, and for a wrong number of marks.
+/// tolerance that is negative or not finite, and for a wrong number of marks or tags.
 CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOptions& options = {},
-                                     const CellMarks& stays = {});
+                                     const KeptFacets& facets = {});
 
 /// Volumes of merged cells, with duals set to 0 (see HodgeStar::zeros) where a center lies beyond
 /// the boundary but within the tolerance. Such centers, moved there by rounding or jitter, count as

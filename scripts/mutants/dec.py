@@ -253,7 +253,8 @@ MUTANTS = {
                                      "ProxyVectors.OfConstantFieldsAreThatFieldForFormsOfAllKinds"),
     "robin_of_n_forms": ("dec/boundary/form_space.cpp", "if (degree == complex.dimension())", "if (degree < 0)",
                          "Robin.is_refused_by_name_where_it_is_not_known"),
-    "groups_joined_on_the_boundary": ("dec/discretization/discretization.cpp", "marks[n - 2][s.face] = true;",
-                                      "marks[n - 2][s.face] = false;",
+    "groups_joined_on_the_boundary": ("dec/merging/merge.cpp", "tags[f] == tags[g]", "!tags.empty()",
                                       "GroupsOnTheBoundary.are_kept_apart_also_within_its_flat_parts"),
+    "groups_joined_to_none": ("dec/merging/merge.cpp", "tags[f] == tags[g]", "tags[f] * tags[g] == 0 || tags[f] == tags[g]",
+                              "FacetTags.of_half_a_wall_between_cubes_stay_its_own_if_groups_are_kept_apart"),
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "complex/components.h"
 #include "complex/homology.h"
 #include "dec/discretization/discretization.h"
 #include "dec/metric/geometry.h"
@@ -99,14 +100,15 @@ TEST(MaterialsOfSurfaces, do_not_go_with_flips) {
     EXPECT_REFUSED(discretize(tagged("grid4", 2), options), "flips", "groups");
 }
 
-TEST(MarksOfFacets, are_as_many_as_facets) {
+TEST(KeptFacets, are_given_by_as_many_entries_as_facets) {
     const Mesh mesh = grid(2, 2);
     const SimplicialComplex K(mesh.simplices);
     const auto volumes = circumcentric_volumes(K, mesh.points);
-    auto marks = no_marks(K);
-    marks[1].resize(2);
-    EXPECT_REFUSED(merge_cospherical({K, mesh.points, volumes}, {}, marks), "2 marks",
-                   "1-simplices", "16");
+    const std::vector<bool> marks(2, true);
+    EXPECT_REFUSED(merge_cospherical({K, mesh.points, volumes}, {}, {.stay = marks}), "2 marks",
+                   "facets", "16");
+    EXPECT_REFUSED(merge_cospherical({K, mesh.points, volumes}, {}, {.tags = {1, 2, 3}}), "3 tags",
+                   "facets", "16");
 }
 
 } // namespace

@@ -152,9 +152,8 @@ void ask_of_diagnoses(const Asking& ask, const Sample& s) {
     });
     ask("merged_pairs", [&](Inputs&) { return fit(merged_pairs(s.mesh.merging()).facets >= 0); });
     ask("merge_cospherical", [&](Inputs& in) {
-        auto stays = no_marks(s.pieces());
-        stays[n - 1] = in.list(s.pieces().size(n - 1), true);
-        const auto merged = merge_cospherical(s.geometry(), {}, stays);
+        const auto stay = in.list(s.pieces().size(n - 1), true);
+        const auto merged = merge_cospherical(s.geometry(), {}, {.stay = stay});
         return fit(merged.merging.merged().size(n) == s.pieces().size(n));
     });
     ask("operator_verdicts", [&](Inputs&) {
