@@ -101,7 +101,7 @@ std::variant<Mesh, LengthMesh, PeriodicMesh> read_glued(const MeshArguments& arg
 
 CLI::Option* add_merge_arguments(CLI::App& command, MeshArguments& arguments,
                                  const std::string& mesh_help) {
-    command.add_option("MESH", arguments.mesh, mesh_help)->required();
+    command.add_option("MESH", arguments.mesh, mesh_help)->required()->each(note_input);
     auto* tolerance = command.add_option("--tolerance", arguments.tolerance,
                                          "T\tmerge across facets of relative dual length up to T");
     tolerance->check(check_not_negative);
@@ -144,8 +144,13 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, std::option
             "--periodic", arguments.periods,
             "X,Y\tglue along this translation, repeatable; expressions and pictures stay unglued")
         ->check(check_vector);
-    command.add_option("--glue", arguments.glue,
-                       "MAP\tglue along an isometry, given by the image of a point: 'x+1; 1-y'");
+    command
+        .add_option("--glue", arguments.glue,
+                    "MAP\tglue along an isometry, given by the image of a point: 'x+1; 1-y'")
+        ->each([](const std::string& map) {
+            for (const std::string& part : divided(map))
+                note_input(part);
+        });
     add_joining(command, arguments.joining);
     command.add_flag("--peel", arguments.peel,
                      "first remove flat cells on the boundary of a solid");

@@ -81,11 +81,4 @@ std::optional<BoundaryConditions> ConditionValues::without_robin(const Discretiz
     return result;
 }
 
-std::vector<std::filesystem::path> ConditionValues::files() const {
-    auto files = files_of(essential_where_);
-    const auto fixed = files_of(fixed_where_);
-    files.insert(files.end(), fixed.begin(), fixed.end());
-    return files;
-}
-
 } // namespace polydec::tools

@@ -51,9 +51,6 @@ public:
     /// The forms of this side and degree under these conditions, or under the default ones.
     FormSpace space(const Discretization& mesh, Side side, int degree) const;
 
-    /// The file with the facets, and the file with the vertices, if any.
-    std::vector<std::filesystem::path> files() const;
-
 private:
     std::optional<BoundaryConditions> without_robin(const Discretization& mesh) const;
 

@@ -144,7 +144,7 @@ void run_distance(const DistanceArguments& arguments) {
     if (!where && arguments.from.empty() && arguments.from_on.empty())
         throw CLI::ValidationError(
             "distance needs sources: --from VERTEX, --from-where EXPR or --from-on GROUP");
-    check_picture(arguments.picture, input_files(arguments.mesh.mesh, {files_of(where)}));
+    check_picture(arguments.picture);
     const Discretization mesh = load(arguments.mesh, log);
     if (mesh.dimension() != 2)
         throw InvalidInput(fmt::format("{} has cells of dimension {}: distances need a surface",

@@ -38,7 +38,7 @@ void run_draw(DrawArguments arguments) {
     Log log;
     if (arguments.out.empty())
         arguments.out = arguments.mesh.mesh.stem().string() + ".svg";
-    check_output_file(arguments.out, {".svg", ".png", ".pdf"}, mesh_files(arguments.mesh.mesh));
+    check_output_file(arguments.out, {".svg", ".png", ".pdf"});
     check_drawing_file(arguments.out);
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.eye.empty())

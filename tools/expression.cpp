@@ -7,6 +7,7 @@
 #include "dec/metric/simplex_metric.h"
 #include "io/source_file.h"
 #include "tools/expression_syntax.h"
+#include "tools/outputs.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,6 +19,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <numbers>
 #include <system_error>
 #include <vector>
@@ -196,7 +198,8 @@ SiteValues::SiteValues(const std::string& option, const std::string& text,
         expression_ = std::make_unique<Expression>(option, text, label);
         return;
     }
-    files_ = {text};
+    file_ = text;
+    note_input(text);
     try {
         const Expression also(option, text, label);
     } catch (const CLI::ValidationError&) {
@@ -234,7 +237,7 @@ Vector SiteValues::at(const Points& sites, const std::vector<std::int64_t>& numb
 void SiteValues::check_count(std::int64_t places) const {
     if (values_.size() != places)
         throw InvalidInput(fmt::format("{}: {} numbers, expected {}, one per site",
-                                       printable(files_.front().string()), values_.size(), places));
+                                       printable(file_), values_.size(), places));
 }
 
 } // namespace polydec::tools

@@ -4,7 +4,6 @@
 #include "base/types.h"
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,17 +61,14 @@ public:
     Vector at(const Points& sites, const std::vector<std::int64_t>& numbers,
               std::int64_t count) const;
 
-    bool are_of_file() const { return !files_.empty(); }
-
-    /// The file, if it is one.
-    const std::vector<std::filesystem::path>& files() const { return files_; }
+    bool are_of_file() const { return !expression_; }
 
 private:
     void check_count(std::int64_t places) const;
 
-    std::vector<std::filesystem::path> files_; ///< at most one
+    std::string file_;
     Vector values_;
-    std::unique_ptr<const Expression> expression_;
+    std::unique_ptr<const Expression> expression_; ///< none for a file
 };
 
 /// Values that an option gives, none if it is not there.
@@ -80,12 +76,6 @@ template <class Values>
 std::optional<Values> if_given(const std::string& option, const std::string& text,
                                const std::string& label = "") {
     return text.empty() ? std::nullopt : std::optional<Values>(std::in_place, option, text, label);
-}
-
-/// The files of values that an option may give.
-template <class Values>
-std::vector<std::filesystem::path> files_of(const std::optional<Values>& values) {
-    return values ? values->files() : std::vector<std::filesystem::path>();
 }
 
 } // namespace polydec::tools

@@ -180,7 +180,7 @@ void run_flow(const FlowArguments& arguments) {
     if (!given.vorticity.given() && !given.velocity.given() && !given.boundary.given())
         throw CLI::ValidationError("flow needs --vorticity EXPR, --velocity VECTOR or "
                                    "--boundary-velocity VECTOR: else the fluid stays at rest");
-    check_time(arguments.time, {arguments.mesh.mesh});
+    check_time(arguments.time);
     const Discretization mesh = load_to_draw(arguments.mesh, arguments.time.out, log);
     const FlowOptions options = given.options(mesh, arguments.flow);
     log.timing.begin("solve");

@@ -8,12 +8,12 @@
 #include "solvers/sources/boundary_forms.h"
 #include "tools/common.h"
 #include "tools/component_values.h"
-#include "tools/outputs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string_view>
 
 namespace polydec::tools {
@@ -128,13 +128,6 @@ Vector FormValues::through_boundary(const Discretization& mesh, Side side, int d
 bool FormValues::uses_time() const {
     return std::any_of(coefficients_.begin(), coefficients_.end(),
                        [](const SiteValues& each) { return each.uses_label(); });
-}
-
-std::vector<std::filesystem::path> FormValues::files() const {
-    std::vector<std::filesystem::path> files;
-    for (const SiteValues& each : coefficients_)
-        files.insert(files.end(), each.files().begin(), each.files().end());
-    return files;
 }
 
 } // namespace polydec::tools

@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,9 +49,6 @@ public:
     Vector through_boundary(const Discretization& mesh, Side side, int degree, double time) const;
 
     bool uses_time() const;
-
-    /// The files that hold coefficients.
-    std::vector<std::filesystem::path> files() const;
 
 private:
     void check_count(const Discretization& mesh, int degree) const;

@@ -120,7 +120,7 @@ CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
     add_page_options(*command);
     command->callback([out, options, make = std::move(make)] {
         check_output_file(*out,
-                          and_pages({".off", ".obj", ".ply", ".stl", ".mesh", ".nsc", ".pdm"}), {});
+                          and_pages({".off", ".obj", ".ply", ".stl", ".mesh", ".nsc", ".pdm"}));
         Log log;
         write_generated(*out, make(), log, *options);
     });

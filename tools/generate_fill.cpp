@@ -23,8 +23,7 @@ struct FillArguments {
 };
 
 void fill(const FillArguments& arguments) {
-    check_output_file(arguments.out, and_pages({".mesh", ".nsc", ".pdm"}),
-                      mesh_files(arguments.surface));
+    check_output_file(arguments.out, and_pages({".mesh", ".nsc", ".pdm"}));
     Points holes(static_cast<Eigen::Index>(arguments.holes.size()), 3);
     for (Eigen::Index i = 0; i < holes.rows(); ++i)
         holes.row(i) = Eigen::RowVector3d(arguments.holes[i].data());
@@ -65,8 +64,9 @@ void add_fill(CLI::App& generate) {
         "--mesher", arguments->mesher,
         "NAME\tfill the closed surface SURFACE with tetrahedra by this mesher: tetgen");
     mesher->check(one_of({"tetgen"})); // also where its program is missing: the library says so
-    generate.add_option("SURFACE", arguments->surface,
-                        "with --mesher: mesh file of a closed surface");
+    generate
+        .add_option("SURFACE", arguments->surface, "with --mesher: mesh file of a closed surface")
+        ->each(note_input);
     generate
         .add_option("--quality", options.quality,
                     "Q\tlargest ratio of circumradius to shortest edge, at least 0.613; below "

@@ -10,7 +10,6 @@
 #include "tools/form_values.h"
 #include "tools/in_time.h"
 #include "tools/messages.h"
-#include "tools/outputs.h"
 #include "tools/picture.h"
 
 #include <fmt/format.h>
@@ -205,9 +204,7 @@ void run_heat(HeatArguments arguments) {
     auto flux = if_given<FormValues>("--flux", arguments.flux, "t");
     const ConditionValues asked(arguments.conditions);
     arguments.choose_integrator();
-    check_time(arguments.time,
-               input_files(arguments.mesh.mesh, {initial.files(), asked.files(), files_of(source),
-                                                 files_of(boundary), files_of(flux)}));
+    check_time(arguments.time);
     const Side side = arguments.side;
     const int degree = arguments.degree;
     auto time = arguments.time;

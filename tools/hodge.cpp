@@ -8,7 +8,6 @@
 #include "tools/conditions.h"
 #include "tools/form_values.h"
 #include "tools/messages.h"
-#include "tools/outputs.h"
 #include "tools/picture.h"
 
 #include <fmt/format.h>
@@ -78,8 +77,7 @@ void run_hodge(const HodgeArguments& arguments) {
     Log log;
     const FormValues given("--form", arguments.form);
     const ConditionValues asked(arguments.conditions);
-    check_picture(arguments.picture,
-                  input_files(arguments.mesh.mesh, {given.files(), asked.files()}));
+    check_picture(arguments.picture);
     const Discretization mesh = load_to_draw(arguments.mesh, arguments.picture.out, log);
     Cochain form = given.on(mesh, arguments.side, arguments.degree);
     const auto space = computed_on(

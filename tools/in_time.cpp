@@ -79,9 +79,9 @@ void add_time(CLI::App& command, TimeArguments& arguments, const std::string& ow
     add_page_options(command);
 }
 
-void check_time(const TimeArguments& arguments, Paths inputs) {
+void check_time(const TimeArguments& arguments) {
     if (!arguments.out.empty())
-        check_output_file(arguments.out, and_pages({".pvd"}), inputs);
+        check_output_file(arguments.out, and_pages({".pvd"}));
     if (arguments.resume && is_page(arguments.out))
         throw InvalidInput(
             fmt::format("cannot resume with {}: a page is written from all frames at once; write a "
@@ -89,7 +89,7 @@ void check_time(const TimeArguments& arguments, Paths inputs) {
                         printable(arguments.out.string())),
             {.path = arguments.out});
     if (!arguments.checkpoint.empty())
-        check_output_file(arguments.checkpoint, {".checkpoint"}, inputs);
+        check_output_file(arguments.checkpoint, {".checkpoint"});
 }
 
 TimeSteps time_steps(const TimeArguments& arguments, double length) {

@@ -29,8 +29,8 @@ struct TimeArguments {
 /// command's default step.
 void add_time(CLI::App& command, TimeArguments& arguments, const std::string& own_step);
 
-/// Checks the output files; `inputs` are the input files.
-void check_time(const TimeArguments& arguments, std::vector<std::filesystem::path> inputs);
+/// Checks the output files.
+void check_time(const TimeArguments& arguments);
 
 /// Equal steps; the last one ends at the requested time.
 struct TimeSteps {

@@ -206,7 +206,7 @@ void draw(const InfoArguments& arguments, const Discretization& mesh, const Info
 void run(const InfoArguments& arguments) {
     Log log;
     if (!arguments.out.empty())
-        check_output_file(arguments.out, and_pages({}), mesh_files(arguments.mesh.mesh));
+        check_output_file(arguments.out, and_pages({}));
     const Discretization mesh = load_to_draw(arguments.mesh, arguments.out, log);
     const Info answer(arguments.mesh.mesh.string(),
                       diagnose(mesh, [&](std::string_view stage) { log.timing.begin(stage); }),

@@ -7,7 +7,6 @@
 #include "tools/expression.h"
 #include "tools/form_values.h"
 #include "tools/messages.h"
-#include "tools/outputs.h"
 #include "tools/picture.h"
 #include "tools/wave_answer.h"
 
@@ -125,11 +124,7 @@ void run_maxwell(const MaxwellArguments& arguments) {
     const Material material(arguments);
     const ConditionValues asked(arguments.conditions);
     const FormValues& first = initial ? *initial : *current;
-    check_time(arguments.time,
-               input_files(arguments.mesh.mesh,
-                           {files_of(initial), files_of(current), asked.files(),
-                            files_of(material.permittivity), files_of(material.permeability),
-                            files_of(material.conductivity)}));
+    check_time(arguments.time);
 
     const Discretization empty = load_to_draw(arguments.mesh, arguments.time.out, log);
     const Filling filling(empty, arguments, material);

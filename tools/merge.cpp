@@ -41,8 +41,7 @@ void write_merged(const MergeArguments& arguments, const Discretization& mesh, c
 void run_merge(const MergeArguments& arguments) {
     Log log;
     const auto& out = arguments.picture.out;
-    check_output_file(out, and_pages({".off", ".obj", ".ply", ".vtu"}),
-                      mesh_files(arguments.mesh.mesh));
+    check_output_file(out, and_pages({".off", ".obj", ".ply", ".vtu"}));
     check_float32(arguments.picture);
     const Discretization mesh = load(arguments.mesh, log);
     log.timing.begin("write");

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "io/pages/series.h"
 #include "io/pictures/draw_cells.h"
 #include "io/source_file.h"
 #include "system/atomic_file.h"
@@ -55,6 +56,26 @@ void check_extension(const Path& out, const std::vector<const char*>& extensions
                                        fmt::join(extensions, " ")));
 }
 
+Paths& noted_inputs() {
+    static Paths inputs;
+    return inputs;
+}
+
+/// The file itself, and the steps of a series or the pieces of a .pvtu file, in the folder beside.
+Paths replaced_by(const Path& out) {
+    Paths files{out};
+    const auto extension = lower_extension(out);
+    if (extension == ".pvd")
+        for (const Path& step : files_of_steps(out))
+            files.push_back(step);
+    std::error_code none;
+    if (extension == ".pvtu")
+        for (const auto& piece :
+             std::filesystem::directory_iterator(Path(out).replace_extension(), none))
+            files.push_back(piece.path());
+    return files;
+}
+
 } // namespace
 
 Paths mesh_files(const Path& mesh) {
@@ -67,31 +88,27 @@ Paths mesh_files(const Path& mesh) {
     return files;
 }
 
-Paths input_files(const Path& mesh, std::initializer_list<Paths> of_options) {
-    Paths files = mesh_files(mesh);
-    for (const Paths& more : of_options)
-        files.insert(files.end(), more.begin(), more.end());
-    return files;
+void note_input(const Path& file) {
+    const Paths files = mesh_files(file);
+    noted_inputs().insert(noted_inputs().end(), files.begin(), files.end());
 }
 
-void check_output_file(const Path& out, const std::vector<const char*>& extensions,
-                       const Paths& inputs) {
+void check_output_file(const Path& out, const std::vector<const char*>& extensions) {
     check_extension(out, extensions);
     const Path target = resolved(out);
     check_folder(out, out.has_parent_path() ? out.parent_path() : Path("."));
     check_folder(out, target.parent_path());
-    struct stat status {};
-    if (::stat(target.c_str(), &status) != 0)
-        return;
-    for (const auto& input : inputs) {
-        struct stat other {};
-        if (S_ISREG(status.st_mode) && ::stat(input.c_str(), &other) == 0 &&
-            other.st_dev == status.st_dev && other.st_ino == status.st_ino)
-            throw InvalidInput(fmt::format("cannot write {}: it is the input {}, which would be "
-                                           "lost; name another file",
-                                           printable(out.string()), printable(input.string())),
-                               {.path = out});
-    }
+    std::error_code different;
+    for (const Path& file : replaced_by(out))
+        for (const Path& input : noted_inputs())
+            if (std::filesystem::equivalent(file, input, different))
+                throw InvalidInput(
+                    fmt::format("cannot write {}: {} is the input {}, which would be lost; name "
+                                "another file",
+                                printable(out.string()),
+                                file == out ? "it" : printable(file.string()),
+                                printable(input.string())),
+                    {.path = out});
     check_replaceable(out);
 }
 

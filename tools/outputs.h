@@ -4,7 +4,6 @@
 #include "dec/discretization/discretization.h"
 
 #include <filesystem>
-#include <initializer_list>
 #include <vector>
 
 /// Checks of output paths, before any work is done.
@@ -15,14 +14,15 @@ using Paths = std::vector<std::filesystem::path>;
 /// The files of a mesh with this name; TetGen's has several.
 Paths mesh_files(const std::filesystem::path& mesh);
 
-/// The same, and the files of options.
-Paths input_files(const std::filesystem::path& mesh, std::initializer_list<Paths> of_options);
+/// Notes an input of this command, a mesh with all its files or a file of numbers, wherever its
+/// name becomes known: no output may replace it.
+void note_input(const std::filesystem::path& file);
 
-/// Throws InvalidInput if the extension, in any case, is not in the list, or the file is one of the
-/// inputs, under any name; IoError if it is not writable: its folder is missing or not writable, it
-/// is not a regular file, or it is read-only.
-void check_output_file(const std::filesystem::path& out, const std::vector<const char*>& extensions,
-                       const Paths& inputs);
+/// Throws InvalidInput if the extension, in any case, is not in the list, or if the file, or a step
+/// or piece in the folder beside it, is a noted input, under any name; IoError if it is not
+/// writable: its folder is missing or not writable, it is not a regular file, or it is read-only.
+void check_output_file(const std::filesystem::path& out,
+                       const std::vector<const char*>& extensions);
 
 /// The same for a folder that exists or can be made, with all parent folders.
 void check_output_folder(const std::filesystem::path& out);

@@ -128,12 +128,11 @@ void check_float32(const PictureArguments& picture) {
                            {.path = picture.out});
 }
 
-void check_picture(const PictureArguments& picture, const Paths& inputs) {
+void check_picture(const PictureArguments& picture) {
     if (picture.out.empty())
         return;
     check_output_file(picture.out,
-                      picture.isolines > 0 ? std::vector{".vtu", ".obj"} : and_pages({".vtu"}),
-                      inputs);
+                      picture.isolines > 0 ? std::vector{".vtu", ".obj"} : and_pages({".vtu"}));
     check_float32(picture);
 }
 

@@ -33,8 +33,7 @@ void add_isolines(CLI::App& command, PictureArguments& picture);
 void check_float32(const PictureArguments& picture);
 
 /// Checks the requested file, if any, by check_float32 and check_output_file.
-void check_picture(const PictureArguments& picture,
-                   const std::vector<std::filesystem::path>& inputs);
+void check_picture(const PictureArguments& picture);
 
 /// The command line as text, for pages; main sets it once.
 void set_command_text(int argc, const char* const* argv);

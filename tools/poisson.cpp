@@ -12,7 +12,6 @@
 #include "tools/expression.h"
 #include "tools/form_values.h"
 #include "tools/messages.h"
-#include "tools/outputs.h"
 #include "tools/picture.h"
 #include "tools/poisson_answer.h"
 
@@ -94,11 +93,6 @@ struct Data {
           exact(if_given<SiteValues>("--exact", arguments.exact)),
           conductivity(if_given<SiteValues>("--conductivity", arguments.conductivity, "group")) {}
 
-    Paths inputs(const std::filesystem::path& mesh) const {
-        return input_files(mesh, {rhs.files(), boundary.files(), flux.files(), conditions.files(),
-                                  files_of(exact), files_of(conductivity)});
-    }
-
     SiteValues rhs, boundary, flux;
     ConditionValues conditions;
     std::optional<SiteValues> exact, conductivity;
@@ -131,7 +125,7 @@ void add_bound(Solved& answer, const Discretization& mesh, const FormSpace& spac
 void run_poisson(PoissonArguments arguments) {
     Log log;
     const Data data(arguments);
-    check_picture(arguments.picture, data.inputs(arguments.mesh.mesh));
+    check_picture(arguments.picture);
     if (arguments.picture.isolines > 0 && arguments.side == Side::dual)
         throw InvalidInput("--isolines need values at vertices: use --side primal");
     const Discretization mesh = load_to_draw(arguments.mesh, arguments.picture.out, log);

@@ -107,9 +107,9 @@ void draw(const SpectrumArguments& arguments, const Discretization& mesh, const 
 void run_spectrum(SpectrumArguments arguments) {
     Log log;
     const ConditionValues asked(arguments.conditions);
-    check_picture(arguments.picture, input_files(arguments.mesh.mesh, {asked.files()}));
+    check_picture(arguments.picture);
     if (!arguments.checkpoint.empty())
-        check_output_file(arguments.checkpoint, {".checkpoint"}, mesh_files(arguments.mesh.mesh));
+        check_output_file(arguments.checkpoint, {".checkpoint"});
     const Discretization mesh = load_to_draw(arguments.mesh, arguments.picture.out, log);
     const auto space = computed_on(
         arguments.mesh.mesh, [&] { return asked.space(mesh, arguments.side, arguments.degree); });

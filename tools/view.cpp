@@ -72,7 +72,7 @@ void bind_pages(const ViewArguments& arguments) {
                                            printable(page.string())));
     if (arguments.out.empty())
         throw InvalidInput("combined pages need an output file: add -o NAME.html");
-    check_output_file(arguments.out, {".html"}, pages);
+    check_output_file(arguments.out, {".html"});
     log.timing.begin("write");
     write_album(arguments.out, arguments.out.stem().string(), pages);
     Viewed answer;
@@ -89,7 +89,7 @@ void run_view(ViewArguments arguments) {
     const auto& file = arguments.mesh.mesh;
     if (arguments.out.empty())
         arguments.out = file.stem().string() + ".html";
-    check_output_file(arguments.out, and_pages({".mp4"}), mesh_files(file));
+    check_output_file(arguments.out, and_pages({".mp4"}));
     if (lower_extension(arguments.out) == ".mp4")
         check_film(arguments.out);
     const std::string extension = lower_extension(file);
@@ -119,8 +119,10 @@ void add_view(CLI::App& app) {
     const auto [command, arguments] = add_command<ViewArguments>(
         app, "view", "writes a page that shows a mesh or results", run_view);
     add_mesh_arguments(*command, arguments->mesh);
-    command->add_option("PAGES", arguments->more,
-                        "if MESH is an .html page: further pages to combine with it");
+    command
+        ->add_option("PAGES", arguments->more,
+                     "if MESH is an .html page: further pages to combine with it")
+        ->each(note_input);
     command->add_option(
         "-o,--out", arguments->out,
         "FILE\tthe page, .html, or its picture, .png or .svg, or the film of a series, .mp4 "

@@ -4,7 +4,6 @@
 #include "tools/conditions.h"
 #include "tools/form_values.h"
 #include "tools/messages.h"
-#include "tools/outputs.h"
 #include "tools/picture.h"
 #include "tools/wave_answer.h"
 
@@ -27,7 +26,7 @@ void run_wave(const WaveArguments& arguments) {
     Log log;
     const FormValues initial("--initial", arguments.initial);
     const ConditionValues asked(arguments.conditions);
-    check_time(arguments.time, input_files(arguments.mesh.mesh, {initial.files(), asked.files()}));
+    check_time(arguments.time);
     const Discretization mesh = load_to_draw(arguments.mesh, arguments.time.out, log);
     const WaveWords words{
         "wave",

@@ -40,7 +40,8 @@ std::optional<std::size_t> step_of(const std::string& name, const std::string& s
 }
 
 /// The folder of the steps, with so many of an earlier series.
-void make_folder(const std::filesystem::path& folder, const std::string& stem, std::size_t kept) {
+void make_folder(const std::filesystem::path& series, std::size_t kept) {
+    const auto folder = std::filesystem::path(series).replace_extension();
     std::error_code error;
     std::filesystem::create_directory(folder, error);
     if (!std::filesystem::is_directory(folder))
@@ -48,14 +49,24 @@ void make_folder(const std::filesystem::path& folder, const std::string& stem, s
                                   printable(folder.string()),
                                   error ? ": " + error.message() : std::string()),
                       {.path = folder});
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const auto step = step_of(entry.path().filename().string(), stem);
-        if (step && *step >= kept)
-            std::filesystem::remove(entry.path(), error);
-    }
+    for (const auto& file : files_of_steps(series, kept))
+        std::filesystem::remove(file, error);
 }
 
 } // namespace
+
+std::vector<std::filesystem::path> files_of_steps(const std::filesystem::path& series,
+                                                  std::size_t first) {
+    std::vector<std::filesystem::path> files;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(
+             std::filesystem::path(series).replace_extension(), none)) {
+        const auto step = step_of(entry.path().filename().string(), series.stem().string());
+        if (step && *step >= first)
+            files.push_back(entry.path());
+    }
+    return files;
+}
 
 Series::Series(std::filesystem::path path, const Discretization& mesh, std::string title)
     : Series(std::move(path), mesh, PageText{.title = std::move(title)}) {}
@@ -93,8 +104,7 @@ Series::Series(std::filesystem::path path, Page page, const std::vector<double>&
             {.path = path_});
     keep_steps(times);
     if (!is_page_)
-        make_folder(std::filesystem::path(path_).replace_extension(), path_.stem().string(),
-                    begun_);
+        make_folder(path_, begun_);
 }
 
 std::string Series::file_of_step(std::size_t step) const {

@@ -11,6 +11,11 @@
 
 namespace polydec {
 
+/// The existing files of the steps from the first-th on of a .pvd series: a new series of this path
+/// removes them.
+std::vector<std::filesystem::path> files_of_steps(const std::filesystem::path& series,
+                                                  std::size_t first = 0);
+
 /// Pictures of one mesh at ascending times, in the format of the extension. .pvd lists .vtu files
 /// in a folder of the same name beside it, for ParaView, as from draw_fields; .html is a page with
 /// a time slider and playback, as from draw_page, with arrows at every time; .png and .svg are the

@@ -66,10 +66,57 @@ class Files(TestCase):
         for name in WRITERS:
             self.refuse(2, "hard.vtu", ("input", "mesh.off"),
                         *self.arguments(name, "mesh.off", "hard.vtu"))
-        self.write("f.vtu", "1 " * 58)
-        self.refuse(2, "f.vtu", ("input", "./f.vtu"), "poisson", "mesh.off", "--side", "primal",
-                    "--rhs", "./f.vtu", "-o", "f.vtu")
         self.assertEqual(self.read("mesh.off"), text)
+
+    def test_nor_is_a_file_that_an_option_names(self):
+        """Of numbers, in every option of every command, and whatever the output is."""
+        run = ("--until", 1, "--frames", 1)
+        picture, series, state = ("-o", "a.vtu"), ("-o", "a.pvd"), ("--checkpoint", "a.checkpoint")
+        conditions = ("--essential-where", "--fixed-where")
+        boundary = ("--boundary", "--flux", "--exact", "--conductivity")
+        for command_of, options, outputs in (
+                (("poisson", "--rhs", 1), boundary + conditions, [picture]),
+                (("poisson",), ("--rhs",), [picture]),
+                (("hodge",), ("--form",), [picture]),
+                (("distance",), ("--from-where",), [picture]),
+                (("distance", "--from", 0), ("--glue",), [picture]),
+                (("spectrum",), conditions, [picture, state]),
+                (("heat", "--initial", 1, *run),
+                 ("--source", "--boundary-values", "--flux", *conditions), [series, state]),
+                (("heat", *run), ("--initial",), [series, state]),
+                (("wave", *run), ("--initial",), [series, state]),
+                (("flow", *run), ("--vorticity", "--velocity"), [series, state]),
+                (("flow", "--vorticity", "x", *run),
+                 ("--boundary-velocity", "--no-slip-where", "--open-where", "--rotation"),
+                 [series, state]),
+                (("maxwell", "--initial", "x;y;z", *run),
+                 ("--current", "--permittivity", "--permeability", "--conductivity"),
+                 [series, state])):
+            for option in options:
+                for flag, out in outputs:
+                    self.write(out, "1 " * 58)
+                    self.refuse(2, out, ("input", f"./{out}"), command_of[0], golden("uv8.off"),
+                                *command_of[1:], option, f"./{out}", flag, out)
+                    self.assertEqual(self.read(out), "1 " * 58)
+
+    def test_nor_is_one_among_the_steps_of_a_series(self):
+        self.succeed("poisson", golden("grid4.nsc"), "--rhs", 1, "-o", "u.vtu")
+        os.mkdir(self.path("u"))
+        run = ("--initial", "x", "--until", 1, "--frames", 1, "-o", "u.pvd")
+        for name in ("u_0007.vtu", "u_0.vtu", "u_12345.vtu"):
+            mesh = f"u/{name}"
+            shutil.copy(self.path("u.vtu"), self.path(mesh))
+            os.symlink(mesh, self.path("link.vtu"))
+            text = self.read(mesh)
+            for given in (mesh, "link.vtu"):
+                self.refuse(2, "u.pvd", (mesh, "input", given), "heat", given, *run)
+            self.assertEqual(self.read(mesh), text)
+            os.remove(self.path(mesh))
+            os.remove(self.path("link.vtu"))
+        for name in ("mesh.vtu", "u_.vtu", "u_1x.vtu", "v_0001.vtu"):
+            shutil.copy(self.path("u.vtu"), self.path(f"u/{name}"))
+            self.succeed("heat", f"u/{name}", *run)
+            self.assertIn(name, os.listdir(self.path("u")))
 
     def test_the_folder_must_be_there(self):
         for name in WRITERS:

@@ -4,6 +4,7 @@
 #include "tools/messages.h"
 #include "tools/mpi/commands.h"
 #include "tools/mpi/shared_mesh.h"
+#include "tools/outputs.h"
 
 #include <fmt/format.h>
 
@@ -45,7 +46,7 @@ private:
 
 void run_convert(const Ranks& ranks, const ConvertArguments& arguments) {
     Log log;
-    check_output_file(ranks, arguments.out, {".pdm"}, arguments.mesh);
+    check_output_file(ranks, arguments.out, {".pdm"});
     const SharedProgress progress(ranks);
     log.timing.begin("read");
     const MeshSlice slice =
@@ -63,7 +64,8 @@ void add_convert(CLI::App& app, const Ranks& ranks) {
         app, "convert", "converts a mesh to .pdm, which ranks read in parts",
         [ranks](const ConvertArguments& given) { run_convert(ranks, given); });
     command->add_option("MESH", arguments->mesh, "mesh file, in any format that polydec reads")
-        ->required();
+        ->required()
+        ->each(note_input);
     command->add_option("-o,--out", arguments->out, "FILE\tthe converted mesh, .pdm")->required();
     add_common_options(*command, arguments->tell);
     command->add_flag("--timing", arguments->tell.timing, "report how long each stage took");

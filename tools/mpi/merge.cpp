@@ -15,7 +15,7 @@ struct SharedMergeArguments {
 
 void run_merge(const Ranks& ranks, const SharedMergeArguments& arguments) {
     SharedLog log(ranks);
-    check_picture(ranks, arguments.out, arguments.mesh);
+    check_picture(ranks, arguments.out);
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     log.begin("write");
     write_pvtu(ranks, arguments.out, mesh, {});

@@ -90,7 +90,7 @@ void warn_of_negative(const Ranks& ranks, const DistributedMesh& mesh, Side side
 void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
     SharedLog log(ranks);
     const SharedData data(arguments);
-    check_picture(ranks, arguments.out, arguments.mesh);
+    check_picture(ranks, arguments.out);
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     const auto& file = arguments.mesh.mesh.mesh;
     const Side side = arguments.poisson.side;

@@ -168,11 +168,10 @@ void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer,
 }
 
 void check_output_file(const Ranks& ranks, const std::filesystem::path& out,
-                       const std::vector<const char*>& extensions,
-                       const std::filesystem::path& mesh) {
+                       const std::vector<const char*>& extensions) {
     ranks.together("output", [&] {
         if (ranks.rank() == 0)
-            check_output_file(out, extensions, mesh_files(mesh));
+            check_output_file(out, extensions);
     });
 }
 
@@ -185,10 +184,9 @@ void add_picture(CLI::App& command, std::filesystem::path& out, const std::strin
         ->required(required);
 }
 
-void check_picture(const Ranks& ranks, const std::filesystem::path& out,
-                   const SharedArguments& arguments) {
+void check_picture(const Ranks& ranks, const std::filesystem::path& out) {
     if (!out.empty())
-        check_output_file(ranks, out, {".pvtu"}, arguments.mesh.mesh);
+        check_output_file(ranks, out, {".pvtu"});
 }
 
 } // namespace polydec::tools

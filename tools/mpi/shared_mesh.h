@@ -52,15 +52,13 @@ void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer,
 
 /// Collective: calls check_output_file on rank 0.
 void check_output_file(const Ranks& ranks, const std::filesystem::path& out,
-                       const std::vector<const char*>& extensions,
-                       const std::filesystem::path& mesh);
+                       const std::vector<const char*>& extensions);
 
 /// Adds -o OUT.pvtu; `what` describes the output.
 void add_picture(CLI::App& command, std::filesystem::path& out, const std::string& what,
                  bool required);
 
 /// Collective: checks the requested file, if any, before any work is done.
-void check_picture(const Ranks& ranks, const std::filesystem::path& out,
-                   const SharedArguments& arguments);
+void check_picture(const Ranks& ranks, const std::filesystem::path& out);
 
 } // namespace polydec::tools

@@ -33,7 +33,7 @@ std::vector<SharedValues> modes_to_show(const Spectrum& spectrum, int k) {
 
 void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
     SharedLog log(ranks);
-    check_picture(ranks, arguments.out, arguments.mesh);
+    check_picture(ranks, arguments.out);
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     const int n = mesh.dimension();
     const auto [side, degree] = std::pair(arguments.side, arguments.degree);
