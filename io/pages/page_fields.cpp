@@ -74,7 +74,7 @@ std::size_t opening_step(const Page& page, const ShownField& shown) {
     double most = 0;
     for (std::size_t s = 0; s < page.steps.size(); ++s) {
         const auto [low, high] = range_of(shown.at(page, s));
-        const double range = high - low;
+        const double range = high / 2 - low / 2; // finite
         if (range > (1 + 1e-9) * most) {
             best = s;
             most = range;

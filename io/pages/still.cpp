@@ -88,7 +88,7 @@ private:
         if (!scene.values.empty()) {
             seen.parts.emplace();
             for (std::size_t i = 0; i < 3; ++i)
-                (*seen.parts)[i] = scenes_.part(scene.values[3 * t + i]);
+                (*seen.parts)[i] = scenes_.range()->part(scene.values[3 * t + i]);
         }
         if (!is_flat_)
             seen.brightness = brightness((seen.corners[1] - seen.corners[0])
@@ -105,7 +105,7 @@ private:
             if (is_edge && scenes_.cells() <= most_cells_with_edges)
                 seen.sides[i] = edge;
             if (!scene.side_values.empty() && !std::isnan(scene.side_values[3 * t + i])) {
-                seen.sides[i] = painter.color(scenes_.part(scene.side_values[3 * t + i]));
+                seen.sides[i] = painter.color(scenes_.range()->part(scene.side_values[3 * t + i]));
                 seen.side_width = 2;
             }
         }
@@ -130,7 +130,8 @@ private:
             const Place b = projection_(scenes_.points(), scenes_.corners()[i + 1]);
             Color color = ink;
             if (!scene.values.empty())
-                color = painter.color(scenes_.part(scene.values[i] / 2 + scene.values[i + 1] / 2));
+                color = painter.color(
+                    scenes_.range()->part(scene.values[i] / 2 + scene.values[i + 1] / 2));
             strokes.push_back({a[2] + b[2], {{on_paper(a), on_paper(b)}, 3, color}});
         }
         std::stable_sort(strokes.begin(), strokes.end(),

@@ -66,10 +66,6 @@ void StillScenes::add_arrows(StillScene& scene, std::size_t step) const {
     }
 }
 
-double StillScenes::part(double value) const {
-    return (value - range_->low) / (range_->high - range_->low);
-}
-
 StillScene StillScenes::at(std::size_t step) const {
     StillScene scene;
     if (!page().steps.empty())

@@ -39,7 +39,6 @@ public:
 
     /// The colors over all steps, if there are values.
     const std::optional<ColorRange>& range() const { return range_; }
-    double part(double value) const; ///< its place on the map, 0 to 1
     std::string name() const;
     const std::string& about() const { return shown_.field->array->about; }
 

@@ -39,6 +39,13 @@ Color darker(Color color, double brightness) {
     return color;
 }
 
+double ColorRange::part(double value) const {
+    if (is_constant)
+        return 0.5;
+    const double unit = std::isfinite(high - low) ? 1 : 0.5; // in which all differences are finite
+    return (unit * value - unit * low) / (unit * high - unit * low);
+}
+
 ColorRange color_range(double low, double high) {
     constexpr double rounding = 1e-6;
     const double most = std::max(std::abs(low), std::abs(high));

@@ -31,6 +31,9 @@ struct ColorRange {
     bool is_constant; ///< the values are equal, up to rounding, and have the color in the middle
 
     double middle() const { return low / 2 + high / 2; }
+
+    /// The place of a value on the map, 0 to 1; the middle if they are constant.
+    double part(double value) const;
 };
 
 /// The default colors of values from `low` to `high`: diverging, from minus to plus the largest

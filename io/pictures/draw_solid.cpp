@@ -140,31 +140,22 @@ std::vector<Index> order_of(const SolidFaces& faces, const Frame& frame) {
     return order;
 }
 
-/// Values to colors.
-struct ColorScale {
-    ColorMap map;
-    SvgPoint range;
-
-    ColorScale(const Vector& values, const SolidView& view) {
-        const double low = values.minCoeff(), high = values.maxCoeff();
-        map = view.map.value_or(color_range(low, high).map);
-        const double most = std::max(-low, high);
-        range = view.range.value_or(map == ColorMap::diverging ? SvgPoint{-most, most}
-                                                               : SvgPoint{low, high});
-        if (!std::isfinite(range[0]) || !std::isfinite(range[1]) || range[0] > range[1])
-            throw InvalidInput(fmt::format("the view's range {} .. {} must be two finite numbers "
-                                           "in ascending order",
-                                           range[0], range[1]));
-    }
-
-    std::string operator()(double value) const {
-        const double length = range[1] - range[0];
-        return color_at(map, length > 0 ? (value - range[0]) / length : 0.5);
-    }
-};
+/// The colors of values, as far as the view does not choose them.
+ColorRange colors_of(const Vector& values, const SolidView& view) {
+    const double low = values.minCoeff(), high = values.maxCoeff();
+    const ColorMap map = view.map.value_or(color_range(low, high).map);
+    const double most = std::max(-low, high);
+    const auto [begin, end] = view.range.value_or(map == ColorMap::diverging ? SvgPoint{-most, most}
+                                                                             : SvgPoint{low, high});
+    if (!std::isfinite(begin) || !std::isfinite(end) || begin > end)
+        throw InvalidInput(fmt::format("the view's range {} .. {} must be two finite numbers "
+                                       "in ascending order",
+                                       begin, end));
+    return {map, begin, end, begin == end};
+}
 
 /// A bar with the colors below what is drawn, its ends in words beside it.
-void add_legend(SvgDrawing& drawing, const ColorScale& scale) {
+void add_legend(SvgDrawing& drawing, const ColorRange& scale) {
     constexpr int pieces = 64;
     const SvgExtent extent = extent_of_polygons(drawing);
     const double pixel = extent.size(0) / (drawing.width - 2 * drawing.margin);
@@ -182,8 +173,8 @@ void add_legend(SvgDrawing& drawing, const ColorScale& scale) {
         drawing.shapes.push_back(SvgText{{x, bottom + 1.5 * pixel}, text, 13, anchor, "#333333"});
     };
     const double space = 8 * pixel;
-    add_number(left - space, scale.range[0], SvgAnchor::end);
-    add_number(left + width + space, scale.range[1], SvgAnchor::start);
+    add_number(left - space, scale.low, SvgAnchor::end);
+    add_number(left + width + space, scale.high, SvgAnchor::start);
 }
 
 /// The cells of a solid that are kept, with what all their faces have in common.
@@ -320,13 +311,13 @@ SvgDrawing draw_solid(const SolidFaces& faces, const SolidView& view) {
     const Frame frame(view);
     if (!is_color(view.plain))
         throw InvalidInput("the view's plain color must be \"#rrggbb\"");
-    std::optional<ColorScale> scale;
+    std::optional<ColorRange> scale;
     if (faces.values.size() > 0)
-        scale.emplace(faces.values, view);
+        scale = colors_of(faces.values, view);
 
     SvgDrawing drawing{.title = view.title, .width = view.width};
     for (const Index f : order_of(faces, frame)) {
-        std::string fill = scale ? (*scale)(faces.values[f]) : view.plain;
+        std::string fill = scale ? color_at(scale->map, scale->part(faces.values[f])) : view.plain;
         if (!faces.fills.empty() && !faces.fills[f].empty())
             fill = faces.fills[f];
         fill = color_text(

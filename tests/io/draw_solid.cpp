@@ -293,6 +293,13 @@ SolidFaces triangle() {
     return faces;
 }
 
+TEST(DrawSolid, HasColorsOfValuesOfAnyFiniteRange) {
+    auto faces = triangle();
+    faces.values = Vector::Constant(1, 1e308);
+    EXPECT_EQ(to_svg(draw_solid(faces, {.range = SvgPoint{-1e308, 1e308}, .legend = false})),
+              to_svg(draw_solid(faces, {.range = SvgPoint{0, 1e308}, .legend = false})));
+}
+
 TEST(DrawSolid, paints_each_polygon_of_the_order_and_a_legend) {
     const auto mesh = discretize(kuhn(3, 2));
     const auto plain = kept_faces(mesh, all_of_it);

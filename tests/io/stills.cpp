@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace polydec::test::in_stills {
@@ -55,6 +56,20 @@ TEST(Stills, AValueHasTheColorOfItsPlaceOnTheMap) {
             EXPECT_LE(
                 off(painter.picture().at(x, 11), color_of(color_at(map, (x + 0.5 + 40) / 200))), 2);
     }
+}
+
+TEST(ColorMaps, HavePlacesInProportionToValuesOfAnyFiniteRange) {
+    for (const double scale : {5e-324, 1e-300, 1.0, std::numeric_limits<double>::max()})
+        for (const bool is_signed : {false, true}) {
+            const auto range = color_range(is_signed ? -scale : 0, scale);
+            EXPECT_EQ(range.part(range.low), 0) << scale;
+            EXPECT_EQ(range.part(range.high), 1) << scale;
+            if (scale < 1e-320) // has no half
+                continue;
+            EXPECT_EQ(range.part(range.middle()), 0.5) << scale;
+            EXPECT_NEAR(range.part(0.75 * scale), is_signed ? 0.875 : 0.75, 1e-15) << scale;
+        }
+    EXPECT_EQ(color_range(3, 3).part(3), 0.5);
 }
 
 TEST(Stills, WhatNoTriangleCoversIsWhite) {
