@@ -115,6 +115,7 @@ Expression::Expression(const std::string& option, const std::string& text, const
         auto& parser = state_->parser;
         // which would change the order of operations
         parser.EnableOptimizer(false);
+        parser.ClearConst(); // with names and digits of its own
         parser.DefineConst("pi", std::numbers::pi);
         constexpr std::array names{"x", "y", "z"};
         for (std::size_t i = 0; i < state_->position.size(); ++i) {

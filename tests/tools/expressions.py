@@ -26,7 +26,7 @@ MISREAD = {
     "(" * 250 + "x" + ")" * 250: (200, "parentheses", 200),
 }
 NO_EXPRESSIONS = ("2x", "x y", "sin x", "x +", "x;y", "x!", "x%2", "e", "v", "()", "1..2", "if(x,1, 2)",
-                  "x += 1", "1e400", "x?1")
+                  "x += 1", "1e400", "x?1", "_pi", "_e")
 # Value at (x, y) = (1, 1), the last vertex of the grid, whose values at other vertices differ.
 GOOD = {
     "x+2*y": 3, "-x^2-y": -2, "2^3^(x*y)": 8, "max(x, 5*y)": 5, "atan2(x,1)": 0.7853981633974483,
