@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 namespace polydec::tools {
@@ -18,6 +20,7 @@ namespace polydec::tools {
 namespace {
 
 struct ViewArguments {
+    const CLI::App* command = nullptr;
     MeshArguments mesh;
     std::vector<std::filesystem::path> more;
     std::filesystem::path out;
@@ -38,6 +41,18 @@ struct Viewed : Answer {
 
     void write(Text& text) const override { text("{}\n", printable(out)); }
 };
+
+/// Throws InvalidInput for an option that was given besides these, which apply to such a file.
+void require_use(const ViewArguments& arguments, const char* kind,
+                 const std::vector<std::string>& options) {
+    for (const CLI::Option* option : arguments.command->get_options())
+        if (option->count() > 0 &&
+            std::find(options.begin(), options.end(), option->get_name()) == options.end())
+            throw InvalidInput(fmt::format("{} does not apply to {}, {}: omit it",
+                                           option->get_name(),
+                                           printable(arguments.mesh.mesh.string()), kind),
+                               {.path = arguments.mesh.mesh});
+}
 
 /// A page that can be one of several in a file.
 bool is_album_page(const std::filesystem::path& file) {
@@ -70,6 +85,8 @@ void bind_pages(const ViewArguments& arguments) {
             throw InvalidInput(fmt::format("cannot combine {} with other files: only .html pages "
                                            "can be combined; convert it with `polydec view`",
                                            printable(page.string())));
+    require_use(arguments, "a page that is combined as it is",
+                {"MESH", "PAGES", "--out", "--json", "--max-memory", "--timing"});
     if (arguments.out.empty())
         throw InvalidInput("combined pages need an output file: add -o NAME.html");
     check_output_file(arguments.out, {".html"});
@@ -95,6 +112,9 @@ void run_view(ViewArguments arguments) {
     const std::string extension = lower_extension(file);
     Page page;
     if (extension == ".vtu" || extension == ".pvtu" || extension == ".pvd") {
+        require_use(
+            arguments, "results that are shown as they are",
+            {"MESH", "--out", "--up", "--length-unit", "--json", "--max-memory", "--timing"});
         log.timing.begin("read");
         page = page_of_results(file);
     } else {
@@ -118,6 +138,7 @@ void run_view(ViewArguments arguments) {
 void add_view(CLI::App& app) {
     const auto [command, arguments] = add_command<ViewArguments>(
         app, "view", "writes a page that shows a mesh or results", run_view);
+    arguments->command = command;
     add_mesh_arguments(*command, arguments->mesh);
     command
         ->add_option("PAGES", arguments->more,

@@ -212,6 +212,27 @@ class Stills(TestCase):
         with open(self.path("a.png"), "rb") as a, open(self.path("b.png"), "rb") as b:
             self.assertEqual(a.read(), b.read())
 
+    def test_options_of_meshes_do_not_apply_to_results_and_pages(self):
+        mesh = golden("uv8.off")
+        for name in ("u.vtu", "p.html", "q.html"):
+            self.succeed("distance", mesh, "--from", 0, "-o", name)
+        options = (("--tolerance", 1e-3), ("--angle-tolerance", 0.1), ("--no-merge",),
+                   ("--centers", "centroids"), ("--keep-groups",), ("--periodic", "1,0"),
+                   ("--glue", "x+1;y;z"), ("--weld",), ("--join-hanging",), ("--peel",),
+                   ("--refine", 0.5), ("--delaunay",))
+        of_pages = (("--up", "x"), ("--length-unit", "mm"))
+        for option in options + of_pages:
+            for given, refused in ((("u.vtu",), options), (("p.html", "q.html"), options + of_pages)):
+                words = ("view", *given, *option, "-o", "a.html")
+                if option not in refused:
+                    self.succeed(*words)
+                    os.remove(self.path("a.html"))
+                    continue
+                self.assertSays(self.fail_with(2, *words), option[0], "apply", given[0], "omit")
+                self.assertNotIn("a.html", os.listdir(self.folder))
+        for given in (("u.vtu",), ("p.html", "q.html")):
+            self.succeed("view", *given, "-o", "a.html", "--json", "--max-memory", "2G")
+
     def test_points_alone_have_no_picture(self):
         self.write("p.vtu", vtu(SQUARE, [(0,), (1,)], u=[0, 0, 0, 1]))
         self.assertSays(self.fail_with(2, "view", "p.vtu", "-o", "p.png"), "only points", ".vtu")
