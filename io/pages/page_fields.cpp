@@ -124,7 +124,13 @@ DenseMatrix rows_of(const VtuArray& array) {
 
 Vector shown_numbers(const VtuArray& array) {
     const DenseMatrix rows = rows_of(array);
-    return rows.cols() == 1 ? Vector(rows) : Vector(rows.rowwise().stableNorm());
+    if (rows.cols() == 1)
+        return rows;
+    const Vector lengths = rows.rowwise().stableNorm();
+    if (!lengths.allFinite())
+        throw InvalidInput(fmt::format(
+            "the lengths of the vectors `{}` are not finite: scale them down", array.name));
+    return lengths;
 }
 
 std::array<double, 2> range_of(const std::vector<VtuArray>& arrays) {

@@ -25,7 +25,8 @@ struct PageField {
 /// One row for each entry of an array.
 DenseMatrix rows_of(const VtuArray& array);
 
-/// What colors show of each entry: its number, of vectors the length.
+/// What colors show of each entry: its number, of vectors the length. Throws
+/// InvalidInput if that overflows.
 Vector shown_numbers(const VtuArray& array);
 
 /// The smallest and largest value that colors show, of vectors by their lengths: in all arrays, or

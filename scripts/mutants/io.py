@@ -111,6 +111,8 @@ MUTANTS = {
                                   "DrawFields.OnEdgesAndFacesHaveTheLengthsOfTheirVectorsAtEveryTime"),
     "fields_forget_their_degree": ("io/pictures/draw_fields.cpp", "array.degree = own;", ";",
                                    "DrawFields.HasEveryFieldOfAllDegreesTogether"),
+    "lengths_overflow": ("io/pages/page_fields.cpp", "if (!lengths.allFinite())", "if (false)",
+                         "Pages.RefuseVectorsWhoseLengthsOverflow"),
     "ranges_overflow": ("io/pictures/color_map.cpp", "std::isfinite(high - low) ? 1 : 0.5", "1",
                         "ColorMaps.HavePlacesInProportionToValuesOfAnyFiniteRange"),
     "still_depth": ("io/pages/surface_painter.cpp", "if (nearer <= known)", "if (false)",

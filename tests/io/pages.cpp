@@ -71,6 +71,12 @@ std::string page_error(const Page& page) {
     return error_of([&] { to_html(page); });
 }
 
+TEST(Pages, RefuseVectorsWhoseLengthsOverflow) {
+    Page page = simple_page();
+    page.grid.point_data.push_back({"far", std::vector<double>(12, 1.7e308), 3});
+    EXPECT_REFUSED(to_html(page), "vectors `far`", "finite");
+}
+
 std::size_t count_of(const std::string& text, const std::string& part) {
     std::size_t count = 0;
     for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
