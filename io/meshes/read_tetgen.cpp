@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <span>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace polydec {
 
@@ -84,40 +86,36 @@ double read_attributes(Scanner& scanner, int attributes) {
     return value;
 }
 
-/// The cells, one a line: number, corners, extras.
-Mesh read_cells(Scanner& scanner, Nodes nodes, Index count, int corners, const Extras& extras) {
-    scanner.as_count(
-        count, "cells",
-        2 * (static_cast<std::size_t>(corners) + static_cast<std::size_t>(extras.nodes) + 1));
-    scanner.next_line();
-    Mesh mesh;
-    mesh.simplices.resize(count, corners);
-    std::vector<double> regions(count);
-
+/// Adds the cells, one a line: number, corners, extras.
+void add_cells(CellLists& cells, const Nodes& nodes, Scanner& scanner, Index count, int corners,
+               const Extras& extras, const SourceFile& file) {
+    std::vector<Index> numbers;
+    std::vector<double> groups;
     const auto first = first_number(scanner, "cell");
     for (Index cell = 0; cell < count; ++cell) {
         read_number(scanner, "cell", cell, first);
         for (int corner = 0; corner < corners; ++corner) {
             scanner.stay_on_line("a cell");
-            mesh.simplices(cell, corner) = scanner.vertex(nodes.size(), nodes.first);
+            numbers.push_back(scanner.vertex(nodes.size(), nodes.first));
         }
         for (int node = 0; node < extras.nodes; ++node)
             scanner.vertex(nodes.size(), nodes.first);
-        regions[cell] = read_attributes(scanner, extras.attributes);
+        groups.push_back(read_attributes(scanner, extras.attributes));
         for (int word = 0; word < extras.neighbors && !scanner.at_line_end(); ++word)
             scanner.word("a neighbor");
         scanner.end_line("a cell");
     }
-    mesh.tags = tags_or_none(tags_from(regions));
-    if (extras.nodes > 0 && count > 0)
-        mesh.warnings.push_back(higher_order_warning(count));
-    mesh.points = std::move(nodes.points);
-    return mesh;
+    const auto tags = tags_from(groups);
+    for (Index cell = 0; cell < count; ++cell) {
+        cells.add(corners - 1, std::span(numbers).subspan(cell * corners, corners), tags[cell],
+                  file);
+        cells.leave_out_nodes(extras.nodes);
+    }
 }
 
 /// The first line of .ele: number of cells, of corners, of attributes. TetGen's cells have 4
 /// corners, those of its planar sister Triangle 3.
-Mesh read_elements(Nodes nodes, const SourceFile& file) {
+void add_elements(CellLists& cells, const Nodes& nodes, const SourceFile& file) {
     Scanner scanner(file.name, file.text, syntax);
     const Index count = scanner.count("cells", 0);
     const auto linear = nodes.points.cols() + 1;
@@ -132,16 +130,31 @@ Mesh read_elements(Nodes nodes, const SourceFile& file) {
     const auto attributes = scanner.at_line_end() ? 0 : scanner.integer("the number of attributes");
     if (attributes < 0 || attributes > std::numeric_limits<int>::max())
         scanner.fail(fmt::format("{} attributes; expected 0 or more; correct it", attributes));
-    return read_cells(
-        scanner, std::move(nodes), count, corners,
-        {.nodes = static_cast<int>(extra), .attributes = static_cast<int>(attributes)});
+    scanner.as_count(count, "cells", 2 * (static_cast<std::size_t>(nodes_of_each) + 1));
+    scanner.next_line();
+    add_cells(cells, nodes, scanner, count, corners,
+              {.nodes = static_cast<int>(extra), .attributes = static_cast<int>(attributes)}, file);
 }
 
-/// The option -nn of TetGen appends the tetrahedra on both sides of a face.
-Mesh read_faces(Nodes nodes, const SourceFile& file) {
+/// The number of words in the next line that has some.
+Index words_in_line(Scanner scanner) {
+    Index words = 0;
+    for (bool ends = scanner.at_end(); !ends; ends = scanner.at_line_end(), ++words)
+        scanner.word("a number");
+    return words;
+}
+
+/// The first line of .face and .edge: number of cells, whether they have markers. The option -o2 of
+/// TetGen appends the nodes on the sides of a face to its corners, -nn the tetrahedra beside it.
+void add_faces(CellLists& cells, const Nodes& nodes, int corners, const SourceFile& file) {
     Scanner scanner(file.name, file.text, syntax);
     const Index count = scanner.count("cells", 0);
-    return read_cells(scanner, std::move(nodes), count, 3, {.attributes = 1, .neighbors = 2});
+    const int markers = scanner.at_line_end() || scanner.integer("the number of markers") != 0;
+    scanner.as_count(count, "cells", 2 * (static_cast<std::size_t>(corners) + 1));
+    scanner.next_line();
+    const bool has_nodes = corners == 3 && words_in_line(scanner) >= 1 + 2 * corners + markers;
+    add_cells(cells, nodes, scanner, count, corners,
+              {.nodes = has_nodes ? corners : 0, .attributes = markers, .neighbors = 2}, file);
 }
 
 /// In capital letters where the file's own extension has no others.
@@ -153,31 +166,42 @@ std::filesystem::path with_extension(std::filesystem::path path, std::string ext
     return path.replace_extension(extension);
 }
 
-/// The file that holds the cells of these vertices.
-std::filesystem::path cells_beside(const std::filesystem::path& path) {
-    for (const char* extension : {".ele", ".face"}) {
-        auto cells = with_extension(path, extension);
+/// The files of cells of this mesh, one of which may be this file.
+std::vector<SourceFile> cells_beside(const SourceFile& file) {
+    std::vector<SourceFile> files;
+    for (const char* extension : {".ele", ".face", ".edge"}) {
+        const auto cells = with_extension(file.name, extension);
         std::error_code none;
-        if (std::filesystem::exists(cells, none))
-            return cells;
+        if (lower_extension(file.name) == extension)
+            files.push_back(file);
+        else if (std::filesystem::exists(cells, none))
+            files.push_back(read_source_file(cells));
     }
-    refuse_contents(path.string(), fmt::format("there is neither {} nor .face in the same folder; "
-                                               "expected the file of the cells; add it",
-                                               with_extension(path, ".ele").string()));
+    if (files.empty())
+        refuse_contents(file.name,
+                        fmt::format("there is neither {} nor .face nor .edge in the same folder; "
+                                    "expected the file of the cells; add it",
+                                    with_extension(file.name, ".ele").string()));
+    return files;
 }
 
 } // namespace
 
-Mesh parse_tetgen(const SourceFile& nodes, const SourceFile& cells) {
-    auto points = read_nodes(nodes);
-    return lower_extension(cells.name) == ".face" ? read_faces(std::move(points), cells)
-                                                  : read_elements(std::move(points), cells);
+Mesh parse_tetgen(const SourceFile& nodes, const std::vector<SourceFile>& files) {
+    Nodes read = read_nodes(nodes);
+    CellLists cells;
+    for (const SourceFile& file : files)
+        if (const auto extension = lower_extension(file.name); extension == ".ele")
+            add_elements(cells, read, file);
+        else
+            add_faces(cells, read, extension == ".face" ? 3 : 2, file);
+    return std::move(cells).mesh(std::move(read.points));
 }
 
 Mesh read_tetgen(const SourceFile& file) {
-    if (lower_extension(file.name) == ".node")
-        return parse_tetgen(file, read_source_file(cells_beside(file.name)));
-    return parse_tetgen(read_source_file(with_extension(file.name, ".node")), file);
+    const bool has_nodes = lower_extension(file.name) == ".node";
+    return parse_tetgen(has_nodes ? file : read_source_file(with_extension(file.name, ".node")),
+                        cells_beside(file));
 }
 
 } // namespace polydec

@@ -38,11 +38,12 @@ void write_pdm(const std::filesystem::path& path, const Mesh& mesh);
 /// Reads lines of .nsc and .nsl with simplices of this dimension, numbered from 0.
 Simplices read_simplices(Scanner& scanner, Index count, Index dimension, Index vertices);
 
-/// TetGen's meshes are pairs of files: also reads the other one, which must be beside this one.
+/// TetGen's meshes are several files: also reads those beside this one, .node and at least one of
+/// .ele, .face and .edge.
 Mesh read_tetgen(const SourceFile& file);
 
-/// The same from a .node file and an .ele or .face file in memory.
-Mesh parse_tetgen(const SourceFile& nodes, const SourceFile& cells);
+/// The same from a .node file and .ele, .face and .edge files in memory.
+Mesh parse_tetgen(const SourceFile& nodes, const std::vector<SourceFile>& files);
 
 /// Reserves memory for faces, mostly triangles, but for no more than `remaining` bytes can hold.
 void reserve_faces(PolygonMesh& polygons, Index faces, std::size_t remaining);

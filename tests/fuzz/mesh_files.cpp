@@ -60,7 +60,7 @@ void tetgen(std::string_view bytes) {
     const SourceFile nodes{"a.node", std::string(bytes.substr(0, place))};
     const SourceFile cells{is_face ? "a.face" : "a.ele", std::string(rest)};
     Mesh mesh;
-    if (accepts([&] { mesh = parse_tetgen(nodes, cells); }))
+    if (accepts([&] { mesh = parse_tetgen(nodes, {cells}); }))
         require_usable(mesh);
 }
 

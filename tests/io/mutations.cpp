@@ -252,7 +252,7 @@ void read_and_check(const SourceFile& file) {
     } else if (file.name == "a.node") {
         const auto place = std::min(file.text.find(cut), file.text.size());
         const auto rest = file.text.substr(std::min(place + cut.size(), file.text.size()));
-        check(parse_tetgen({file.name, file.text.substr(0, place)}, {file.name, rest}));
+        check(parse_tetgen({file.name, file.text.substr(0, place)}, {SourceFile{file.name, rest}}));
     } else {
         const auto mesh = parse_mesh(file);
         ASSERT_GT(mesh.simplices.rows(), 0);

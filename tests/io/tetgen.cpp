@@ -19,7 +19,7 @@ const std::string nodes_from_zero = "5 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1
 const std::string planar = "4 2 0 1\n1 0 0 1\n2 1 0 1\n3 1 1 1\n4 0 1 1\n";
 
 Mesh parsed(const std::string& node, const std::string& ele) {
-    return parse_tetgen({"a.node", node}, {"a.ele", ele});
+    return parse_tetgen({"a.node", node}, {SourceFile{"a.ele", ele}});
 }
 
 std::string parsing_error(const std::string& node, const std::string& ele) {
@@ -63,12 +63,38 @@ TEST(TetGen, EitherOfTheTwoFilesNamesTheMesh) {
     folder.write("a.1.ele", "1 4 0\n1 1 2 3 4\n");
     EXPECT_EQ(rows(read_mesh(folder.path("a.1.node")).simplices), (Cells{{0, 1, 2, 3}}));
     EXPECT_EQ(rows(read_mesh(folder.path("a.1.ele")).simplices), (Cells{{0, 1, 2, 3}}));
+    for (const char* name : {"a.1.node", "a.1.ele"})
+        EXPECT_EQ(read_mesh(folder.path(name)).facet_tags.tags, (std::vector<Index>{9})) << name;
 }
 
 TEST(TetGen, NeighborsOfFacesAreLeftOut) {
-    const auto mesh = parse_tetgen({"a.node", nodes}, {"a.face", "1 1\n1 1 2 3 0 17 -1\n"});
-    EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}}));
-    EXPECT_TRUE(mesh.tags.empty());
+    for (const char* face : {"1 1\n1 1 2 3 0 17 -1\n", "1 0\n1 1 2 3 17 -1\n"}) {
+        const auto mesh = parse_tetgen({"a.node", nodes}, {SourceFile{"a.face", face}});
+        EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}}));
+        EXPECT_TRUE(mesh.tags.empty());
+    }
+}
+
+/// With nodes on their sides and neighbors, or without.
+TEST(TetGen, MarkersOfFacetsBesideTheCellsAreGroups) {
+    const SourceFile node{"a.node", nodes}, ele{"a.ele", "1 4 1\n1 1 2 3 4 8\n"};
+    const SourceFile ten{"a.ele", "1 10 1\n1 1 2 3 4 5 5 5 5 5 5 8\n"};
+    const SourceFile edge{"a.edge", "1 1\n1 1 2 6 1\n"};
+    for (const char* face : {"3 1\n# all\n1 1 2 3 9\n2 1 2 4 0\n3 2 3 4 -1\n",
+                             "3 1\n0 1 2 3 9 1 -1\n1 1 2 4 0 1 -1\n2 2 3 4 -1 1 -1\n",
+                             "3 1\n1 1 2 3 5 5 5 9\n2 1 2 4 5 5 5 0\n3 2 3 4 5 5 5 -1\n"})
+        for (const SourceFile& cells : {ele, ten}) {
+            const auto mesh = parse_tetgen(node, {cells, SourceFile{"a.face", face}, edge});
+            EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2, 3}})) << face;
+            EXPECT_EQ(mesh.tags, std::vector<Index>{8}) << face;
+            EXPECT_EQ(rows(mesh.facet_tags.simplices), (Cells{{0, 1, 2}, {1, 2, 3}})) << face;
+            EXPECT_EQ(mesh.facet_tags.tags, (std::vector<Index>{9, -1})) << face;
+        }
+    const auto in_plane = parse_tetgen({"a.node", planar},
+                                       {SourceFile{"a.ele", "2 3 0\n1 1 2 3\n2 1 3 4\n"},
+                                        SourceFile{"a.edge", "3 1\n1 1 2 5\n2 2 3 6\n3 1 3 0\n"}});
+    EXPECT_EQ(rows(in_plane.facet_tags.simplices), (Cells{{0, 1}, {1, 2}}));
+    EXPECT_EQ(in_plane.facet_tags.tags, (std::vector<Index>{5, 6}));
 }
 
 TEST(TetGen, SaysWhichFileIsMissing) {
