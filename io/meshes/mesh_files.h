@@ -41,9 +41,9 @@ int up_axis(const std::filesystem::path& path);
 /// STL, which has floats and no vertex numbers. Only MEDIT and .pdm keep tags. The file appears
 /// whole or not at all.
 ///
-/// Throws InvalidInput if the format cannot hold the mesh, for NaN or infinite coordinates, a
-/// vertex number out of range, a wrong number of tags, or like check_facet_tags; IoError if writing
-/// fails.
+/// Throws InvalidInput if the format cannot hold the mesh, such as two corners of a triangle with
+/// the same floats in STL, for NaN or infinite coordinates, a vertex number out of range, a wrong
+/// number of tags, or like check_facet_tags; IoError if writing fails.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
 
 /// Writes polygons as .off, .obj or .ply (binary) in R^N with N <= 3; missing coordinates become 0.

@@ -103,15 +103,28 @@ Eigen::Vector3d padded(const Points& points, Index vertex) {
     return place;
 }
 
-/// An STL file has floats, into which not every double fits.
-float to_float(const Path& path, double value, Index vertex) {
-    if (std::abs(value) > std::numeric_limits<float>::max())
-        refuse_writing(path,
-                       fmt::format("a coordinate of vertex {} is too large for the floats of STL; "
-                                   "use .off, .obj or .ply",
-                                   vertex),
-                       {.vertices = {vertex}});
-    return static_cast<float>(value);
+/// The corners of a triangle, one a column. An STL file has floats, into which not every double
+/// fits.
+Eigen::Matrix3f in_floats(const Path& path, const Points& points, std::span<const Index> corners) {
+    Eigen::Matrix3d places;
+    for (std::size_t i = 0; i < 3; ++i) {
+        places.col(i) = padded(points, corners[i]);
+        if (places.col(i).cwiseAbs().maxCoeff() > std::numeric_limits<float>::max())
+            refuse_writing(path,
+                           fmt::format("a coordinate of vertex {} is too large for the floats of "
+                                       "STL; use .off, .obj or .ply",
+                                       corners[i]),
+                           {.vertices = {corners[i]}});
+    }
+    const Eigen::Matrix3f rounded = places.cast<float>();
+    for (std::size_t i = 0, next = 1; i < 3; ++i, next = (next + 1) % 3)
+        if (rounded.col(i) == rounded.col(next) && places.col(i) != places.col(next))
+            refuse_writing(path,
+                           fmt::format("vertices {} and {} of a triangle are at one place in the "
+                                       "floats of STL; use .ply, or move the mesh to the origin",
+                                       corners[i], corners[next]),
+                           {.vertices = {corners[i], corners[next]}});
+    return rounded;
 }
 
 void write_ply(const Path& path, const SurfaceFaces& faces) {
@@ -148,9 +161,8 @@ void write_stl(const Path& path, const SurfaceFaces& faces) {
                                            .stableNormalized();
         for (const double value : normal)
             file.write(bytes_of(std::isfinite(value) ? static_cast<float>(value) : 0.0F));
-        for (const Index vertex : corners)
-            for (const double value : padded(faces.points, vertex))
-                file.write(bytes_of(to_float(path, value, vertex)));
+        for (const float value : in_floats(path, faces.points, corners).reshaped())
+            file.write(bytes_of(value));
         file.write(bytes_of(std::uint16_t{0}));
     }
     file.commit();

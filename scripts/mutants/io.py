@@ -114,6 +114,8 @@ MUTANTS = {
     "facets_in_another_file": ("io/meshes/read_tetgen.cpp", 'for (const char* extension : {".ele", ".face", ".edge"})',
                                'for (const char* extension : {".ele"})',
                                "TetGen.EitherOfTheTwoFilesNamesTheMesh"),
+    "corners_of_equal_floats": ("io/meshes/write_mesh.cpp", "rounded.col(i) == rounded.col(next) &&", "false &&",
+                                "Stl.RefusesToWriteCornersThatFloatsDoNotTellApart"),
     "lengths_overflow": ("io/pages/page_fields.cpp", "if (!lengths.allFinite())", "if (false)",
                          "Pages.RefuseVectorsWhoseLengthsOverflow"),
     "ranges_overflow": ("io/pictures/color_map.cpp", "std::isfinite(high - low) ? 1 : 0.5", "1",

@@ -84,6 +84,26 @@ TEST(Stl, KeepsFacetsThatLaterChecksJudge) {
     EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 1, 2}, {0, 0, 0}}));
 }
 
+/// A triangle of any size reads back with three corners, or is refused.
+TEST(Stl, RefusesToWriteCornersThatFloatsDoNotTellApart) {
+    const TemporaryFolder folder;
+    for (const double size : {1e-60, 1e-6, 1e-3, 1.0})
+        for (const double place : {0.0, 1.0, 1e5}) {
+            Mesh mesh;
+            mesh.points = place + size * Points::Identity(3, 3).array();
+            mesh.simplices.resize(1, 3);
+            mesh.simplices << 2, 0, 1;
+            const auto path = folder.path("a.stl");
+            const bool fits = size > 1e-30 && size > 1e-7 * place;
+            if (fits) {
+                write_mesh(path, mesh);
+                EXPECT_EQ(read_mesh(path).points.rows(), 3) << size << " " << place;
+            } else {
+                EXPECT_REFUSED(write_mesh(path, mesh), path.string(), "vertices 2 and 0", ".ply");
+            }
+        }
+}
+
 TEST(Stl, RefusesWhatIsCutOff) {
     const auto text = binary(square);
     EXPECT_UNREADABLE("a.stl", text.substr(0, 180), "a.stl: ", "180 bytes", "184", "2 triangles");
