@@ -116,9 +116,13 @@ std::string printable_message(std::string_view text, std::size_t longest) {
     return result;
 }
 
+std::size_t bytes_of_character(std::string_view text) {
+    return character_at(text).bytes;
+}
+
 bool is_utf8(std::string_view text) {
     while (!text.empty()) {
-        const auto bytes = character_at(text).bytes;
+        const auto bytes = bytes_of_character(text);
         if (bytes == 0)
             return false;
         text.remove_prefix(bytes);

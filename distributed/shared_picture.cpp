@@ -6,6 +6,7 @@
 #include "distributed/shared_folder.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/vtu.h"
+#include "io/xml_text.h"
 
 #include <fmt/format.h>
 
@@ -59,6 +60,7 @@ void write_pvtu(const Ranks& ranks, const std::filesystem::path& path, const Dis
     std::filesystem::path folder_path = path;
     folder_path.replace_extension();
     ranks.together("picture", [&] {
+        check_lists_files(path);
         check_drawable(mesh.dimension(), static_cast<int>(mesh.local.points.cols()));
     });
     SharedFolder folder(ranks, folder_path, is_piece);

@@ -1,35 +1,51 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/errors.h"
+#include "base/printable.h"
+
+#include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace polydec {
 
-/// Text escaped for XML, between tags or quotes. Control characters, which XML forbids, become a
-/// replacement character.
+/// Text escaped for XML, between tags or quotes. What XML forbids becomes a replacement character:
+/// control characters, U+FFFE and U+FFFF, and bytes that are not UTF-8.
 inline std::string xml_escaped(std::string_view text) {
+    constexpr std::string_view replacement = "\xEF\xBF\xBD";
     std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
+    while (!text.empty()) {
+        const std::size_t bytes = bytes_of_character(text);
+        const std::string_view character = text.substr(0, bytes);
+        const char c = text.front();
+        const bool is_control = static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n';
+        if (c == '&')
             result += "&amp;";
-            break;
-        case '<':
+        else if (c == '<')
             result += "&lt;";
-            break;
-        case '>':
+        else if (c == '>')
             result += "&gt;";
-            break;
-        case '"':
+        else if (c == '"')
             result += "&quot;";
-            break;
-        default:
-            const bool control = static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n';
-            result += control ? std::string("\xEF\xBF\xBD") : std::string(1, c);
-        }
+        else if (bytes == 0 || is_control || character == "\xEF\xBF\xBE" ||
+                 character == "\xEF\xBF\xBF")
+            result += replacement;
+        else
+            result += character;
+        text.remove_prefix(bytes == 0 ? 1 : bytes);
     }
     return result;
+}
+
+/// Throws InvalidInput unless XML can list files named after this one.
+inline void check_lists_files(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    if (printable(name, name.size()) != name)
+        throw InvalidInput("cannot write " + printable(path.string()) +
+                               ": its name has characters that a list of files cannot hold; choose "
+                               "another name",
+                           {.path = path});
 }
 
 } // namespace polydec

@@ -93,6 +93,8 @@ Series::Series(std::filesystem::path path, Page page, const std::vector<double>&
                                        "for a page, or .png or .svg for a picture of one step",
                                        printable(path_.string())),
                            {.path = path_});
+    if (!is_page_)
+        check_lists_files(path_);
     check_replaceable(path_);
     page_.steps.clear();
     page_.arrows.clear();

@@ -116,6 +116,8 @@ MUTANTS = {
                                "TetGen.EitherOfTheTwoFilesNamesTheMesh"),
     "corners_of_equal_floats": ("io/meshes/write_mesh.cpp", "rounded.col(i) == rounded.col(next) &&", "false &&",
                                 "Stl.RefusesToWriteCornersThatFloatsDoNotTellApart"),
+    "lists_of_any_name": ("io/pages/series.cpp", "        check_lists_files(path_);\n", "        ;\n",
+                          "Series.RefusesWhatDoesNotFit"),
     "lengths_overflow": ("io/pages/page_fields.cpp", "if (!lengths.allFinite())", "if (false)",
                          "Pages.RefuseVectorsWhoseLengthsOverflow"),
     "ranges_overflow": ("io/pictures/color_map.cpp", "std::isfinite(high - low) ? 1 : 0.5", "1",

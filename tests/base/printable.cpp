@@ -22,6 +22,7 @@ TEST(Printable, bytes_that_are_no_utf8_are_told) {
     for (const std::string text :
          {"\xff", "\xc0\xaf", "\xe0\x80\x80", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xc3"}) {
         EXPECT_FALSE(is_utf8(text));
+        EXPECT_EQ(bytes_of_character(text), 0U);
         EXPECT_TRUE(is_utf8(printable(text)));
         EXPECT_EQ(printable(text).size(), 4 * text.size());
     }

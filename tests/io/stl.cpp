@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
+#include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>

@@ -51,6 +51,7 @@ using Texts = std::vector<std::string>;
 TEST(Plots, AreWellFormedWhateverTheirTextsAre) {
     auto plot = parabola();
     plot.title = R"(a < b & "c" > d)";
+    plot.title += "\xFF\xEF\xBF\xBF\xED\xA0\x80";
     plot.series.push_back({"<b> & \"e\"\x01", {0.1, 0.2}, {1, 2}, SvgTrace::markers});
     plot.series.push_back({"line", {0.1, 0.2}, {1, none}, SvgTrace::line});
     plot.slopes = {{2, 0}};
@@ -59,6 +60,12 @@ TEST(Plots, AreWellFormedWhateverTheirTextsAre) {
     EXPECT_EQ(count(text, "a &lt; b &amp; &quot;c&quot; &gt; d"), 1U);
     EXPECT_EQ(count(text, "&lt;b&gt; &amp; &quot;e&quot;\xEF\xBF\xBD"), 2U) << "group and legend";
     EXPECT_EQ(xml_escaped("plain\ttext\n"), "plain\ttext\n");
+    const std::string lost = "\xEF\xBF\xBD";
+    for (const char* forbidden :
+         {"\x01", "\x1F", "\r", "\xFF", "\xC3", "\xEF\xBF\xBE", "\xEF\xBF\xBF"})
+        EXPECT_EQ(xml_escaped(std::string("\xC3\xA4") + forbidden + "<"),
+                  "\xC3\xA4" + lost + "&lt;");
+    EXPECT_EQ(xml_escaped("\xED\xA0\x80"), lost + lost + lost) << "a surrogate";
 }
 
 TEST(Plots, LinesOfPowersAreStraightOnLogarithmicAxesOnly) {
