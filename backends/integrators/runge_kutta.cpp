@@ -291,7 +291,7 @@ private:
         }
         accept(time() + high, std::move(state), high);
         left_ = 0;
-        knows_first_rates_ = false;
+        was_rejected_ = knows_first_rates_ = false;
         learn_first_rates();
         return Arrival::at_event;
     }
