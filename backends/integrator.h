@@ -54,7 +54,7 @@ struct IntegratorOptions {
     /// square.
     double relative_tolerance = 1e-5;
     double absolute_tolerance = 1e-8;
-    double first_step = 0;   ///< 0: automatic
+    double first_step = 0;   ///< at most largest_step; 0: automatic
     double largest_step = 0; ///< 0: no limit
     /// Steps of this length, adjusted to equal parts between the end times of marches; 0: the
     /// tolerances determine the steps.

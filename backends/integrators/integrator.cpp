@@ -30,6 +30,9 @@ Integrator::Integrator(const std::string& name, const IntegratorOptions& options
     check_not_negative(name + ": first_step", options.first_step);
     check_not_negative(name + ": largest_step", options.largest_step);
     check_not_negative(name + ": fixed_step", options.fixed_step);
+    if (options.largest_step > 0 && options.first_step > options.largest_step)
+        throw InvalidInput(fmt::format("{}: first_step is {}: expected at most largest_step, {}",
+                                       name, options.first_step, options.largest_step));
     if (options.most_steps < 1)
         throw InvalidInput(
             fmt::format("{}: most_steps is {}: expected at least 1", name, options.most_steps));

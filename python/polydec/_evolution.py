@@ -63,7 +63,7 @@ class Evolution(Run):
     relative_tolerance, absolute_tolerance : float
         Error bounds of a step, relative to each value and to the size of its cell.
     first_step, largest_step : float, optional
-        First and largest step of adaptive stepping; 0: any.
+        First and largest step of adaptive stepping, the first at most the largest; 0: any.
     fixed_step : float, optional
         Length of equal steps; 0 means steps from the tolerances.
     most_steps : int

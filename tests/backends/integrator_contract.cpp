@@ -215,6 +215,9 @@ TEST_P(IntegratorContract, scales_measure_what_is_small) {
 TEST_P(IntegratorContract, what_makes_no_sense_is_refused) {
     EXPECT_REFUSED(make({.absolute_tolerance = 0}), GetParam(), "absolute_tolerance is 0");
     EXPECT_REFUSED(make({.first_step = -1}), GetParam(), "first_step", "-1");
+    EXPECT_REFUSED(make({.first_step = 2, .largest_step = 1}), GetParam(), "first_step is 2",
+                   "largest_step, 1");
+    EXPECT_NO_THROW(make({.first_step = 1, .largest_step = 1}));
     EXPECT_THROW(make({.most_steps = 0}), InvalidInput);
     EXPECT_THROW(begun({}, swung(0)), InvalidInput);
     EXPECT_THROW(begun({.stiff = StiffPart{}}, swung(0)), InvalidInput);
