@@ -8,7 +8,7 @@
 namespace polydec {
 
 /// Incremented whenever engines built against older headers would stop working.
-inline constexpr int engine_module_version = 3;
+inline constexpr int engine_module_version = 4;
 
 /// The registrar through which a module registers its engines: always in the program that loads it,
 /// even if the module carries a copy of the library.

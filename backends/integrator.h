@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace polydec {
 
@@ -47,13 +48,18 @@ struct InitialValueProblem {
     /// The scale of each entry of the state, which multiplies the absolute tolerance; for values of
     /// forms, the volumes of cells. Empty: 1.
     Vector scale = {};
+
+    /// The state in parts with units of their own: the number of entries of each. Empty: one part.
+    std::vector<Index> parts = {};
 };
 
 struct IntegratorOptions {
     /// The error of a step may be relative |y_i| + absolute scale_i in each entry, in the root mean
     /// square.
     double relative_tolerance = 1e-5;
-    double absolute_tolerance = 1e-8;
+    /// None: a thousandth of the relative one, times the largest |y_i| / scale_i so far in the same
+    /// part of the state. So the steps of a linear problem do not depend on the unit of its values.
+    std::optional<double> absolute_tolerance = {};
     double first_step = 0;   ///< at most largest_step; 0: automatic
     double largest_step = 0; ///< 0: no limit
     /// Steps of this length, adjusted to equal parts between the end times of marches; 0: the
@@ -99,8 +105,9 @@ public:
 
     /// Starts from this state at this time; with the memory() from then, resumes with the same
     /// steps. Throws InvalidInput for a problem without a rate, a stiff part with a missing
-    /// function, scales that are not one positive number per entry, values that are not finite,
-    /// options that the engine does not support, and memory from another engine.
+    /// function, scales that are not one positive number per entry, parts that do not add up to
+    /// the state, values that are not finite, options that the engine does not support, and memory
+    /// from another engine.
     void begin(InitialValueProblem problem, double time, Vector state, const Vector& memory = {});
 
     /// Marches to exactly this time, or to the first event: to the end of the smallest known time
@@ -143,12 +150,24 @@ protected:
     /// Throws SolverFailure if the value is not finite.
     double event(double time, const Vector& state) const;
 
+    /// The state after a step of Euler's method, with the stiff part as last prepared: the size of
+    /// what is to come. The given state where that is not finite.
+    Vector ahead(double time, const Vector& state, double step);
+
     /// Records an accepted step: the time and state at its end, and its length.
     void accept(double time, Vector state, double step);
     IntegratorReport& counts() { return report_; }
 
-    /// The allowed errors at a state, and the norm of an error relative to them: 1 is just allowed.
-    Vector allowed(const Vector& state) const;
+    /// The largest |y_i| / scale_i of each part: in the states recorded or resumed from so far, and
+    /// in those and this one.
+    const Vector& largest() const { return largest_; }
+    Vector largest_with(const Vector& state) const;
+    void record_largest(const Vector& largest) { largest_ = largest; }
+
+    /// The allowed errors at a state, with these largest coefficients, and the norm of an error
+    /// relative to them: 1 is just allowed. A part that is still 0 counts as the largest other one.
+    Vector allowed(const Vector& state, const Vector& largest) const;
+    Vector allowed(const Vector& state) const { return allowed(state, largest_with(state)); }
     double size(const Vector& error, const Vector& allowed) const;
 
     /// Throws SolverFailure, naming the engine and the time.
@@ -165,7 +184,7 @@ private:
     InitialValueProblem problem_;
     bool has_begun_ = false;
     double time_ = 0;
-    Vector state_;
+    Vector state_, largest_;
     IntegratorReport report_;
 };
 

@@ -14,8 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 
@@ -129,33 +127,6 @@ std::function<Vector(double)> in_time(const std::optional<FormValues>& values,
     return [value = values ? at(0) : Vector()](double) { return value; };
 }
 
-/// What errors of steps are measured by: the largest coefficient of the start, of the source over
-/// the time, and of what is given on the boundary: a slope there goes as deep as heat comes. 1
-/// where these are 0.
-double largest_of(const Heat& heat) {
-    const auto& [side, degree, values] = heat.start;
-    const double until = heat.arguments.time.until;
-    double largest = largest_coefficient(heat.mesh, heat.start);
-    for (const double t : {0.0, until / 2, until}) {
-        if (heat.source)
-            largest = std::max(
-                largest, until * largest_coefficient(heat.mesh,
-                                                     heat.source->on(heat.mesh, side, degree, t)));
-        if (heat.flux)
-            largest = std::max(
-                largest,
-                std::sqrt(until) *
-                    heat.flux->on_boundary(heat.mesh, Side::dual, 0, t).cwiseAbs().maxCoeff());
-        if (!heat.boundary)
-            continue;
-        const Vector given = heat.boundary->on_boundary(heat.mesh, side, degree, t);
-        largest = std::max(largest, side == Side::primal
-                                        ? largest_coefficient(heat.mesh, {side, degree, given})
-                                        : given.cwiseAbs().maxCoeff()); // of 0-forms, at facets
-    }
-    return largest > 0 ? largest : 1;
-}
-
 /// By equal steps, or from frame to frame by as many as the tolerance asks for.
 Evolution run_of(const Heat& heat, const TimeSteps& steps) {
     const Side side = heat.start.side;
@@ -178,7 +149,6 @@ Evolution run_of(const Heat& heat, const TimeSteps& steps) {
         reaction = [rate = in_time(heat.source, [&, side, degree](double t) {
                         return heat.source->on(mesh, side, degree, t).values;
                     })](double t, const std::vector<Cochain>&) { return std::vector{rate(t)}; };
-    const double tolerance = heat.arguments.tolerance > 0 ? heat.arguments.tolerance : 1e-5;
     EvolutionOptions options{.integrator = heat.arguments.integrator,
                              .linear_solver = heat.arguments.engine,
                              .label = "data"};
@@ -186,11 +156,10 @@ Evolution run_of(const Heat& heat, const TimeSteps& steps) {
                                        {&heat.boundary, heat.arguments.boundary},
                                        {&heat.flux, heat.arguments.flux}})
         options.label += *values && (*values)->uses_time() ? "; in time " + text : "; fixed";
-    options.steps = {.relative_tolerance = tolerance,
-                     .absolute_tolerance = 1e-3 * tolerance * largest_of(heat),
-                     .fixed_step = heat.arguments.has_equal_steps()
-                                       ? steps.length
-                                       : heat.arguments.time.time_step};
+    options.steps.fixed_step =
+        heat.arguments.has_equal_steps() ? steps.length : heat.arguments.time.time_step;
+    if (heat.arguments.tolerance > 0)
+        options.steps.relative_tolerance = heat.arguments.tolerance;
     const Progress progress;
     progress("factorize");
     return {{unknown}, reaction, options};

@@ -91,6 +91,7 @@ protected:
     }
 
     Arrival march(double until) override {
+        until_ = until;
         require(stop_at(until), "setting the end");
         double reached = time(), last_step = 0;
         const int answer = CVode(memory_.get(), until, vector_.get(), &reached, CV_NORMAL);
@@ -192,7 +193,12 @@ private:
 
     static int call_weights(N_Vector state, N_Vector weights, void* self) {
         return guarded(self, [&](Cvode& integrator) {
-            entries(weights) = integrator.allowed(entries(state)).cwiseInverse();
+            const Vector now = entries(state);
+            integrator.record_largest(integrator.largest_with(now));
+            Vector largest = integrator.largest();
+            if (largest.isZero(0))
+                largest = integrator.largest_with(integrator.ahead_of(now));
+            entries(weights) = integrator.allowed(now, largest).cwiseInverse();
             return 0;
         });
     }
@@ -206,6 +212,23 @@ private:
     static void hear(int code, const char*, const char*, char* text, void* self) {
         if (code < 0)
             static_cast<Cvode*>(self)->heard_ = text;
+    }
+
+    /// The size of what comes after a state that is 0: CVODE weighs errors before a step.
+    Vector ahead_of(const Vector& state) {
+        double time = 0, step = 0;
+        CVodeGetCurrentTime(memory_.get(), &time);
+        CVodeGetCurrentStep(memory_.get(), &step);
+        const double rest = until_ - time;
+        step = std::min(step > 0 ? step : 1e-3 * rest, rest);
+        if (!(step > 0))
+            return state;
+        if (is_stiff()) {
+            prepare(time, state, step);
+            prepared_ = step;
+            prepared_time_ = time;
+        }
+        return ahead(time, state, step);
     }
 
     Vector solve_with_current(const Vector& b) {
@@ -251,6 +274,7 @@ private:
     std::unique_ptr<void, FreeBy<free_memory>> memory_;
     double prepared_ = 0; ///< the gamma that can be solved with
     double prepared_time_ = 0;
+    double until_ = 0;      ///< the end of the march
     bool is_finite_ = true; ///< what CVODE was given last
     std::string heard_;     ///< what it said last
     std::exception_ptr thrown_;

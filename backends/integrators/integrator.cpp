@@ -6,7 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace polydec {
@@ -26,7 +29,11 @@ Integrator::Integrator(const std::string& name, const IntegratorOptions& options
     : options_(options) {
     report_.engine = name;
     check_not_negative(name + ": relative_tolerance", options.relative_tolerance);
-    check_positive(name + ": absolute_tolerance", options.absolute_tolerance);
+    if (options.absolute_tolerance)
+        check_positive(name + ": absolute_tolerance", *options.absolute_tolerance);
+    else
+        check_positive(name + ": without an absolute_tolerance, relative_tolerance",
+                       options.relative_tolerance);
     check_not_negative(name + ": first_step", options.first_step);
     check_not_negative(name + ": largest_step", options.largest_step);
     check_not_negative(name + ": fixed_step", options.fixed_step);
@@ -56,6 +63,13 @@ void Integrator::check(const InitialValueProblem& problem, double time, const Ve
         throw InvalidInput(fmt::format("{}: expected a scale above 0 for each of the {} entries of "
                                        "the state, or none",
                                        name(), state.size()));
+    if (const auto& parts = problem.parts; !parts.empty()) {
+        const Index entries = std::accumulate(parts.begin(), parts.end(), Index{0});
+        if (*std::min_element(parts.begin(), parts.end()) < 0 || entries != state.size())
+            throw InvalidInput(fmt::format("{}: the parts have {} entries: expected numbers of at "
+                                           "least 0 that add up to the {} entries of the state",
+                                           name(), entries, state.size()));
+    }
     if (options_.fixed_step > 0 && !traits().has_fixed_steps)
         throw InvalidInput(name() + ": chooses steps by the tolerances: omit fixed_step");
 }
@@ -66,6 +80,12 @@ void Integrator::begin(InitialValueProblem problem, double time, Vector state,
     problem_ = std::move(problem);
     time_ = time;
     state_ = std::move(state);
+    if (problem_.scale.size() == 0)
+        problem_.scale = Vector::Ones(state_.size());
+    if (problem_.parts.empty())
+        problem_.parts = {static_cast<Index>(state_.size())};
+    largest_ = Vector::Zero(static_cast<Eigen::Index>(problem_.parts.size()));
+    largest_ = largest_with(state_);
     report_ = {.engine = report_.engine};
     has_begun_ = true;
     if (state_.size() > 0)
@@ -116,6 +136,15 @@ Vector Integrator::solve(const Vector& b) {
     return sized(problem_.stiff->solve(b), "the solution of the stiff part");
 }
 
+Vector Integrator::ahead(double time, const Vector& state, double step) {
+    Vector change = Vector::Zero(state.size());
+    if (problem_.rate)
+        change += step * rate(time + step, state);
+    if (problem_.stiff)
+        change = solve(change + step * stiff_rate(time + step, state));
+    return change.allFinite() ? state + change : state;
+}
+
 double Integrator::event(double time, const Vector& state) const {
     const double value = problem_.event(time, state);
     if (!std::isfinite(value))
@@ -126,15 +155,36 @@ double Integrator::event(double time, const Vector& state) const {
 void Integrator::accept(double time, Vector state, double step) {
     time_ = time;
     state_ = std::move(state);
+    largest_ = largest_with(state_);
     report_.last_step = step;
     ++report_.steps;
 }
 
-Vector Integrator::allowed(const Vector& state) const {
-    const Vector relative = options_.relative_tolerance * state.cwiseAbs();
-    if (problem_.scale.size() == 0)
-        return relative.array() + options_.absolute_tolerance;
-    return relative + options_.absolute_tolerance * problem_.scale;
+Vector Integrator::largest_with(const Vector& state) const {
+    Vector result = largest_;
+    Eigen::Index first = 0, part = 0;
+    for (const Index entries : problem_.parts) {
+        const auto coefficients =
+            state.segment(first, entries).cwiseQuotient(problem_.scale.segment(first, entries));
+        result[part] = std::max(result[part], coefficients.lpNorm<Eigen::Infinity>());
+        first += entries;
+        ++part;
+    }
+    return result;
+}
+
+Vector Integrator::allowed(const Vector& state, const Vector& largest) const {
+    Vector result = options_.relative_tolerance * state.cwiseAbs();
+    Eigen::Index first = 0, part = 0;
+    for (const Index entries : problem_.parts) {
+        const double size = largest[part] > 0 ? largest[part] : largest.maxCoeff();
+        const double absolute =
+            options_.absolute_tolerance.value_or(1e-3 * options_.relative_tolerance * size);
+        result.segment(first, entries) += absolute * problem_.scale.segment(first, entries);
+        first += entries;
+        ++part;
+    }
+    return result.cwiseMax(std::numeric_limits<double>::min()); // of 0, no part is allowed but 0
 }
 
 double Integrator::size(const Vector& error, const Vector& allowed) const {

@@ -39,16 +39,25 @@ public:
                 .resumes_anywhere = is_fixed()};
     }
 
-    Vector memory() const override { return Vector{{wanted_, last_error_, step_, left_, end_}}; }
+    Vector memory() const override {
+        Vector result(5 + largest().size());
+        result << wanted_, last_error_, step_, left_, end_, largest();
+        return result;
+    }
 
 protected:
     void start(const Vector& memory) override {
         table_ = is_stiff() ? &stiff_ : &plain_;
-        const bool goes_on = memory.size() == 5;
+        const auto parts = largest().size();
+        const bool goes_on = memory.size() == 5 + parts;
         if (memory.size() != 0 &&
             (!goes_on || !memory.allFinite() || memory.head(4).minCoeff() < 0))
-            throw InvalidInput(name() + ": cannot resume from the memory of another integrator: "
-                                        "expected five numbers, the first four at least 0");
+            throw InvalidInput(fmt::format("{}: cannot resume from the memory of another "
+                                           "integrator: expected {} finite numbers, the first four "
+                                           "at least 0",
+                                           name(), 5 + parts));
+        if (goes_on)
+            record_largest(memory.tail(parts));
         wanted_ = goes_on ? memory[0] : options().first_step;
         last_error_ = goes_on ? memory[1] : 1;
         step_ = goes_on ? memory[2] : 0;
@@ -159,8 +168,12 @@ private:
                 next += step * (*rates * table_->weights);
         }
         const Vector larger = state().cwiseAbs().cwiseMax(next.cwiseAbs());
-        const double part = next.allFinite() ? size(error, allowed(larger)) : no_number;
-        return {std::move(next), is_fixed() && std::isfinite(part) ? 0 : part};
+        if (!next.allFinite() || !error.allFinite())
+            return {{}, no_number};
+        Vector largest = largest_with(larger);
+        if (was_rejected_)
+            largest = largest.cwiseMax(ahead_);
+        return {std::move(next), is_fixed() ? 0 : size(error, allowed(larger, largest))};
     }
 
     /// False if its rates are not finite or its equation is not solved.
@@ -230,6 +243,8 @@ private:
         const double factor =
             std::isfinite(trial.error) ? 0.9 * std::pow(trial.error, -1 / order) : 0.25;
         wanted_ = step_ * std::clamp(factor, 0.2, 0.9);
+        if (!was_rejected_)
+            ahead_ = largest_with(ahead(time(), state(), step_));
         was_rejected_ = true;
         left_ = 0;
     }
@@ -304,6 +319,7 @@ private:
     double left_ = 0;       ///< steps of this length up to the end; 0: to be planned
     double end_ = 0;
     bool was_rejected_ = false;
+    Vector ahead_; ///< largest() at the end of the first step that was: rates may jump from 0
     double prepared_ = 0; ///< the gamma that can be solved with
     bool knows_first_rates_ = false;
     DenseMatrix f_, g_; ///< rates, a column for each stage

@@ -70,7 +70,7 @@ py::dict report_in_words(const IntegratorReport& report) {
 }
 
 /// Tolerances, relative and absolute, and steps: the first, the largest and a fixed one.
-using GivenSteps = std::tuple<double, double, double, double, double, Index>;
+using GivenSteps = std::tuple<double, std::optional<double>, double, double, double, Index>;
 
 IntegratorOptions steps_of(const GivenSteps& given) {
     const auto& [relative, absolute, first, largest, fixed, most] = given;

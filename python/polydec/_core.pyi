@@ -284,7 +284,7 @@ class Run:
 def evolution(of: Cells, unknowns: Sequence[_Unknown],
               reaction: Callable[[float, list[Floats]], list[Floats]] | None,
               event: Callable[[float, list[Floats]], float] | None, time: float,
-              integrator: str, steps: tuple[float, float, float, float, float, int],
+              integrator: str, steps: tuple[float, float | None, float, float, float, int],
               linear_solver: str, label: str) -> Run: ...
 def waves(of: Cells, side: str, degree: int, E: Floats, time_step: float,
           conditions: Conditions | None, wave: tuple[Floats, Floats, Floats],

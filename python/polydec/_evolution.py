@@ -60,8 +60,11 @@ class Evolution(Run):
         Initial time.
     integrator : str
         Engine name of kind "integrator"; see `backends`.
-    relative_tolerance, absolute_tolerance : float
-        Error bounds of a step, relative to each value and to the size of its cell.
+    relative_tolerance : float
+        Error bound of a step, relative to each value.
+    absolute_tolerance : float, optional
+        Error bound of a step, relative to the size of each cell: for 0-forms, of values. By default
+        a thousandth of `relative_tolerance` times the largest coefficient of the unknown so far.
     first_step, largest_step : float, optional
         First and largest step of adaptive stepping, the first at most the largest; 0: any.
     fixed_step : float, optional
@@ -99,7 +102,7 @@ class Evolution(Run):
                  robin: Values | None = None, fixed: Any = None, boundary: Any = None,
                  event: Callable[..., Any] | None = None,
                  time: float = 0.0, integrator: str = "runge-kutta",
-                 relative_tolerance: float = 1e-5, absolute_tolerance: float = 1e-8,
+                 relative_tolerance: float = 1e-5, absolute_tolerance: float | None = None,
                  first_step: float = 0.0, largest_step: float = 0.0, fixed_step: float = 0.0,
                  most_steps: int = 1_000_000, engine: str = "auto",
                  label: str = "") -> None:

@@ -52,6 +52,8 @@ MUTANTS = {
                                  "InputUnits.are_those_of_evolutions"),
     "tolerance_in_the_unit": ("solvers/time/evolution.cpp", 'cells.unit(), degree, "sizes',
                               '1, degree, "sizes', "InputUnits.are_those_of_tolerances"),
+    "one_unit_for_all_unknowns": ("solvers/time/evolution.cpp", "result.parts.push_back(part.size());", ";",
+                                  "evolution.unknowns_have_units_of_their_own"),
     "waves_of_any_space": ("solvers/time/waves.cpp", ".add(has_functions).add(scheme_->space);",
                            ".add(has_functions);", "Waves.from_rest_are_told_apart_by_their_spaces"),
     "coexact_spectra_in_the_unit": ("solvers/spectra/coexact_spectrum.cpp",

@@ -169,6 +169,8 @@ Vector Evolution::Equation::solve(const Vector& b) const {
 
 InitialValueProblem Evolution::Equation::problem(const std::shared_ptr<Equation>& self) const {
     InitialValueProblem result{.scale = scale};
+    for (const Part& part : parts)
+        result.parts.push_back(part.size());
     const bool is_stiff =
         std::any_of(parts.begin(), parts.end(), [](const Part& part) { return !!part.stiff; });
     const bool has_data = std::any_of(parts.begin(), parts.end(),
@@ -212,7 +214,7 @@ std::optional<Fingerprint> Evolution::Equation::fingerprint() const {
     Fingerprint result;
     result.add("evolution").add(options.label).add(has_functions);
     result.add(options.integrator).add(options.time).add(steps.most_steps);
-    for (const double number : {steps.relative_tolerance, steps.absolute_tolerance,
+    for (const double number : {steps.relative_tolerance, steps.absolute_tolerance.value_or(0),
                                 steps.first_step, steps.largest_step, steps.fixed_step})
         result.add(number);
     for (const Part& part : parts) {
@@ -227,16 +229,6 @@ std::optional<Fingerprint> Evolution::Equation::fingerprint() const {
     if (reaction)
         result.add(rate(options.time, start));
     return result;
-}
-
-double largest_coefficient(const Cells& cells, const Cochain& form) {
-    check(cells.complex(), form);
-    if (form.values.size() == 0)
-        return 0;
-    const Vector sizes = sizes_of_cells(cells.stars().volumes(), form.side, form.degree);
-    const Vector coefficients = in_input_units(Vector(form.values.cwiseQuotient(sizes)),
-                                               cells.unit(), -form.degree, "coefficients");
-    return coefficients.cwiseAbs().maxCoeff();
 }
 
 Evolution::Evolution(std::vector<Unknown> unknowns, Reaction reaction, EvolutionOptions options)

@@ -40,15 +40,12 @@ struct EvolutionOptions {
     std::string label = {}; ///< names what the functions compute, for checkpoints
 };
 
-/// The largest coefficient of a form: values over cell sizes, in the units of the input. Evolution
-/// measures step errors in this norm. Throws InvalidInput for a form of other cells.
-double largest_coefficient(const Cells& cells, const Cochain& form);
-
 /// Integrates u_i' = -nu_i Delta u_i + f_i(t, u_1, u_2, ..), for primal and dual forms of any
 /// degrees. Diffusion is implicit, so the tolerances alone determine the steps, however fine the
 /// mesh. "backward-euler" and "implicit-midpoint" take fixed steps instead. The error of a step is
-/// measured in values over cell sizes, so the absolute tolerance applies to coefficients. Times and
-/// rates are in the caller's units, lengths in the input's.
+/// measured in values over cell sizes, so the absolute tolerance applies to coefficients; by
+/// default, it follows the largest one so far of each unknown. Times and rates are in the caller's
+/// units, lengths in the input's.
 class Evolution final : public Run {
 public:
     /// Throws InvalidInput like FormSpace::check and Diffusion, and, with the number of the unknown

@@ -212,8 +212,69 @@ TEST_P(IntegratorContract, scales_measure_what_is_small) {
     EXPECT_GT(scaled->report().steps, plain->report().steps);
 }
 
+/// A source that is 0 at the beginning, in the middle and at the end of a march to 1, beside decay.
+InitialValueProblem pulsed(double size, bool is_stiff) {
+    const auto pulse = [size](double t) {
+        const double at = (t - 0.27) / 0.02;
+        return Vector(t > 0.2 && t < 0.34 ? size * std::exp(-at * at) * Vector{{1, 1e-3}}
+                                          : Vector(Vector::Zero(2)));
+    };
+    const auto weight = std::make_shared<double>(1);
+    if (!is_stiff)
+        return {.rate = [=](double t, const Vector& y) { return Vector(pulse(t) - 3 * y); }};
+    return {.rate = [=](double t, const Vector&) { return pulse(t); },
+            .stiff = StiffPart{
+                .rate = [](double, const Vector& y) { return Vector(-3 * y); },
+                .prepare = [=](double, const Vector&, double gamma) { *weight = 1 + 3 * gamma; },
+                .solve = [=](const Vector& b) { return Vector(b / *weight); },
+                .linearity = Linearity::linear}};
+}
+
+// With sqrt(pi)/50 exp(-3(1-.27)+.0009/4*9) at the end. The twin: an absolute tolerance that is
+// given is not in the unit of the values.
+TEST_P(IntegratorContract, linear_problems_take_the_same_steps_in_any_unit_of_values) {
+    const double at_end = std::sqrt(std::numbers::pi) / 50 * std::exp(-3 * 0.73 + 9e-4);
+    for (const bool is_stiff : {false, true}) {
+        const auto end_of = [&](double size, const IntegratorOptions& options) {
+            const auto run = begun(pulsed(size, is_stiff), Vector::Zero(2), options);
+            for (int frame = 1; frame <= 20; ++frame)
+                run->advance(frame / 20.);
+            return Vector{{run->state()[0] / size, run->state()[1] / size,
+                           static_cast<double>(run->report().steps)}};
+        };
+        const Vector expected = end_of(1, {});
+        EXPECT_NEAR(expected[0] / at_end, 1, 1e-3);
+        for (const double size : {0x1p-200, 0x1p-30, 0x1p200})
+            EXPECT_EQ(end_of(size, {}), expected) << size;
+        const IntegratorOptions given{.absolute_tolerance = 1e-8};
+        EXPECT_NE(end_of(0x1p-30, given), end_of(1, given));
+    }
+}
+
+// The twin: in one part, the second entry is measured by the first.
+TEST_P(IntegratorContract, parts_have_units_of_their_own) {
+    const auto end_of = [&](double unit, const std::vector<Index>& parts) {
+        const InitialValueProblem problem{.rate =
+                                              [=](double t, const Vector& y) {
+                                                  return Vector{{std::cos(t) * y[0] - y[1] / unit,
+                                                                 std::cos(t) * y[1] + unit * y[0]}};
+                                              },
+                                          .parts = parts};
+        const auto run = begun(problem, Vector{{1, unit}});
+        run->advance(3);
+        return Vector{{run->state()[0], run->state()[1] / unit}};
+    };
+    for (const double unit : {0x1p-60, 0x1p60}) {
+        EXPECT_EQ(end_of(unit, {1, 1}), end_of(1, {1, 1}));
+        EXPECT_NE(end_of(unit, {2}), end_of(1, {2}));
+    }
+    EXPECT_REFUSED(end_of(1, {1, 2}), GetParam(), "parts", "3", "2 entries");
+}
+
 TEST_P(IntegratorContract, what_makes_no_sense_is_refused) {
     EXPECT_REFUSED(make({.absolute_tolerance = 0}), GetParam(), "absolute_tolerance is 0");
+    EXPECT_REFUSED(make({.relative_tolerance = 0}), GetParam(), "absolute_tolerance",
+                   "relative_tolerance is 0");
     EXPECT_REFUSED(make({.first_step = -1}), GetParam(), "first_step", "-1");
     EXPECT_REFUSED(make({.first_step = 2, .largest_step = 1}), GetParam(), "first_step is 2",
                    "largest_step, 1");

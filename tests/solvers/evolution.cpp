@@ -250,6 +250,31 @@ TEST(evolution, all_integrators_give_the_same_forms) {
     }
 }
 
+// A substance in another unit is followed as well. The twin: not with one absolute tolerance.
+TEST(evolution, unknowns_have_units_of_their_own) {
+    const auto mesh = circumcentric(uv_sphere(8, 6));
+    const FormSpace space(mesh, Side::primal, 0);
+    const Vector start = Vector::LinSpaced(mesh.size(0), 1, 2);
+    for (const auto& engine : engines(EngineKind::integrator)) {
+        if (!engine.available || refusal([&] { make_integrator(engine.name); }) != "accepted")
+            continue;
+        const auto end_of = [&](double unit, std::optional<double> absolute) {
+            Evolution run({{space, start, 1e-2}, {space, unit * start, 1e-2}},
+                          [=](double, const std::vector<Cochain>& now) {
+                              const Vector &u = now[0].values, &v = now[1].values;
+                              return std::vector<Vector>{Vector(-v / unit), Vector(unit * u)};
+                          },
+                          {.integrator = engine.name, .steps = {.absolute_tolerance = absolute}});
+            run.march(5);
+            return Vector(run.form(1).values / unit);
+        };
+        for (const double unit : {0x1p-40, 0x1p40}) {
+            EXPECT_EQ(end_of(unit, {}), end_of(1, {})) << engine.name;
+            EXPECT_NE(end_of(unit, 1e-8), end_of(1, 1e-8)) << engine.name;
+        }
+    }
+}
+
 // The twin: without the integrator's memory the bits are others.
 TEST(evolution, a_run_that_is_resumed_ends_in_the_same_bits) {
     const auto mesh = circumcentric(uv_sphere(8, 6));

@@ -92,6 +92,15 @@ class InTime(TestCase):
                          "--source", "sin(9*t)*z", "--frames", 3, "--time-step", 0.05)
         self.assertEqual(fixed["integrator_steps"], 21)
 
+    def test_a_source_that_starts_from_0_is_followed_in_any_unit(self):
+        square = self.generate("grid", "--nx", 8, "--ny", 8)
+        shares = [self.ask("heat", square, "--side", "primal", "--initial", 0, "--source",
+                           f"{size}*exp(-((t-.27)/.02)^2)*(t>.2)*(t<.34)", "--until", 1, "--frames",
+                           20)["max"] / size for size in (1, 1e-6, 1e-9)]
+        for share in shares:
+            self.assertAlmostEqual(share / (math.sqrt(math.pi) / 50), 1, delta=1e-4)
+            self.assertAlmostEqual(share / shares[0], 1, delta=1e-9)
+
     def test_what_a_source_goes_without_is_told(self):
         grid = golden("grid4.nsc")
         heat = ("heat", grid, "--side", "primal", "--initial", "1", "--until", 1)
