@@ -104,7 +104,7 @@ MUTANTS = {
                                          "find(spread_out(A, below), {.tolerance = 1e-5}).vectors",
                                          "rough.vectors.col(0)",
                                          "StableStep.does_not_depend_on_the_order_of_vertices"),
-    "growth_out_of_range": ("solvers/time/diffusion.cpp", "return square(values, [&](const Vector& x) { return mass_ * x; });",
+    "growth_out_of_range": ("solvers/time/diffusion.cpp", "return square(values, [&](const Vector& x) { return of_.mass_ * x; });",
                             "return ScaledNumber{values.dot(mass_ * values), 0};", "Heat.does_not_grow_where_duals_of_facets_are_negative"),
     "rounding_flows": ("solvers/flow/incompressible_flow.cpp", "<= rounding * rounding", "< 0",
                        "Flows.that_walls_do_not_let_through_are_at_rest"),

@@ -69,12 +69,12 @@ Diffusion::Diffusion(const FormSpace& space, double nu, const std::string& linea
       unit_(space.cells().unit()),
       stiffness_(Operator::zero(0, 0)),
       mass_(space.inside().stars()[space.cell_degree()]),
+      linear_solver_(linear_solver),
       space_(new Space{space}) {
     const Cells inside = space.inside();
     const int k = space.cell_degree();
     check_positive_mass(mass_, side_, degree_);
     check_not_negative("the coefficient of diffusion", coefficient_);
-    solver_ = make_linear_solver(linear_solver);
     stiffness_ = space.stiffness();
     facts_ = {.symmetry = Symmetry::symmetric,
               .domain_dimension = inside.dimension(),
@@ -93,7 +93,7 @@ Diffusion::Diffusion(const HodgeStar& mass, const Operator& stiffness, Side side
       facts_{.symmetry = Symmetry::symmetric,
              .domain_dimension = mass.dimension(),
              .many_solves = true},
-      solver_(make_linear_solver(linear_solver)) {
+      linear_solver_(linear_solver) {
     if (stiffness.rows() != mass.size() || stiffness.cols() != mass.size())
         throw InvalidInput(fmt::format(
             "the stiffness is {} x {}: expected {} x {}, like the star of {}-cells",
@@ -108,47 +108,6 @@ SparseMatrix Diffusion::step_matrix(double gamma) const {
     if (is_mixed_)
         return mixed_step(space_->of, t);
     return Operator::star(mass_) + t * stiffness_;
-}
-
-void Diffusion::prepare(double gamma) {
-    SparseMatrix A = step_matrix(gamma);
-    const Vector of_mass = diagonal(weights(mass_));
-    largest_ = A.diagonal().head(of_mass.size()).cwiseQuotient(of_mass).maxCoeff();
-    // forms of different degrees have different units
-    scales_ =
-        A.diagonal().unaryExpr([](double a) { return a == 0 ? 1 : 1 / std::sqrt(std::abs(a)); });
-    if (is_mixed_)
-        A = scales_.asDiagonal() * A * scales_.asDiagonal();
-    else
-        scales_.setOnes();
-    solver_->factorize(A, facts_);
-}
-
-/// The resolvent of a semidefinite operator is a contraction, up to rounding of long steps.
-void Diffusion::check_growth(const Vector& before, const Vector& after) const {
-    const auto squared = [&](const Vector& values) {
-        return square(values, [&](const Vector& x) { return mass_ * x; });
-    };
-    const double rounding = 1e-9 + 64 * std::numeric_limits<double>::epsilon() * largest_;
-    const ScaledNumber from = squared(before), to = squared(after);
-    if (!(std::ldexp(to.part, to.exponent - from.exponent) <= from.part * (1 + rounding)))
-        throw SolverFailure(fmt::format(
-            "a step of diffusion of {} {}-forms increases their norm by a factor of 1 + {:.2g}: "
-            "the Laplacian has negative eigenvalues, probably because of negative duals; use {}",
-            name(side_), degree_, std::sqrt(ratio(to, from)) - 1,
-            positive_stars(mass_.dimension())));
-}
-
-Vector Diffusion::solve(const Vector& values) const {
-    // dual forms are stars of primal ones, and stars commute with the Laplacian
-    const bool primal = side_ == Side::primal;
-    const Vector w = primal ? values : mass_.solve(values);
-    Vector right_side = mass_ * w;
-    right_side.conservativeResizeLike(Vector::Zero(scales_.size()));
-    const Vector next =
-        solver_->solve(right_side.cwiseProduct(scales_)).cwiseProduct(scales_).head(w.size());
-    check_growth(w, next);
-    return primal ? next : mass_ * next;
 }
 
 Vector Diffusion::rate(const Vector& values) const {
@@ -228,10 +187,54 @@ Vector Diffusion::values_of(const Vector& form, const BoundaryForms& data) const
 
 Fingerprint Diffusion::fingerprint() const {
     Fingerprint result;
-    result.add(side_).add(degree_).add(coefficient_).add(unit_).add(solver_->name());
+    result.add(side_).add(degree_).add(coefficient_).add(unit_).add(linear_solver_);
     if (space_)
         return result.add(space_->of);
     return result.add(mass_).add(stiffness_.matrix());
+}
+
+Resolvent::Resolvent(const Diffusion& diffusion)
+    : of_(diffusion), solver_(make_linear_solver(diffusion.linear_solver_)) {}
+
+void Resolvent::prepare(double gamma) {
+    SparseMatrix A = of_.step_matrix(gamma);
+    const Vector of_mass = diagonal(weights(of_.mass_));
+    largest_ = A.diagonal().head(of_mass.size()).cwiseQuotient(of_mass).maxCoeff();
+    // forms of different degrees have different units
+    scales_ =
+        A.diagonal().unaryExpr([](double a) { return a == 0 ? 1 : 1 / std::sqrt(std::abs(a)); });
+    if (of_.is_mixed_)
+        A = scales_.asDiagonal() * A * scales_.asDiagonal();
+    else
+        scales_.setOnes();
+    solver_->factorize(A, of_.facts_);
+}
+
+/// The resolvent of a semidefinite operator is a contraction, up to rounding of long steps.
+void Resolvent::check_growth(const Vector& before, const Vector& after) const {
+    const auto squared = [&](const Vector& values) {
+        return square(values, [&](const Vector& x) { return of_.mass_ * x; });
+    };
+    const double rounding = 1e-9 + 64 * std::numeric_limits<double>::epsilon() * largest_;
+    const ScaledNumber from = squared(before), to = squared(after);
+    if (!(std::ldexp(to.part, to.exponent - from.exponent) <= from.part * (1 + rounding)))
+        throw SolverFailure(fmt::format(
+            "a step of diffusion of {} {}-forms increases their norm by a factor of 1 + {:.2g}: "
+            "the Laplacian has negative eigenvalues, probably because of negative duals; use {}",
+            name(of_.side_), of_.degree_, std::sqrt(ratio(to, from)) - 1,
+            positive_stars(of_.mass_.dimension())));
+}
+
+Vector Resolvent::solve(const Vector& values) const {
+    // dual forms are stars of primal ones, and stars commute with the Laplacian
+    const bool primal = of_.side_ == Side::primal;
+    const Vector w = primal ? values : of_.mass_.solve(values);
+    Vector right_side = of_.mass_ * w;
+    right_side.conservativeResizeLike(Vector::Zero(scales_.size()));
+    const Vector next =
+        solver_->solve(right_side.cwiseProduct(scales_)).cwiseProduct(scales_).head(w.size());
+    check_growth(w, next);
+    return primal ? next : of_.mass_ * next;
 }
 
 } // namespace polydec

@@ -8,6 +8,7 @@
 #include "solvers/sources/boundary_forms.h"
 #include "solvers/time/run.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,8 @@ namespace polydec {
 struct BoundaryLoads;
 struct FormEquations;
 
-/// The rate -nu Delta u of the forms of a space, and solutions of x + gamma nu Delta x = b, which
-/// free time steps from the mesh size. If star_k or star_(k-1) is a matrix, both solve for the
-/// codifferential as a second unknown. The inverse of star_(k-1) would be dense, or entries of very
-/// different sizes would lose the star's digits.
+/// The rate -nu Delta u of the forms of a space. Its Resolvent frees time steps from the mesh size.
+///
 ///
 /// Vectors of values have one entry per free cell (see kept). With a Robin condition, the outflow
 /// is the coefficient times the trace, up to data.
@@ -60,23 +59,17 @@ public:
     /// The free values of a form, or a rate, known at all cells.
     Vector values_of(const Vector& form) const;
 
-    /// Factorizes for this gamma > 0. Throws SolverFailure if the engine fails.
-    void prepare(double gamma);
-
-    /// Solves (I + gamma nu Delta) x = u. Throws like LinearSolver, and SolverFailure if x has a
-    /// larger norm than u: then the Laplacian has negative eigenvalues.
-    Vector solve(const Vector& values) const;
-
     /// Identifies everything that determines rates and solutions: cells, stars, conditions,
     /// coefficient, engine, or a user-defined stiffness. Throws like Operator::matrix.
     Fingerprint fingerprint() const;
 
 private:
+    friend class Resolvent;
+
     SparseMatrix step_matrix(double gamma) const;
     const FormEquations& equations() const;
     BoundaryLoads loads(const BoundaryForms& data) const;
     Vector moved(const Vector& fixed) const;
-    void check_growth(const Vector& before, const Vector& after) const;
 
     std::vector<Index> kept_;
     Side side_;
@@ -86,12 +79,35 @@ private:
     HodgeStar mass_;
     bool is_mixed_ = false;
     MatrixFacts facts_;
-    Shared<LinearSolver> solver_;
-    Vector scales_;      // of rows and columns of the matrix of a step
-    double largest_ = 1; // of its diagonal, over the mass
+    std::string linear_solver_;
 
     struct Space;
     Shared<const Space> space_; // none for a user-defined stiffness
+};
+
+/// Solves (I + gamma nu Delta) x = u for a Diffusion. If star_k or star_(k-1) is a matrix, it
+/// solves for the codifferential as a second unknown: the inverse of star_(k-1) would be dense, or
+/// entries of very different sizes would lose the star's digits. Use an object from one thread at a
+/// time.
+class Resolvent {
+public:
+    /// Throws BackendUnavailable or InvalidInput for a linear solver that does not exist.
+    explicit Resolvent(const Diffusion& diffusion);
+
+    /// Factorizes for this gamma > 0. Throws SolverFailure if the engine fails.
+    void prepare(double gamma);
+
+    /// Solves with the last gamma. Throws like LinearSolver, and SolverFailure if x has a larger
+    /// norm than u: then the Laplacian has negative eigenvalues.
+    Vector solve(const Vector& values) const;
+
+private:
+    void check_growth(const Vector& before, const Vector& after) const;
+
+    Diffusion of_;
+    std::unique_ptr<LinearSolver> solver_;
+    Vector scales_;      // of rows and columns of the matrix
+    double largest_ = 1; // of its diagonal, over the mass
 };
 
 /// A run with fixed steps from time 0. A march to a time ends after the step that is nearest to it.

@@ -55,7 +55,8 @@ IntegratorOptions in_unit(IntegratorOptions steps, double unit) {
 struct Evolution::Equation {
     struct Part {
         Unknown unknown;
-        std::shared_ptr<Diffusion> stiff; ///< or null
+        std::shared_ptr<const Diffusion> stiff; ///< or null
+        std::optional<Resolvent> resolvent;     ///< of it
         std::vector<Index> kept;
         Index first;
 
@@ -89,7 +90,7 @@ void Evolution::Equation::add(const Unknown& unknown) {
     space.check({side, degree, unknown.start});
     auto stiff = unknown.stiff;
     if (!stiff && unknown.diffusion != 0)
-        stiff = std::make_shared<Diffusion>(space, unknown.diffusion, options.linear_solver);
+        stiff = std::make_shared<const Diffusion>(space, unknown.diffusion, options.linear_solver);
     if (stiff && (stiff->side() != side || stiff->degree() != degree))
         throw InvalidInput(fmt::format(
             "unknown {}: its stiff part acts on {} {}-forms, but the unknown is a {} {}-form",
@@ -108,8 +109,10 @@ void Evolution::Equation::add(const Unknown& unknown) {
     start.conservativeResize(first + kept.size());
     scale.conservativeResize(first + kept.size());
     scale.tail(kept.size()) = sizes(kept);
-    parts.push_back({unknown, std::move(stiff), std::move(kept), first});
-    const Part& part = parts.back();
+    parts.push_back({unknown, std::move(stiff), {}, std::move(kept), first});
+    Part& part = parts.back();
+    if (part.stiff)
+        part.resolvent.emplace(*part.stiff);
     start.tail(part.size()) =
         part.stiff ? part.stiff->values_of(unknown.start, part.boundary(options.time))
                    : unknown.start;
@@ -163,7 +166,7 @@ Vector Evolution::Equation::solve(const Vector& b) const {
     Vector result = b;
     for (const Part& part : parts)
         if (part.stiff)
-            result.segment(part.first, part.size()) = part.stiff->solve(part.of(b));
+            result.segment(part.first, part.size()) = part.resolvent->solve(part.of(b));
     return result;
 }
 
@@ -186,9 +189,9 @@ InitialValueProblem Evolution::Equation::problem(const std::shared_ptr<Equation>
                         },
                         .prepare =
                             [self](double, const Vector&, double gamma) {
-                                for (const Part& part : self->parts)
-                                    if (part.stiff)
-                                        part.stiff->prepare(self->unit * gamma);
+                                for (Part& part : self->parts)
+                                    if (part.resolvent)
+                                        part.resolvent->prepare(self->unit * gamma);
                             },
                         .solve = [self](const Vector& b) { return self->solve(b); },
                         .linearity = has_data ? Linearity::affine : Linearity::linear};

@@ -23,7 +23,7 @@ struct Unknown {
     std::function<BoundaryForms(double time)> boundary = {};
 
     /// Another stiff part, which replaces diffusion.
-    std::shared_ptr<Diffusion> stiff = {};
+    std::shared_ptr<const Diffusion> stiff = {};
 };
 
 /// The non-stiff part: the rate of each unknown at all its cells, for these forms at a time. An

@@ -320,6 +320,26 @@ TEST(evolution, a_stiffness_of_ones_own_does_what_diffusion_does) {
     EXPECT_LE(norm(mesh, a.form(0) - b.form(0)), 1e-12);
 }
 
+TEST(evolution, runs_that_share_a_stiff_part_do_not_disturb_each_other) {
+    const auto mesh = circumcentric(kuhn(2, 5));
+    const FormSpace space(mesh, Side::primal, 0);
+    const Vector start = de_rham(mesh, 0, eigenform(2, Side::primal, 0)).values;
+    const auto own = [&] { return std::make_shared<const Diffusion>(space, 0.3); };
+    const auto run_of = [&](const std::shared_ptr<const Diffusion>& stiff, double step) {
+        return Evolution({{.space = space, .start = start, .stiff = stiff}}, {},
+                         {.integrator = "backward-euler", .steps = {.fixed_step = step}});
+    };
+    const auto shared = own();
+    Evolution a = run_of(shared, 0.01), b = run_of(shared, 0.02);
+    Evolution alone = run_of(own(), 0.01), twin = run_of(own(), 0.02);
+    for (const double time : {0.02, 0.04, 0.08})
+        for (Evolution* run : {&a, &b, &alone, &twin})
+            run->march(time);
+    EXPECT_EQ(a.form(0).values, alone.form(0).values);
+    EXPECT_EQ(b.form(0).values, twin.form(0).values);
+    EXPECT_NE(alone.form(0).values, twin.form(0).values);
+}
+
 TEST(evolution, what_does_not_fit_is_refused_by_its_number) {
     const auto mesh = circumcentric(kuhn(2, 2));
     const FormSpace space(mesh, Side::primal, 0);
