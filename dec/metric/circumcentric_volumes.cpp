@@ -268,7 +268,8 @@ private:
         std::array<const double*, most * Pack::size> corners;
         places.find(k, N, t, corners.data());
         SphereOf<Pack, most> sphere;
-        sphere_kernel::look<Pack, k_fixed, N_fixed>(sphere, k, N, corners.data(), room);
+        sphere_kernel::look<Pack, k_fixed, N_fixed>(sphere, k, N, corners.data(), metric_.error(),
+                                                    room);
         if (!is_moderate(sphere.volume[0]) || !is_moderate(sphere.volume[1]))
             return false;
         if (metric_.lengths() != nullptr)

@@ -14,10 +14,10 @@
 namespace polydec {
 
 template <class Number, int k_fixed, int N_fixed>
-void Circumsphere::look(int k, int N, const double* const* corners) {
+void Circumsphere::look(int k, int N, const double* const* corners, double error) {
     auto& room = std::get<std::vector<Number>>(rooms_);
     room.resize(static_cast<std::size_t>(k * (N + k + 4)));
-    sphere_kernel::look<Number, k_fixed, N_fixed>(sphere_, k, N, corners, room.data());
+    sphere_kernel::look<Number, k_fixed, N_fixed>(sphere_, k, N, corners, error, room.data());
 }
 
 bool Circumsphere::look_at(const Corners& corners) {
@@ -32,11 +32,11 @@ bool Circumsphere::look_at(const Corners& corners) {
     for (int i = 0; i <= k; ++i)
         places[i] = corners.place(corners.vertices[i]);
     sphere_kernel::for_dimensions(k, N, [&]<int k_fixed, int N_fixed> {
-        look<double, k_fixed, N_fixed>(k, N, places.data());
+        look<double, k_fixed, N_fixed>(k, N, places.data(), corners.error);
     });
     if (constexpr double largest = 1e145; // its square is finite
         !(volume() < largest && volume() > 1 / largest))
-        look<TwoDoubles, -1, -1>(k, N, places.data());
+        look<TwoDoubles, -1, -1>(k, N, places.data(), corners.error);
     if (corners.by_lengths && volume() > 0)
         sphere_kernel::measure_distances<double>(sphere_, k, N, places.data());
     return volume() > 0;

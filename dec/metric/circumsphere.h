@@ -64,12 +64,12 @@ public:
     /// The same for exact points: rounding errors of the computation. Edges of length l shift the
     /// center by R l / a; volumes and heights grow by 1 + l / a. Random simplices of dimensions 1
     /// to 5 had errors of at most .4 times rounding_of this. With twice the digits, (l / a)^2 eps
-    /// replaces l / a.
+    /// replaces l / a. Computed points count as SimplexMetric::error off.
     const HeightTerms& rounding() const { return sphere_.rounding; }
 
 private:
     template <class Number, int k_fixed, int N_fixed>
-    void look(int k, int N, const double* const* corners);
+    void look(int k, int N, const double* const* corners, double error);
     void check_sphere() const {
         if (!(volume() > 0))
             refuse_flat();

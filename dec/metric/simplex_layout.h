@@ -14,6 +14,7 @@ struct Corners {
     const Points& points;
     std::span<const Index> vertices; ///< the rows, in ascending order of the simplex's vertices
     bool by_lengths = false;         ///< the points were computed from known distances, not given
+    double error = 0;                ///< see SimplexMetric::error
 
     const double* place(Index row) const {
         return points.data() + std::ptrdiff_t{row} * points.cols();
@@ -33,7 +34,7 @@ public:
     /// of squared lengths).
     Corners at(int k, Index s) {
         if (metric_.points() != nullptr)
-            return {*metric_.points(), vertices(complex_.simplices(k), s)};
+            return {*metric_.points(), vertices(complex_.simplices(k), s), false, metric_.error()};
         return lay_out(k, s);
     }
 

@@ -22,7 +22,8 @@ public:
     /// Simplices between points, one row per vertex of the complex. Implicit, so points can be
     /// passed wherever a metric is expected.
     SimplexMetric(Points points) : points_(std::make_shared<const Points>(std::move(points))) {}
-    SimplexMetric(std::shared_ptr<const Points> points) : points_(std::move(points)) {}
+    SimplexMetric(std::shared_ptr<const Points> points, double error = 0)
+        : points_(std::move(points)), error_(error) {}
 
     /// Simplices with only edge lengths known: size(1) numbers. circumcentric_volumes checks
     /// whether each simplex exists. Throws InvalidInput for a wrong number of lengths and, naming
@@ -36,6 +37,10 @@ public:
     /// Null if points are known. Valid likewise.
     const Vector* lengths() const { return lengths_.get(); }
 
+    /// Bound on how far computed points are from those meant, as after a rotation; length. It
+    /// counts as rounding of what is measured between them.
+    double error() const { return error_; }
+
     /// Number N of coordinates of the points; 0 if only lengths are known.
     Index ambient_dimension() const {
         return points_ == nullptr ? 0 : static_cast<Index>(points_->cols());
@@ -44,6 +49,7 @@ public:
 private:
     Shared<const Points> points_;
     Shared<const Vector> lengths_;
+    double error_ = 0;
 };
 
 /// Lengths of the 1-simplices between points. Size size(1). Throws like require_points.

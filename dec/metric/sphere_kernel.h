@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dec/metric/pack.h"
+#include "dec/metric/rounding.h"
 #include "dec/metric/two_doubles.h"
 
 #include <algorithm>
@@ -145,10 +146,15 @@ template <class Number>
     squares[0] = static_cast<Plain<Number>>(squared);
 }
 
+/// The length whose last digits such errors of both ends of an edge are: see rounding_of.
+inline double last_digits(double error) {
+    return 2 * error / rounding_of(1);
+}
+
 /// The center of an edge is its midpoint.
 template <class Number, int N_fixed, int most>
 [[gnu::always_inline]] inline void look_at_edge(SphereOf<Number, most>& sphere, int N_given,
-                                                const double* const* corners) {
+                                                const double* const* corners, double error) {
     using std::abs, std::max, std::sqrt;
     const int N = N_fixed >= 0 ? N_fixed : N_given;
     Number squared = 0, reach = 0;
@@ -163,18 +169,20 @@ template <class Number, int N_fixed, int most>
     sphere.barycentric[0] = sphere.barycentric[1] = 0.5;
     sphere.squared_slopes[0] = sphere.squared_slopes[1] = 1 / squared;
     sphere.uncertainty = {1, std::numbers::sqrt2 * reach};
-    sphere.rounding = {1 + std::numbers::sqrt2, sphere.volume / std::numbers::sqrt2};
+    const Number loss = std::numbers::sqrt2 * (1 + last_digits(error) / sphere.volume);
+    sphere.rounding = {1 + loss, sphere.volume / 2 * loss};
 }
 
 /// Looks at one simplex for each lane of Number; corner i of simplex l is at corners[i * lanes +
 /// l]. Volumes of simplices too flat for the digits of Number are 0. Without fixed dimensions there
-/// must be room for k (N + k + 4) numbers.
+/// must be room for k (N + k + 4) numbers. Every corner may be off by `error`.
 template <class Number, int k_fixed, int N_fixed, int most>
 [[gnu::always_inline]] inline void look(SphereOf<Plain<Number>, most>& sphere, int k_given,
-                                        int N_given, const double* const* corners, Number* room) {
+                                        int N_given, const double* const* corners, double error,
+                                        Number* room) {
     using std::abs, std::max, std::min, std::sqrt;
     if constexpr (k_fixed == 1)
-        return look_at_edge<Number, N_fixed>(sphere, N_given, corners);
+        return look_at_edge<Number, N_fixed>(sphere, N_given, corners, error);
     constexpr int width = lanes<Plain<Number>>;
     const int k = k_fixed >= 0 ? k_fixed : k_given, N = N_fixed >= 0 ? N_fixed : N_given;
     Number fixed[k_fixed >= 0 ? k_fixed * (N_fixed + k_fixed + 4) + 1 : 1];
@@ -226,6 +234,7 @@ template <class Number, int k_fixed, int N_fixed, int most>
         whole = sqrt(whole);
     sphere.volume = where_positive(margin, whole / factorial);
     sphere.uncertainty = {1, 2 * radius * reach * slope};
+    loss = loss + last_digits(error) * slope;
     sphere.rounding = {1 + loss, radius * loss};
 }
 

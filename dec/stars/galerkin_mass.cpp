@@ -29,7 +29,7 @@ public:
           merging_(cells.merging()),
           n_(cells.dimension()),
           center_of_(cells.complex().size(n_), -1) {
-        find_centers(*cells.geometry().metric().points(), cells.geometry().flat());
+        find_centers(*old_metric().points(), cells.geometry().flat());
         pieces_ = std::make_unique<SimplicialComplex>(top_simplices());
         for (int k = 0; k <= n_; ++k)
             find_carriers(k);
@@ -38,11 +38,15 @@ public:
 
     MergedCells cells() && {
         return {Merging(*pieces_, merging_.merged(), std::move(carriers_), std::move(diamonds_)),
-                Geometry(*pieces_, std::move(points_), Centers::centroids()), cells_.volumes()};
+                Geometry(*pieces_,
+                         {std::make_shared<const Points>(std::move(points_)), old_metric().error()},
+                         Centers::centroids()),
+                cells_.volumes()};
     }
 
 private:
     const Pieces& old() const { return merging_.pieces(); }
+    const SimplexMetric& old_metric() const { return cells_.geometry().metric(); }
 
     void find_centers(const Points& points, const std::vector<bool>& flat) {
         for (std::size_t t = 0; t < flat.size(); ++t)

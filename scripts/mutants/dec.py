@@ -19,8 +19,15 @@ MUTANTS = {
                                     "BoundaryStars.refuse_weights_that_are_not_finite"),
     "streamlines_meet_themselves": ("dec/fields/streamlines.cpp", "bin != left && !is_open", "!is_open",
                                     "Streamlines.OfAConstantFieldReachFromSideToSideOnCellsOfAnySize"),
-    "details_flattened": ("dec/metric/plane.cpp", "kept = 1e-12;", "kept = 1;",
+    "details_flattened": ("dec/metric/plane.cpp", "kept = 1e-11;", "kept = 1e9;",
                           "Shapes.of_details_far_smaller_than_their_distance_are_not_flattened"),
+    "details_flattened_beside_zero": (
+        "dec/metric/plane.cpp", "points.cwiseAbs().colwise().maxCoeff().transpose()",
+        "Vector::Constant(points.cols(), points.cwiseAbs().maxCoeff())",
+        "Planes.are_none_where_details_are_small_beside_zero_coordinates"),
+    "error_of_planes_forgotten": (
+        "dec/metric/sphere_kernel.h", "return 2 * error / rounding_of(1);", "return 0 * error;",
+        "Planes.of_points_have_volumes_within_rounding_of_those_between_the_points"),
     "diagonals_of_any_sign": ("dec/stars/star.cpp", "!(diagonal[cell] > 0)", "diagonal[cell] < 0",
                               "StarErrors.matrices_fit_their_cells_and_are_symmetric_and_definite"),
     "degrees_without_digits": ("dec/fields/quadrature.cpp", "rounding_share(k, lower) <= 1e-9", "rounding_share(k, lower) <= 1e-4",

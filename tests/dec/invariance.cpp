@@ -3,6 +3,7 @@
 #include "dec/metric/plane.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "tests/support/hand_made.h"
 #include "tests/support/slivers.h"
 
 #include <Eigen/Geometry>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace polydec::test::in_invariance {
@@ -79,10 +81,10 @@ TEST(Shapes, of_tilted_planes_are_those_of_the_plane) {
     DenseMatrix basis(3, 4); // orthonormal rows in R^4
     basis << 0.5, 0.5, 0.5, 0.5, 0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, -0.5;
     tilted.points = flat.points * basis;
-    EXPECT_EQ(plane_points(tilted.points, 3).cols(), 3);
+    EXPECT_EQ(plane_points(tilted.points, 3).points.cols(), 3);
     EXPECT_EQ(shape(discretize(tilted)), shape(discretize(flat)));
-    EXPECT_EQ(plane_points(perturbed(tilted, 1e-9, 1).points, 3).cols(), 0);
-    EXPECT_EQ(plane_points(flat.points, 3).cols(), 0);
+    EXPECT_EQ(plane_points(perturbed(tilted, 1e-9, 1).points, 3).points.cols(), 0);
+    EXPECT_EQ(plane_points(flat.points, 3).points.cols(), 0);
 }
 
 TEST(Shapes, of_details_far_smaller_than_their_distance_are_not_flattened) {
@@ -100,6 +102,51 @@ TEST(Shapes, of_details_far_smaller_than_their_distance_are_not_flattened) {
     ASSERT_EQ(DenseMatrix(far.points.array() - std::ldexp(1, 20)), DenseMatrix(near.points));
     const auto area = [](const Mesh& mesh) { return discretize(mesh).volumes().primal(2).sum(); };
     EXPECT_NEAR(area(far) / area(near), 1, 1e-12);
+}
+
+/// Orthonormal rows in R^N.
+DenseMatrix random_axes(int n, int N, unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> number;
+    const DenseMatrix any = DenseMatrix::NullaryExpr(N, n, [&] { return number(random); });
+    const DenseMatrix Q = any.householderQr().householderQ();
+    return Q.leftCols(n).transpose();
+}
+
+TEST(Planes, of_points_have_volumes_within_rounding_of_those_between_the_points) {
+    const Mesh flat = made_of({{0, 0}, {1, 0}, {0.5, 1e-8}, {0.5, -1}}, {{0, 1, 2}, {0, 3, 1}});
+    for (const Mesh& mesh : {kuhn({5}), grid(5, 4), flat, perturbed(grid(20, 20), 1e-2, 1),
+                             perturbed(kuhn(3, 2), 1e-2, 1)})
+        for (unsigned seed = 1; seed <= 20; ++seed) {
+            const int n = mesh.dimension(), N = n + 1 + static_cast<int>(seed % 2);
+            Mesh tilted = mesh;
+            tilted.points *= random_axes(n, N, seed);
+            tilted.points.array() += seed % 5;
+            const auto found = discretize(tilted, {.criterion = MergeCriterion::none,
+                                                   .star = StarKind::circumcentric})
+                                   .input_geometry();
+            EXPECT_EQ(found.metric().ambient_dimension(), n) << seed;
+            const auto exact = circumcentric_volumes(found.pieces(), tilted.points);
+            for (int k = 0; k <= n; ++k) {
+                const Vector bound =
+                    found.volumes().rounding(k).vector() + exact.rounding(k).vector();
+                const Vector error = (found.volumes().ratios(k) - exact.ratios(k))
+                                         .cwiseAbs()
+                                         .cwiseProduct(exact.primal(k));
+                EXPECT_TRUE((error.array() <= bound.array()).all())
+                    << "n = " << n << ", k = " << k << ", seed " << seed << ": "
+                    << error.cwiseQuotient(bound).maxCoeff();
+            }
+        }
+}
+
+TEST(Planes, are_none_where_details_are_small_beside_zero_coordinates) {
+    Mesh mesh =
+        made_of({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-11, 5e-15}, {0.5, -1, 0}}, {{0, 1, 2}, {0, 3, 1}});
+    const auto volumes =
+        discretize(mesh, {.criterion = MergeCriterion::none, .star = StarKind::circumcentric})
+            .volumes();
+    EXPECT_NEAR(volumes.primal(2)[0] / (std::hypot(1e-11, 5e-15) / 2), 1, 1e-12);
 }
 
 TEST(Kinds, of_pairs_do_not_depend_on_numbers_where_a_center_is_on_the_facet) {
