@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "base/exponent.h"
 #include "complex/sides.h"
 #include "dec/discretization/glued_box.h"
 #include "dec/metric/simplex_geometry.h"
@@ -108,8 +109,11 @@ public:
     }
 
 private:
-    /// Rates of change of barycentric coordinates along each corner's vector.
+    /// Rates of change of barycentric coordinates along each corner's vector, in some unit of time.
     void find_rates(const DenseMatrix& vectors) {
+        const Vector numbers = vectors.reshaped();
+        const DenseMatrix in_range =
+            times_power(numbers, -exponent_of(numbers)).reshaped(vectors.rows(), vectors.cols());
         const Points& points = mesh_.measured_points();
         const auto& simplices = pieces_.simplices(n_);
         const auto& carriers = mesh_.merging().carriers(n_);
@@ -118,7 +122,7 @@ private:
         const Vector& volumes = mesh_.geometry().volumes().primal(n_);
         for (Index t = 0; t < pieces_.size(n_); ++t)
             for (int i = 0; i <= n_; ++i) {
-                at_vertices.row(simplices(t, i)) += volumes[t] * vectors.row(carriers[t].cell);
+                at_vertices.row(simplices(t, i)) += volumes[t] * in_range.row(carriers[t].cell);
                 weights[simplices(t, i)] += volumes[t];
             }
         at_vertices.array().colwise() /= weights.array();

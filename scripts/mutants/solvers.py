@@ -4,8 +4,12 @@
 MUTANTS = {
     "spectra_without_modes_fail": ("solvers/spectra/spectrum.cpp", "spectrum.modes.resize(spectrum.modes.rows(), 0);", "throw;",
                                    "Spectra.have_no_modes_where_these_are_out_of_range"),
-    "paths_through_vertices_twice": ("solvers/surfaces/surface_paths.cpp", "if (length > 1e-12 * drawn.length)", "if (true)",
+    "paths_through_vertices_twice": ("solvers/surfaces/surface_paths.cpp", "if (length > 1e-12 * path.length)", "if (true)",
                                      "ShortestPaths.through_vertices_have_no_piece_that_is_a_point"),
+    "pieces_of_paths_underflow": (
+        "solvers/surfaces/surface_paths.cpp", "(points.row(2 * count + 1) - points.row(2 * count)).norm();",
+        "((points.row(2 * count + 1) - points.row(2 * count)) * parts.mesh.unit()).norm() / parts.mesh.unit();",
+        "ShortestPaths.of_any_size_have_all_their_pieces"),
     "fluxes_of_no_number": ("solvers/flow/flux_transport.cpp", 'check_values("fluxes", flux, facets)',
                             'check_as_many("fluxes", flux.size(), facets)',
                             "FluxTransportErrors.name_the_value_that_is_not_finite"),

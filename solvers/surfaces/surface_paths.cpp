@@ -35,12 +35,12 @@ struct SurfacePaths::Parts {
           surface(triangles_of(given)),
           paths(surface, given.input_geometry().volumes().primal(1), sources) {}
 
-    /// The point of the tail of a half-edge, as a row.
+    /// The point of the tail of a half-edge, as a row; in the unit of the mesh.
     Eigen::RowVectorXd place(Index halfedge) const {
         const PlacedSimplices places = mesh.places();
         const Index row =
             places.corners(Triangles::triangle(halfedge), corner(mesh.input(), halfedge));
-        return places.points.row(row) * mesh.unit();
+        return places.points.row(row);
     }
 
     Eigen::RowVectorXd place(const SidePoint& point) const {
@@ -63,10 +63,11 @@ SurfacePath SurfacePaths::from(Index vertex) const {
         points.row(2 * count) = parts.place(piece.begin);
         points.row(2 * count + 1) = parts.place(piece.end);
         const double length = (points.row(2 * count + 1) - points.row(2 * count)).norm();
-        if (length > 1e-12 * drawn.length) // else through a vertex
+        if (length > 1e-12 * path.length) // else through a vertex
             ++count;
     }
     points.conservativeResize(2 * Eigen::Index(count), Eigen::NoChange);
+    points *= parts.mesh.unit();
     drawn.lines.simplices.resize(count, 2);
     for (Index i = 0; i < count; ++i)
         drawn.lines.simplices.row(i) << 2 * i, 2 * i + 1;
@@ -101,6 +102,7 @@ LevelSets SurfacePaths::isolines(const Vector& levels, Index divisions) const {
                 }
         }
     });
+    fine.points *= parts.mesh.unit();
     LevelSets sets = level_sets(fine, values, levels);
     for (Index& owner : sets.owners)
         owner /= divisions * divisions;

@@ -71,6 +71,19 @@ double drift(int cells) {
 
 } // namespace
 
+TEST(Streamlines, DoNotDependOnTheUnitOfTheVectors) {
+    for (const Mesh& input : flat_meshes()) {
+        const auto mesh = discretize(input);
+        const auto vectors = sampled(
+            mesh, [&](const auto& x) { return Vector(constant(x.size()) + x.transpose()); });
+        const Mesh lines = streamlines(mesh, vectors);
+        ASSERT_GT(lines.points.rows(), 0);
+        for (const int exponent : {-1000, 1000})
+            EXPECT_EQ(streamlines(mesh, std::ldexp(1, exponent) * vectors).points, lines.points)
+                << exponent;
+    }
+}
+
 TEST(Streamlines, OfAConstantFieldAreStraight) {
     for (const Mesh& input : flat_meshes()) {
         const auto mesh = discretize(input);

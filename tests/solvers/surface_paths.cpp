@@ -65,5 +65,24 @@ TEST(ShortestPaths, through_vertices_have_no_piece_that_is_a_point) {
     }
 }
 
+TEST(ShortestPaths, of_any_size_have_all_their_pieces) {
+    const Mesh mesh = icosphere(3);
+    const auto surface = circumcentric(mesh);
+    for (const int exponent : {-520, 520}) {
+        Mesh other = mesh;
+        other.points *= std::ldexp(1, exponent);
+        const auto scaled = circumcentric(other);
+        const SurfacePaths paths(surface, std::vector<Index>{0}),
+            others(scaled, std::vector<Index>{0});
+        for (Index v = 1; v < surface.complex().size(0); ++v) {
+            const auto path = others.from(v);
+            EXPECT_GT(path.lines.simplices.rows(), 0);
+            EXPECT_EQ(DenseMatrix(std::ldexp(1, -exponent) * path.lines.points),
+                      DenseMatrix(paths.from(v).lines.points))
+                << exponent << ", vertex " << v;
+        }
+    }
+}
+
 } // namespace
 } // namespace polydec::test::in_surface_paths
