@@ -16,6 +16,7 @@ struct LengthMesh {
     Simplices edges;     ///< each edge of the simplices once: its two vertices, in any order
     Vector lengths;      ///< one per row of edges
     InputCells input_cells = {};
+    int bisections = 0; ///< of the simplex that `refined` has divided most often
 
     int dimension() const { return static_cast<int>(simplices.cols()) - 1; }
 };

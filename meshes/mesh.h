@@ -54,6 +54,7 @@ struct Mesh {
     TaggedSimplices facet_tags = {};
     std::vector<GroupName> groups = {}; ///< the groups with names
     InputCells input_cells = {};
+    int bisections = 0; ///< of the simplex that `refined` has divided most often
 
     int ambient_dimension() const { return static_cast<int>(points.cols()); }
     int dimension() const { return static_cast<int>(simplices.cols()) - 1; }

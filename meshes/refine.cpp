@@ -128,6 +128,7 @@ public:
     Simplices rows() const { return simplices_of(corners_, whole_.cols()); }
     const std::vector<Index>& parents() const { return parents_; } ///< of the parts
     const std::vector<Index>& vertices() const { return vertices_; }
+    int bisections() const { return bisections_; } ///< of one simplex, at most
 
     /// With the middles of edges between corners.
     Points points(Points points) const {
@@ -162,8 +163,9 @@ public:
                                            unit_ * std::sqrt(part.squares(i, j)));
             });
         sort_unique(edges);
-        LengthMesh result{rows(), of_vertices_.end(), Simplices(std::ssize(edges), 2),
-                          Vector(std::ssize(edges))};
+        LengthMesh result{
+            rows(), of_vertices_.end(), Simplices(std::ssize(edges), 2), Vector(std::ssize(edges)),
+            {},     bisections_};
         if (!vertices_.empty())
             for (Index& corner : result.simplices.reshaped())
                 corner = vertices_[corner];
@@ -194,7 +196,8 @@ private:
 
     /// Calls emit(part) for the parts in order. Once all simplices are divided, no middle is new.
     template <class Emit>
-    void divide(const Part& whole, const Emit& emit) {
+    void divide(const Part& whole, const Emit& emit, int bisections = 0) {
+        bisections_ = std::max(bisections_, bisections);
         int a = 0, b = 0;
         const auto& v = whole.vertices;
         for (int j = 1; j < whole.squares.rows(); ++j)
@@ -215,8 +218,8 @@ private:
             if (corner == std::ssize(vertices_))
                 vertices_.push_back(vertex);
         }
-        divide(half(whole, a, b, corner, vertex), emit);
-        divide(half(whole, b, a, corner, vertex), emit);
+        divide(half(whole, a, b, corner, vertex), emit, bisections + 1);
+        divide(half(whole, b, a, corner, vertex), emit, bisections + 1);
     }
 
     double unit_, limit_;                               // of lengths, and of their squares in units
@@ -224,6 +227,7 @@ private:
     Simplices whole_;
     Middles of_vertices_, of_corners_;
     std::vector<Index> vertices_, corners_, parents_;
+    int bisections_ = 0;
     bool is_done_ = false;
 };
 
@@ -233,6 +237,7 @@ Mesh of_parts(Mesh mesh, Refining& refining) {
     follow_rows(mesh, refining.parents(), static_cast<Index>(mesh.simplices.rows()));
     mesh.facet_tags = refining.facets(mesh.facet_tags);
     mesh.simplices = refining.rows();
+    mesh.bisections += refining.bisections();
     return mesh;
 }
 
@@ -250,13 +255,16 @@ LengthMesh refined(const LengthMesh& mesh, double longest) {
     LengthMesh result = refining.lengths();
     result.input_cells =
         followed(mesh.input_cells, refining.parents(), static_cast<Index>(mesh.simplices.rows()));
+    result.bisections += mesh.bisections;
     return result;
 }
 
 PeriodicMesh refined(PeriodicMesh mesh, double longest) {
     check_facet_tags(mesh.box);
     Refining refining(mesh.quotient, mesh.box.simplices, mesh.vertices, longest);
+    const int before = mesh.quotient.bisections;
     mesh.quotient = refining.lengths();
+    mesh.quotient.bisections += before;
     mesh.box = of_parts(std::move(mesh.box), refining);
     mesh.vertices = refining.vertices();
     Index count = static_cast<Index>(mesh.points.rows());

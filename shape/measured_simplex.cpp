@@ -47,17 +47,14 @@ LongMatrix edge_factor(const LongMatrix& squares, int origin) {
     return L;
 }
 
-/// The lower corner of the shortest edge.
-int shortest_edge(const LongMatrix& squares) {
-    int origin = 0;
-    long double least = squares(0, 1);
+/// The corners of the shortest edge, ascending.
+std::array<int, 2> shortest_edge(const LongMatrix& squares) {
+    std::array<int, 2> ends{0, 1};
     for (int j = 1; j < squares.rows(); ++j)
         for (int i = 0; i < j; ++i)
-            if (squares(i, j) < least) {
-                least = squares(i, j);
-                origin = i;
-            }
-    return origin;
+            if (squares(i, j) < squares(ends[0], ends[1]))
+                ends = {i, j};
+    return ends;
 }
 
 std::string name_of(const Shape& shape, Index simplex) {
@@ -83,7 +80,9 @@ MeasuredSimplex measured_simplex(const Shape& shape, Index simplex) {
 std::optional<MeasuredSimplex> measured_simplex(LongMatrix squares) {
     MeasuredSimplex result;
     result.squares = std::move(squares);
-    result.origin = shortest_edge(result.squares);
+    const auto [origin, end] = shortest_edge(result.squares);
+    result.origin = origin;
+    result.shortest_square = static_cast<double>(result.squares(origin, end));
     const LongMatrix L = edge_factor(result.squares, result.origin);
     if (L.size() == 0)
         return std::nullopt;
@@ -140,8 +139,9 @@ double metric_share(const Shape& shape) {
     const Worst worst = worst_of(shape);
     const double share = worst.sensitivity * error * (1 + error) + shape.metric_error;
     if (!(share < 0.5))
-        throw InvalidInput(fmt::format("{} is so flat that rounding of its edge lengths changes "
-                                       "its shape: flip edges, or improve or remove flat simplices",
+        throw InvalidInput(fmt::format("{} is so flat, or refined so far from the origin, that "
+                                       "rounding of its edge lengths changes its shape: flip "
+                                       "edges, improve or remove flat simplices, or move the mesh",
                                        name_of(shape, worst.simplex)));
     return share;
 }

@@ -14,7 +14,8 @@ struct MeasuredSimplex {
     LongMatrix gradients; ///< inner products of the gradients of the barycentric coordinates
     long double volume;
     int origin;            ///< an end of the shortest edge
-    double longest_square; ///< the square of the longest edge
+    double longest_square; ///< the square of the longest edge, and of the shortest
+    double shortest_square;
     /// Largest relative change of squared lengths of vectors inside, over the relative error of all
     /// edge lengths: about 8 for well-shaped triangles, and 2 (h / height)^2.
     double sensitivity;

@@ -41,17 +41,23 @@ double error_of_flips(const IntrinsicDelaunay& flips) {
     return rounding + 2 * flips.statistics.added_length / flips.lengths.minCoeff();
 }
 
-/// The share by which bisection before may have changed squares of lengths: of rounded middles of
-/// points, or of medians, if no parts between were flatter than the last.
+/// The share by which bisections before may have changed squares of lengths: each rounds the middle
+/// of two points, or a median by its triangle's edges, if no parts between were flatter than the
+/// last.
 double error_of_refining(const Discretization& mesh) {
-    // h / longest <= 1e8, and n bisections divide the longest edge h by 2 / sqrt(3) (Kearfott 1978)
-    const double bisections = 130 * mesh.dimension();
+    if (mesh.bisections() == 0)
+        return 0;
     const Shape before{.pieces = mesh.input(), .lengths = lengths_of(mesh, mesh.input_geometry())};
-    double rounding = bisections * std::numeric_limits<double>::epsilon();
     const Points& points = mesh.measured_input_points();
-    if (points.cols() > 0)
-        rounding *= points.rowwise().norm().maxCoeff() / before.lengths.minCoeff();
-    return rounding * most_sensitivity(before);
+    const double far = points.cols() > 0 ? points.rowwise().norm().maxCoeff() : 0;
+    double worst = 0;
+    for (Index s = 0; s < before.pieces.size(mesh.dimension()); ++s) {
+        const auto measured = measured_simplex(before, s);
+        const double reach = points.cols() > 0 ? far / std::sqrt(measured.shortest_square)
+                                               : measured.longest_square / measured.shortest_square;
+        worst = std::max(worst, measured.sensitivity * reach);
+    }
+    return mesh.bisections() * std::numeric_limits<double>::epsilon() * worst;
 }
 
 /// Of each n-simplex; none if there are none.
@@ -109,8 +115,7 @@ Shape shape_of(const Discretization& mesh, const BoundaryConditions& conditions,
         shape.length_error = 4 * std::numeric_limits<double>::epsilon();
     if (!mesh.passage().is_identity())
         shape.length_error = error_of_flips(mesh.passage().flips());
-    if (mesh.options().refine)
-        shape.metric_error = error_of_refining(mesh);
+    shape.metric_error = error_of_refining(mesh);
     check(shape);
     return shape;
 }
@@ -134,10 +139,12 @@ void check(const Shape& shape) {
     if (std::find(fixed.begin(), fixed.end(), true) != fixed.end())
         throw InvalidInput("a vertex has a given value, but functions on a shape have no values at "
                            "points: give conditions on facets");
-    for (const double error : {shape.length_error, shape.metric_error})
-        if (!(error >= 0 && error < 0.1))
-            throw InvalidInput(fmt::format(
-                "the relative error of lengths is {}: expected a number from 0 to 0.1", error));
+    if (const double error = shape.length_error; !(error >= 0 && error < 0.1))
+        throw InvalidInput(fmt::format(
+            "the relative error of lengths is {}: expected a number from 0 to 0.1", error));
+    if (const double error = shape.metric_error; !(error >= 0))
+        throw InvalidInput(fmt::format(
+            "the relative error of squared lengths is {}: expected a number of at least 0", error));
     facet_sides(shape); // throws for wrong conditions, and where twisted functions branch
 }
 

@@ -202,7 +202,8 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
                                  .isolated = std::move(isolated),
                                  .facet_tags = std::move(facet_tags),
                                  .groups = std::move(mesh.groups),
-                                 .input_cells = std::move(mesh.input_cells)});
+                                 .input_cells = std::move(mesh.input_cells),
+                                 .bisections = mesh.bisections});
     const bool exist_anyway =
         options.star == StarKind::circumcentric ||
         (options.star == StarKind::automatic && result.geometry().flat().empty());
@@ -352,6 +353,7 @@ Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& optio
     const LengthMesh parts = options.refine ? refined(mesh, *options.refine) : mesh;
     Mesh about;
     about.input_cells = parts.input_cells;
+    about.bisections = parts.bisections;
     return of_lengths(parts, std::move(about), options, stage);
 }
 
@@ -363,6 +365,7 @@ Discretization discretize(const PeriodicMesh& given, const DiscretizeOptions& op
     const PeriodicMesh mesh = options.refine ? refined(given, *options.refine) : given;
     Mesh about{{}, {}, mesh.box.warnings, mesh.box.tags, mesh.box.facet_tags, mesh.box.groups};
     about.input_cells = mesh.box.input_cells;
+    about.bisections = mesh.quotient.bisections;
     for (Index& v : about.facet_tags.simplices.reshaped())
         v = mesh.vertices[v];
     if (options.delaunay != Delaunay::off)

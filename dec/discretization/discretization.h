@@ -87,6 +87,7 @@ public:
         std::vector<GroupName> groups = {};
         std::shared_ptr<const GluedBox> box = {}; ///< of a glued mesh, which knows only lengths
         InputCells input_cells = {};              ///< by row of the input (see input_row)
+        int bisections = 0;                       ///< see Mesh::bisections
     };
 
     /// Throws InvalidInput unless the numbers of pieces, tags and points fit the cells and
@@ -176,6 +177,9 @@ public:
     /// The cells of the input that the simplices of input() are parts of, by input_row.
     const InputCells& input_cells() const& { return parts_->input_cells; }
     InputCells input_cells() && { return input_cells(); }
+
+    /// How often refinement has bisected the simplex that it divided most often.
+    int bisections() const { return parts_->bisections; }
 
     /// The options of discretize, and the facets found degenerate.
     const DiscretizeOptions& options() const& { return parts_->options; }

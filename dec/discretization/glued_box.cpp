@@ -81,7 +81,8 @@ Discretization measured(const PeriodicMesh& glued, const Discretization& mesh,
                            .tags = std::move(tags),
                            .unit = mesh.unit(),
                            .isolated = isolated_points(box, glued.box.points),
-                           .groups = mesh.groups()});
+                           .groups = mesh.groups(),
+                           .bisections = mesh.bisections()});
 }
 
 } // namespace

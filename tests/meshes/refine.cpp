@@ -125,6 +125,7 @@ TEST(Refined, with_edges_that_are_short_enough_is_itself) {
         const Mesh same = refined(mesh, longest_edge(mesh));
         EXPECT_EQ(same.simplices, mesh.simplices);
         EXPECT_EQ(same.points, mesh.points);
+        EXPECT_EQ(same.bisections, 0);
         EXPECT_EQ(same.facet_tags.simplices, mesh.facet_tags.simplices);
     }
 }
@@ -134,6 +135,8 @@ TEST(Refined, by_lengths_alone_is_the_same) {
         const double longest = 0.3 * longest_edge(mesh);
         const Mesh parts = refined(mesh, longest);
         const LengthMesh expected = length_mesh(parts), found = refined(length_mesh(mesh), longest);
+        EXPECT_GT(parts.bisections, 0);
+        EXPECT_EQ(found.bisections, parts.bisections);
         EXPECT_EQ(found.simplices, expected.simplices);
         EXPECT_EQ(found.vertices, expected.vertices);
         EXPECT_EQ(found.edges, expected.edges);

@@ -242,6 +242,24 @@ TEST(Refine, knows_what_rounding_has_changed) {
     EXPECT_LT(shapes[1].metric_error, 1e-11);
 }
 
+TEST(Refine, changes_nothing_where_nothing_is_divided) {
+    for (Mesh mesh : {grid(5, 5), cube_surface(2), kuhn(3, 2)}) {
+        const double longest = mesh.points.norm();
+        mesh.points.array() += 5e6;
+        for (const Shape& shape : shapes_without_long_edges(mesh, longest))
+            EXPECT_EQ(shape.metric_error, 0);
+        for (const Shape& shape : shapes_without_long_edges(mesh, 0.1))
+            EXPECT_GT(shape.metric_error, 0);
+    }
+}
+
+TEST(Refine, so_far_from_the_origin_that_middles_say_nothing_is_refused) {
+    Mesh mesh = grid(5, 5);
+    mesh.points.array() += 1e13;
+    const DiscretizeOptions options{.criterion = MergeCriterion::none, .refine = 0.15};
+    EXPECT_REFUSED(shape_spectrum(shape_of(discretize(mesh, options))), "simplex", "origin");
+}
+
 TEST(Refine, keeps_weights_of_cells_of_the_input) {
     const Mesh mesh = kuhn(2, 2);
     const Vector weights = Vector::LinSpaced(mesh.simplices.rows(), 1, 2);
