@@ -2,6 +2,8 @@
 #include "dec/metric/inverse_star.h"
 
 #include "base/decompositions.h"
+#include "dec/metric/simplex_faces.h"
+#include "dec/metric/simplex_geometry.h"
 #include "dec/metric/subsets.h"
 
 #include <cmath>
@@ -51,6 +53,27 @@ DenseMatrix InverseStar::over_faces() const {
         result.row(static_cast<Index>(f)) = at(edges) / std::tgamma(k + 1.0);
     }
     return result;
+}
+
+Vector inverse_star_means(const Pieces& complex, const Points& points, const Simplices& corners,
+                          int j,
+                          const std::function<Eigen::RowVectorXd(Index t, Index s)>& coefficients) {
+    const int n = complex.dimension(), k = n - j;
+    InverseStar star(static_cast<int>(points.cols()), n, j);
+    SimplexFaces faces(complex, n, k);
+    Vector sums = Vector::Zero(complex.size(k)), volumes = sums;
+    for (Index t = 0; t < complex.size(n); ++t) {
+        star.look_at(points(vertices(corners, t), Eigen::indexing::all), complex.orientation(t));
+        const DenseMatrix rows = star.over_faces();
+        const auto& list = faces.of(t);
+        for (Index i = 0; i < rows.rows(); ++i) {
+            const Index s = list[i];
+            sums[s] +=
+                orientation(complex, k, s) * star.volume() * rows.row(i).dot(coefficients(t, s));
+            volumes[s] += star.volume();
+        }
+    }
+    return (volumes.array() > 0).select(sums.cwiseQuotient(volumes), 0);
 }
 
 } // namespace polydec

@@ -3,9 +3,8 @@
 
 #include "complex/pieces.h"
 #include "dec/metric/exterior_product.h"
-#include "dec/metric/simplex_faces.h"
-#include "dec/metric/simplex_geometry.h"
 
+#include <functional>
 #include <vector>
 
 namespace polydec {
@@ -40,23 +39,8 @@ private:
 /// Integrals over the k-simplices, k = n-j, of the inverse star of a form with coefficients (t, s)
 /// on simplex s in the plane of n-simplex t: means over t by volume. Size size(k). `corners`: the
 /// rows of points of the corners of each n-simplex.
-template <class Coefficients>
 Vector inverse_star_means(const Pieces& complex, const Points& points, const Simplices& corners,
-                          int j, Coefficients coefficients) {
-    const int n = complex.dimension();
-    InverseStar star(static_cast<int>(points.cols()), n, j);
-    SimplexFaces faces(complex, n, n - j);
-    Vector sums = Vector::Zero(complex.size(n - j)), volumes = sums;
-    for (Index t = 0; t < complex.size(n); ++t) {
-        star.look_at(points(vertices(corners, t), Eigen::indexing::all), complex.orientation(t));
-        const DenseMatrix rows = star.over_faces();
-        const auto& list = faces.of(t);
-        for (Index i = 0; i < rows.rows(); ++i) {
-            sums[list[i]] += star.volume() * rows.row(i).dot(coefficients(t, list[i]));
-            volumes[list[i]] += star.volume();
-        }
-    }
-    return (volumes.array() > 0).select(sums.cwiseQuotient(volumes), 0);
-}
+                          int j,
+                          const std::function<Eigen::RowVectorXd(Index t, Index s)>& coefficients);
 
 } // namespace polydec

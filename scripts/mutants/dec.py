@@ -272,4 +272,6 @@ MUTANTS = {
                                       "GroupsOnTheBoundary.are_kept_apart_also_within_its_flat_parts"),
     "groups_joined_to_none": ("dec/merging/merge.cpp", "tags[f] == tags[g]", "tags[f] * tags[g] == 0 || tags[f] == tags[g]",
                               "FacetTags.of_half_a_wall_between_cubes_stay_its_own_if_groups_are_kept_apart"),
+    "inverse_stars_without_orientation": ("dec/metric/inverse_star.cpp", "orientation(complex, k, s) * star.volume()", "star.volume()",
+                                          "Family/DeRham.of_a_constant_is_the_constant_on_duals_if_the_star_of_n_cells_is_a_matrix/grid4"),
 }

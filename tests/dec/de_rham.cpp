@@ -245,6 +245,23 @@ TEST_P(DeRham, of_functions_is_their_values) {
     EXPECT_EQ(at_centers.values.size(), mesh.complex().size(mesh.dimension()));
 }
 
+/// The values of the function 1 as a dual 0-form, where star_n is a matrix.
+Vector ones_by_a_matrix(const Discretization& mesh) {
+    const int n = mesh.dimension();
+    const auto by_matrix = mesh.with_stars(mesh.stars().with(n, mesh.stars()[n].matrix()));
+    EXPECT_FALSE(by_matrix.stars()[n].is_diagonal());
+    return dual_de_rham(by_matrix, 0, constant_form(Vector::Ones(1))).values;
+}
+
+TEST_P(DeRham, of_a_constant_is_the_constant_on_duals_if_the_star_of_n_cells_is_a_matrix) {
+    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+        if (!mesh.stars()[mesh.dimension()].zeros().empty())
+            return;
+        const Vector values = ones_by_a_matrix(mesh);
+        EXPECT_CLOSE(values, Vector::Ones(values.size()), 1e-12);
+    });
+}
+
 POLYDEC_OVER_MESHES(DeRham);
 
 const std::vector<std::string> some_meshes = {"hex4", "uv8", "kuhn3", "split_cubes", "kuhn4"};
