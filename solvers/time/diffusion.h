@@ -19,7 +19,6 @@ struct FormEquations;
 
 /// The rate -nu Delta u of the forms of a space. Its Resolvent frees time steps from the mesh size.
 ///
-///
 /// Vectors of values have one entry per free cell (see kept). With a Robin condition, the outflow
 /// is the coefficient times the trace, up to data.
 class Diffusion {
