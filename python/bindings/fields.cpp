@@ -123,18 +123,20 @@ void add_fields_of_vectors(py::module_& module) {
                                                         {"dpd", Flat::dpd}});
                    return unlocked([&] { return flat(mesh, flat_kind, field); });
                });
-    module.def(
-        "sharp", [](const Discretization& mesh, const std::string& kind, const Cochain& form) {
-            const auto sharp =
-                chosen<Sharp>("sharp", kind,
-                              {{"pp", &sharp_pp},
-                               {"pd", &sharp_pd},
-                               {"flux", &flux_sharp},
-                               {"whitney", [](const Discretization& on, const Cochain& given) {
-                                    return whitney_at_centroids(on, given);
-                                }}});
-            return unlocked([&] { return sharp(mesh, form); });
-        });
+    module.def("sharp",
+               [](const Discretization& mesh, const std::string& kind, const Cochain& form) {
+                   const auto sharp = chosen<Sharp>(
+                       "sharp", kind,
+                       {{"pp", &sharp_pp},
+                        {"pd", &sharp_pd},
+                        {"flux", &flux_sharp},
+                        {"proxy", [](const Discretization& on,
+                                     const Cochain& given) { return vectors_at_cells(on, given); }},
+                        {"whitney", [](const Discretization& on, const Cochain& given) {
+                             return whitney_at_centroids(on, given);
+                         }}});
+                   return unlocked([&] { return sharp(mesh, form); });
+               });
     module.def("whitney_form", [](const Discretization& mesh, const Cochain& form, Index top,
                                   const Vector& barycentric) {
         return whitney_form(mesh, form, top, barycentric);

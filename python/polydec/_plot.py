@@ -13,7 +13,6 @@ from ._arrays import Floats, Integers, as_array, floats
 from ._cochain import Cochain, Form, as_form
 from ._complex import CellsLike, Complex, as_complex
 from ._errors import InvalidInput
-from ._fields import flux_sharp, sharp_pd
 from ._lists import CellList, Polygons
 from ._spectra import Spectrum
 from ._vertices import at_cells, at_vertices
@@ -270,23 +269,13 @@ def _shown(complex: Complex, values: Form, degree: int | None, side: str,
     table = as_array(values, "values")
     if degree == 1 and complex.dim > 1 and table.ndim == 1 and not (
             side == "dual" and complex.dim == 3):
-        vectors = _vectors_of_form(complex, values, side)
+        vectors = _core.sharp(complex._mesh, "proxy", as_form(complex, values, 1, side))
     elif table.ndim == 2:
         vectors = floats(table, "values", 2)
     else:
         return _colors(complex, values, degree, side, seen), None
     vectors = np.stack([_at_polygons(complex, column, seen) for column in vectors.T], axis=1)
     return np.linalg.norm(vectors, axis=1), vectors
-
-
-def _vectors_of_form(complex: Complex, values: Form, side: str) -> Floats:
-    if not isinstance(values, Cochain):
-        values = Cochain(at_cells(complex, floats(values, "values")), 1, side)
-    if side == "primal":
-        return sharp_pd(complex, values)
-    inverse = complex.inverse_star(complex.dim - 1)
-    fluxes = inverse * values.values if isinstance(inverse, np.ndarray) else inverse @ values.values
-    return flux_sharp(complex, Cochain(fluxes, complex.dim - 1, "primal"))
 
 
 def _at_polygons(complex: Complex, array: Floats, seen: Integers) -> Floats:

@@ -120,6 +120,15 @@ def test_arrows_of_a_one_form_in_the_plane():
     assert np.allclose(angles, np.arctan2(4, 3)) and 100 < len(angles) <= 784
 
 
+@pytest.mark.parametrize("mesh", [polydec.meshes.grid(6, 5), polydec.meshes.well_centered(5)])
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_arrows_of_one_forms_point_along_their_fields(mesh, side):
+    c = polydec.discretize(mesh)
+    form = polydec.de_rham(c, 1, lambda x: [3.0, 4.0] + 0 * x, side=side)
+    quiver = polydec.plot(c, c.cochain(form, 1, side)).collections[0]
+    assert np.allclose(np.arctan2(quiver.V, quiver.U), np.arctan2(4, 3))
+
+
 def darts_of(ax):
     """The arrows among the polygons: their begin and tip."""
     polygons = ax.collections[-1]
