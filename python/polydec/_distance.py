@@ -137,7 +137,8 @@ class ParallelTransport:
     A vector is a complex number in the polar coordinates of its vertex. Its argument is the angle
     from the unit vector in `directions`, measured in the orientation of the triangles. `directions`
     holds the unit vectors in space along the reference edges. It fails after flips, since edges
-    then have no direction in space.
+    then have no direction in space. Everything has a row for each input vertex; where no cell uses
+    the vertex, vectors are nan, and vertex numbers -1.
     """
 
     def __init__(self, complex: CellsLike, *, time_scale: float = 4.0,
@@ -146,15 +147,21 @@ class ParallelTransport:
         self._solver = _core.ParallelTransport(self._complex._mesh, time_scale, engine)
 
     @property
+    def _edges(self) -> Integers:
+        """The same as 0-cells, a row for each."""
+        return self._solver.reference(self._complex._mesh)
+
+    @property
     def reference(self) -> Any:
         """Reference edge of each vertex, at angle 0: a row (vertex, other vertex)."""
-        return self._complex.vertices[self._solver.reference(self._complex._mesh)]
+        return at_vertices(self._complex, self._complex.vertices[self._edges])
 
     @property
     def directions(self) -> Floats:
         """Unit vectors along the reference edges, one row per vertex."""
-        edges = _ways(self._complex, self._solver.reference(self._complex._mesh))
-        return np.asarray(edges / np.linalg.norm(edges, axis=1)[:, None])
+        ways = _ways(self._complex, self._edges)
+        ways /= abs(ways).max(axis=1)[:, None] # squares of lengths may be 0
+        return at_vertices(self._complex, ways / np.linalg.norm(ways, axis=1)[:, None])
 
     def extend(self, sources: npt.ArrayLike, vectors: npt.ArrayLike) -> npt.NDArray[np.complex128]:
         """Transports one vector per source vertex to every vertex."""
@@ -163,14 +170,14 @@ class ParallelTransport:
             numbers_of(self._complex, integers(np.atleast_1d(sources), "sources"),
                        "sources"),
             floats(given.real, "vectors"), floats(given.imag, "vectors"))
-        return np.asarray(real + 1j * imaginary)
+        return at_vertices(self._complex, real + 1j * imaginary)
 
 
 def _ways(complex: Complex, ends: Integers) -> Floats:
-    """Vectors along edges of the simplices, from first to second vertex. On a glued mesh, the edges
+    """Vectors along edges of the simplices, from first to second 0-cell. On a glued mesh, the edges
     are placed in the box."""
     if not complex._mesh.is_glued:
-        points = complex.points[complex.vertices]
+        points = complex._mesh.points
         return np.asarray(points[ends[:, 1]] - points[ends[:, 0]])
     box = complex.box
     pairs = box.input.d(0).tocsr().indices.reshape(-1, 2)
@@ -179,4 +186,5 @@ def _ways(complex: Complex, ends: Integers) -> Floats:
     keys = numbers[pairs] @ [complex.size(0), 1]
     order = np.argsort(keys, kind="stable")
     found = pairs[order[np.searchsorted(keys[order], ends @ [complex.size(0), 1])]]
-    return np.asarray(box.points[found[:, 1]] - box.points[found[:, 0]])
+    points = box._mesh.points
+    return np.asarray(points[found[:, 1]] - points[found[:, 0]])

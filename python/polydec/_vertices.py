@@ -35,12 +35,14 @@ def _unused(cells: Cells) -> _core.Discretization | None:
     return mesh if mesh is not None and mesh.vertex_count != cells.size(0) else None
 
 
-def at_vertices(cells: Cells, rows: Floats) -> Floats:
-    """Values at input vertices from values at 0-cells; nan at unused vertices."""
+def at_vertices(cells: Cells, rows: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """Values at input vertices from values at 0-cells; at unused vertices nan, or -1 for whole
+    numbers."""
     mesh = _unused(cells)
     if mesh is None or len(rows) != cells.size(0):
         return rows
-    result = np.full((mesh.vertex_count, *rows.shape[1:]), np.nan)
+    unknown = -1 if rows.dtype.kind == "i" else np.nan
+    result = np.full((mesh.vertex_count, *rows.shape[1:]), unknown, rows.dtype)
     result[mesh.vertices] = rows
     return result
 

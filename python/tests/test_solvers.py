@@ -158,6 +158,26 @@ def test_parallel_transport():
     assert np.allclose(in_plane, in_plane[5], atol=1e-3) and np.allclose(abs(vectors), 2.0)
 
 
+@pytest.mark.parametrize("size, is_glued", [(1, False), (1e-200, False), (1, True)])
+def test_parallel_transport_numbers_vertices_as_the_input(size, is_glued):
+    mesh = polydec.meshes.grid(4, 4)
+    numbers = np.random.default_rng(1).permutation(len(mesh.points) + 5)[:len(mesh.points)]
+    points = np.full((len(mesh.points) + 5, 2), 7.0 * size)
+    points[numbers] = size * mesh.points
+    pair = points, numbers[mesh.simplices]
+    c = polydec.discretize(polydec.periodic(pair, size * np.eye(2)) if is_glued else pair)
+    transport = polydec.ParallelTransport(c)
+    used = np.isin(np.arange(len(c.points)), c.vertices)
+    vectors, directions, reference = (transport.extend(c.vertices[3], 1 + 2j), transport.directions,
+                                      transport.reference)
+    assert {len(vectors), len(directions), len(reference)} == {len(c.points)}
+    in_plane = vectors[used] * (directions[used] @ [1, 1j])
+    assert np.allclose(in_plane, in_plane[0]) and np.isclose(abs(in_plane[0]), 5 ** .5)
+    assert (reference[used, 0] == c.vertices).all() and used[reference[used]].all()
+    assert np.isnan(vectors[~used]).all() and np.isnan(directions[~used]).all()
+    assert (reference[~used] == -1).all() and (is_glued or not used.all())
+
+
 def test_flips_make_stars_positive():
     mesh = polydec.meshes.perturbed(polydec.meshes.grid(8, 8), 0.05, 4)
     bad = polydec.discretize(mesh, star="circumcentric")
