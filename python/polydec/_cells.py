@@ -289,7 +289,9 @@ class _Operator(scipy.sparse.linalg.LinearOperator):  # type: ignore[misc]
         super().__init__(np.dtype(np.float64), (rows, columns))
         self._apply = apply
 
-    def _matvec(self, x: Floats) -> Any:
+    def _matvec(self, x: npt.NDArray[Any]) -> Any:
+        if np.iscomplexobj(x):
+            return self._matvec(x.real) + 1j * self._matvec(x.imag)
         return self._apply(np.ascontiguousarray(x, np.float64).ravel())
 
     def toarray(self) -> Floats:

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Integers, Values, as_array, floats
+from ._arrays import Floats, Integers, Values, floats
 from ._cells import Cells
 from ._cochain import Form, of_kind
 from ._conditions import conditions_or_none
@@ -85,20 +85,28 @@ class FormSpace:
         """The free values of a form; or for any k, the values on ``cells[k]``."""
         k = self._cell_degree if k is None else k
         given = of_kind(values, "values", ("primal", k), ("dual", self._complex.dim - k))
-        rows = floats(given, "values", np.ndim(given) or 1)
-        rows = form_at_cells(self._complex, rows, "primal", k)
-        if len(rows) != self._complex.size(k):
-            raise InvalidInput(f"{len(rows)} values are given: expected {self._complex.size(k)}, "
-                               f"one for each {k}-cell")
+        rows = form_at_cells(self._complex, _rows(given), "primal", k)
+        _check_as_many(rows, self._complex.size(k), f"one for each {k}-cell")
         return rows[self.cells[k]]
 
     def extend(self, values: npt.ArrayLike, k: int | None = None) -> Floats:
-        """The inverse of `restrict`, with 0 on all other cells."""
+        """The inverse of `restrict`, with 0 on all other cells: one value per free cell."""
         k = self._cell_degree if k is None else k
-        array = as_array(values, "values")
-        result = np.zeros((self._complex.size(k),) + array.shape[1:])
-        result[self.cells[k]] = array
+        rows = _rows(values)
+        _check_as_many(rows, len(self.cells[k]), f"one for each free {k}-cell")
+        result = np.zeros((self._complex.size(k),) + rows.shape[1:])
+        result[self.cells[k]] = rows
         return result
 
     def __repr__(self) -> str:
         return f"FormSpace({len(self.free)} free values; {self._space.in_words()})"
+
+
+def _rows(values: Any) -> Floats:
+    """A number or a row of numbers for each cell."""
+    return floats(values, "values", np.ndim(values) or 1)
+
+
+def _check_as_many(rows: Floats, expected: int, cells: str) -> None:
+    if len(rows) != expected:
+        raise InvalidInput(f"{len(rows)} values are given: expected {expected}, {cells}")

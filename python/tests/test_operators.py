@@ -202,8 +202,26 @@ def test_conditions_leave_cells_out(square):
     around = (cooled.stiffness() - square.stiffness(0)).sum()
     assert np.isclose(around, 2.0 * square.volumes(1)[on_boundary].sum())
     assert "essential" in repr(space) or "Dirichlet" in repr(space)
+    for wrong in (values[:1], np.append(values, 0), values[0]):
+        with pytest.raises(polydec.InvalidInput, match=said("expected")):
+            space.extend(wrong)
+    for act, size in ((space.extend, len(kept)), (space.restrict, square.size(0))):
+        with pytest.raises(polydec.InvalidInput, match=said("complex128", "real numbers")):
+            act(np.full(size, 1j))
     with pytest.raises(polydec.InvalidInput, match=said("degree", "7")):
         polydec.FormSpace(square, 7)
+
+
+@pytest.mark.parametrize("star", ["circumcentric", "galerkin", "barycentric"])
+def test_operators_are_linear_over_the_complex_numbers(star):
+    c = polydec.discretize(polydec.meshes.perturbed(polydec.meshes.grid(3, 3), .02, 1), star=star)
+    for k in range(3):
+        for operator in (c.laplacian(k), c.codifferential(k), c.inverse_star(k)):
+            size = c.size(k)
+            x, y = np.cos(np.arange(size)), np.sin(np.arange(size))
+            apply = operator.__mul__ if isinstance(operator, np.ndarray) else operator.__matmul__
+            assert near(apply(x + 1j * y), apply(x) + 1j * apply(y))
+            assert near(apply((x + 1j * y).astype(np.complex64)), apply(x) + 1j * apply(y), 1e-6)
 
 
 def test_degrees_that_there_are_not(square):
