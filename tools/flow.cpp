@@ -50,24 +50,30 @@ struct Given {
 
     FlowOptions options(const Discretization& mesh, FlowOptions options) const {
         const Points facets = facet_sites(mesh);
-        options.facets.assign(facets.rows(), FlowBoundary::free_slip);
-        const auto mark = [&](const ComponentValues& where, const std::vector<std::string>& groups,
-                              FlowBoundary kind) {
-            Vector marks = Vector::Zero(facets.rows());
-            if (where.given())
-                marks = where.at(facets);
-            BoundaryConditions in_groups{BoundaryCondition::natural};
-            if (!groups.empty())
-                in_groups = essential_on(mesh, groups);
-            for (Index f = 0; f < marks.size(); ++f)
-                if (marks[f] != 0 || in_groups.at(f) == BoundaryCondition::essential)
-                    options.facets[f] = kind;
+        std::vector<FlowFacets> chosen;
+        const auto choose = [&](FlowBoundary kind, const ComponentValues& where,
+                                const std::vector<std::string>& groups, const char* name) {
+            if (where.given()) {
+                std::vector<bool> marks;
+                for (const double value : where.at(facets))
+                    marks.push_back(value != 0);
+                chosen.push_back({kind, std::move(marks), name});
+            }
+            for (const std::string& group : groups)
+                chosen.push_back(
+                    {kind, facets_in(mesh, {group}), fmt::format("the group {}", group)});
         };
-        mark(no_slip, no_slip_on, FlowBoundary::no_slip);
-        mark(open, open_on, FlowBoundary::open);
+        choose(FlowBoundary::no_slip, no_slip, no_slip_on, "--no-slip-where");
+        choose(FlowBoundary::open, open, open_on, "--open-where");
+        options.facets = flow_boundary(mesh.complex(), chosen);
         if (boundary.given()) {
-            options.wall_velocity = boundary.at(facets, facets.cols());
-            options.boundary_flux = flux_through_boundary(mesh, options.wall_velocity);
+            const Points given = boundary.at(facets, facets.cols());
+            options.boundary_flux = flux_through_boundary(mesh, given);
+            // without no-slip walls, the part of the velocity through facets alone is used
+            const auto& kinds = options.facets;
+            if (options.boundary_flux.isZero(0) ||
+                std::find(kinds.begin(), kinds.end(), FlowBoundary::no_slip) != kinds.end())
+                options.wall_velocity = given;
         }
         if (rotation.given())
             options.rotation = rotation.at(cell_centers(mesh, 0));

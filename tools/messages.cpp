@@ -39,6 +39,7 @@ constexpr std::array wordings{
     Wording{"set_memory_limit", "--max-memory"},
     Wording{"BoundaryConditions::essential", "--essential-where"},
     Wording{"FlowOptions::boundary_flux", "--boundary-velocity"},
+    Wording{"FlowOptions::wall_velocity", "--boundary-velocity"},
     Wording{"FlowBoundary::open", "--open-where"},
     Wording{"shape_spectrum", "--of-shape"},
 };

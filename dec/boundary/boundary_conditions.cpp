@@ -129,18 +129,19 @@ std::string in_words(const BoundaryCounts& on, int degree, int n, const Boundary
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+void require_use(const std::string& what, bool is_used, std::int64_t facets, const char* expected) {
+    if (!what.empty() && !is_used && facets > 0)
+        throw InvalidInput(fmt::format("{} would apply at none of the {} boundary facets: "
+                                       "expected {}, or none of these data",
+                                       what, facets, expected));
+}
+
 void require_use(const BoundaryCounts& on, const NamedData& data) {
-    const auto require = [&](const std::string& what, bool is_used, const char* expected) {
-        if (!what.empty() && !is_used && on.facets > 0)
-            throw InvalidInput(fmt::format("{} would apply at none of the {} boundary facets: "
-                                           "expected {} (see BoundaryConditions::essential), or "
-                                           "none of these data",
-                                           what, on.facets, expected));
-    };
-    require(data.values, on.essential + on.fixed_vertices > 0,
-            "an essential facet or a fixed vertex");
-    require(data.flow, on.essential < on.facets, "a facet that is not essential");
-    require(data.robin, on.robin > 0, "a facet that is not essential");
+    const char* other = "a facet that is not essential (see BoundaryConditions::essential)";
+    require_use(data.values, on.essential + on.fixed_vertices > 0, on.facets,
+                "an essential facet or a fixed vertex (see BoundaryConditions::essential)");
+    require_use(data.flow, on.essential < on.facets, on.facets, other);
+    require_use(data.robin, on.robin > 0, on.facets, other);
 }
 
 BoundaryConditions BoundaryConditions::essential(const std::vector<bool>& marks) const {

@@ -14,38 +14,23 @@ namespace polydec::python {
 
 namespace {
 
-/// Free slip at all facets but those marked; one mark may stand for all of them.
-std::vector<FlowBoundary> boundary_of(const std::vector<bool>& no_slip,
-                                      const std::vector<bool>& others, FlowBoundary kind,
-                                      Index facets) {
-    const auto holds = [](const std::vector<bool>& marks, Index i) {
-        return marks[marks.size() == 1 ? 0 : i];
-    };
-    std::vector<FlowBoundary> result(facets, FlowBoundary::free_slip);
-    for (Index i = 0; i < facets; ++i)
-        if (holds(others, i))
-            result[i] = kind;
-        else if (holds(no_slip, i))
-            result[i] = FlowBoundary::no_slip;
-    return result;
-}
-
 void add_flow(py::module_& module) {
     using Flow = Guarded<IncompressibleFlow>;
     py::class_<Flow> flow(module, "IncompressibleFlow");
-    flow.def(
-        py::init([](const Discretization& mesh, double viscosity, const std::vector<bool>& no_slip,
-                    const std::vector<bool>& open, Vector boundary_flux, Points wall_velocity,
-                    Vector rotation, const std::string& engine) {
-            const FlowOptions options{.viscosity = viscosity,
-                                      .facets = boundary_of(no_slip, open, FlowBoundary::open,
-                                                            mesh.size(mesh.dimension() - 1)),
-                                      .boundary_flux = std::move(boundary_flux),
-                                      .wall_velocity = std::move(wall_velocity),
-                                      .rotation = std::move(rotation),
-                                      .linear_solver = engine};
-            return guarded<IncompressibleFlow>(mesh, options);
-        }));
+    flow.def(py::init([](const Discretization& mesh, double viscosity,
+                         const std::vector<bool>& no_slip, const std::vector<bool>& open,
+                         Vector boundary_flux, Points wall_velocity, Vector rotation,
+                         const std::string& engine) {
+        const FlowOptions options{
+            .viscosity = viscosity,
+            .facets = flow_boundary(mesh.complex(), {{FlowBoundary::no_slip, no_slip, "no_slip"},
+                                                     {FlowBoundary::open, open, "open"}}),
+            .boundary_flux = std::move(boundary_flux),
+            .wall_velocity = std::move(wall_velocity),
+            .rotation = std::move(rotation),
+            .linear_solver = engine};
+        return guarded<IncompressibleFlow>(mesh, options);
+    }));
     const auto add = [&](const char* name, auto member) {
         flow.def(name, [member](Flow& self, const Vector& w) {
             return self.use([&](const IncompressibleFlow& of) { return (of.*member)(w); });
@@ -126,11 +111,12 @@ void add_stokes(py::module_& module) {
     py::class_<Solver>(module, "StokesSolver")
         .def(py::init([](const Cells& of, double viscosity, const std::vector<bool>& no_slip,
                          const std::vector<bool>& known, const std::string& engine) {
-            const StokesOptions options{.viscosity = viscosity,
-                                        .facets =
-                                            boundary_of(no_slip, known, FlowBoundary::pressure,
-                                                        of.size(of.dimension() - 1)),
-                                        .linear_solver = engine};
+            const StokesOptions options{
+                .viscosity = viscosity,
+                .facets =
+                    flow_boundary(of.complex(), {{FlowBoundary::no_slip, no_slip, "no_slip"},
+                                                 {FlowBoundary::pressure, known, "pressure_on"}}),
+                .linear_solver = engine};
             return guarded<StokesSolver>(of, options);
         }))
         .def("solve", [](Solver& self, const Cochain& force, const std::array<Vector, 4>& known) {

@@ -60,7 +60,8 @@ class IncompressibleFlow:
     ------
     InvalidInput
         For branching or inconsistently oriented cells, stars that are not positive, and boundary
-        fluxes that do not balance; ``cells`` says where.
+        fluxes that do not balance; ``cells`` says where. Also for marks, fluxes and velocities that
+        apply to no facet of a mesh with boundary.
 
     Examples
     --------

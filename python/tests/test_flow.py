@@ -79,6 +79,23 @@ def test_what_no_wall_lets_through_is_at_rest_with_a_warning(square):
     assert near(ends.project(uniform), uniform, 1e-12)
 
 
+def test_conditions_and_data_that_apply_nowhere_are_refused(square):
+    inside, far = ~square.boundary_facets(), lambda at: at[:, 0] > 5
+    for marks in (far, inside):
+        for name, make in (("no_slip", polydec.IncompressibleFlow), ("open", polydec.IncompressibleFlow),
+                           ("no_slip", polydec.StokesSolver), ("pressure_on", polydec.StokesSolver)):
+            with pytest.raises(polydec.InvalidInput, match=said(name, "none of the", "facet")):
+                make(square, **{name: marks})
+    ones = np.ones((square.size(1), 2))
+    for given, conditions in (({"wall_velocity": ones}, {}), ({"wall_velocity": ones}, {"open": True}),
+                              ({"boundary_flux": 0 * ones[:, 0]}, {"open": True})):
+        with pytest.raises(polydec.InvalidInput, match=said(*given, "none of the", "facet")):
+            polydec.IncompressibleFlow(square, **given, **conditions)
+    closed = complex_of("goldberg")
+    polydec.IncompressibleFlow(closed, no_slip=True, boundary_flux=np.zeros(closed.size(1)),
+                               wall_velocity=[0, 0, 0])
+
+
 def test_wrong_use_is_refused(square):
     flow = polydec.IncompressibleFlow(square)
     with pytest.raises(polydec.InvalidInput, match="fluxes"):

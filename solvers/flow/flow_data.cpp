@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "dec/boundary/boundary_conditions.h"
 #include "dec/fields/lie_derivative.h"
 #include "dec/forms/input_units.h"
 #include "dec/forms/operator.h"
@@ -11,9 +12,31 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace polydec {
+
+std::vector<FlowBoundary> flow_boundary(const CellComplex& complex,
+                                        const std::vector<FlowFacets>& chosen) {
+    const Index facets = complex.size(complex.dimension() - 1);
+    const std::vector<BoundaryFacet> boundary = boundary_facets(complex);
+    std::vector<FlowBoundary> result(static_cast<std::size_t>(facets), FlowBoundary::free_slip);
+    for (const auto& [kind, given, name] : chosen) {
+        std::vector<bool> marks = given;
+        if (marks.size() == 1)
+            marks.assign(result.size(), given[0]);
+        check_as_many("marks of facets", std::ssize(marks), facets);
+        const bool is_used = std::any_of(boundary.begin(), boundary.end(),
+                                         [&](const BoundaryFacet& on) { return marks[on.facet]; });
+        require_use(name, is_used || given == std::vector{false}, std::ssize(boundary),
+                    "a facet on the boundary");
+        for (std::size_t f = 0; f < result.size(); ++f)
+            if (marks[f])
+                result[f] = kind;
+    }
+    return result;
+}
 
 Vector flow_of_vorticity(const Discretization& mesh, const Vector& vorticity) {
     if (mesh.dimension() != 2)

@@ -6,6 +6,8 @@
 #include "dec/discretization/discretization.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace polydec {
 
@@ -17,6 +19,19 @@ enum class FlowBoundary {
     open,      ///< the pressure, and no vorticity: the fluid enters and leaves as it likes
     pressure,  ///< the pressure, and the velocity along the facet
 };
+
+/// Facets that a condition is chosen for.
+struct FlowFacets {
+    FlowBoundary kind;
+    std::vector<bool> marks; ///< of the (n-1)-cells, or one for all; one `false`: not given
+    std::string name;        ///< for messages
+};
+
+/// The condition of each (n-1)-cell: the last one chosen for it, else free slip. Throws
+/// InvalidInput for another number of marks, and, like require_use, if marks are given but none on
+/// the boundary.
+std::vector<FlowBoundary> flow_boundary(const CellComplex& complex,
+                                        const std::vector<FlowFacets>& chosen);
 
 // All is in the units of the input.
 

@@ -47,6 +47,15 @@ Vector along_walls(const Discretization& mesh, const std::vector<BoundaryFacet>&
     return result;
 }
 
+/// Throws InvalidInput, like polydec::require_use, if data on the boundary apply nowhere.
+void require_use(const FlowSpaces& spaces, const FlowOptions& options) {
+    const auto facets = std::ssize(boundary_facets(spaces.flux.cells().complex()));
+    polydec::require_use(options.boundary_flux.size() > 0 ? "FlowOptions::boundary_flux" : "",
+                         std::ssize(spaces.open) < facets, facets, "a facet that is not open");
+    polydec::require_use(options.wall_velocity.size() > 0 ? "FlowOptions::wall_velocity" : "",
+                         !spaces.dragged.empty(), facets, "a no-slip facet");
+}
+
 Vector given_flux(const FormSpace& fluxes, const Vector& given) {
     const std::vector<bool>& fixed = fluxes.fixed()[fluxes.degree()];
     Vector result = Vector::Zero(std::ssize(fixed));
@@ -81,6 +90,7 @@ FlowOperators::FlowOperators(const Discretization& on, const FlowOptions& how)
       vorticity_star(spaces.vorticity.inside().stars()[n - 2]),
       wall_circulation(along_walls(mesh, spaces.dragged, options.wall_velocity)),
       boundary_flux(given_flux(spaces.flux, options.boundary_flux)) {
+    require_use(spaces, options);
     check_positive_mass(flux_star, Side::primal, n - 1);
     check_positive_mass(vorticity_star, Side::primal, n - 2);
     if (options.viscosity > 0)

@@ -240,6 +240,38 @@ TEST(Flows, of_a_vorticity_have_it_in_any_unit) {
     }
 }
 
+TEST(FlowBoundaries, are_chosen_where_marks_hold_on_the_boundary) {
+    for (const auto& [name, mesh] : flow_meshes()) {
+        const CellComplex complex = circumcentric(mesh).complex();
+        const int n = complex.dimension();
+        const auto facets = static_cast<std::size_t>(complex.size(n - 1));
+        std::vector<bool> inside, on_boundary;
+        for (const Index count : complex.coface_counts(n - 1)) {
+            inside.push_back(count == 2);
+            on_boundary.push_back(count == 1);
+        }
+        const auto chosen = [&](const std::vector<bool>& marks, const std::vector<bool>& others) {
+            return flow_boundary(complex, {{FlowBoundary::no_slip, marks, "walls"},
+                                           {FlowBoundary::open, others, "ends"}});
+        };
+        const std::vector none{false}, all{true}, nowhere(facets, false);
+        EXPECT_EQ(chosen(none, none), std::vector(facets, FlowBoundary::free_slip)) << name;
+        EXPECT_EQ(chosen(all, all), std::vector(facets, FlowBoundary::open)) << name;
+        if (boundary_facets(complex).empty()) {
+            EXPECT_EQ(chosen(nowhere, none), chosen(none, none)) << name;
+            continue;
+        }
+        const auto ends = chosen(all, on_boundary);
+        for (std::size_t f = 0; f < facets; ++f)
+            EXPECT_EQ(ends[f], on_boundary[f] ? FlowBoundary::open : FlowBoundary::no_slip) << name;
+        for (const auto& marks : {inside, nowhere}) {
+            EXPECT_REFUSED(chosen(marks, none), "walls", "none of the", "boundary");
+            EXPECT_REFUSED(chosen(all, marks), "ends", "none of the", "boundary");
+        }
+        EXPECT_REFUSED(chosen({true, false}, none), "2 marks", "facets");
+    }
+}
+
 TEST(FlowErrors, name_what_is_wrong) {
     const auto mesh = circumcentric(grid(4, 4));
     const auto refused = [&](const FlowOptions& options) {
@@ -253,6 +285,11 @@ TEST(FlowErrors, name_what_is_wrong) {
         if (facets(f, 0) == 0 && facets(f, 1) < 0.2)
             flux[f] = 0.5;
     EXPECT_SAYS(refused({.boundary_flux = flux}), "boundary", "-0.5");
+    EXPECT_SAYS(refused({.everywhere = FlowBoundary::open, .boundary_flux = flux}),
+                "FlowOptions::boundary_flux", "none of the 16", "facet");
+    for (const FlowBoundary kind : {FlowBoundary::open, FlowBoundary::free_slip})
+        EXPECT_SAYS(refused({.everywhere = kind, .wall_velocity = Points::Ones(40, 2)}),
+                    "FlowOptions::wall_velocity", "none of the 16", "no-slip facet");
     const IncompressibleFlow flow(mesh);
     const Vector w = some_flow(flow, 1);
     EXPECT_REFUSED(Flow(flow, w, {.time_step = 0}), "time step is 0");

@@ -46,6 +46,17 @@ class Flow(TestCase):
                                        "--until", 1),
                         f"{square}: ", "net outflow", "boundary", "expected 0", "open facet")
 
+    def test_conditions_and_velocities_that_apply_nowhere_are_refused(self):
+        square = self.generate("grid", "--nx", 6, "--ny", 6)
+        line = ("flow", square, "--velocity", "y; 1-x; 0", "--until", .1)
+        inside = "(x>.2)*(x<.8)*(y>.2)*(y<.8)"
+        for option in ("--no-slip-where", "--open-where"):
+            for where in ("x>5", inside):
+                self.assertSays(self.fail_with(2, *line, option, where), option, "none of the 24")
+        for more in (("--open-where", 1), ()): # the first has no wall, the second has only slip
+            self.assertSays(self.fail_with(2, *line, "--boundary-velocity", "(y>.999)*1; 0; 0", *more),
+                            "--boundary-velocity", "none of the 24")
+
     def test_a_velocity_that_no_wall_lets_through_leaves_the_fluid_at_rest(self):
         square = self.generate("grid", "--nx", 12, "--ny", 12)
         answer = self.ask("flow", square, "--velocity", "1; 0; 0", "--until", 1)
