@@ -160,6 +160,10 @@ void add_spaces(py::module_& module) {
                                            "the stiffness");
                  });
              })
+        .def("require_use",
+             [](const FormSpace& space, const std::string& values, const std::string& flow) {
+                 space.require_use({.values = values, .flow = flow});
+             })
         .def("in_words", [](const FormSpace& space) { return space.in_words(); });
 }
 

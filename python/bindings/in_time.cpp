@@ -46,14 +46,14 @@ std::function<double(double, const std::vector<Cochain>&)> event_of(const py::ob
     };
 }
 
-/// An unknown as Python names it: side, degree, values, diffusion, conditions, and a function for
-/// the data on the boundary.
-using GivenUnknown = std::tuple<Side, int, Vector, double, GivenConditions, py::object>;
+/// An unknown as Python names it: space, values, diffusion, and a function for the data on the
+/// boundary.
+using GivenUnknown = std::tuple<FormSpace, Vector, double, py::object>;
 
-std::vector<Unknown> unknowns_of(const Cells& of, std::vector<GivenUnknown> given) {
+std::vector<Unknown> unknowns_of(std::vector<GivenUnknown> given) {
     std::vector<Unknown> result;
-    for (auto& [side, degree, values, diffusion, conditions, boundary] : given)
-        result.push_back({.space = space_of(of, side, degree, conditions),
+    for (auto& [space, values, diffusion, boundary] : given)
+        result.push_back({.space = space,
                           .start = std::move(values),
                           .diffusion = diffusion,
                           .boundary = in_time<BoundaryForms>(boundary)});
@@ -161,18 +161,17 @@ void add_runs(py::module_& module) {
         });
 }
 
-std::unique_ptr<AnyRun> evolution_of(const Cells& of, std::vector<GivenUnknown> unknowns,
-                                     const py::object& reaction, const py::object& event,
-                                     double time, const std::string& integrator,
-                                     const GivenSteps& steps, const std::string& linear_solver,
-                                     const std::string& label) {
+std::unique_ptr<AnyRun> evolution_of(std::vector<GivenUnknown> unknowns, const py::object& reaction,
+                                     const py::object& event, double time,
+                                     const std::string& integrator, const GivenSteps& steps,
+                                     const std::string& linear_solver, const std::string& label) {
     const EvolutionOptions options{.time = time,
                                    .integrator = integrator,
                                    .steps = steps_of(steps),
                                    .linear_solver = linear_solver,
                                    .event = event_of(event),
                                    .label = label};
-    const auto given = unknowns_of(of, std::move(unknowns));
+    const auto given = unknowns_of(std::move(unknowns));
     const auto rate = reaction_of(reaction);
     return run_of<Evolution>(given, rate, options);
 }

@@ -18,9 +18,8 @@ py::dict in_words(const SolveReport& report, const Compatibility& compatibility)
 void add_poisson(py::module_& module) {
     using Solver = Guarded<PoissonSolver>;
     py::class_<Solver>(module, "PoissonSolver")
-        .def(py::init([](const Cells& of, Side side, int degree,
-                         const BoundaryConditions& conditions, const std::string& engine) {
-            return guarded<PoissonSolver>(space_of(of, side, degree, conditions), engine);
+        .def(py::init([](const FormSpace& space, const std::string& engine) {
+            return guarded<PoissonSolver>(space, engine);
         }))
         .def("solve",
              [](Solver& self, const Cochain& f, const BoundaryForms& data, const Vector& harmonic) {

@@ -25,6 +25,7 @@ from ._core import __version__
 from ._cells import Cells
 from ._cochain import Cochain
 from ._complex import Complex, discretize
+from ._boundary_data import outward_flow
 from ._distance import (GeodesicDistance, ParallelTransport, ShortestPath, SurfacePaths,
                         geodesic_distance)
 from ._engines import (Backend, Solution, backends, load_engine, register_eigen_solver,
@@ -49,7 +50,7 @@ from ._run import Run
 from ._shape import (CountBelow, PoissonError, ShapeSpectrum, count_below, goal_interval, poisson_error,
                      shape_spectrum)
 from ._sources import (CurlCurlSolution, PoissonSolution, PoissonSolver, StokesFlow, StokesSolver,
-                       outward_flow, poisson)
+                       poisson)
 from ._space import FormSpace
 from ._spectra import Certificate, Eigenpairs, Spectrum, smallest_eigenpairs, spectrum
 from ._view import Page, Series, view, write_vtu

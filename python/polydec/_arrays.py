@@ -57,6 +57,11 @@ def or_none(values: npt.ArrayLike | None, name: str) -> Floats:
     return np.zeros(0) if values is None else floats(values, name)
 
 
+def is_given(values: Any) -> bool:
+    """Whether data are other than None and the number 0."""
+    return values is not None and bool(np.ndim(values) > 0 or values != 0)
+
+
 def integers(values: npt.ArrayLike, name: str, dimensions: int = 1) -> Integers:
     """Whole numbers of 32 bits. Raises InvalidInput for other values, fractions included."""
     array = as_array(values, name)

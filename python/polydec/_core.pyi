@@ -14,8 +14,7 @@ _Form = tuple[str, int, Floats]
 _NamedForm = tuple[str, str, int, Floats, str]
 _BoundaryForms = tuple[Floats, Floats, Floats, Floats]
 _InTime = Callable[[float], Floats] | None
-_Unknown = tuple[str, int, Floats, float, Optional["Conditions"],
-                 Callable[[float], _BoundaryForms] | None]
+_Unknown = tuple["FormSpace", Floats, float, Optional[Callable[[float], _BoundaryForms]]]
 _Progress = Callable[[str], object] | None
 
 class Mesh:
@@ -113,6 +112,7 @@ class FormSpace:
     def cells(self) -> list[Integers]: ...
     def inside(self) -> Cells: ...
     def stiffness(self) -> Any: ...
+    def require_use(self, values: str, flow: str) -> None: ...
     def in_words(self) -> str: ...
 
 class Cells:
@@ -243,8 +243,7 @@ def page_of_modes(mesh: Discretization, side: str, degree: int, eigenvalues: Flo
                   conventions: tuple[str, int | None, str]) -> str: ...
 
 class PoissonSolver:
-    def __init__(self, of: Cells, side: str, degree: int, conditions: Conditions,
-                 engine: str) -> None: ...
+    def __init__(self, space: FormSpace, engine: str) -> None: ...
     def solve(self, f: _Form, data: _BoundaryForms,
               harmonic: Floats) -> tuple[_Form, _Form, _Form, dict[str, Any]]: ...
     def solve_curl_curl(self, current: _Form,
@@ -281,7 +280,7 @@ class Run:
     def warnings(self) -> list[str]: ...
     def layer(self) -> str: ...
 
-def evolution(of: Cells, unknowns: Sequence[_Unknown],
+def evolution(unknowns: Sequence[_Unknown],
               reaction: Callable[[float, list[Floats]], list[Floats]] | None,
               event: Callable[[float, list[Floats]], float] | None, time: float,
               integrator: str, steps: tuple[float, float | None, float, float, float, int],

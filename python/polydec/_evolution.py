@@ -2,19 +2,20 @@
 """Time-dependent problems: the heat equation, and reaction-diffusion of forms."""
 from __future__ import annotations
 
+import functools
 from typing import Any, Callable, Mapping, Sequence, Union
 
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, Values, floats, whole
+from ._arrays import Floats, Values, floats, is_given, whole
+from ._boundary_data import boundary_data, check_use
 from ._cells import Cells
 from ._cochain import Cochain, Form, as_form, of_kind, values_of
 from ._complex import CellsLike, as_cells
 from ._conditions import conditions_or_none
 from ._errors import InvalidInput
 from ._run import Run
-from ._sources import boundary_data
 from ._vertices import form_at_cells
 
 _Data = tuple[Floats, Floats, Floats, Floats]
@@ -43,7 +44,7 @@ class Evolution(Run):
         rates: an array or a tuple of arrays, in which None and 0 mean no rate. A source depends on
         time only.
     essential : bool or array of bool or callable, optional
-        As for `spectrum`, for all unknowns. Without it, the default conditions hold.
+        As for `spectrum`, for all unknowns that diffuse. Without it, the default conditions hold.
     robin : float, array_like or callable, optional
         Coefficients of Robin's condition on facets that are not essential (by default then all):
         the outflow is the coefficient times the trace. As for `PoissonSolver`, for all unknowns.
@@ -80,7 +81,9 @@ class Evolution(Run):
     Raises
     ------
     InvalidInput
-        If forms do not fit the cells, or the integrator does not support the problem.
+        If forms do not fit the cells, or the integrator does not support the problem. Also for
+        boundary data that apply to no facet of a mesh with boundary, and for conditions if no
+        unknown diffuses.
     SolverFailure
         From a march, if rates are not finite or steps become too short.
 
@@ -115,11 +118,15 @@ class Evolution(Run):
             raise InvalidInput(f"{len(coefficients)} coefficients of diffusion are given: expected "
                                f"one, or one for each of {len(unknowns)} unknowns")
         conditions = conditions_or_none(complex, essential, robin, fixed)
-        given = [(*form, float(nu), conditions,
-                  _at_boundary(each, complex, form[0], form[1]))
-                 for form, nu, each in zip(unknowns, coefficients, _each(boundary, len(unknowns)))]
+        if conditions is not None and not coefficients.any():
+            raise InvalidInput("essential, robin or fixed are given, but the diffusion that obeys "
+                               "them is 0: give a diffusion, or none of these conditions")
+        spaces = [_core.FormSpace(complex._cells, *kind, conditions) for kind in self._kinds]
+        given = [(space, form[2], float(nu), _at_boundary(each, complex, space, *form[:2]))
+                 for space, form, nu, each in zip(spaces, unknowns, coefficients,
+                                                  _each(boundary, len(unknowns)))]
         self._run = _core.evolution(
-            complex._cells, given, self._rates(reaction), self._number(event), time,
+            given, self._rates(reaction), self._number(event), time,
             integrator, (relative_tolerance, absolute_tolerance, first_step, largest_step, fixed_step,
              most_steps), engine, label)
 
@@ -130,7 +137,7 @@ class Evolution(Run):
         called = reaction
 
         def rate(given: Any, side: str, degree: int) -> Floats:
-            if given is None or (np.ndim(given) == 0 and given == 0):
+            if not is_given(given):
                 return np.zeros(0)
             return values_of(self._complex, given, side, degree, "rates of the reaction")
 
@@ -198,7 +205,7 @@ def _each(boundary: Any, unknowns: int) -> Sequence[Any]:
     return given
 
 
-def _at_boundary(boundary: Any, cells: Cells, side: str,
+def _at_boundary(boundary: Any, cells: Cells, space: _core.FormSpace, side: str,
                  degree: int) -> Callable[[float], _Data] | None:
     """Boundary data as a function of time. Primal forms need values on all their cells. Dual forms
     need values on all cells whose duals within the boundary have the degree of the form."""
@@ -206,6 +213,7 @@ def _at_boundary(boundary: Any, cells: Cells, side: str,
         return None
     k = degree if side == "primal" else cells.dim - degree - 1
     size, name = cells.size(k), "values on the boundary"
+    require_use = functools.lru_cache(space.require_use)
 
     def data(time: float) -> _Data:
         given = boundary(time) if callable(boundary) else boundary
@@ -214,7 +222,9 @@ def _at_boundary(boundary: Any, cells: Cells, side: str,
             if unknown:
                 raise InvalidInput(f"boundary data have the unknown name {min(unknown)!r}: "
                                    "expected " + ", ".join(sorted(_names)))
+            check_use(require_use, degree, given)
             return boundary_data(**given)
+        check_use(require_use, degree, {"boundary": given})
         given = of_kind(given, name, ("primal", k))
         made = floats(np.full(size, given) if np.ndim(given) == 0 else given, name)
         made = form_at_cells(cells, made, side, degree)

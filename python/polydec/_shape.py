@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import Floats, Values, at_places
+from ._boundary_data import check_use
 from ._cell_data import CellNumbers, cell_data
 from ._cochain import Form, function_values
 from ._complex import CellsLike, Complex, Progress, as_complex, discretize
@@ -185,10 +186,13 @@ def _problem(complex: CellsLike, f: Form | Values, flux: Values, essential: Any,
              conductivity: Any) -> tuple[Complex, tuple[_core.Discretization, _core.Conditions,
                                                     _core.CellData, Floats, Floats]]:
     mesh = as_complex(complex, in_units=True)
-    return mesh, (mesh._mesh, conditions_of(mesh, essential, robin),
-                  cell_data(mesh, conductivity, "conductivities"),
-                  function_values(mesh, f, mesh.points, "values of f"),
-                  at_places(flux, mesh.facet_sites(), "normal derivatives"))
+    conditions = conditions_of(mesh, essential, robin)
+    problem = (mesh._mesh, conditions, cell_data(mesh, conductivity, "conductivities"),
+               function_values(mesh, f, mesh.points, "values of f"),
+               at_places(flux, mesh.facet_sites(), "normal derivatives"))
+    space = _core.FormSpace(mesh._cells, "primal", 0, conditions)
+    check_use(space.require_use, 0, {"flux": flux})
+    return mesh, problem
 
 
 def poisson_error(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,

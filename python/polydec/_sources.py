@@ -2,6 +2,7 @@
 """Poisson's equation for forms of any degree, magnetostatics, and Stokes flow."""
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,49 +10,15 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, OnFacets, Values, at_places, or_none
+from ._arrays import Floats, OnFacets, Values, at_places, is_given, or_none
+from ._boundary_data import boundary_data, check_use
 from ._cell_data import CellNumbers
 from ._cells import Cells
 from ._cochain import Cochain, Form, as_form, function_values, made, of_kind, values_of
 from ._complex import CellsLike, Complex, as_cells
 from ._conditions import by_groups, conditions_of, facet_marks
 from ._errors import InvalidInput
-from ._vertices import form_at_vertices, mesh_of
-
-
-def boundary_data(*, values: npt.ArrayLike | None = None,
-                  codifferential: npt.ArrayLike | None = None, flow: npt.ArrayLike | None = None,
-                  derivative_flow: npt.ArrayLike | None = None
-                  ) -> tuple[Floats, Floats, Floats, Floats]:
-    """Boundary data in the form that C++ takes."""
-    return (or_none(values, "values on the boundary"),
-            or_none(codifferential, "values of the codifferential on the boundary"),
-            or_none(flow, "values of the flow"),
-            or_none(derivative_flow, "values of the flow of the derivative"))
-
-
-def outward_flow(complex: Complex, derivatives: Values, side: str = "primal") -> Floats:
-    """The `derivative_flow` of 0-forms for given outward normal derivatives on the boundary.
-
-    Parameters
-    ----------
-    complex : Complex
-    derivatives : float, array_like or callable
-        Values at `Complex.facet_sites`; only boundary facets matter.
-    side : str
-
-    Examples
-    --------
-    >>> import numpy as np, polydec
-    >>> square = polydec.discretize(polydec.meshes.grid(4, 4))
-    >>> solver = polydec.PoissonSolver(square, essential=lambda p: p[:, 0] < 0.01)
-    >>> pulled = polydec.outward_flow(square, lambda p: p[:, 0] > 0.99)     # u = x
-    >>> u = solver.solve(derivative_flow=pulled).form
-    >>> bool(abs(u.values - square.points[:, 0]).max() < 1e-12)
-    True
-    """
-    return _core.outward_flow(mesh_of(complex), side,
-                              at_places(derivatives, complex.facet_sites(), "outward derivatives"))
+from ._vertices import form_at_vertices
 
 
 @dataclass(frozen=True)
@@ -148,8 +115,10 @@ class PoissonSolver:
             complex = _with_conductivity(complex, side, degree, conductivity)
         self._complex = complex
         self._kind = side, degree
-        self._solver = _core.PoissonSolver(complex._cells, side, degree,
-                                           conditions_of(complex, essential, robin, fixed), engine)
+        space = _core.FormSpace(complex._cells, side, degree,
+                                conditions_of(complex, essential, robin, fixed))
+        self._require_use = functools.lru_cache(space.require_use)
+        self._solver = _core.PoissonSolver(space, engine)
         self.sites, self.boundary_sites, self.flux_sites = _places(complex, side)
 
     def solve(self, f: Form | Values = 0.0, boundary: OnFacets = 0.0, flux: OnFacets = 0.0, *,
@@ -168,7 +137,7 @@ class PoissonSolver:
             has a number for each group of the file, as in ``{"wall": 20.0}``; elsewhere 0.
         flux : float, array_like, callable or dict
             For 0-forms, kappa times the outward normal derivative at `flux_sites`; on Robin facets,
-            plus the coefficient times u.
+            plus the coefficient times u. It gives the `derivative_flow`.
         codifferential : array_like, optional
             On essential facets, the trace of delta u.
         flow, derivative_flow : array_like, optional
@@ -177,22 +146,37 @@ class PoissonSolver:
             The documentation page on sources lists the cells.
         harmonic : array_like, optional
             Coefficients of the harmonic part of u in the basis `harmonic_forms`.
+
+        Raises
+        ------
+        InvalidInput
+            Also for data that apply to no facet of a mesh with boundary.
         """
         side, degree = self._kind
         given = _form_of(self._complex, f, side, degree, self.sites)
         trace = _trace_of(self._complex, boundary, side, degree, self.boundary_sites)
-        if degree > 0:
-            _require_default(flux, degree, "flux")
-        elif derivative_flow is None:
-            derivative_flow = _core.outward_flow(
-                self._complex._cells, side,
-                at_places(by_groups(self._complex, flux), self.flux_sites, "normal derivatives"))
+        through = self._flow_of(flux, derivative_flow) if is_given(flux) else derivative_flow
         data = boundary_data(values=trace, codifferential=codifferential, flow=flow,
-                             derivative_flow=derivative_flow)
-        form, through, removed, report = self._solver.solve(
+                             derivative_flow=through)
+        check_use(self._require_use, degree,
+                  {"boundary": boundary, "codifferential": codifferential, "flux": flux,
+                   "flow": flow, "derivative_flow": derivative_flow})
+        form, found, removed, report = self._solver.solve(
             given, data, or_none(harmonic, "coefficients of harmonic forms"))
-        return PoissonSolution(made(form, self._complex), made(through, self._complex),
+        return PoissonSolution(made(form, self._complex), made(found, self._complex),
                                made(removed, self._complex), report)
+
+    def _flow_of(self, flux: OnFacets, derivative_flow: npt.ArrayLike | None) -> Floats:
+        """The `derivative_flow` of a given flux."""
+        side, degree = self._kind
+        if degree > 0:
+            raise InvalidInput(f"flux is given for {degree}-forms: expected derivative_flow, "
+                               "integrals over cells on the boundary, as from boundary_de_rham")
+        if derivative_flow is not None:
+            raise InvalidInput("flux and derivative_flow are both given: expected one of them, "
+                               "since the flux gives the derivative_flow")
+        values = at_places(by_groups(self._complex, flux), self.flux_sites, "normal derivatives")
+        return _core.outward_flow(self._complex._cells, side, values)
 
     def solve_curl_curl(self, current: Form, *,
                         boundary: npt.ArrayLike | None = None) -> CurlCurlSolution:
@@ -203,6 +187,7 @@ class PoissonSolver:
         """
         side, degree = self._kind
         none = np.zeros(0)
+        check_use(self._require_use, degree, {"boundary": boundary})
         potential, removed, report = self._solver.solve_curl_curl(
             as_form(self._complex, current, degree, side),
             (or_none(boundary, "values on the boundary"), none, none, none))
@@ -253,16 +238,11 @@ def _trace_of(cells: Cells, boundary: OnFacets, side: str, degree: int, places: 
         if side == "primal":
             return function_values(cells, by_site, places, "boundary values")
         return at_places(by_site, places, "boundary values")
-    _require_default(boundary, degree, "boundary")
     integrals = _integrals(boundary, degree)
-    return or_none(None if np.ndim(integrals) == 0 else integrals, "values on the boundary")
-
-
-def _require_default(given: Any, degree: int, name: str) -> None:
-    """Numbers for all facets or for groups are data of functions: of forms they would say nothing."""
-    if np.ndim(given) == 0 and not callable(given) and given != 0:
-        raise InvalidInput(f"{name} is {given!r} for {degree}-forms: expected integrals over cells "
-                           "on the boundary, as from boundary_de_rham")
+    if is_given(integrals) and np.ndim(integrals) == 0:
+        raise InvalidInput(f"boundary is {boundary!r} for {degree}-forms: expected integrals over "
+                           "cells on the boundary, as from boundary_de_rham")
+    return or_none(integrals if is_given(integrals) else None, "values on the boundary")
 
 
 def _integrals(given: Any, degree: int) -> Any:

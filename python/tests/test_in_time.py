@@ -93,6 +93,23 @@ def test_what_flows_through_the_boundary(square, side):
         polydec.Evolution(square, x, side=side, diffusion=1.0, boundary={"flux": outward}).march(1)
 
 
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_data_and_conditions_that_apply_nowhere_are_refused(square, side):
+    u, flow = np.ones(square.size(0, side)), polydec.outward_flow(square, 1.0, side)
+    for names, given, conditions in (
+            ("boundary", 5.0, {"essential": False}), ("boundary", 5.0, {"robin": 1.0}),
+            ("boundary", lambda t: 5.0, {"essential": False}),
+            ("derivative_flow", {"derivative_flow": flow}, {"essential": True}),
+            ("derivative_flow", lambda t: {"derivative_flow": flow}, {"essential": True})):
+        with pytest.raises(polydec.InvalidInput, match=said(names, "none of the", "facet")):
+            polydec.Evolution(square, u, side=side, diffusion=1.0, boundary=given, **conditions)
+    for conditions in ({"essential": True}, {"robin": 1.0}, {"essential": False}):
+        with pytest.raises(polydec.InvalidInput, match=said("diffusion", "0", "conditions")):
+            polydec.Evolution(square, u, side=side, **conditions)
+    polydec.Evolution(square, [u, u], side=side, diffusion=[1.0, 0.0], essential=True)
+    polydec.Evolution(square, u, side=side, diffusion=1.0, essential=False, boundary=0.0)
+
+
 def test_heat_takes_whole_steps(square):
     u = square.points[:, 0]
     assert np.array_equal(polydec.heat(square, u, .1, np.int64(2)), polydec.heat(square, u, .1, 2))

@@ -204,6 +204,54 @@ def test_numbers_for_groups_of_the_file(grouped_square):
         square.with_conductivity(np.ones(1))
 
 
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_data_that_apply_nowhere_are_refused(square, side):
+    n_facets = square.size(1)
+    robin = {"robin": 1.0}
+    for conditions, given in [({}, {"flux": 7.0}), ({}, {"flux": np.ones(n_facets)}),
+                              ({}, {"flux": lambda at: at[:, 0]}),
+                              ({"essential": False}, {"boundary": 5.0}), (robin, {"boundary": 5.0}),
+                              ({"essential": False}, {"boundary": lambda at: at[:, 0]})]:
+        solver = polydec.PoissonSolver(square, side=side, **conditions)
+        with pytest.raises(polydec.InvalidInput, match=said(*given, "none of the", "facet")):
+            solver.solve(1.0, **given)
+        solver.solve(1.0, **dict.fromkeys(given, 0.0))
+        if "boundary" in given:
+            kind = polydec.PoissonSolver(polydec.discretize(polydec.meshes.torus(8, 6)), side=side)
+            assert len(kind.solve(0.0, 5.0).values) # without a boundary there are no conditions
+    for data in ({"derivative_flow": np.ones(square.size(0))},
+                 {"derivative_flow": np.ones(n_facets)}):
+        solver = polydec.PoissonSolver(square, side=side, essential=lambda at: at[:, 0] < .01)
+        with pytest.raises(polydec.InvalidInput, match=said("flux", "derivative_flow", "one of them")):
+            solver.solve(0.0, flux=1.0, **data)
+    with pytest.raises(polydec.InvalidInput, match=said("flux", "none of the", "facet")):
+        polydec.poisson_error(square, np.zeros(square.size(0)), flux=7.0)
+    with pytest.raises(polydec.InvalidInput, match=said("boundary", "none of the", "facet")):
+        polydec.PoissonSolver(square, degree=1, essential=False).solve_curl_curl(
+            np.zeros(n_facets), boundary=np.ones(n_facets))
+
+
+@pytest.mark.parametrize("flux", [1.0, np.nan, np.ones(3), lambda at: at[:, 0], {}])
+@pytest.mark.parametrize("k", [1, 2])
+def test_a_flux_of_forms_is_refused(square, flux, k):
+    solver = polydec.PoissonSolver(square, degree=k, essential=False)
+    with pytest.raises(polydec.InvalidInput, match=said("flux", f"for {k}-forms", "derivative_flow")):
+        solver.solve(0.0, flux=flux)
+
+
+@pytest.mark.parametrize("name", ["codifferential", "flow"])
+def test_functions_have_no_codifferential_and_no_flow(square, name):
+    for side in ("primal", "dual"):
+        solver = polydec.PoissonSolver(square, side=side, essential=lambda at: at[:, 0] < .01)
+        for k in range(3):
+            data = {name: np.full(square.size(k), 5.0)}
+            with pytest.raises(polydec.InvalidInput, match=said(name, "0-forms", "expected")):
+                solver.solve(1.0, **data)
+            with pytest.raises(polydec.InvalidInput, match=said(name, "0-forms", "expected")):
+                polydec.Evolution(square, np.ones(square.size(0, side)), side=side, diffusion=1.0,
+                                  boundary=data)
+
+
 def test_robins_condition_alone_holds_on_the_whole_boundary_as_in_the_command():
     square = polydec.meshes.kuhn([4, 4])
     alone = polydec.poisson(square, 1.0, robin=.7)
