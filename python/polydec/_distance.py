@@ -11,6 +11,7 @@ from . import _core
 from ._arrays import Floats, Integers, as_array, floats, integers
 from ._complex import CellsLike, Complex, as_complex
 from ._conditions import vertex_numbers
+from ._errors import InvalidInput
 from ._vertices import at_vertices, numbers_of
 
 
@@ -136,9 +137,9 @@ class ParallelTransport:
 
     A vector is a complex number in the polar coordinates of its vertex. Its argument is the angle
     from the unit vector in `directions`, measured in the orientation of the triangles. `directions`
-    holds the unit vectors in space along the reference edges. It fails after flips, since edges
-    then have no direction in space. Everything has a row for each input vertex; where no cell uses
-    the vertex, vectors are nan, and vertex numbers -1.
+    holds the unit vectors in space along the reference edges. It raises InvalidInput if a flip made
+    one of these edges or only lengths are known: such edges have no direction in space. Everything
+    has a row for each input vertex; where no cell uses it, vectors are nan, and vertex numbers -1.
     """
 
     def __init__(self, complex: CellsLike, *, time_scale: float = 4.0,
@@ -174,17 +175,22 @@ class ParallelTransport:
 
 
 def _ways(complex: Complex, ends: Integers) -> Floats:
-    """Vectors along edges of the simplices, from first to second 0-cell. On a glued mesh, the edges
-    are placed in the box."""
-    if not complex._mesh.is_glued:
-        points = complex._mesh.points
-        return np.asarray(points[ends[:, 1]] - points[ends[:, 0]])
+    """Vectors along edges of the input, from first to second 0-cell; on a glued mesh, in the box.
+    Raises InvalidInput for edges that are not in the input or have no position."""
     box = complex.box
-    pairs = box.input.d(0).tocsr().indices.reshape(-1, 2)
+    points, pairs = box._mesh.points, box.input.d(0).tocsr().indices.reshape(-1, 2)
+    if points.shape[1] == 0:
+        raise InvalidInput("only lengths are known, so edges have no direction in space: expected "
+                           "a mesh with points, without flips if it is glued")
     pairs = np.concatenate([pairs, pairs[:, ::-1]])
     numbers = complex._mesh.cells_of_places(0).astype(np.int64)
-    keys = numbers[pairs] @ [complex.size(0), 1]
+    keys, wanted = (rows @ [complex.size(0), 1] for rows in (numbers[pairs], ends))
     order = np.argsort(keys, kind="stable")
-    found = pairs[order[np.searchsorted(keys[order], ends @ [complex.size(0), 1])]]
-    points = box._mesh.points
+    places = order[np.searchsorted(keys[order], wanted).clip(max=len(keys) - 1)]
+    flipped = complex.vertices[ends[keys[places] != wanted]]
+    if len(flipped):
+        raise InvalidInput(f"a flip made the reference edge of vertex {flipped[0, 0]}, so it has no "
+                           "direction in space: expected a mesh without flips",
+                           vertices=flipped[:, 0].tolist())
+    found = pairs[places]
     return np.asarray(points[found[:, 1]] - points[found[:, 0]])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import polydec
-from conftest import complex_of
+from conftest import complex_of, said
 
 
 def plane(x):
@@ -176,6 +176,20 @@ def test_parallel_transport_numbers_vertices_as_the_input(size, is_glued):
     assert (reference[used, 0] == c.vertices).all() and used[reference[used]].all()
     assert np.isnan(vectors[~used]).all() and np.isnan(directions[~used]).all()
     assert (reference[~used] == -1).all() and (is_glued or not used.all())
+
+
+def test_edges_without_place_have_no_direction():
+    ball = polydec.discretize(polydec.meshes.perturbed(polydec.meshes.icosphere(4), .12, 1),
+                              delaunay="flips")
+    edges = ball.input.d(0).indices.reshape(-1, 2).tolist()
+    reference = polydec.ParallelTransport(ball).reference
+    flipped = [edge[0] for edge in reference if sorted(edge) not in edges]
+    with pytest.raises(polydec.InvalidInput, match=said("flip", "vertex", "direction")) as refused:
+        polydec.ParallelTransport(ball).directions
+    assert list(refused.value.vertices) == flipped
+    lengths = polydec.meshes.length_mesh(polydec.meshes.icosphere(2))
+    with pytest.raises(polydec.InvalidInput, match=said("lengths", "direction", "points")):
+        polydec.ParallelTransport(lengths).directions
 
 
 def test_flips_make_stars_positive():
