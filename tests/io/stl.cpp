@@ -95,6 +95,8 @@ TEST(Stl, RefusesToWriteCornersThatFloatsDoNotTellApart) {
             mesh.simplices.resize(1, 3);
             mesh.simplices << 2, 0, 1;
             const auto path = folder.path("a.stl");
+            if (place + size == place)
+                continue; // nor do doubles
             const bool fits = size > 1e-30 && size > 1e-7 * place;
             if (fits) {
                 write_mesh(path, mesh);
