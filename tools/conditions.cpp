@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/chosen_cells.h"
+#include "tools/form_values.h"
 #include "tools/options.h"
 
 #include <fmt/format.h>
@@ -72,7 +73,7 @@ std::optional<BoundaryConditions> ConditionValues::without_robin(const Discretiz
     } else if (!natural_ && !fixed_where_)
         return std::nullopt;
     if (fixed_where_) {
-        for (const double value : fixed_where_->at(cell_centers(mesh, 0)))
+        for (const double value : vertex_values(mesh, *fixed_where_, cell_centers(mesh, 0)))
             result.fixed_vertices.push_back(value != 0);
         if (std::count(result.fixed_vertices.begin(), result.fixed_vertices.end(), true) == 0)
             throw InvalidInput(

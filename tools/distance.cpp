@@ -11,6 +11,7 @@
 #include "tools/common.h"
 #include "tools/distance_answer.h"
 #include "tools/expression.h"
+#include "tools/form_values.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
@@ -41,7 +42,7 @@ std::vector<Index> sources(const Discretization& mesh, const DistanceArguments& 
     if (!arguments.from_on.empty())
         cells = vertices_on(mesh, arguments.from_on);
     if (where) {
-        const Vector values = where->at(cell_centers(mesh, 0));
+        const Vector values = vertex_values(mesh, *where, cell_centers(mesh, 0));
         for (Index v = 0; v < values.size(); ++v)
             if (values[v] != 0)
                 cells.push_back(v);

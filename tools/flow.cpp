@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 namespace polydec::tools {
 
@@ -35,16 +36,17 @@ struct FlowArguments {
 };
 
 struct Given {
-    ComponentValues vorticity, velocity, boundary, no_slip, open, rotation;
+    std::optional<SiteValues> vorticity, rotation; ///< at vertices
+    ComponentValues velocity, boundary, no_slip, open;
     std::vector<std::string> no_slip_on, open_on;
 
     explicit Given(const FlowArguments& arguments)
-        : vorticity("--vorticity", arguments.vorticity),
+        : vorticity(if_given<SiteValues>("--vorticity", arguments.vorticity)),
+          rotation(if_given<SiteValues>("--rotation", arguments.rotation)),
           velocity("--velocity", arguments.velocity),
           boundary("--boundary-velocity", arguments.boundary_velocity),
           no_slip("--no-slip-where", arguments.no_slip_where),
           open("--open-where", arguments.open_where),
-          rotation("--rotation", arguments.rotation),
           no_slip_on(arguments.no_slip_on),
           open_on(arguments.open_on) {}
 
@@ -75,16 +77,16 @@ struct Given {
                 std::find(kinds.begin(), kinds.end(), FlowBoundary::no_slip) != kinds.end())
                 options.wall_velocity = given;
         }
-        if (rotation.given())
-            options.rotation = rotation.at(cell_centers(mesh, 0));
+        if (rotation)
+            options.rotation = vertex_values(mesh, *rotation, cell_centers(mesh, 0));
         return options;
     }
 
     /// Fluxes that a flow begins with; to be projected.
     Vector start(const Discretization& mesh) const {
         const Points sites = cell_centers(mesh, 0);
-        if (vorticity.given())
-            return flow_of_vorticity(mesh, vorticity.at(sites));
+        if (vorticity)
+            return flow_of_vorticity(mesh, vertex_values(mesh, *vorticity, sites));
         if (velocity.given())
             return flow_of_velocity(mesh, velocity.at(sites, sites.cols()));
         return Vector::Zero(mesh.complex().size(mesh.dimension() - 1));
@@ -183,7 +185,7 @@ std::vector<NamedForm> shown(const IncompressibleFlow& flow, const Vector& w) {
 void run_flow(const FlowArguments& arguments) {
     Log log;
     const Given given(arguments);
-    if (!given.vorticity.given() && !given.velocity.given() && !given.boundary.given())
+    if (!given.vorticity && !given.velocity.given() && !given.boundary.given())
         throw CLI::ValidationError("flow needs --vorticity EXPR, --velocity VECTOR or "
                                    "--boundary-velocity VECTOR: else the fluid stays at rest");
     check_time(arguments.time);

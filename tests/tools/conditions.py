@@ -95,6 +95,28 @@ class Conditions(TestCase):
         self.assertSays(self.fail_with(2, "poisson", self.square, "--side", "primal", "--rhs", 1,
                                        "--fixed-where", "x>2"), "--fixed-where", "81 vertices")
 
+    def test_files_of_vertices_have_a_number_for_each_vertex_of_the_mesh_file(self):
+        """Whether cells use it or not."""
+        self.generate("grid", "--nx", 4, "--ny", 4, extension="nsc")
+        lines = self.read("grid.nsc").splitlines()
+        points, cells = lines[1:26], [[int(v) + 1 for v in line.split()] for line in lines[26:]]
+        mesh = self.write("more.nsc", "\n".join(
+            ["2 2 26 32", "7 7", *points, *("%d %d %d" % tuple(cell) for cell in cells)]))
+        xs = [7, *(float(point.split()[0]) for point in points)]
+        run = ("--until", .01, "--frames", 1)
+        for words, option, text, function, key in (
+                (("poisson", "--rhs", 1), "--fixed-where", "x==.5", lambda x: x == .5, "max"),
+                (("heat", "--initial", 1, *run), "--fixed-where", "x==.5", lambda x: x == .5,
+                 "relative_norm"),
+                (("distance",), "--from-where", "x==.5", lambda x: x == .5, "max"),
+                (("flow", *run), "--vorticity", "x^2", lambda x: x * x, "energy"),
+                (("flow", "--vorticity", "x^2", *run), "--rotation", "x^3", lambda x: x ** 3,
+                 "energy")):
+            self.write("f.txt", " ".join(repr(float(function(x))) for x in xs))
+            line = (words[0], mesh, *words[1:], option)
+            self.assertAlmostEqual(self.ask(*line, "f.txt")[key], self.ask(*line, text)[key],
+                                   delta=1e-12)
+
     def test_groups_of_facets_are_those_at_their_places(self):
         asked = (
             ("poisson", "--rhs", "1+x", "--boundary", "y", "--side", "primal"),
