@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shape/shape_spectrum.h"
 
+#include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/metric/simplex_geometry.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -237,6 +239,8 @@ ShapeSpectrum shape_spectrum(const Shape& shape, const ShapeSpectrumOptions& opt
     if (!(options.width >= 0))
         throw InvalidInput(fmt::format(
             "enclosures of relative width {}: expected a number of at least 0", options.width));
+    check_number("the limit on simplices", options.max_triangles, 0,
+                 std::numeric_limits<Index>::max());
     if (are_one_forms(shape, options.degree))
         return one_form_spectrum(shape, options);
     const Shape of = options.degree == 0 ? shape : top_forms(shape);

@@ -199,8 +199,8 @@ void add_shape(CLI::App& command, SpectrumArguments& arguments) {
                                    "0-forms, n-forms, and 1-forms on surfaces; cells are not "
                                    "merged, and edges of surfaces are flipped")
                          ->excludes("--side");
-    for (const char* const other :
-         {"--star", "--tolerance", "--centers", "--out", "--checkpoint", "--no-certificate"})
+    for (const char* const other : {"--star", "--tolerance", "--angle-tolerance", "--centers",
+                                    "--out", "--checkpoint", "--no-certificate"})
         of_shape->excludes(command.get_option(other));
     command
         .add_option("--level", arguments.shape.level,

@@ -2,6 +2,8 @@
 """Flaws of shape/; see mutate.py."""
 
 MUTANTS = {
+    "fewer_simplices_than_none": ("shape/shape_spectrum.cpp", "options.max_triangles, 0,", "0, 0,",
+                                  "Adaptive.fills_the_most_triangles_and_warns"),
     "lengths_rounded_in_the_plane": ("shape/shape.cpp", "edge_lengths(geometry.pieces(), mesh.measured_input_points())",
                                      "edge_lengths(geometry.pieces(), *metric.points())",
                                      "Shape.of_a_tilted_plane_has_the_lengths_between_the_points_given"),

@@ -330,6 +330,8 @@ TEST(Adaptive, fills_the_most_triangles_and_warns) {
     EXPECT_LE(found.simplices, 200);
     ASSERT_FALSE(found.warnings.empty());
     EXPECT_SAYS(found.warnings.back(), "3 of 4", "1e-09", "refine");
+    EXPECT_REFUSED(shape_spectrum(unmerged(cube_surface(2)), {.count = 1, .max_triangles = -5}),
+                   "simplices", "-5", "0");
 }
 
 } // namespace

@@ -96,7 +96,10 @@ class Shapes(TestCase):
                 (1, ("--side", "primal", "--degree", 0, "--level", 1), ("--level", "requires", "--of-shape")),
                 (1, ("--of-shape", "-o", "modes.vtu"), ("--out", "excludes", "--of-shape")),
                 (1, ("--of-shape", "--star", "galerkin"), ("--star", "excludes", "--of-shape")),
+                (1, ("--of-shape", "--angle-tolerance", 0.2),
+                 ("--angle-tolerance", "excludes", "--of-shape")),
                 (2, ("--of-shape", "--level", 3), ("level 3", "1", "2")),
+                (2, ("--of-shape", "--max-triangles", -5), ("simplices", -5, 0)),
                 (2, ("--of-shape", "--degree", 4), ("4-forms", "dimension 2")),
                 (2, ("--of-shape", "--count", 10 ** 6), ("1000000 eigenvalues", "functions", "refine"))):
             ended = run("spectrum", golden("grid4.nsc"), *words)
