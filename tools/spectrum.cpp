@@ -247,8 +247,8 @@ void add_spectrum(CLI::App& app) {
                             "FILE\tsave eigenvectors to this .checkpoint file, batch by batch");
     command
         ->add_flag("--resume", arguments->resume,
-                   "resume from the checkpoint if it exists, and certify again; --count may be "
-                   "larger, all other options must be the same")
+                   "resume from the checkpoint if it exists, and certify again; --count may "
+                   "differ, all other options must be the same")
         ->needs(checkpoint);
     add_engine(*command, arguments->spectrum.linear_solver);
     command->add_option("--eigen-engine", arguments->spectrum.eigen_solver,

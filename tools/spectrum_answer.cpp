@@ -17,6 +17,7 @@ namespace polydec::tools {
 
 void Eigenvalues::write(JsonWriter& json) const {
     const auto& certificate = spectrum.certificate;
+    const bool is_solved = !spectrum.linear_solver.empty();
     json.member("side", name(spectrum.side));
     json.member("degree", spectrum.degree);
     json.member("eigenvalues", spectrum.eigenvalues);
@@ -28,7 +29,7 @@ void Eigenvalues::write(JsonWriter& json) const {
         json.member("returned_below_shift", certificate.returned_below_shift);
         json.member("complete", certificate.complete);
     });
-    json.member("linear_solver", spectrum.linear_solver);
+    json.member("linear_solver", is_solved ? spectrum.linear_solver : "none");
     json.member("eigen_solver", spectrum.eigen_solver);
     json.member("seconds", seconds);
     if (resumed)
@@ -50,7 +51,10 @@ void Eigenvalues::write(Text& text) const {
     text("\n{}\n", in_words(spectrum.certificate));
     if (spectrum.coarseness)
         text("{}\n", told(advice_of_shape(spectrum)));
-    text("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
+    if (spectrum.linear_solver.empty())
+        text("no system was solved: the checkpoint has all vectors, {:.2f} s\n", seconds);
+    else
+        text("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
     if (resumed && *resumed > 0)
         text("resumed from {} vectors of a checkpoint\n", *resumed);
 }

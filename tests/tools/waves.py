@@ -149,6 +149,14 @@ class Waves(TestCase):
         again = self.ask(*line[:-1], 12, "--degree", 0, *kept)
         self.assertGreaterEqual(again["resumed_with"], 9)
         self.assertTrue(again["certificate"]["complete"])
+        for count in (12, 5): # which all are there
+            words = (*line[:-1], count, "--degree", 0, *kept)
+            less = self.ask(*words)
+            self.assertEqual(less["linear_solver"], "none")
+            self.assertTrue(less["certificate"]["complete"])
+            for one, other in zip(less["eigenvalues"], again["eigenvalues"]):
+                self.assertAlmostEqual(one, other, delta=1e-9)
+            self.assertSays(self.succeed(*words).out, "checkpoint", "all vectors")
         for wrong in ((*line, "--degree", 1), ("spectrum", golden("grid4.nsc"), *line[2:],
                                                "--degree", 0)):
             self.assertSays(self.fail_with(2, *wrong, *kept), "a.checkpoint", "another")
