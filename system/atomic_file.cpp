@@ -28,16 +28,6 @@ constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
                   {.path = target});
 }
 
-/// With links followed; what is missing at its end stays.
-std::filesystem::path resolved(const std::filesystem::path& target) {
-    std::error_code error;
-    auto result =
-        std::filesystem::weakly_canonical(std::filesystem::absolute(target, error), error);
-    if (error)
-        refuse(target, error.message());
-    return result;
-}
-
 /// Opens a file that was not there; it is noted before it can exist. -1 on failure.
 int create(Unfinished& temporary, const std::filesystem::path& folder) {
     int file = -1;
@@ -65,6 +55,18 @@ std::string advice(const std::filesystem::path& folder) {
 
 } // namespace
 
+std::filesystem::path followed(const std::filesystem::path& target) {
+    std::error_code error, missing;
+    auto result =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(target, error), error);
+    while (!error && std::filesystem::is_symlink(result, missing)) // to what is not there
+        result = std::filesystem::weakly_canonical(
+            result.parent_path() / std::filesystem::read_symlink(result, missing), error);
+    if (error)
+        refuse(target, error.message());
+    return result;
+}
+
 bool is_writable(const std::filesystem::path& path) {
     constexpr mode_t anybody = S_IWUSR | S_IWGRP | S_IWOTH;
     struct stat status {};
@@ -73,7 +75,7 @@ bool is_writable(const std::filesystem::path& path) {
 }
 
 void check_replaceable(const std::filesystem::path& target) {
-    const auto final_target = resolved(target);
+    const auto final_target = followed(target);
     struct stat status {};
     if (::stat(final_target.c_str(), &status) != 0)
         return;
@@ -100,7 +102,7 @@ void write_part(const std::filesystem::path& file, std::int64_t place, std::stri
 }
 
 AtomicFile::AtomicFile(const std::filesystem::path& target)
-    : target_(target), final_(resolved(target)) {
+    : target_(target), final_(followed(target)) {
     check_replaceable(target);
     struct stat status {};
     const bool exists = ::stat(final_.c_str(), &status) == 0;

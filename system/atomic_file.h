@@ -11,6 +11,10 @@
 
 namespace polydec {
 
+/// The absolute path of a target, with symbolic links followed, also those to what is not there
+/// yet. Throws IoError if there is none, such as for links in a circle.
+std::filesystem::path followed(const std::filesystem::path& target);
+
 /// A file that appears whole or not at all: written under a temporary name beside its target, and
 /// renamed by `commit`. Without commit, e.g. after an exception, nothing is left; nor after a
 /// signal whose handler calls remove_unfinished. All functions throw IoError, naming the target and

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "system/atomic_file.h"
 #include "system/descriptor.h"
 #include "system/folder_names.h"
 #include "system/regular_file.h"
@@ -24,13 +25,7 @@ namespace {
 using Path = std::filesystem::path;
 
 Path resolved_folder(const Path& target) {
-    std::error_code error;
-    auto result =
-        std::filesystem::weakly_canonical(std::filesystem::absolute(target, error), error);
-    if (error)
-        throw IoError(fmt::format("cannot create the folder {}: {}", printable(target.string()),
-                                  error.message()),
-                      {.path = target});
+    const auto result = followed(target);
     return result.has_filename() ? result : result.parent_path();
 }
 

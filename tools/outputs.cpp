@@ -27,15 +27,6 @@ using Path = std::filesystem::path;
     throw IoError(fmt::format("cannot write {}: {}", printable(out.string()), reason));
 }
 
-/// With links followed; what is missing at its end stays.
-Path resolved(const Path& out) {
-    std::error_code error;
-    auto result = std::filesystem::weakly_canonical(std::filesystem::absolute(out, error), error);
-    if (error)
-        refuse(out, error.message());
-    return result;
-}
-
 void check_folder(const Path& out, const Path& folder) {
     struct stat status {};
     const auto name = printable(folder.string());
@@ -95,7 +86,7 @@ void note_input(const Path& file) {
 
 void check_output_file(const Path& out, const std::vector<const char*>& extensions) {
     check_extension(out, extensions);
-    const Path target = resolved(out);
+    const Path target = followed(out);
     check_folder(out, out.has_parent_path() ? out.parent_path() : Path("."));
     check_folder(out, target.parent_path());
     std::error_code different;
@@ -113,7 +104,7 @@ void check_output_file(const Path& out, const std::vector<const char*>& extensio
 }
 
 void check_output_folder(const Path& out) {
-    Path target = resolved(out);
+    Path target = followed(out);
     struct stat status {};
     while (::stat(target.c_str(), &status) != 0 && target.has_relative_path())
         target = target.parent_path();
@@ -126,7 +117,7 @@ void check_output_folder(const Path& out) {
 
 void check_replaced_folder(const Path& out) {
     check_output_folder(out);
-    const Path target = resolved(out);
+    const Path target = followed(out);
     struct stat status {};
     if (::stat(target.c_str(), &status) == 0)
         check_folder(out, (target.has_filename() ? target : target.parent_path()).parent_path());

@@ -94,6 +94,23 @@ TEST(AtomicFile, FollowsSymbolicLinks) {
     EXPECT_EQ(read_text(folder.path("a.txt")), "new");
 }
 
+TEST(AtomicFile, FollowsSymbolicLinksToWhatIsNotThere) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path("b"));
+    std::filesystem::create_symlink("b/second.txt", folder.path("link.txt"));
+    std::filesystem::create_symlink("../a.txt", folder.path("b/second.txt"));
+    AtomicFile file(folder.path("link.txt"));
+    file.write("new");
+    file.commit();
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("link.txt")));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("b/second.txt")));
+    EXPECT_EQ(read_text(folder.path("a.txt")), "new");
+    std::filesystem::create_symlink("no/c.txt", folder.path("lost.txt"));
+    EXPECT_ERROR(IoError, AtomicFile(folder.path("lost.txt")), "lost.txt", "No such file");
+    std::filesystem::create_symlink("circle.txt", folder.path("circle.txt"));
+    EXPECT_ERROR(IoError, AtomicFile(folder.path("circle.txt")), "circle.txt", "symbolic links");
+}
+
 TEST(AtomicFile, NamesWithManyLettersFit) {
     const TemporaryFolder folder;
     const std::string name(255, 'n');
