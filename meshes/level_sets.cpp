@@ -40,6 +40,9 @@ class Cutter {
 public:
     Cutter(const Mesh& mesh, const Vector& values, const Vector& levels)
         : mesh_(mesh), values_(values), levels_(levels), n_(mesh.dimension()) {
+        constexpr double rounding = 1e-12;
+        if (values.size() > 0)
+            tie_ = rounding * values.maxCoeff() - rounding * values.minCoeff();
         for (int p = 0; p < n_; ++p)
             paths_.push_back(lattice_paths(p, n_ - 1 - p));
     }
@@ -51,8 +54,8 @@ public:
                 least = std::min(least, values_[v]);
                 most = std::max(most, values_[v]);
             }
-            auto begin = std::upper_bound(levels_.begin(), levels_.end(), least);
-            for (; begin != levels_.end() && *begin <= most; ++begin)
+            auto begin = std::upper_bound(levels_.begin(), levels_.end(), least + tie_);
+            for (; begin != levels_.end() && *begin <= most + tie_; ++begin)
                 cut(s, static_cast<Index>(begin - levels_.begin()));
         }
         return result();
@@ -67,7 +70,7 @@ private:
             places[i] = static_cast<Index>(i);
         const auto corner = [&](Index place) { return mesh_.simplices(s, place); };
         const auto below = std::partition(places.begin(), places.end(), [&](Index place) {
-            return values_[corner(place)] >= levels_[level];
+            return levels_[level] <= values_[corner(place)] + tie_;
         });
         std::sort(places.begin(), below, [&](Index a, Index b) { return corner(a) < corner(b); });
         std::sort(below, places.end(), [&](Index a, Index b) { return corner(a) < corner(b); });
@@ -91,7 +94,7 @@ private:
     }
 
     Crossing crossing(Index level, Index above, Index below) const {
-        if (values_[above] == levels_[level])
+        if (values_[above] - tie_ <= levels_[level])
             return {level, above, above};
         return {level, std::min(above, below), std::max(above, below)};
     }
@@ -128,6 +131,7 @@ private:
 
     const Mesh& mesh_;
     const Vector &values_, &levels_;
+    double tie_ = 0; ///< values this near to a level have it, so that no cells are smaller
     int n_;
     std::vector<std::vector<std::vector<int>>> paths_; ///< by their steps along the first axis
     std::vector<Crossing> corners_;                    ///< of the cells, one after the other

@@ -19,10 +19,10 @@ struct LevelSets {
 /// The level sets of the function with these vertex values, linear on every simplex, in any
 /// dimension n >= 1: isolines for n = 2, isosurfaces for n = 3. Each is the boundary of the
 /// sublevel set: closed except at the boundary of the mesh, without zero-volume simplices at
-/// vertices exactly on the level. Time O(simplices log levels + m log m) for m simplices of the
-/// result. Source: the level set in a simplex is a product of two simplices, cut by lattice paths.
-/// Throws InvalidInput for a value or level that is not finite, naming it, a wrong number of
-/// values, levels that do not ascend, a vertex out of range, or n < 1.
+/// vertices on the level, up to 1e-12 of the range of values. Time O(simplices log levels + m log
+/// m) for m simplices of the result. Source: the level set in a simplex is a product of two
+/// simplices, cut by lattice paths. Throws InvalidInput for a value or level that is not finite,
+/// naming it, a wrong number of values, levels that do not ascend, a vertex out of range, or n < 1.
 LevelSets level_sets(const Mesh& mesh, const Vector& values, const Vector& levels);
 
 /// `count` >= 0 equally spaced levels strictly between the smallest and the largest value. Throws

@@ -2,6 +2,8 @@
 """Flaws of meshes/; see mutate.py."""
 
 MUTANTS = {
+    "levels_beside_vertices": ("meshes/level_sets.cpp", "rounding * values.maxCoeff() - rounding * values.minCoeff()",
+                               "0", "LevelSets.OfValuesThatRoundingMovedHaveTheSameCells"),
     "levels_of_a_constant": ("meshes/level_sets.cpp", "if (least == most && count > 0)", "if (false)",
                              "LevelSets.AreEmptyWhereThereIsNothingBetween"),
     "cubes_of_no_dimension": ("meshes/split_cells.cpp", '    check_number("a cube of dimension", n, 1, 30);\n', "",

@@ -113,6 +113,21 @@ TEST_P(LevelSetsOf, NumbersOfVerticesOnlyRenumberThem) {
 
 INSTANTIATE_TEST_SUITE_P(Dimensions, LevelSetsOf, testing::Range(1, 6));
 
+TEST(LevelSets, OfValuesThatRoundingMovedHaveTheSameCells) {
+    for (int n = 1; n <= 4; ++n) {
+        const Mesh mesh = kuhn(n, 2);
+        const Vector f = mesh.points.rowwise().sum(), levels{{0.5, 1, 1.25}};
+        Vector moved = f;
+        for (Index v = 0; v < f.size(); ++v)
+            moved[v] += (v % 3 - 1) * 4e-16;
+        const auto wanted = level_sets(mesh, f, levels.head(n == 1 ? 1 : 3));
+        const auto found = level_sets(mesh, moved, levels.head(n == 1 ? 1 : 3));
+        EXPECT_EQ(found.mesh.simplices, wanted.mesh.simplices) << n;
+        EXPECT_EQ(found.owners, wanted.owners) << n;
+        EXPECT_LE((found.mesh.points - wanted.mesh.points).norm(), 1e-14) << n;
+    }
+}
+
 TEST(LevelSets, OnClosedSurfacesAreClosed) {
     const Mesh sphere = icosphere(6);
     const auto found =
