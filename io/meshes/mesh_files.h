@@ -36,10 +36,10 @@ int up_axis(const std::filesystem::path& path);
 
 /// Writes a mesh in the format of the extension. .nsc holds every mesh, and so does .pdm (binary,
 /// with the tags of cells; see PdmLayout). .mesh (MEDIT) holds edges, triangles and tetrahedra in
-/// R^2 and R^3, with tags and tagged facets; .off, .obj, .ply and .stl (both binary) hold triangles
-/// in R^2 (with z = 0) and R^3; .obj also edges. Numbers read back exactly, except in
-/// STL, which has floats and no vertex numbers. Only MEDIT and .pdm keep tags. The file appears
-/// whole or not at all.
+/// R^2 and R^3, with tags and tagged facets, but not of curves; .off, .obj, .ply and .stl (both
+/// binary) hold triangles in R^2 (with z = 0) and R^3; .obj also edges. Numbers read back exactly,
+/// except in STL, which has floats and no vertex numbers. Only MEDIT and .pdm keep tags. The file
+/// appears whole or not at all.
 ///
 /// Throws InvalidInput if the format cannot hold the mesh, such as two corners of a triangle with
 /// the same floats in STL, for NaN or infinite coordinates, a vertex number out of range, a wrong

@@ -198,12 +198,15 @@ void write_medit(const Path& path, const Mesh& mesh) {
         refuse_writing(path, fmt::format("MEDIT holds edges, triangles and tetrahedra in R^2 and "
                                          "R^3, not {}-simplices in R^{}; use .nsc",
                                          dimension, axes));
+    if (dimension == 1 && !mesh.facet_tags.tags.empty())
+        refuse_writing(path,
+                       "MEDIT holds no groups of the vertices of a curve; clear its facet_tags");
     NumberLines lines(path);
     lines.text(fmt::format("MeshVersionFormatted 2\nDimension {}\nVertices\n{}\n", axes,
                            mesh.points.rows()));
     write_vertices(lines, mesh.points, axes, "", " 0");
     write_medit_cells(lines, mesh.simplices, mesh.tags);
-    if (dimension > 1 && !mesh.facet_tags.tags.empty())
+    if (!mesh.facet_tags.tags.empty())
         write_medit_cells(lines, mesh.facet_tags.simplices, mesh.facet_tags.tags);
     lines.text("End\n");
     lines.commit();

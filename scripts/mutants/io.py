@@ -118,6 +118,8 @@ MUTANTS = {
                                 "Stl.RefusesToWriteCornersThatFloatsDoNotTellApart"),
     "lists_of_any_name": ("io/pages/series.cpp", "        check_lists_files(path_);\n", "        ;\n",
                           "Series.RefusesWhatDoesNotFit"),
+    "groups_of_curves_lost": ("io/meshes/write_mesh.cpp", "if (dimension == 1 && !mesh.facet_tags.tags.empty())",
+                              "if (false)", "Medit.GroupsOfVerticesOfCurvesAreRefused"),
     "lengths_overflow": ("io/pages/page_fields.cpp", "if (!lengths.allFinite())", "if (false)",
                          "Pages.RefuseVectorsWhoseLengthsOverflow"),
     "ranges_overflow": ("io/pictures/color_map.cpp", "std::isfinite(high - low) ? 1 : 0.5", "1",

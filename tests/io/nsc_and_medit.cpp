@@ -100,6 +100,16 @@ TEST(Medit, ReferencesOfFacetsAreTheirTagsAndZeroIsNone) {
                     .facet_tags.tags.empty());
 }
 
+TEST(Medit, GroupsOfVerticesOfCurvesAreRefused) {
+    const TemporaryFolder folder;
+    Mesh curve = read_from("a.mesh", medit + "Edges\n2\n1 2 4\n3 2 7\n");
+    write_mesh(folder.path("b.mesh"), curve);
+    curve.facet_tags.simplices = Simplices::Zero(1, 1);
+    curve.facet_tags.tags = {5};
+    EXPECT_REFUSED(write_mesh(folder.path("b.mesh"), curve), "b.mesh", "groups", "curve",
+                   "facet_tags");
+}
+
 TEST(Medit, FacetsThatNameNoVertexAreRefusedAndWhatIsLessThanAFacetIsNotRead) {
     const std::string tetrahedra = "Tetrahedra\n1\n1 2 3 4 0\n";
     EXPECT_UNREADABLE("a.mesh", medit + tetrahedra + "Triangles\n1\n1 2 9 3\n", "a.mesh:15",
