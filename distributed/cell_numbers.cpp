@@ -2,6 +2,7 @@
 #include "distributed/cell_numbers.h"
 
 #include "base/lists.h"
+#include "dec/merging/merge.h"
 #include "dec/merging/merged_cells.h"
 #include "distributed/in_order.h"
 #include "distributed/number_places.h"
@@ -170,6 +171,26 @@ void add_cofaces(const LocalComplex& local, const DistributedMerging& merged,
     }
 }
 
+/// Collective.
+void omit_duals_beyond_the_boundary(const Ranks& ranks, const LocalComplex& local,
+                                    const DistributedMerging& merged, DistributedCells& cells) {
+    if (merged.degenerate_boundary == 0)
+        return;
+    const int facets = cells.dimension() - 1;
+    const auto& own = cells.degree(facets);
+    Points others(local.complex.size(facets), 1);
+    for (Index f = 0; f < others.rows(); ++f)
+        others(f, 0) = merged.degenerate[f] ? 0 : 1;
+    const Points sums = add_pieces(ranks, local, own, facets, others);
+    std::vector<Index> cofaces;
+    std::vector<bool> degenerate;
+    for (std::size_t i = 0; i < own.first.size(); ++i) {
+        cofaces.push_back(local.complex.coface_counts(facets)[own.first[i]]);
+        degenerate.push_back(sums(static_cast<Index>(i), 0) == 0);
+    }
+    cells.volumes = without_duals_beyond_the_boundary(cells.volumes, cofaces, degenerate);
+}
+
 } // namespace
 
 DistributedCells distributed_cells(const Ranks& ranks, const LocalComplex& local,
@@ -188,6 +209,9 @@ DistributedCells distributed_cells(const Ranks& ranks, const LocalComplex& local
             add_cofaces(local, merged, result.degrees[k + 1], k, result.degrees[k]);
         result.volumes =
             merged.is_identity ? own_volumes(merged.of_pieces, result.degrees) : volumes_of(sums);
+    });
+    omit_duals_beyond_the_boundary(ranks, local, merged, result);
+    ranks.together("cells", [&] {
         if (const auto numbers = numbers_of(result.degrees); !numbers.empty())
             result.volumes = result.volumes.numbered(numbers);
     });

@@ -35,7 +35,7 @@ struct DistributedCells {
         }
     };
     std::vector<Degree> degrees;
-    CellVolumes volumes; ///< of own cells, bit by bit as from merged_volumes
+    CellVolumes volumes; ///< of own cells, bit by bit as in one process
 
     int dimension() const { return static_cast<int>(degrees.size()) - 1; }
     const Degree& degree(int k) const { return degrees[k]; }

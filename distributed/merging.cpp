@@ -256,7 +256,8 @@ DistributedMerging Rounds::run() {
                               true,
                               ranks_.sum(degenerate.interior),
                               ranks_.sum(degenerate.boundary),
-                              ranks_.sum(degenerate.branching)};
+                              ranks_.sum(degenerate.branching),
+                              degenerate.marks};
     const bool any_flat = ranks_.any(!defects_.flat.empty());
     if (options_.criterion == MergeCriterion::none ||
         (result.degenerate_interior == 0 && !any_flat))

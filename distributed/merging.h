@@ -27,6 +27,7 @@ struct DistributedMerging {
     GlobalIndex degenerate_interior = 0; ///< see DegenerateFacets, over all ranks
     GlobalIndex degenerate_boundary = 0;
     GlobalIndex degenerate_branching = 0;
+    std::vector<bool> degenerate = {}; ///< marks of the facets here
 
     bool is_first_piece(const LocalComplex& local, int k, Index s) const {
         const Carrier& carrier = carriers[k][s];

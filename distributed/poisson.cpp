@@ -3,11 +3,9 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "base/lists.h"
 #include "complex/relative.h"
-#include "dec/merging/facet_defects.h"
-#include "dec/metric/circumsphere.h"
 #include "dec/metric/dual_parts.h"
-#include "dec/metric/rounding.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/stars/star.h"
 #include "distributed/petsc_calls.h"
@@ -18,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace polydec {
 
@@ -99,49 +96,6 @@ void check_fluxes(const DistributedMesh& mesh, const OwnFacets& facets) {
                                            "is not defined: merge cospherical cells",
                                            named(mesh, f)));
     }
-}
-
-/// Of each facet, the smallest height over it of a simplex.
-Vector least_heights(const Pieces& complex, const CellVolumes& volumes) {
-    const int n = complex.dimension();
-    const FaceTable faces = complex.faces(n);
-    const Vector &tops = volumes.primal(n), &facets = volumes.primal(n - 1);
-    Vector heights = Vector::Constant(facets.size(), std::numeric_limits<double>::infinity());
-    for (Index t = 0; t < tops.size(); ++t)
-        for (int i = 0; i <= n; ++i) {
-            const Index f = faces(t, i);
-            heights[f] = std::min(heights[f], n * tops[t] / facets[f]);
-        }
-    return heights;
-}
-
-/// 1 for own boundary facets whose dual counts as zero: by rounding, or beyond the boundary within
-/// the tolerance.
-Vector facets_without_dual(const Ranks& ranks, const DistributedMesh& mesh,
-                           const OwnFacets& facets) {
-    const int n = mesh.dimension();
-    const auto& complex = mesh.local.complex;
-    Points sizes(complex.size(n - 1), 2);
-    ranks.together("facets", [&] {
-        sizes.col(0) = 2 * circumradii(complex, mesh.local.points, n - 1);
-        sizes.col(1) = least_heights(complex, mesh.merged.of_pieces);
-    });
-    const PieceRows pieces = gather_pieces(ranks, mesh.local, facets.cells, n - 1, sizes);
-    const Vector& duals = mesh.cells.volumes.dual(n - 1);
-    Vector result = Vector::Zero(duals.size());
-    for (Index f = 0; f < duals.size(); ++f) {
-        double scale = 0, height = std::numeric_limits<double>::infinity();
-        for (Index piece = pieces.begins[f]; piece < pieces.begins[f + 1]; ++piece) {
-            scale = std::max(scale, pieces.rows(piece, 0));
-            height = std::min(height, pieces.rows(piece, 1));
-        }
-        const double terms = mesh.cells.volumes.terms(n - 1)[f];
-        const bool beyond =
-            duals[f] < 0 && is_degenerate(duals[f], terms, scale, height, mesh.options.tolerance);
-        if (facets.coface_counts[f] == 1 && (beyond || is_zero(duals[f], terms)))
-            result[f] = 1;
-    }
-    return result;
 }
 
 } // namespace
@@ -235,8 +189,8 @@ SharedPoissonSolver::Problem SharedPoissonSolver::Problem::dual(const Ranks& ran
     const int n = mesh.dimension();
     ranks.together("fluxes", [&] { check_fluxes(mesh, facets); });
     const CellVolumes& volumes = mesh.cells.volumes;
-    const Vector missing = facets_without_dual(ranks, mesh, facets);
     const auto size = static_cast<Index>(facets.essential.size());
+    const auto missing = marks_at(HodgeStar(volumes, n - 1).zeros(), size);
 
     // of a facet on the boundary, the derivative has its one coface with this sign
     Vector signs = Vector::Zero(size), weights = signs, fixing = signs;
@@ -246,7 +200,7 @@ SharedPoissonSolver::Problem SharedPoissonSolver::Problem::dual(const Ranks& ran
             signs[f] = facets.cells.signs[facets.cells.begins[f]];
         if (!interior && facets.essential[f] == 0)
             continue; // what flows through the natural boundary is given
-        if (missing[f] > 0)
+        if (missing[f])
             fixing[f] = signs[f];
         else if (!interior || facets.cells.begins[f] < facets.cells.begins[f + 1])
             weights[f] = volumes.primal(n - 1)[f] / volumes.dual(n - 1)[f];

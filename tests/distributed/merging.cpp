@@ -14,6 +14,7 @@
 #include "tests/support/refusal.h"
 #include "tests/support/slivers.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <random>
 
@@ -147,17 +148,38 @@ TEST(DistributedMerging, are_those_of_one_process_where_flat_cells_go_to_their_n
             expect_same(ranks, name, mesh, {}, by);
 }
 
-TEST(DistributedMerging, of_cells_without_volume_are_those_of_one_process) {
+/// Octahedra and tetrahedra whose inner vertices are moved: centers lie just beyond the boundary.
+Mesh moved_inside() {
+    const Mesh at_rest = fcc(2);
+    Mesh mesh = perturbed(at_rest, 1e-6, 1);
+    const double low = at_rest.points.minCoeff(), high = at_rest.points.maxCoeff();
+    for (Index v = 0; v < mesh.points.rows(); ++v)
+        if ((at_rest.points.row(v).array() == low || at_rest.points.row(v).array() == high).any())
+            mesh.points.row(v) = at_rest.points.row(v);
+    return mesh;
+}
+
+TEST(DistributedCells, have_the_duals_and_zeros_of_one_process) {
     const auto ranks = Ranks::all();
-    const Mesh given = five_to_a_cube(3);
-    const Discretization whole = circumcentric(given);
-    const DistributedMesh mesh = discretized(ranks, given, Ownership::morton);
-    for (int k = 0; k <= 3; ++k) {
-        const auto& cells = mesh.cells.degree(k);
-        EXPECT_EQ(cells.count, whole.complex().size(k));
-        for (std::size_t i = 0; i < cells.number.size(); ++i)
-            EXPECT_EQ(mesh.cells.volumes.dual(k)[static_cast<Index>(i)],
-                      whole.volumes().dual(k)[static_cast<Index>(cells.number[i])]);
+    const std::vector<NamedMesh> given = {{"without volume", five_to_a_cube(3)},
+                                          {"moved_inside", moved_inside()}};
+    for (const auto& [name, input] : given) {
+        const Discretization whole = circumcentric(input);
+        const DistributedMesh mesh = discretized(ranks, input, Ownership::morton);
+        for (int k = 0; k <= whole.dimension(); ++k) {
+            const auto& cells = mesh.cells.degree(k);
+            EXPECT_EQ(cells.count, whole.complex().size(k)) << name;
+            const auto zeros = HodgeStar(mesh.cells.volumes, k).zeros();
+            const auto of_whole = HodgeStar(whole.volumes(), k).zeros();
+            EXPECT_EQ(ranks.sum(std::ssize(zeros)), std::ssize(of_whole)) << name << ' ' << k;
+            for (Index i = 0; i < cells.own(); ++i) {
+                const auto cell = static_cast<Index>(cells.number[i]);
+                EXPECT_EQ(mesh.cells.volumes.dual(k)[i], whole.volumes().dual(k)[cell]) << name;
+                EXPECT_EQ(std::binary_search(zeros.begin(), zeros.end(), i),
+                          std::binary_search(of_whole.begin(), of_whole.end(), cell))
+                    << name;
+            }
+        }
     }
 }
 
