@@ -7,12 +7,15 @@
 #include "dec/merging/flat_simplices.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/geometry.h"
+#include "dec/metric/plane.h"
 #include "dec/stars/star.h"
 #include "distributed/facet_classes.h"
 #include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <limits>
 
 namespace polydec {
 
@@ -25,6 +28,22 @@ double common_unit(const Ranks& ranks, const LocalComplex& local, const Points& 
     const double farthest =
         ranks.largest(of_slice.size() > 0 ? of_slice.cwiseAbs().maxCoeff() : 0.0);
     return unit_of_length(longest, farthest, n);
+}
+
+/// The points of the whole mesh in the coordinates that vary, if these are n.
+Points in_coordinate_plane(const Ranks& ranks, const Points& points, int n) {
+    const auto N = points.cols();
+    std::vector<double> ends(2 * N, -std::numeric_limits<double>::infinity());
+    for (Eigen::Index c = 0; c < N && points.rows() > 0; ++c) {
+        ends[c] = points.col(c).maxCoeff();
+        ends[N + c] = (-points.col(c)).maxCoeff();
+    }
+    ranks.take_largest(ends);
+    Points corners(2, N);
+    for (Eigen::Index c = 0; c < N; ++c)
+        corners.col(c) << ends[c], -ends[N + c];
+    const auto axes = varying_coordinates(corners);
+    return std::ssize(axes) == n ? Points(points(Eigen::indexing::all, axes)) : points;
 }
 
 GlobalIndex branching_facets(const Ranks& ranks, const LocalComplex& local) {
@@ -114,6 +133,8 @@ DistributedMesh discretize(const Ranks& ranks, MeshSlice slice, const std::vecto
     mesh.unit = common_unit(ranks, local, slice.points);
     if (mesh.unit != 1)
         local.points = in_units(std::move(local.points), mesh.unit);
+    mesh.places = local.points;
+    local.points = in_coordinate_plane(ranks, mesh.places, local.dimension());
     mesh.warnings = warnings_of(ranks, slice, local, mesh.unit);
     slice = {};
     begin("volumes");

@@ -13,10 +13,11 @@ namespace polydec {
 /// A mesh over all ranks, ready for calculus: each rank's part of the Discretization of one
 /// process.
 struct DistributedMesh {
-    LocalComplex local; ///< with points in units
+    LocalComplex local; ///< with points in units; if only n coordinates vary, these
     DistributedMerging merged;
     DistributedCells cells;
     MergeOptions options;
+    Points places = {};                     ///< of local vertices, in units, all coordinates
     double unit = 1;                        ///< see unit_of_length
     std::vector<std::string> warnings = {}; ///< of the whole mesh, on rank 0
     /// The requested stars for solvers, see DiscretizeOptions::star: automatic or circumcentric.

@@ -55,7 +55,7 @@ Points rows_of(const DistributedMesh& mesh, const Points& of_vertices, const Row
         for (int i = 0; i <= row.n; ++i) {
             const Index v = tops(t, i);
             auto corner = rows.row(t).segment(row.corner(i), row.N + 1 + row.data);
-            corner << local.points.row(v), static_cast<double>(local.vertices[v]),
+            corner << mesh.places.row(v), static_cast<double>(local.vertices[v]),
                 of_vertices.row(v);
         }
         Eigen::Index place = row.orientation();
@@ -150,7 +150,7 @@ Blocks blocks_of(const SimplicialComplex& complex, const Points& rows, const Row
 std::optional<OwnCells> own_cells(const Ranks& ranks, const DistributedMesh& mesh,
                                   const Points& of_vertices) {
     const int n = mesh.dimension();
-    const Row row(n, mesh.local.points.cols(), of_vertices.cols());
+    const Row row(n, mesh.places.cols(), of_vertices.cols());
     const Points told = ranks.together("cells", [&] { return rows_of(mesh, of_vertices, row); });
     const Points rows = gather_pieces(ranks, mesh.local, mesh.cells.degree(n), n, told).rows;
     return ranks.together("cells", [&]() -> std::optional<OwnCells> {

@@ -103,7 +103,7 @@ void check_fluxes(const DistributedMesh& mesh, const OwnFacets& facets) {
 Points cell_centers(const Ranks& ranks, const DistributedMesh& mesh, int k) {
     check_number("cells of degree", k, 0, mesh.dimension());
     const LocalComplex& local = mesh.local;
-    const auto N = local.points.cols();
+    const auto N = mesh.places.cols();
     Points weighted(local.complex.size(k), N + 1);
     ranks.together("centers", [&] {
         const Vector& volumes = mesh.merged.of_pieces.primal(k);
@@ -111,7 +111,7 @@ Points cell_centers(const Ranks& ranks, const DistributedMesh& mesh, int k) {
             volumes.asDiagonal() *
             combinations(local.complex, k,
                          center_coordinates(local.complex, local.points, mesh.merged.centers, k),
-                         local.points);
+                         mesh.places);
         weighted.col(N) = volumes;
     });
     const Points sums = add_pieces(ranks, local, mesh.cells.degree(k), k, weighted);

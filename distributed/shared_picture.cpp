@@ -61,7 +61,7 @@ void write_pvtu(const Ranks& ranks, const std::filesystem::path& path, const Dis
     folder_path.replace_extension();
     ranks.together("picture", [&] {
         check_lists_files(path);
-        check_drawable(mesh.dimension(), static_cast<int>(mesh.local.points.cols()));
+        check_drawable(mesh.dimension(), static_cast<int>(mesh.places.cols()));
     });
     SharedFolder folder(ranks, folder_path, is_piece);
     const auto cells = own_cells(ranks, mesh, at_local_vertices(ranks, mesh, values));

@@ -6,6 +6,7 @@
 #include "dec/metric/geometry.h"
 #include "distributed/cell_numbers.h"
 #include "distributed/facet_classes.h"
+#include "distributed/poisson.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/distributed/compare.h"
@@ -159,10 +160,20 @@ Mesh moved_inside() {
     return mesh;
 }
 
+/// The mesh in a space with one dimension more.
+Mesh with_constant(Mesh mesh, double height) {
+    mesh.points.conservativeResize(Eigen::NoChange, mesh.points.cols() + 1);
+    mesh.points.rightCols(1).setConstant(height);
+    return mesh;
+}
+
 TEST(DistributedCells, have_the_duals_and_zeros_of_one_process) {
     const auto ranks = Ranks::all();
-    const std::vector<NamedMesh> given = {{"without volume", five_to_a_cube(3)},
-                                          {"moved_inside", moved_inside()}};
+    const std::vector<NamedMesh> given = {
+        {"without volume", five_to_a_cube(3)},
+        {"moved_inside", moved_inside()},
+        {"squares in a plane", with_constant(perturbed(grid(4, 4), 1e-6, 1), 0.3)},
+        {"cubes in a solid", with_constant(perturbed(kuhn(3, 2), 1e-6, 1), 0)}};
     for (const auto& [name, input] : given) {
         const Discretization whole = circumcentric(input);
         const DistributedMesh mesh = discretized(ranks, input, Ownership::morton);
@@ -181,6 +192,17 @@ TEST(DistributedCells, have_the_duals_and_zeros_of_one_process) {
             }
         }
     }
+}
+
+TEST(DistributedCells, have_all_coordinates_of_the_input_where_one_is_constant) {
+    const auto ranks = Ranks::all();
+    const Mesh input = with_constant(grid(3, 3), 0.3);
+    const DistributedMesh mesh = discretized(ranks, input, Ownership::random);
+    EXPECT_EQ(mesh.local.points.cols(), 2);
+    const Points centers = cell_centers(ranks, mesh, 2);
+    ASSERT_EQ(centers.cols(), 3);
+    for (const double height : centers.col(2))
+        EXPECT_NEAR(height, 0.3, 1e-15);
 }
 
 TEST(DistributedMerging, without_volume_are_refused_where_they_lie_on_no_sphere) {

@@ -155,7 +155,7 @@ void run_info(const Ranks& ranks, const SharedArguments& arguments) {
     SharedInfo info;
     info.mesh = arguments.mesh.mesh.string();
     info.dimension = n;
-    info.ambient_dimension = static_cast<int>(mesh.local.points.cols());
+    info.ambient_dimension = static_cast<int>(mesh.places.cols());
     for (int k = 0; k <= n; ++k) {
         const GlobalIndex input = mesh.local.degree(k).count, merged = mesh.cells.degree(k).count;
         info.cells.input.push_back(input);
