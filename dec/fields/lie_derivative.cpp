@@ -2,18 +2,12 @@
 #include "dec/fields/lie_derivative.h"
 
 #include "base/errors.h"
-#include "complex/components.h"
+#include "dec/fields/contraction.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/input_units.h"
-#include "dec/metric/circumsphere.h"
-#include "dec/metric/simplex_faces.h"
-#include "dec/metric/simplex_geometry.h"
-#include "dec/metric/subsets.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace polydec {
@@ -58,169 +52,6 @@ Points field_on_input(const Discretization& mesh, const Points& field) {
                 {.vertices = {complex.vertex_number(v)}});
     return in_input_units(Points(mesh.passage().back(0, field)), mesh.unit(), -1, "vectors");
 }
-
-Vector top_volumes(const PlacedSimplices& places) {
-    Circumsphere sphere;
-    Vector volumes(places.corners.rows());
-    for (Index t = 0; t < volumes.size(); ++t) {
-        // a simplex without volume has weight only if it is alone
-        const bool has_volume = sphere.look_at({places.points, vertices(places.corners, t)});
-        volumes[t] = has_volume ? sphere.volume() : std::numeric_limits<double>::min();
-    }
-    return volumes;
-}
-
-} // namespace
-
-/// Value of a form on the far side of an inflow boundary.
-enum class Beyond {
-    the_same, ///< as if the nearest simplex continued
-    nothing,
-};
-
-/// Contractions of k-forms with vector fields, k = 1..n: precomputes everything independent of the
-/// field. Visits the matrix entries, so they can be collected or applied on the fly.
-class Contraction {
-public:
-    Contraction(const Pieces& complex, const PlacedSimplices& places, int k)
-        : complex_(complex),
-          k_(k),
-          volumes_(top_volumes(places)),
-          volumes_around_(Vector::Zero(complex.size(k - 1))),
-          on_boundary_(boundary_cells(complex)[k - 1]) {
-        const int n = complex.dimension();
-        SimplexFaces faces(complex, n, k - 1);
-        const SimplexFaces cofaces(complex, n, k);
-        for (const auto& face : faces.positions())
-            extensions_.push_back(extensions_of(face, cofaces.positions()));
-        gradients_.resize(Eigen::Index{complex.size(n)} * (n + 1), places.points.cols());
-        for (Index t = 0; t < complex.size(n); ++t) {
-            gradients_.middleRows(Eigen::Index{t} * (n + 1), n + 1) =
-                barycentric_gradients(places.points, vertices(places.corners, t));
-            for (const Index s : faces.of(t))
-                volumes_around_[s] += volumes_[t];
-        }
-        steepness_ = gradients_.rowwise().norm();
-    }
-
-    int degree() const { return k_; }
-
-    /// Calls visit(s, c, value) with the contribution of k-simplex c to the contraction at its face
-    /// s.
-    template <class Visit>
-    void visit_entries(const Points& field, Sampling sampling, Beyond beyond, Visit visit) const {
-        const bool cut = sampling == Sampling::upwind && beyond == Beyond::nothing;
-        const auto nearest =
-            sampling == Sampling::upwind ? upwind_simplices(field) : std::vector<Index>();
-        visit_faces(field, [&](Index t, Index s, const std::vector<Term>& terms) {
-            if (!nearest.empty() && nearest[s] != t)
-                return;
-            const double weight = nearest.empty() ? volumes_[t] / volumes_around_[s] : 1;
-            for (const auto& term : terms)
-                if (!cut || term.slope <= 0)
-                    visit(s, term.coface, -k_ * weight * term.slope * term.incidence);
-        });
-    }
-
-    /// Calls visit(s, rate) for the boundary (k-1)-simplices where the field flows in, with the
-    /// rate at which outside values of a (k-1)-form come in.
-    template <class Visit>
-    void visit_inflow(const Points& field, Visit visit) const {
-        const auto nearest = upwind_simplices(field);
-        visit_faces(field, [&](Index t, Index s, const std::vector<Term>& terms) {
-            if (!on_boundary_[s] || nearest[s] != t)
-                return;
-            double rate = 0;
-            for (const auto& term : terms)
-                rate += k_ * std::max(term.slope, 0.0);
-            if (rate > 0)
-                visit(s, rate);
-        });
-    }
-
-private:
-    /// Slope along the field of the barycentric coordinate of a further vertex, the coface with
-    /// this vertex, and its incidence with the face.
-    struct Term {
-        Index coface;
-        double incidence;
-        double slope;
-        double steepness; // length of the gradient
-    };
-    struct Extension {
-        int vertex;
-        std::size_t coface;
-        double sign;
-    };
-
-    /// Calls visit(t, s, terms) for the (k-1)-faces s of the n-simplices t.
-    template <class Visit>
-    void visit_faces(const Points& field, Visit visit) const {
-        const int n = complex_.dimension();
-        const auto& tops = complex_.simplices(n);
-        SimplexFaces faces(complex_, n, k_ - 1), cofaces(complex_, n, k_);
-        std::vector<Term> terms;
-        Eigen::RowVectorXd X(field.cols());
-        for (Index t = 0; t < complex_.size(n); ++t) {
-            const auto &sides = faces.of(t), &around = cofaces.of(t);
-            for (std::size_t i = 0; i < sides.size(); ++i) {
-                X.setZero();
-                for (const int p : faces.positions()[i])
-                    X += field.row(tops(t, p)) / k_;
-                terms.clear();
-                for (const auto& extension : extensions_[i]) {
-                    const Index coface = around[extension.coface];
-                    const Eigen::Index row = Eigen::Index{t} * (n + 1) + extension.vertex;
-                    const double side = k_ == n ? complex_.orientation(coface) : 1;
-                    terms.push_back({coface, extension.sign * side, X.dot(gradients_.row(row)),
-                                     steepness_[row]});
-                }
-                visit(t, sides[i], terms);
-            }
-        }
-    }
-
-    /// The cofaces of a face with each other vertex; the sign is for putting this vertex first.
-    std::vector<Extension> extensions_of(const std::vector<int>& face,
-                                         const std::vector<std::vector<int>>& cofaces) const {
-        std::vector<Extension> extensions;
-        for (const int q : complement(complex_.dimension() + 1, face)) {
-            const auto place = std::lower_bound(face.begin(), face.end(), q);
-            auto extended = face;
-            extended.insert(extended.begin() + (place - face.begin()), q);
-            const auto found = std::lower_bound(cofaces.begin(), cofaces.end(), extended);
-            extensions.push_back({q, static_cast<std::size_t>(found - cofaces.begin()),
-                                  (place - face.begin()) % 2 == 0 ? 1.0 : -1.0});
-        }
-        return extensions;
-    }
-
-    /// For each face the n-simplex into which the opposite of the field points farthest.
-    std::vector<Index> upwind_simplices(const Points& field) const {
-        std::vector<Index> best(complex_.size(k_ - 1), -1);
-        Vector most = Vector::Zero(complex_.size(k_ - 1));
-        visit_faces(field, [&](Index t, Index s, const std::vector<Term>& terms) {
-            double here = std::numeric_limits<double>::infinity(); // how far it points into t
-            for (const auto& term : terms)
-                here = std::min(here, -term.slope / term.steepness);
-            if (best[s] < 0 || here > most[s]) {
-                best[s] = t;
-                most[s] = here;
-            }
-        });
-        return best;
-    }
-
-    Pieces complex_;
-    int k_;
-    std::vector<std::vector<Extension>> extensions_; // by face of the n-simplex
-    Points gradients_;                               // n + 1 rows for each n-simplex
-    Vector steepness_;                               // their lengths
-    Vector volumes_, volumes_around_;                // of n-simplices; of those around each face
-    std::vector<bool> on_boundary_;                  // of faces
-};
-
-namespace {
 
 SparseMatrix contraction(const Pieces& complex, const PlacedSimplices& places, const Points& field,
                          int k, Sampling sampling, Beyond beyond) {

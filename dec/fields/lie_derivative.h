@@ -10,7 +10,7 @@ namespace polydec {
 /// The n-simplices around a (k-1)-simplex whose values a contraction uses.
 enum class Sampling {
     centered, ///< all of them, weighted by volume
-    upwind,   ///< the one that the negative vector field points into
+    upwind,   ///< the one that the negative vector field points into, or the nearest to it
 };
 
 /// Interior product i_X of primal k-forms with a vector field, to (k-1)-forms: the integral over
@@ -30,10 +30,13 @@ enum class Sampling {
 /// With either sampling, exact for constant forms if X is linear on the n-simplices. For smooth
 /// forms of first order; centered sampling is of second order where the simplices around s are
 /// symmetric. Where the field flows in through the boundary no simplex lies upwind; the nearest one
-/// is used (for transport see lie_derivative). i_X i_X = 0 and i_X(a ^ b) = i_X a ^ b + (-1)^k a ^
-/// i_X b hold exactly for constants only. Time linear in the number of incidences. Source: Bossavit
-/// 2003; for upwinding Mullen et al. 2011. Throws InvalidInput for a field of another shape than
-/// the points, for a vector that is not finite, naming the vertex, and for a degree outside 0..n+1.
+/// is used (for transport see lie_derivative): the one whose cone, seen from s, has the least
+/// distance from -X. If several have it, up to 1e-12 of the length of X, their mean by volume is,
+/// so results do not depend on numbers, axes or the unit of length. i_X i_X = 0 and i_X(a ^ b) =
+/// i_X a ^ b + (-1)^k a ^ i_X b hold exactly for constants only. Time linear in the number of
+/// incidences. Source: Bossavit 2003; for upwinding Mullen et al. 2011. Throws InvalidInput for a
+/// field of another shape than the points, for a vector that is not finite, naming the vertex, and
+/// for a degree outside 0..n+1.
 SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
                               Sampling sampling);
 

@@ -283,7 +283,8 @@ def interior_product(complex: Complex, field: npt.ArrayLike, k: int, *,
     field : array_like, shape (size(0), N)
         X at the vertices.
     sampling : {"centered", "upwind"}
-        Which simplices around a cell sample the form.
+        Which simplices around a cell sample the form: all of them, or the one nearest to -X; of
+        several equally near, the mean by volume.
 
     Examples
     --------

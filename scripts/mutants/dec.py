@@ -274,4 +274,8 @@ MUTANTS = {
                               "FacetTags.of_half_a_wall_between_cubes_stay_its_own_if_groups_are_kept_apart"),
     "inverse_stars_without_orientation": ("dec/metric/inverse_star.cpp", "orientation(complex, k, s) * star.volume()", "star.volume()",
                                           "Family/DeRham.of_a_constant_is_the_constant_on_duals_if_the_star_of_n_cells_is_a_matrix/grid4"),
+    "upwind_by_depth": ("dec/fields/contraction.cpp", "std::hypot(beside, distance_from_cone(gradients, v))", "std::hypot(beside, behind)",
+                        "InteriorProductsUpwind.take_the_simplices_nearest_to_the_opposite_of_the_field"),
+    "equally_near_simplices_added": ("dec/fields/contraction.cpp", "nearest.volume[list[i]] += volumes_[t];", "nearest.volume[list[i]] = volumes_[t];",
+                                     "InteriorProductsUpwind.take_the_simplices_nearest_to_the_opposite_of_the_field"),
 }
