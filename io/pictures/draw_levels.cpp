@@ -21,7 +21,11 @@ LevelSets level_sets(const Discretization& given, const Cochain& form, const Vec
     const Discretization& mesh = placed(given);
     require_points(mesh.input(), mesh.input_points(), "a level set");
     check(given.complex(), form);
-    const Mesh cells{mesh.input_points(), mesh.input().simplices(mesh.dimension()), {}};
+    const int n = mesh.dimension();
+    Mesh cells{mesh.input_points(), mesh.input().simplices(n), {}};
+    for (Index t = 0; t < cells.simplices.rows() && n > 0; ++t)
+        if (mesh.input().orientation(t) < 0)
+            std::swap(cells.simplices(t, n - 1), cells.simplices(t, n));
     LevelSets sets = level_sets(cells, form_at_places(given, form).values, levels);
     if (given.box())
         for (Index& owner : sets.owners)

@@ -132,4 +132,6 @@ MUTANTS = {
                         "DrawLesson.SolidsThatAreWholeHaveTheirSurfaceAlone"),
     "steps_by_numbers_of_edges": ("io/pages/page_fields.cpp", "shown.step = opening_step(page, shown);", "auto by_edges = shown; by_edges.strengths.clear(); shown.step = opening_step(page, by_edges);",
                                   "DrawFields.OnPagesOpenWhereVectorsAreLongestNotTheNumbersOfEdges"),
+    "levels_turned_with_the_input": ("io/pictures/draw_levels.cpp", "orientation(t) < 0", "orientation(t) < -1",
+                                     "LevelSetsOfForms.AreOrientedAsTheBoundaryOfWhereTheFormIsLess"),
 }

@@ -7,6 +7,7 @@
 #include "io/pages/page.h"
 #include "io/pages/page_fields.h"
 #include "io/pages/series.h"
+#include "io/pictures/draw_cells.h"
 #include "meshes/generate.h"
 #include "tests/io/support.h"
 #include "tests/support/matrices.h"
@@ -188,6 +189,22 @@ TEST(DrawFields, OnPagesOpenWhereVectorsAreLongestNotTheNumbersOfEdges) {
     Page page = draw_page(mesh, field(0, 1));
     page.steps = {draw_step(page, "0", field(0, 1)), draw_step(page, "1", field(1, 3))};
     EXPECT_NE(to_html(page).find("\"step\":1,"), std::string::npos);
+}
+
+TEST(LevelSetsOfForms, AreOrientedAsTheBoundaryOfWhereTheFormIsLess) {
+    for (int n = 2; n <= 4; ++n) {
+        const auto mesh = discretize(kuhn(n, 3));
+        const Eigen::RowVectorXd center = Eigen::RowVectorXd::Constant(n, 0.5);
+        const Cochain squared = de_rham(mesh, 0, function_form([&](const Vector& x) {
+                                            return (x.transpose() - center).squaredNorm();
+                                        }));
+        const LevelSets sets = level_sets(mesh, squared, Vector{{0.2}});
+        EXPECT_GT(sets.mesh.simplices.rows(), 0);
+        for (const auto corners : sets.mesh.simplices.rowwise()) {
+            const Points rays = sets.mesh.points(corners, Eigen::indexing::all).rowwise() - center;
+            EXPECT_GT(DenseMatrix(rays).determinant(), 0) << n << " dimensions";
+        }
+    }
 }
 
 TEST(DrawFields, OnFacesOrEdgesNeedAMesh) {
