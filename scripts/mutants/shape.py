@@ -110,7 +110,7 @@ MUTANTS = {
                                     "ShortestPaths.from_vertices_and_at_places_that_are_none_are_refused"),
     "path_ends_too_soon": ("shape/bisection.cpp", "next >= 0; next = longer_around(1, edge, edge)", "next >= 0; next = -1",
                            "Bisection.of_solids_keeps_volume_topology_and_shape"),
-    "rounded_middles_forgotten": ("shape/shape.cpp", "130 * mesh.dimension()", "0 * mesh.dimension()",
+    "rounded_middles_forgotten": ("shape/shape.cpp", "return mesh.bisections() *", "return 0 *",
                                   "Refine.knows_what_rounding_has_changed"),
     "more_simplices_than_allowed": ("shape/shape_spectrum.cpp", "pieces.size(n) <= most ? low : high", "pieces.size(n) <= 2 * most ? low : high",
                                     "Adaptive.fills_the_most_triangles_and_warns"),

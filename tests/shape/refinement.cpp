@@ -255,7 +255,7 @@ TEST(Refine, changes_nothing_where_nothing_is_divided) {
 
 TEST(Refine, so_far_from_the_origin_that_middles_say_nothing_is_refused) {
     Mesh mesh = grid(5, 5);
-    mesh.points.array() += 1e13;
+    mesh.points.array() += 4e13;
     const DiscretizeOptions options{.criterion = MergeCriterion::none, .refine = 0.15};
     EXPECT_REFUSED(shape_spectrum(shape_of(discretize(mesh, options))), "simplex", "origin");
 }
