@@ -27,8 +27,8 @@ void check_sources(const Triangles& surface, std::span<const Index> sources) {
         if (!reached[sets.find(v).element])
             throw InvalidInput(fmt::format("no source is connected to vertex {}: give every "
                                            "component of the surface a source",
-                                           v),
-                               {.vertices = {v}});
+                                           surface.vertex_number(v)),
+                               {.vertices = {surface.vertex_number(v)}});
 }
 
 Vector in_units_of_lengths(const Triangles& surface, const Vector& unfolded, int exponent) {
@@ -38,8 +38,8 @@ Vector in_units_of_lengths(const Triangles& surface, const Vector& unfolded, int
         if (!std::isfinite(distances[v]))
             throw InvalidInput(fmt::format("the distance of vertex {} is outside the range of "
                                            "double precision: give lengths in a larger unit",
-                                           v),
-                               {.vertices = {v}});
+                                           surface.vertex_number(v)),
+                               {.vertices = {surface.vertex_number(v)}});
     return distances;
 }
 

@@ -77,6 +77,8 @@ Triangles::Triangles(const Pieces& surface) {
     const Index triangles = surface.size(2);
     sides_.resize(std::size_t(triangles) * 3);
     tails_.resize(sides_.size());
+    for (Index v = 0; v < vertices_; ++v)
+        names_.push_back(surface.vertex_number(v));
     for (Index t = 0; t < triangles; ++t) {
         // the corners a, b, c are passed in their order, or the other way round
         const Index ab = surface.face(2, t, 2), bc = surface.face(2, t, 0);
@@ -165,6 +167,8 @@ void GluedSurface::split_boundary(Index edge) {
     const SignedEdge ij = sides_[h], jk = sides_[h1];
     const Index j = tails_[h1], k = tails_[previous(h)];
     const Index m = vertices_++, n = static_cast<Index>(sides_.size());
+    if (!names_.empty())
+        names_.push_back(names_.back() + 1);
     const Index mj = edges(), mk = mj + 1;
 
     listed(h1) = n + 1;

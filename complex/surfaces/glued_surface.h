@@ -33,6 +33,9 @@ public:
     Index edges() const { return edges_; }
     Index triangles() const { return static_cast<Index>(sides_.size() / 3); }
 
+    /// The number by which messages name a vertex: that of the pieces; its own without pieces.
+    Index vertex_number(Index v) const { return names_.empty() ? v : names_[v]; }
+
     static Index triangle(Index halfedge) { return halfedge / 3; }
     static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
     static Index previous(Index halfedge) {
@@ -49,6 +52,7 @@ protected:
 
     std::vector<SignedEdge> sides_; // of half-edges
     std::vector<Index> tails_;      // of half-edges
+    std::vector<Index> names_;      // of vertices, or empty
     Index vertices_ = 0, edges_ = 0;
 };
 

@@ -5,9 +5,11 @@
 #include "dec/metric/triangle.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace polydec {
 
@@ -18,8 +20,8 @@ namespace {
     while (surface.edge(h) != edge)
         ++h;
     const bool along = surface.sign(h) > 0;
-    const Index first = along ? surface.tail(h) : surface.head(h);
-    const Index last = along ? surface.head(h) : surface.tail(h);
+    const Index first = surface.vertex_number(along ? surface.tail(h) : surface.head(h));
+    const Index last = surface.vertex_number(along ? surface.head(h) : surface.tail(h));
     throw InvalidInput(fmt::format("edge {} from vertex {} to {} has length {}: expected a "
                                    "positive number",
                                    edge, first, last, length),
@@ -38,16 +40,17 @@ void check_lengths(const Triangles& surface, const Vector& lengths) {
     for (Index t = 0; t < surface.triangles(); ++t) {
         const auto [a, b, c] = side_lengths(surface, lengths, t);
         const double longest = std::max({a, b, c});
-        if (!(triangle_area(a / longest, b / longest, c / longest) > 0))
-            throw InvalidInput(
-                fmt::format("triangle {} with vertices {}, {}, {} has sides of lengths {}, {} and "
-                            "{}: no triangle of positive area has such sides",
-                            t, surface.tail(3 * t), surface.tail(3 * t + 1),
-                            surface.tail(3 * t + 2), a, b, c),
-                {.degree = 2,
-                 .cells = {t},
-                 .vertices = {surface.tail(3 * t), surface.tail(3 * t + 1),
-                              surface.tail(3 * t + 2)}});
+        if (triangle_area(a / longest, b / longest, c / longest) > 0)
+            continue;
+        std::vector<Index> corners;
+        for (Index h = 3 * t; h < 3 * t + 3; ++h)
+            corners.push_back(surface.vertex_number(surface.tail(h)));
+        throw InvalidInput(
+            fmt::format(
+                "triangle {} with vertices {} has sides of lengths {}, {} and {}: no triangle of "
+                "positive area has such sides",
+                t, fmt::join(corners, ", "), a, b, c),
+            {.degree = 2, .cells = {t}, .vertices = corners});
     }
 }
 

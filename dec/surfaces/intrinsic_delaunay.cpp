@@ -322,15 +322,15 @@ private:
             const Index h = surface_.halfedges(e)[0];
             for (const FanEnd end : {FanEnd::tail, FanEnd::head}) {
                 const double angle = boundary_corner(h, end);
+                const Index vertex = surface_.vertex_number(end == FanEnd::tail ? surface_.tail(h)
+                                                                                : surface_.head(h));
                 if (std::tan(std::min(angle, std::numbers::pi / 2) / 2) / 2 <= split_goal())
                     throw InvalidInput(
                         fmt::format("the boundary has a corner of angle {:.2g} at vertex {}: "
                                     "however its edges are split, one keeps a dual below {:.2g} of "
                                     "its length; use flips without splits",
-                                    angle,
-                                    end == FanEnd::tail ? surface_.tail(h) : surface_.head(h),
-                                    split_goal()),
-                        {.vertices = {end == FanEnd::tail ? surface_.tail(h) : surface_.head(h)}});
+                                    angle, vertex, split_goal()),
+                        {.vertices = {vertex}});
             }
         }
     }

@@ -82,16 +82,17 @@ void check_vectors(const GluedSurface& surface, std::span<const Index> sources,
     std::vector<bool> given(std::size_t(surface.vertices()), false);
     for (std::size_t s = 0; s < sources.size(); ++s) {
         const Complex vector = vectors[static_cast<Eigen::Index>(s)];
+        const Index name = surface.vertex_number(sources[s]);
         if (given[sources[s]])
             throw InvalidInput(
-                fmt::format("vertex {} is a source twice: expected one vector for it", sources[s]),
-                {.vertices = {sources[s]}});
+                fmt::format("vertex {} is a source twice: expected one vector for it", name),
+                {.vertices = {name}});
         given[sources[s]] = true;
         if (!std::isfinite(std::abs(vector)))
             throw InvalidInput(fmt::format("the vector at vertex {} is ({}, {}): expected finite "
                                            "numbers",
-                                           sources[s], vector.real(), vector.imag()),
-                               {.vertices = {sources[s]}});
+                                           name, vector.real(), vector.imag()),
+                               {.vertices = {name}});
     }
 }
 

@@ -77,8 +77,8 @@ std::string explained(const Triangles& surface, const SurfaceMetric& metric,
     return fmt::format("{}\nProbably because of an angle of cotangent {:.1g} at vertex {} in "
                        "triangle {}: flip edges until the triangulation is Delaunay, which "
                        "changes neither distances nor transport.",
-                       failure, metric.cotangents[sharpest], surface.tail(surface.previous(h)),
-                       h / 3);
+                       failure, metric.cotangents[sharpest],
+                       surface.vertex_number(surface.tail(surface.previous(h))), h / 3);
 }
 
 SparseMatrix surface_laplacian(const Triangles& surface, const SurfaceMetric& metric,

@@ -21,15 +21,15 @@ void check_orientation(const GluedSurface& surface) {
             continue;
         const auto& [h, g] = surface.halfedges(e);
         const bool coherent = surface.is_coherent(e);
+        const Index first = surface.vertex_number(surface.first_vertex(e)),
+                    last = surface.vertex_number(surface.last_vertex(e));
         if (!sides.join(h / 3, g / 3, coherent ? 1 : -1))
             throw InvalidInput(
                 fmt::format(
                     "the surface is one-sided: a path across edge {} (from vertex {} to {}) "
                     "returns with left and right exchanged. Angles need a surface with two sides",
-                    e, surface.first_vertex(e), surface.last_vertex(e)),
-                {.degree = 1,
-                 .cells = {e},
-                 .vertices = {surface.first_vertex(e), surface.last_vertex(e)}});
+                    e, first, last),
+                {.degree = 1, .cells = {e}, .vertices = {first, last}});
         if (!coherent && incoherent < 0)
             incoherent = e;
     }
@@ -114,8 +114,8 @@ TangentFrames tangent_frames(const GluedSurface& surface, const Vector& lengths)
             throw InvalidInput(
                 fmt::format("the triangles around vertex {} form several fans (the first has {} of "
                             "{} corners): split the vertex into one for each fan",
-                            v, around.halfedges.size(), corners[v]),
-                {.vertices = {v}});
+                            surface.vertex_number(v), around.halfedges.size(), corners[v]),
+                {.vertices = {surface.vertex_number(v)}});
         measure(surface, metric, v, around, frames);
     }
     return frames;

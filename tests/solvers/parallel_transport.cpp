@@ -21,6 +21,16 @@ using Complex = std::complex<double>;
 constexpr Index from_0[] = {0};
 constexpr double pi = std::numbers::pi;
 
+/// Two triangles that meet at a vertex.
+Mesh pinched() {
+    Mesh mesh;
+    mesh.points.resize(5, 2);
+    mesh.points << 0, 0, 1, 0, 0, 1, -1, 0, 0, -1;
+    mesh.simplices.resize(2, 3);
+    mesh.simplices << 0, 1, 2, 0, 3, 4;
+    return mesh;
+}
+
 TangentVectors one_vector(Complex z) {
     return TangentVectors::Constant(1, z);
 }
@@ -247,12 +257,7 @@ TEST(ParallelTransport, refuses_surfaces_without_angles) {
     GluedSample turned = flat(2);
     turned.surface.reverse(3);
     EXPECT_SAYS(refused(turned), "triangles 0", "3", "edge 0", "orientations");
-    Mesh pinched;
-    pinched.points.resize(5, 2);
-    pinched.points << 0, 0, 1, 0, 0, 1, -1, 0, 0, -1;
-    pinched.simplices.resize(2, 3);
-    pinched.simplices << 0, 1, 2, 0, 3, 4;
-    EXPECT_SAYS(refused(glued(pinched)), "vertex 0", "fans", "1 of 2 corners");
+    EXPECT_SAYS(refused(glued(pinched())), "vertex 0", "fans", "1 of 2 corners");
     EXPECT_EQ(refused(flat(2)), "accepted");
 }
 
@@ -270,6 +275,25 @@ TEST(ParallelTransport, refuses_vectors_that_make_no_sense) {
     EXPECT_REFUSED(ParallelTransport(torus.surface, torus.lengths, {.time_scale = 0}), "time scale",
                    "0", "1e-6", "1e6");
     EXPECT_EQ(refused({8}, one_vector(1)), "accepted");
+}
+
+TEST(ParallelTransport, names_vertices_by_their_numbers_in_the_mesh) {
+    const auto refused = [](const Mesh& mesh, const std::vector<Index>& sources, Index named) {
+        const SimplicialComplex complex(Simplices(mesh.simplices.array() + 10)); // 0 to 9 unused
+        const Vector lengths = edge_lengths(complex, mesh.points);
+        try {
+            ParallelTransport(GluedSurface(complex), lengths)
+                .extend(sources, TangentVectors::Ones(static_cast<Index>(sources.size())));
+        } catch (const InvalidInput& error) {
+            EXPECT_EQ(error.place().vertices.front(), named);
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    EXPECT_SAYS(refused(pinched(), {0}, 10), "vertex 10", "fans");
+    EXPECT_SAYS(refused(grid(2, 2), {4, 4}, 14), "vertex 14", "source", "twice");
+    EXPECT_SAYS(refused(grid(2, 2), {}, 10), "source", "vertex 10");
+    EXPECT_SAYS(refused(moebius(24, 2), {0}, 10), "one-sided", "vertex 10");
 }
 
 } // namespace
