@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace polydec {
 
@@ -59,40 +61,56 @@ double estimate(const PoissonForms& forms, const SparseMatrix& on_facets,
     return largest.converged > 0 ? largest.values[0] : 0;
 }
 
-/// The block matrix whose inertia tells, as triplets, with what its entries may be off by.
+/// The rows of facets and vertices in the matrix whose inertia tells, -1 for those left out.
+///
+/// Where constants are free, a function on facets is fixed to 0 at one of them, which leaves the
+/// energy of its answer to loads of mean 0 as it is. The constants at vertices are multipliers that
+/// keep the means of loads at 0.
+struct Places {
+    std::vector<Index> facets, vertices;
+    Index of_vertices = 0, size = 0;
+
+    explicit Places(const PoissonForms& forms)
+        : facets(forms.facets().K.rows(), 0), vertices(forms.vertices().K.rows(), 0) {
+        for (const auto& constant : forms.facets().kernel.colwise()) {
+            Eigen::Index fixed = 0;
+            constant.maxCoeff(&fixed);
+            facets[fixed] = -1;
+        }
+        for (auto* places : {&facets, &vertices}) {
+            const Index before = size;
+            for (Index& place : *places)
+                place = place < 0 ? -1 : size++;
+            of_vertices = size - before;
+        }
+    }
+};
+
+/// That matrix, as triplets, with what its entries may be off by. The loads on simplices, of which
+/// each one meets no other, are eliminated before: so the block of vertices is definite.
 class Blocks {
 public:
-    explicit Blocks(Index size)
-        : size_(size), sizes_(Vector::Zero(size)), counts_(Vector::Zero(size)) {}
+    explicit Blocks(Index size) : size_(size), sizes_(Vector::Zero(size)), counts_(sizes_) {}
 
-    void diagonal(Index i, double value, double size) {
-        entries_.emplace_back(i, i, value);
-        sizes_[i] = std::max(sizes_[i], size);
-        counts_[i] += 1;
-    }
-
-    void both(Index i, Index j, double value) {
-        entries_.emplace_back(i, j, value);
-        entries_.emplace_back(j, i, value);
-        counts_[i] += 1, counts_[j] += 1;
-    }
-
-    void block(const SparseMatrix& A, double sign, const std::vector<Index>& places) {
+    void add(const SparseMatrix& A, double sign, const std::vector<Index>& places) {
         for (Index i = 0; i < A.rows(); ++i)
             for (SparseMatrix::InnerIterator at(A, i); at; ++at)
-                if (const Index r = places[i], c = places[at.col()]; r >= 0 && c >= 0) {
-                    entries_.emplace_back(r, c, sign * at.value());
-                    counts_[r] += 1;
-                    if (r == c)
-                        sizes_[r] = std::abs(at.value());
-                }
+                if (const Index r = places[i], c = places[at.col()]; r >= 0 && c >= 0)
+                    add(r, c, sign * at.value(), 1);
     }
 
-    double size(Index i) const { return sizes_[i]; }
-    void raise(Index i, double size) { sizes_[i] = std::max(sizes_[i], size); }
+    /// Eliminates a load with this entry, which is so many times smaller than its terms.
+    void eliminate(double entry, double cancelled,
+                   const std::vector<std::pair<Index, double>>& row) {
+        for (const auto& [i, a] : row)
+            for (const auto& [j, b] : row)
+                add(i, j, -(a * b) / entry, cancelled);
+    }
 
-    /// Negative eigenvalues, if they can be told; `doubt` is of blocks given.
+    /// Negative eigenvalues, if they can be told; `doubt` is of the matrices added.
     std::optional<Index> negative(const std::string& engine, int dimension, double doubt) const {
+        if (size_ == 0)
+            return 0;
         SparseMatrix matrix(size_, size_);
         matrix.setFromTriplets(entries_.begin(), entries_.end());
         constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
@@ -101,87 +119,44 @@ public:
     }
 
 private:
+    void add(Index i, Index j, double value, double cancelled) {
+        entries_.emplace_back(i, j, value);
+        counts_[i] += 1;
+        if (i == j)
+            sizes_[i] += std::abs(value) * cancelled;
+    }
+
     Index size_;
     std::vector<Eigen::Triplet<double, Index>> entries_;
     Vector sizes_, counts_;
-};
-
-/// The rows of simplices, facets and vertices in the block matrix, -1 for those left out.
-///
-/// Where constants are free, a function on facets is fixed to 0 at one of them, which leaves the
-/// energy of its answer to loads of mean 0 as it is. The constants at vertices are multipliers that
-/// keep the means of loads at 0. A component of one simplex is left out: its only load of mean 0
-/// is 0.
-struct Places {
-    std::vector<Index> simplices, facets, vertices;
-    Index of_vertices = 0, size = 0;
-
-    explicit Places(const PoissonForms& forms)
-        : simplices(forms.simplices(), 0),
-          facets(forms.facets().K.rows(), 0),
-          vertices(forms.vertices().K.rows(), 0) {
-        for (const auto& constant : forms.facets().kernel.colwise()) {
-            Eigen::Index fixed = 0;
-            constant.maxCoeff(&fixed);
-            facets[fixed] = -1;
-        }
-        leave_out_single(forms);
-        for (auto* places : {&simplices, &facets, &vertices}) {
-            const Index before = size;
-            for (Index& place : *places)
-                place = place < 0 ? -1 : size++;
-            of_vertices = size - before;
-        }
-    }
-
-private:
-    void leave_out_single(const PoissonForms& forms) {
-        std::vector<Index> counts(forms.facets().kernel.cols(), 0);
-        for (const Index component : forms.components())
-            if (component >= 0)
-                ++counts[component];
-        const int width = forms.dimension() + 1;
-        for (Index s = 0; s < forms.simplices(); ++s) {
-            const Index component = forms.components()[s];
-            if (component < 0 || counts[component] > 1)
-                continue;
-            simplices[s] = -1;
-            for (int i = 0; i < width; ++i) {
-                facets[forms.facets().unknowns[std::size_t(width) * s + i]] = -1;
-                vertices[forms.vertices().unknowns[std::size_t(width) * s + i]] = -1;
-            }
-        }
-    }
 };
 
 /// Whether k^2 is proved: as many negative eigenvalues as functions at vertices.
 bool is_proved(const PoissonForms& forms, const SparseMatrix& on_facets,
                const SparseMatrix& on_vertices, double square, const std::string& engine) {
     const Places places(forms);
-    if (places.size == 0)
-        return true;
     Blocks blocks(places.size);
-    blocks.block(forms.facets().K, 1, places.facets);
-    blocks.block(forms.vertices().K, -1, places.vertices);
-    for (Index s = 0; s < forms.simplices(); ++s)
-        if (const Index row = places.simplices[s]; row >= 0) {
-            const double value = (square - forms.bubbles()[s]) * forms.volumes()[s];
-            blocks.diagonal(row, value, (square + forms.bubbles()[s]) * forms.volumes()[s]);
-        }
-    const auto couple = [&](const SparseMatrix& B, const std::vector<Index>& columns) {
-        for (Index s = 0; s < forms.simplices(); ++s)
-            for (SparseMatrix::InnerIterator at(B, s); at; ++at)
-                if (const Index row = places.simplices[s], column = columns[at.col()];
-                    row >= 0 && column >= 0) {
-                    blocks.both(row, column, at.value());
-                    blocks.raise(row, at.value() * at.value() / blocks.size(column));
-                }
-    };
-    couple(on_facets, places.facets);
-    couple(on_vertices, places.vertices);
-    const auto negative =
+    blocks.add(forms.facets().K, 1, places.facets);
+    blocks.add(forms.vertices().K, -1, places.vertices);
+    Index negative = 0;
+    for (Index s = 0; s < forms.simplices(); ++s) {
+        constexpr double half_of_the_digits = 1e8;
+        const double bubble = forms.bubbles()[s], rest = square - bubble;
+        const double cancelled = (square + bubble) / std::abs(rest);
+        if (!(cancelled < half_of_the_digits))
+            return false;
+        negative += rest < 0 ? 1 : 0;
+        std::vector<std::pair<Index, double>> row;
+        for (const auto& [B, columns] :
+             {std::pair(&on_facets, &places.facets), std::pair(&on_vertices, &places.vertices)})
+            for (SparseMatrix::InnerIterator at(*B, s); at; ++at)
+                if (const Index column = (*columns)[at.col()]; column >= 0)
+                    row.emplace_back(column, at.value());
+        blocks.eliminate(rest * forms.volumes()[s], cancelled, row);
+    }
+    const auto others =
         blocks.negative(engine, forms.dimension(), forms.facets().doubt + forms.vertices().doubt);
-    return negative && *negative == places.of_vertices;
+    return others && negative + *others == places.of_vertices;
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "meshes/rearrange.h"
 #include "solvers/sources/poisson.h"
 #include "tests/shape/poisson_samples.h"
+#include "tests/support/hand_made.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
@@ -252,6 +253,27 @@ TEST(PoissonError, of_separate_simplices_without_given_values_is_that_of_the_res
         EXPECT_LE(error.energy, 2 * error.oscillation);
         EXPECT_LE(*error.l2, error.energy);
     }
+}
+
+TEST(PoissonError, of_L2_is_known_of_any_few_simplices_by_any_engine) {
+    const Mesh curve = made_of({{0}, {1}, {2.5}}, {{0, 1}, {1, 2}}),
+               apart = made_of({{0, 0}, {1, 0}, {1, 1}, {5, 5}, {6, 5}, {6, 6}, {5, 6}},
+                               {{0, 1, 2}, {3, 4, 5}, {3, 5, 6}}),
+               solid = made_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}},
+                               {{0, 1, 2, 3}, {1, 2, 3, 4}});
+    for (const Mesh& mesh : {curve, kuhn(1, 1), kuhn(2, 1), kuhn(2, 2), apart, solid, kuhn(3, 1)})
+        for (const auto condition : {BoundaryCondition::natural, BoundaryCondition::essential}) {
+            PoissonProblem problem{.shape = unmerged(mesh), .source = {}};
+            problem.shape.conditions = {condition};
+            const Pieces& pieces = problem.shape.pieces;
+            problem.source = Vector::LinSpaced(pieces.size(pieces.dimension()), -1, 2);
+            const Vector u = Vector::Zero(pieces.size(0));
+            const auto of = [&](const char* engine) {
+                return poisson_error(problem, u, {.linear_solver = engine}).l2.value_or(-1);
+            };
+            EXPECT_GE(of("auto"), 0) << "n = " << mesh.dimension();
+            EXPECT_NEAR(of("eigen.ldlt"), of("auto"), 1e-9 * of("auto"));
+        }
 }
 
 TEST(PoissonError, of_a_mesh_takes_what_the_solver_takes_also_on_merged_cells) {
