@@ -15,6 +15,7 @@ from ._cochain import Form, function_values
 from ._complex import CellsLike, Complex, Progress, as_complex, discretize
 from ._cells import Cells
 from ._conditions import conditions_of, conditions_or_none
+from ._vertices import at_vertices
 
 
 class CountBelow(NamedTuple):
@@ -40,7 +41,7 @@ class ShapeSpectrum:
     count : CountBelow
         Number of eigenvalues below `count_at`.
     modes : numpy.ndarray
-        Columns: approximate eigenfunctions at the vertices. No columns for 1-forms.
+        Columns: approximate eigenfunctions at the vertices; nan at unused ones. No columns for 1-forms.
     simplices, flips, factorizations : int
         Number of simplices, of edges flipped beforehand, and of inertia counts in the proof.
     """
@@ -68,10 +69,14 @@ class ShapeSpectrum:
         return f"ShapeSpectrum({len(self.upper)} values {shown}{', ..' if len(self.upper) > 4 else ''})"
 
 
-def _parts(mesh: CellsLike, essential: Any, robin: Any, conductivity: Any, density: Any,
-           flips: bool) -> tuple[_core.Discretization, _core.Conditions | None, _core.CellData, _core.CellData, bool]:
+def _unmerged(mesh: CellsLike) -> Complex:
     complex = as_complex(mesh) if isinstance(mesh, Cells) else discretize(mesh, merge=False, star="galerkin")
     assert isinstance(complex, Complex)
+    return complex
+
+
+def _parts(complex: Complex, essential: Any, robin: Any, conductivity: Any, density: Any,
+           flips: bool) -> tuple[_core.Discretization, _core.Conditions | None, _core.CellData, _core.CellData, bool]:
     return (complex._mesh, conditions_or_none(complex, essential, robin),
             cell_data(complex, conductivity, "conductivities"), cell_data(complex, density, "densities"), flips)
 
@@ -125,9 +130,11 @@ def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: 
     >>> bool(found.lower[0] <= 2 * np.pi ** 2 <= found.upper[0] and found.widths[0] < 1e-3)
     True
     """
-    given = _parts(mesh, essential, robin, conductivity, density, flips)
+    complex = _unmerged(mesh)
+    given = _parts(complex, essential, robin, conductivity, density, flips)
     found = _core.shape_spectrum(*given, degree, count, level, width, max_triangles, linear_solver, eigen_solver, progress)
     found["count"] = CountBelow(*found["count"])
+    found["modes"] = at_vertices(complex, found["modes"])
     return ShapeSpectrum(**found)
 
 
@@ -148,7 +155,7 @@ def count_below(mesh: CellsLike, s: float, *, degree: int = 0, level: int = 2, e
     >>> polydec.count_below(polydec.meshes.grid(8, 8), 25, essential=True)    # 2 pi^2, then 5 pi^2
     CountBelow(at_least=1, at_most=1)
     """
-    given = _parts(mesh, essential, robin, conductivity, density, flips)
+    given = _parts(_unmerged(mesh), essential, robin, conductivity, density, flips)
     return CountBelow(*_core.count_below(*given, s, degree, level, linear_solver))
 
 

@@ -35,6 +35,10 @@ def test_vertices_keep_the_numbers_of_the_arrays():
                 polydec.wave(plain, f[used], 0.2, loss=abs(f[used]),
                              source=lambda t: t * f[used])[0])
 
+    with pytest.warns(polydec.PolydecWarning):
+        modes = polydec.shape_spectrum(given, count=2, essential=True).modes
+    assert same(modes, polydec.shape_spectrum(mesh, count=2, essential=True).modes)
+
     def later(complex, u, side, degree, boundary):
         run = polydec.Evolution(complex, u, side=side, degree=degree, diffusion=0.1,
                                 essential=True, reaction=lambda t, w: u - w, boundary=boundary)
