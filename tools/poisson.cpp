@@ -17,7 +17,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -103,9 +102,7 @@ void add_bound(Solved& answer, const Discretization& mesh, const FormSpace& spac
                const CellData& conductivity, const std::string& engine, const Vector& f,
                const Vector& flux, const Vector& u) {
     constexpr Index most_for_l2 = 50'000; // triangles: the count takes longer than all else
-    const auto& fixed = space.conditions().fixed_vertices;
-    if (mesh.dimension() != 2 || space.side() != Side::primal ||
-        std::find(fixed.begin(), fixed.end(), true) != fixed.end())
+    if (mesh.dimension() != 2 || space.side() != Side::primal)
         return;
     const bool l2 = mesh.pieces().size(2) <= most_for_l2;
     if (!l2)

@@ -30,6 +30,10 @@ class Shapes(TestCase):
         self.assertIn("error of the gradient at most", told)
         self.assertIn("f linear on triangles", told)
         self.assertNotIn("error_bound", self.ask("poisson", self.grid(), "--side", "dual", "--rhs", 1))
+        fixed = self.ask("poisson", self.grid(), "--side", "primal", "--rhs", 0, "--fixed-where", "x<.1",
+                         "--boundary", 1)
+        self.assertNotIn("error_bound", fixed)
+        self.assertSays(fixed["without_error_bound"], "vertex", "given value", "conditions on facets")
 
     def test_the_spectrum_of_a_mesh_speaks_of_the_shape_and_of_a_coarse_mesh(self):
         told = self.succeed("spectrum", self.grid(), "--side", "primal", "--degree", 0, "--count", 2).out
