@@ -35,6 +35,9 @@ public:
         result_.zeros = std::min(zero_eigenvalues(shape), options.count);
     }
 
+    /// Whether there are as many functions as eigenvalues.
+    bool suffices() const { return options_.count <= conforming_.family().size(); }
+
     /// Simplices that are too large for good lower bounds.
     std::vector<Index> coarse() {
         find_upper();
@@ -83,12 +86,12 @@ private:
 };
 
 void Enclosing::find_upper() {
-    const FormFamily& family = conforming_.family();
-    if (options_.count > family.size())
-        throw InvalidInput(fmt::format("{} eigenvalues of a shape: the mesh has {} functions of "
-                                       "degree {}, so expected 1 to {}; refine the mesh for more",
-                                       options_.count, family.size(), options_.level,
-                                       family.size()));
+    if (!suffices())
+        throw InvalidInput(fmt::format("{} eigenvalues of a shape: expected at most as many as the "
+                                       "mesh has functions of degree {}, which are {}; refine the "
+                                       "mesh for more",
+                                       options_.count, options_.level,
+                                       conforming_.family().size()));
     tell("upper bounds");
     take(solver_.emplace(shape_, conforming_, result_.zeros, options_).smallest(options_.count));
 }
@@ -203,6 +206,12 @@ Shape bisected_up_to(const Shape& shape, const std::vector<Index>& simplices, In
     return first(low);
 }
 
+std::vector<Index> all_simplices(const Shape& shape) {
+    std::vector<Index> all(shape.pieces.size(shape.pieces.dimension()));
+    std::iota(all.begin(), all.end(), Index{0});
+    return all;
+}
+
 /// On the shape as it is, or bisected until all enclosures are narrow or no more simplices fit.
 ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
     const int n = shape.pieces.dimension();
@@ -210,7 +219,7 @@ ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
     bool full = simplices >= options.max_triangles;
     for (;;) {
         Enclosing enclosing(shape, options);
-        auto marked = enclosing.coarse();
+        auto marked = full || enclosing.suffices() ? enclosing.coarse() : all_simplices(shape);
         if (full || marked.empty()) {
             ShapeSpectrum result = enclosing.enclose();
             if (full || widths(result).maxCoeff() <= options.width) {

@@ -334,5 +334,20 @@ TEST(Adaptive, fills_the_most_triangles_and_warns) {
                    "simplices", "-5", "0");
 }
 
+TEST(Adaptive, makes_the_functions_that_a_coarse_mesh_lacks) {
+    const Shape triangle = unmerged(kuhn(2, 1), {BoundaryCondition::essential});
+    const Shape cube = unmerged(kuhn(3, 1), {BoundaryCondition::essential});
+    for (const int level : {1, 2}) {
+        const auto found =
+            shape_spectrum(triangle, {.count = 1, .level = level, .max_triangles = 500});
+        EXPECT_LE(found.lower[0], 2 * pi * pi);
+        EXPECT_GE(found.upper[0], 2 * pi * pi);
+        EXPECT_REFUSED(shape_spectrum(cube, {.count = 200, .level = level, .max_triangles = 40}),
+                       "200", "degree " + std::to_string(level), "refine");
+        EXPECT_REFUSED(shape_spectrum(triangle, {.count = 20, .level = level}), "20",
+                       "degree " + std::to_string(level), "refine");
+    }
+}
+
 } // namespace
 } // namespace polydec::test::in_refinement
