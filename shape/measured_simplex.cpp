@@ -126,6 +126,21 @@ Worst worst_of(const Shape& shape) {
     return worst;
 }
 
+/// Products of a volume and a few lengths, and what is far below them, must be in range.
+void check_size(const Shape& shape) {
+    constexpr double most_volume = 1e150;
+    const double most = std::pow(most_volume, 1.0 / std::max(shape.pieces.dimension(), 3));
+    for (Index e = 0; e < shape.lengths.size(); ++e)
+        if (const double length = shape.lengths[e]; !(length >= 1 / most && length <= most)) {
+            const auto ends = shape.pieces.vertex_numbers(1, e);
+            throw InvalidInput(fmt::format("edge {} with vertices {} has length {:.3g}, but bounds "
+                                           "of eigenvalues need lengths from {:.1g} to {:.1g}: "
+                                           "scale the mesh to a size nearer to 1",
+                                           e, fmt::join(ends, " and "), length, 1 / most, most),
+                               {.degree = 1, .cells = {e}, .vertices = ends});
+        }
+}
+
 } // namespace
 
 double most_sensitivity(const Shape& shape) {
@@ -147,6 +162,7 @@ double metric_share(const Shape& shape) {
 }
 
 double metric_ratio(const Shape& shape) {
+    check_size(shape);
     const double d = metric_share(shape);
     return (1 - d) * std::pow((1 - d) / (1 + d), shape.pieces.dimension() / 2.0);
 }

@@ -165,5 +165,22 @@ TEST(FamilyCounter, counts_below_the_limit_alone) {
     }
 }
 
+TEST(CountBelow, of_lengths_whose_volumes_are_out_of_range_is_refused) {
+    for (const Mesh& mesh : {kuhn(1, 2), kuhn(2, 2), kuhn(3, 1), kuhn(4, 1)})
+        for (const double size : {1e-90, 1e-65, 1e-30, 1e30, 1e65, 1e90}) {
+            Shape shape = unmerged(mesh);
+            const auto expected = count_below(shape, 50);
+            shape.lengths *= size;
+            const double s = 50 / (size * size);
+            if (std::abs(std::log10(size)) > 50) {
+                EXPECT_REFUSED(count_below(shape, s), "edge 0", "length", "scale");
+                EXPECT_REFUSED(shape_spectrum(shape, {.count = 2}), "edge 0", "length", "scale");
+            } else {
+                EXPECT_EQ(count_below(shape, s).at_least, expected.at_least);
+                EXPECT_EQ(count_below(shape, s).at_most, expected.at_most);
+            }
+        }
+}
+
 } // namespace
 } // namespace polydec::test::in_counts
