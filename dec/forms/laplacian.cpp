@@ -12,8 +12,10 @@ Operator adjoint_of_derivative(const Cells& cells, int k) {
     const Operator d = Operator::derivative(cells.complex(), k - 1);
     if (k == 0 || k > cells.dimension())
         return Operator::zero(d.cols(), d.rows());
-    const HodgeStars& stars = cells.input_stars();
-    return Operator::inverse_star(stars[k - 1]) * d.transposed() * Operator::star(stars[k]);
+    const HodgeStars& stars = cells.stars();
+    return in_input_units(Operator::inverse_star(stars[k - 1]) * d.transposed() *
+                              Operator::star(stars[k]),
+                          cells.unit(), -2, "the codifferential");
 }
 
 } // namespace
@@ -43,13 +45,15 @@ Operator dual_laplacian(const Cells& cells, int j) {
 Operator symmetric_laplacian(const Cells& cells, int k) {
     const CellComplex& complex = cells.complex();
     cell_degree(complex, Side::primal, k); // throws for an invalid degree
-    const HodgeStars& stars = cells.input_stars();
-    const Operator lower = Operator::star(stars[k]) * Operator::derivative(complex, k - 1) *
-                           adjoint_of_derivative(cells, k);
-    if (k == complex.dimension())
-        return lower;
-    const Operator d = Operator::derivative(complex, k);
-    return d.transposed() * Operator::star(stars[k + 1]) * d + lower;
+    const HodgeStars& stars = cells.stars();
+    // in the unit of the cells: products of stars may leave the range where the result does not
+    Operator result = Operator::star(stars[k]) * Operator::derivative(complex, k - 1) *
+                      adjoint_of_derivative({complex, stars}, k);
+    if (k < complex.dimension()) {
+        const Operator d = Operator::derivative(complex, k);
+        result = d.transposed() * Operator::star(stars[k + 1]) * d + result;
+    }
+    return in_input_units(result, cells.unit(), complex.dimension() - 2 * k - 2, "the stiffness");
 }
 
 } // namespace polydec

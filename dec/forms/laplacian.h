@@ -6,7 +6,8 @@
 
 namespace polydec {
 
-// These operators act on values without a matrix, and convert to a matrix where one is needed.
+// These operators act on values without a matrix, and convert to a matrix where one is needed. Both
+// throw InvalidInput if results in the units of the input overflow or underflow.
 
 /// Codifferential of primal k-forms, to (k-1)-forms: star_(k-1)^-1 d_(k-1)^T star_k, the adjoint of
 /// d_(k-1) in the inner products of the stars. size(k-1) x size(k); units length^-2 times the units
@@ -31,7 +32,8 @@ Operator laplacian(const Cells& cells, int k);
 Operator dual_laplacian(const Cells& cells, int j);
 
 /// star_k Delta_k = d_k^T star_(k+1) d_k + star_k d_(k-1) star_(k-1)^-1 d_(k-1)^T star_k:
-/// symmetric, size(k) x size(k). Throws InvalidInput, naming the cells, if star_(k-1) has a zero.
+/// symmetric, size(k) x size(k); units length^(n-2k-2). Throws InvalidInput, naming the cells, if
+/// star_(k-1) has a zero.
 Operator symmetric_laplacian(const Cells& cells, int k);
 
 } // namespace polydec

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "dec/forms/gram.h"
+#include "dec/forms/input_units.h"
 
 #include <fmt/format.h>
 
@@ -99,6 +100,8 @@ Vector Operator::apply(const Factor& factor, const Vector& x) {
         return x.cwiseProduct(**weights);
     if (const auto* mass = std::get_if<Mass>(&factor))
         return mass->inverted ? mass->star.solve(x) : mass->star * x;
+    if (const auto* to = std::get_if<Conversion>(&factor))
+        return form_in_input_units(x, to->unit, to->power, to->what);
     const auto& [complex, k, transposed] = std::get<Derivative>(factor);
     return transposed ? across_rows(complex.incidences(k), x)
                       : along_rows(complex.incidences(k), x);
@@ -170,10 +173,13 @@ SparseMatrix Operator::matrix(const Product& product) {
                 scale(result, Vector(), **weights);
             else
                 pending = pending.size() > 0 ? Vector(pending.cwiseProduct(**weights)) : **weights;
-        } else
+        } else if (!std::holds_alternative<Conversion>(product[i]))
             multiply(matrix(product[i]));
     if (!begun)
         result = diagonal_matrix(pending);
+    for (const Factor& factor : product)
+        if (const auto* to = std::get_if<Conversion>(&factor))
+            result = in_input_units(std::move(result), to->unit, to->power, to->what);
     if (product.size() > 3 || !is_gram(product, 0))
         result.coeffs() += 0.0; // -0 becomes 0, as in the halves of a Laplacian
     return result;
@@ -246,6 +252,13 @@ Operator operator*(const Operator& A, const Operator& B) {
 
 Operator operator*(double factor, const Operator& A) {
     return Operator::weights(Vector::Constant(A.rows(), factor)) * A;
+}
+
+Operator in_input_units(const Operator& A, double unit, double power, std::string what) {
+    if (unit == 1)
+        return A;
+    const Operator::Conversion conversion{unit, power, std::move(what)};
+    return Operator(A.rows(), A.rows(), {{conversion}}) * A;
 }
 
 Operator operator+(const Operator& A, const Operator& B) {

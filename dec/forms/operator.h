@@ -5,6 +5,7 @@
 #include "dec/stars/star.h"
 
 #include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -51,6 +52,11 @@ public:
 
     friend Operator operator*(double factor, const Operator& A);
 
+    /// The same with results converted from a unit of length, to some power, to input units (see
+    /// Cells::unit). Applying it, and its matrix, throw InvalidInput, naming `what`, for overflow
+    /// and underflow.
+    friend Operator in_input_units(const Operator& A, double unit, double power, std::string what);
+
 private:
     struct Derivative {
         CellComplex complex;
@@ -62,7 +68,11 @@ private:
         HodgeStar star;
         bool inverted;
     };
-    using Factor = std::variant<Derivative, Weights, Mass>;
+    struct Conversion { // multiplies by unit^power
+        double unit, power;
+        std::string what;
+    };
+    using Factor = std::variant<Derivative, Weights, Mass, Conversion>;
     using Product = std::vector<Factor>;
 
     Operator(Index rows, Index cols, std::vector<Product> terms)

@@ -86,6 +86,11 @@ def test_all_is_in_the_units_of_the_input(exponent):
         stiffness, of_usual = (polydec.FormSpace(m, degree=degree, essential=True).stiffness()
                                for m in (c, usual))
         assert near((stiffness * size ** (2 * degree - 1)).toarray(), of_usual.toarray())
+        assert near((c.stiffness(degree) * size ** (2 * degree - 1)).toarray(),
+                    usual.stiffness(degree).toarray())
+    if exponent < 0:
+        with pytest.raises(polydec.InvalidInput, match=said("stiffness", "range")):
+            c.stiffness(3)
     own = c.with_star(1, sp.diags(np.asarray(usual.star(1)) * size))
     assert near(own.star(1).diagonal() / size, usual.star(1))
     assert near(c.material_star(1, 2.0) / size, usual.material_star(1, 2.0))

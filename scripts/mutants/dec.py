@@ -278,4 +278,6 @@ MUTANTS = {
                         "InteriorProductsUpwind.take_the_simplices_nearest_to_the_opposite_of_the_field"),
     "equally_near_simplices_added": ("dec/fields/contraction.cpp", "nearest.volume[list[i]] += volumes_[t];", "nearest.volume[list[i]] = volumes_[t];",
                                      "InteriorProductsUpwind.take_the_simplices_nearest_to_the_opposite_of_the_field"),
+    "stiffness_in_the_unit": ("dec/forms/laplacian.cpp", "in_input_units(result, cells.unit(),", "in_input_units(result, 1,",
+                              "InputUnits.are_those_of_the_stiffness_wherever_double_precision_holds_it"),
 }

@@ -9,6 +9,8 @@
 #include "dec/fields/whitney_interpolation.h"
 #include "dec/forms/laplacian.h"
 #include "tests/support/all_sizes.h"
+#include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -134,6 +136,35 @@ TEST(InputUnits, are_those_of_operators) {
                            Vector{{norm(mesh, form) / std::pow(size, power / 2)}}});
         },
         all_degrees);
+}
+
+/// Products of stars leave the range of doubles where their result does not.
+TEST(InputUnits, are_those_of_the_stiffness_wherever_double_precision_holds_it) {
+    int held = 0, refused = 0;
+    for (const std::string& name_of : meshes_of_all_sizes)
+        for (const int exponent : {-320, -300, 200, 370}) {
+            Mesh mesh = mesh_named(name_of);
+            const auto usual = discretize(mesh);
+            mesh.points *= std::exp2(exponent);
+            const auto scaled = discretize(mesh);
+            for (int k = 0; k <= mesh.dimension(); ++k) {
+                const int power = exponent * (mesh.dimension() - 2 * k - 2);
+                const Operator A = symmetric_laplacian(scaled, k);
+                const Vector form = any_form(usual, Side::primal, k).values;
+                if (std::abs(power) > 1024) {
+                    EXPECT_REFUSED(A.matrix(), "stiffness", "range");
+                    EXPECT_REFUSED(A * form, "stiffness", "range");
+                    ++refused;
+                } else {
+                    const SparseMatrix expected = symmetric_laplacian(usual, k);
+                    EXPECT_CLOSE(A.matrix() * std::exp2(-power), expected, 1e-8) << name_of << k;
+                    EXPECT_CLOSE(A * form * std::exp2(-power), expected * form, 1e-8);
+                    ++held;
+                }
+            }
+        }
+    EXPECT_GT(held, 20);
+    EXPECT_GT(refused, 8);
 }
 
 } // namespace
