@@ -29,7 +29,8 @@ public:
     int dimension() const { return complex_.dimension(); }
     Index size(int k) const { return complex_.size(k); } ///< number of k-cells
 
-    /// Volumes of the cells; your own diagonal stars are ratios of these.
+    /// Volumes of the cells and of their duals: of a mesh those between circumcenters, whatever its
+    /// stars; circumcentric stars without material are ratios of these.
     const CellVolumes& volumes() const& { return volumes_; }
     CellVolumes volumes() && { return volumes_; }
 
@@ -45,8 +46,10 @@ public:
     /// and solvers, take and return numbers in the units of the input.
     double unit() const { return unit_; }
 
-    /// The stars in the units of the input. Throws InvalidInput, naming the degree, for overflow or
-    /// underflow.
+    /// Volumes and stars in the units of the input. Throw InvalidInput, naming the degree, for
+    /// overflow or underflow.
+    const CellVolumes& input_volumes() const&;
+    CellVolumes input_volumes() && { return input_volumes(); }
     const HodgeStars& input_stars() const&;
     HodgeStars input_stars() && { return input_stars(); }
 
@@ -89,6 +92,7 @@ private:
     CellVolumes volumes_;
     Shared<const MergedCells> merged_; // null for cells of your own
     std::function<ChosenStars()> make_stars_;
+    Shared<const Lazy<CellVolumes>> input_volumes_;
     Shared<const Lazy<ChosenStars>> stars_;
     Shared<const Lazy<HodgeStars>> input_stars_;
     double unit_;

@@ -90,7 +90,8 @@ public:
     /// The same with a matrix as the star of k-cells. Throws like HodgeStar.
     HodgeStars with(int k, SparseMatrix matrix) const;
 
-    /// Volumes of the cells; diagonal stars are ratios of these.
+    /// Primal volumes, and dual ones for which diagonal stars are the ratios: volumes of duals, or
+    /// with a material their parts in the n-cells, each times its weight.
     const CellVolumes& volumes() const& { return volumes_; }
     CellVolumes volumes() && { return volumes(); }
 

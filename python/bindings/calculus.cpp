@@ -93,11 +93,11 @@ void add_stars(py::class_<Cells>& calculus) {
                              const MatrixParts& star) { return of.with_star(k, sparse(star)); })
         .def("volumes",
              [](const py::object& self, int k) {
-                 const Vector& volumes = self.cast<Cells&>().input_stars().volumes().primal(k);
+                 const Vector& volumes = self.cast<Cells&>().input_volumes().primal(k);
                  return view(volumes.data(), {volumes.size()}, self);
              })
         .def("dual_volumes", [](const py::object& self, int k) {
-            const Vector& volumes = self.cast<Cells&>().input_stars().volumes().dual(k);
+            const Vector& volumes = self.cast<Cells&>().input_volumes().dual(k);
             return view(volumes.data(), {volumes.size()}, self);
         });
 }

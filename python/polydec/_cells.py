@@ -128,14 +128,18 @@ class Cells:
         return self._cells.volumes(k)
 
     def dual_volumes(self, k: int) -> Floats:
-        """Signed (n-k)-volumes of the duals of the k-cells: a view of the stored array."""
+        """Signed (n-k)-volumes of the duals of the k-cells: a view of the stored array.
+
+        The duals of a mesh lie between circumcenters, whatever its stars and materials.
+        """
         return self._cells.dual_volumes(k)
 
     def star(self, k: int) -> Any:
         """Hodge star of primal k-forms: its diagonal, or a matrix if the star is not diagonal.
 
-        Diagonal stars are ratios of dual to primal volumes, ``dual_volumes(k) / volumes(k)``.
-        Galerkin and hybrid stars are sparse matrices.
+        Circumcentric stars are ratios of dual to primal volumes, ``dual_volumes(k) / volumes(k)``.
+        Barycentric stars take duals between centroids instead, and materials weight the parts of
+        each dual. Galerkin and hybrid stars are sparse matrices.
         """
         return self._cells.star(k)
 

@@ -237,6 +237,15 @@ def test_degrees_that_there_are_not(square):
     assert [cells.num_simplices for cells in square] == list(square.shape)
 
 
+@pytest.mark.parametrize("name", MAKERS)
+def test_volumes_are_of_the_mesh_whatever_its_stars(name):
+    c = complex_of(name)
+    for k in range(c.dim + 1):
+        for other in (c.with_material(k, 5.0), c.with_stars("barycentric")):
+            assert np.array_equal(other.volumes(k), c.volumes(k))
+            assert np.array_equal(other.dual_volumes(k), c.dual_volumes(k))
+
+
 def test_names_of_pydec(square):
     for k in range(3):
         assert near(square[k].d, square.d(k), 0) if k < 2 else square[k].d.nnz == 0

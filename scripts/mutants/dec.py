@@ -280,4 +280,6 @@ MUTANTS = {
                                      "InteriorProductsUpwind.take_the_simplices_nearest_to_the_opposite_of_the_field"),
     "stiffness_in_the_unit": ("dec/forms/laplacian.cpp", "in_input_units(result, cells.unit(),", "in_input_units(result, 1,",
                               "InputUnits.are_those_of_the_stiffness_wherever_double_precision_holds_it"),
+    "volumes_in_the_unit": ("dec/forms/cells.cpp", "return in_input_units(volumes_, unit_);", "return volumes_;",
+                            "InputUnits.are_those_of_the_volumes_of_a_mesh_whatever_its_stars"),
 }

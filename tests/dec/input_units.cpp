@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/input_units.h"
 
+#include "dec/discretization/material_stars.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/fields/flat_and_sharp.h"
@@ -120,6 +121,22 @@ TEST(InputUnits, are_those_of_vector_fields_that_act_on_forms) {
                            interior_product(mesh, X, k, sampling) * form.values,
                            inflow(mesh, X, k) * form.values, L(X, form).values,
                            L.interior_product(X, form).values, L.inflow(X, form).values});
+        },
+        all_degrees);
+}
+
+TEST(InputUnits, are_those_of_the_volumes_of_a_mesh_whatever_its_stars) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int k) {
+            const int n = mesh.dimension();
+            const Vector weights = Vector::LinSpaced(mesh.complex().size(n), 1, 9);
+            const auto other = with_material(mesh.with_stars(StarKind::barycentric), k,
+                                             CellData::on_cells(weights));
+            const auto of = [&](const CellVolumes& volumes) -> const Vector& {
+                return side == Side::primal ? volumes.primal(k) : volumes.dual(n - k);
+            };
+            EXPECT_EQ(of(other.input_volumes()), of(mesh.input_volumes()));
+            return k == 0 ? Vector() : Vector(of(other.input_volumes()) / std::pow(size, k));
         },
         all_degrees);
 }

@@ -105,7 +105,8 @@ constexpr bool are_values = (!std::is_reference_v<Given> && ...);
 template <class Handle>
 Handle&& of() noexcept;
 
-static_assert(are_values<decltype(of<Cells>().input_stars()), decltype(of<HodgeStars>().volumes()),
+static_assert(are_values<decltype(of<Cells>().input_stars()), decltype(of<Cells>().input_volumes()),
+                         decltype(of<HodgeStars>().volumes()),
                          decltype(of<MergedCells>().complex()), decltype(of<MergedCells>().lift()),
                          decltype(of<MergedCells>().volumes()), decltype(of<Geometry>().pieces()),
                          decltype(of<MergedCells>().merging()), decltype(of<Geometry>().metric()),
