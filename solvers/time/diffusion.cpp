@@ -12,6 +12,7 @@
 #include "dec/discretization/positive_mass.h"
 #include "dec/forms/laplacian.h"
 #include "meshes/unit_of_length.h"
+#include "solvers/sources/constrained_system.h"
 #include "solvers/sources/form_equations.h"
 #include "solvers/spectra/laplacian_pencil.h"
 
@@ -44,6 +45,29 @@ SparseMatrix mixed_step(const FormSpace& space, double t) {
     return block_matrix(A, t * (below * mass), -t * Operator::star(stars[k - 1]));
 }
 
+/// The components on which constant functions are in the kernel: their differences vanish exactly,
+/// and no Robin condition holds. None for forms of other degrees.
+FreeComponents free_components(const FormSpace& space) {
+    const Cells inside = space.inside();
+    const CellComplex& complex = inside.complex();
+    const int k = space.cell_degree(), n = complex.dimension();
+    if (k != 0 && k != n)
+        return {};
+    const SparseMatrix d =
+        k == 0 ? derivative(complex, 0) : SparseMatrix(derivative(complex, n - 1).transpose());
+    const SparseMatrix sides = d.cwiseAbs(), cells = sides.transpose();
+    const Vector ones = Vector::Ones(d.cols());
+    Vector ties = cells * Vector((d * ones).cwiseAbs());
+    if (const SparseMatrix robin = space.free_robin_weights(); robin.size() > 0)
+        ties += robin.diagonal();
+    std::vector<bool> tied;
+    for (const double tie : ties)
+        tied.push_back(tie > 0);
+    const HodgeStar mass = inside.stars()[k];
+    return {cells * sides, std::vector<bool>(tied.size(), false), tied,
+            k == 0 ? mass * ones : mass.solve(ones)};
+}
+
 /// The coefficient in the squared unit of length.
 double in_unit_of(const Cells& cells, double coefficient) {
     return in_input_units(Vector{{coefficient}}, cells.unit(), -2, "coefficient of diffusion")[0];
@@ -58,6 +82,7 @@ bool has_any(const BoundaryForms& data) {
 
 struct Diffusion::Space {
     FormSpace of;
+    FreeComponents constants;
     Lazy<FormEquations> equations = {}; // only for data
 };
 
@@ -69,12 +94,12 @@ Diffusion::Diffusion(const FormSpace& space, double nu, const std::string& linea
       unit_(space.cells().unit()),
       stiffness_(Operator::zero(0, 0)),
       mass_(space.inside().stars()[space.cell_degree()]),
-      linear_solver_(linear_solver),
-      space_(new Space{space}) {
+      linear_solver_(linear_solver) {
     const Cells inside = space.inside();
     const int k = space.cell_degree();
     check_positive_mass(mass_, side_, degree_);
     check_not_negative("the coefficient of diffusion", coefficient_);
+    space_ = std::make_shared<Space>(space, free_components(space));
     stiffness_ = space.stiffness();
     facts_ = {.symmetry = Symmetry::symmetric,
               .domain_dimension = inside.dimension(),
@@ -108,6 +133,20 @@ SparseMatrix Diffusion::step_matrix(double gamma) const {
     if (is_mixed_)
         return mixed_step(space_->of, t);
     return Operator::star(mass_) + t * stiffness_;
+}
+
+bool Diffusion::keeps_means() const {
+    return space_ && space_->constants.count() > 0;
+}
+
+Vector Diffusion::mean_of(const Vector& w) const {
+    if (!keeps_means())
+        return Vector::Zero(w.size());
+    const bool has_values = mass_.degree() == 0;
+    const Vector values = has_values ? w : mass_ * w;
+    Vector rest = values;
+    space_->constants.remove_means(rest);
+    return has_values ? Vector(values - rest) : mass_.solve(Vector(values - rest));
 }
 
 Vector Diffusion::rate(const Vector& values) const {
@@ -200,6 +239,10 @@ void Resolvent::prepare(double gamma) {
     SparseMatrix A = of_.step_matrix(gamma);
     const Vector of_mass = diagonal(weights(of_.mass_));
     largest_ = A.diagonal().head(of_mass.size()).cwiseQuotient(of_mass).maxCoeff();
+    // a shift of the mass that is below the rounding of A keeps constants out of its kernel
+    constexpr double rounding = 1e-13;
+    if (of_.keeps_means() && rounding * largest_ > 1)
+        A += (rounding * largest_ - 1) * of_.mass_.matrix();
     // forms of different degrees have different units
     scales_ =
         A.diagonal().unaryExpr([](double a) { return a == 0 ? 1 : 1 / std::sqrt(std::abs(a)); });
@@ -228,12 +271,18 @@ void Resolvent::check_growth(const Vector& before, const Vector& after) const {
 Vector Resolvent::solve(const Vector& values) const {
     // dual forms are stars of primal ones, and stars commute with the Laplacian
     const bool primal = of_.side_ == Side::primal;
-    const Vector w = primal ? values : of_.mass_.solve(values);
+    const Vector all = primal ? values : of_.mass_.solve(values);
+    // long steps would lose means, and the rounding of means, in their own
+    const Vector mean = of_.mean_of(all);
+    Vector w = all - mean;
+    w -= of_.mean_of(w);
     Vector right_side = of_.mass_ * w;
     right_side.conservativeResizeLike(Vector::Zero(scales_.size()));
-    const Vector next =
+    Vector next =
         solver_->solve(right_side.cwiseProduct(scales_)).cwiseProduct(scales_).head(w.size());
+    next -= of_.mean_of(next);
     check_growth(w, next);
+    next += mean;
     return primal ? next : of_.mass_ * next;
 }
 

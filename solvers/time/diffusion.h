@@ -70,6 +70,12 @@ private:
     BoundaryLoads loads(const BoundaryForms& data) const;
     Vector moved(const Vector& fixed) const;
 
+    /// The means of a function on components through whose boundary nothing flows, which diffusion
+    /// keeps; 0 elsewhere, and for forms of other degrees. Of primal forms whose stars are the dual
+    /// ones.
+    Vector mean_of(const Vector& w) const;
+    bool keeps_means() const;
+
     std::vector<Index> kept_;
     Side side_;
     int degree_;

@@ -176,6 +176,76 @@ TEST(HeatOrders, are_1_and_2_in_time) {
         EXPECT_NEAR(std::log2(error(integrator, 20) / error(integrator, 40)), order, 0.1);
 }
 
+TEST(HeatMeans, are_kept_on_any_mesh_where_nothing_flows_out) {
+    for (const auto& [named, input] : meshes()) {
+        const auto mesh = circumcentric(input);
+        const HodgeStar star = polydec::star(mesh, 0);
+        if (!star.zeros().empty() || !star.negatives().empty())
+            continue;
+        const Index count = mesh.complex().size(0);
+        const Cochain slope{Side::primal, 0, Vector::LinSpaced(count, 0, 1)};
+        Evolution heat({{.space = {mesh, slope.side, slope.degree},
+                         .start = slope.values,
+                         .diffusion = mesh.volumes().primal(1).squaredNorm()}});
+        const auto heat_in = [&](const Cochain& u) { return Vector(star * u.values).sum(); };
+        const double before = heat_in(heat.form(0));
+        heat.march(0.01);
+        EXPECT_NEAR(heat_in(heat.form(0)), before, 1e-9 * std::abs(before)) << named;
+    }
+}
+
+/// The mean of a function, and its largest distance from that.
+std::pair<double, double> mean_and_range(const Discretization& mesh, const Cochain& u) {
+    const HodgeStar star = polydec::star(mesh, u.side == Side::primal ? 0 : mesh.dimension());
+    const Vector ones = Vector::Ones(star.size());
+    const Vector of_cells = u.side == Side::primal ? star * ones : star.solve(ones);
+    const double mean = of_cells.dot(u.values) / of_cells.sum();
+    return {mean, (u.values.array() - mean).abs().maxCoeff()};
+}
+
+// The twin: values 0 on the boundary let the mean go.
+TEST(HeatMeans, are_kept_by_steps_of_any_length_where_nothing_flows_out) {
+    const BoundaryConditions natural{BoundaryCondition::natural};
+    for (const auto& [name, has_boundary] :
+         {std::pair{"grid4", true}, {"kuhn3", true}, {"icosphere3", false}, {"torus8x6", false}})
+        for (const StarKind kind : {StarKind::circumcentric, StarKind::galerkin})
+            for (const Side side : sides)
+                for (const double step : {1e-3, 1e2, 1e6, 1e9, 1e12}) {
+                    const auto mesh = with_stars(mesh_named(name), kind);
+                    const Index size =
+                        mesh.complex().size(side == Side::primal ? 0 : mesh.dimension());
+                    const Cochain u{side, 0, Vector::LinSpaced(size, 1, 2)};
+                    const auto [before, range] = mean_and_range(mesh, u);
+                    const Cochain end = heated({mesh, side, 0, natural}, u, step, 20);
+                    const auto [after, rest] = mean_and_range(mesh, end);
+                    EXPECT_NEAR(after, before, 1e-14) << name << step << polydec::name(side);
+                    EXPECT_LE(rest, step > 1 ? 1e-12 : range) << name << step;
+                    const Cochain lost =
+                        heated({mesh, side, 0, BoundaryCondition::essential}, u, step, 20);
+                    EXPECT_EQ(mean_and_range(mesh, lost).first < before - 1e-2, has_boundary);
+                }
+}
+
+// The mass is then below the rounding of the stiffness.
+TEST(HeatMeans, are_left_by_steps_beyond_all_digits) {
+    for (const int cells : {1, 4, 1000})
+        for (const Side side : sides)
+            for (const double step : {1.0, 1e12, 1e16, 1e20}) {
+                const auto mesh = discretize(kuhn(1, cells));
+                const FormSpace space(mesh, side, 0, BoundaryCondition::natural);
+                const Vector start = Vector::LinSpaced(space.size(), 1, 2);
+                Evolution heat({{.space = space, .start = start, .diffusion = 1}}, {},
+                               {.integrator = "backward-euler",
+                                .steps = {.fixed_step = step},
+                                .linear_solver = "eigen.ldlt"});
+                const double before = mean_and_range(mesh, heat.form(0)).first;
+                heat.march(20 * step);
+                const auto [mean, range] = mean_and_range(mesh, heat.form(0));
+                EXPECT_NEAR(mean, before, 1e-14) << cells << name(side) << step;
+                EXPECT_LE(range, 1e-12) << cells << name(side) << step;
+            }
+}
+
 TEST(Heat, of_stars_that_are_matrices_does_not_mind_the_size_of_cells) {
     const auto largest_at = [](double size) {
         Mesh mesh = grid(4, 4);
