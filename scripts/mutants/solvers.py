@@ -67,6 +67,8 @@ MUTANTS = {
                                            "HeatMeans.are_kept_by_steps_of_any_length_where_nothing_flows_out"),
     "mass_lost_in_rounding": ("solvers/time/diffusion.cpp", "rounding * largest_ > 1)", "false)",
                               "HeatMeans.are_left_by_steps_beyond_all_digits"),
+    "pace_of_weak_diffusion": ("solvers/time/evolution.cpp", "has_reaction ? 0 : most", "most",
+                               "evolution.reactions_keep_their_pace_beside_diffusion_of_any_strength"),
     "waves_of_any_space": ("solvers/time/waves.cpp", ".add(has_functions).add(scheme_->space);",
                            ".add(has_functions);", "Waves.from_rest_are_told_apart_by_their_spaces"),
     "coexact_spectra_in_the_unit": ("solvers/spectra/coexact_spectrum.cpp",

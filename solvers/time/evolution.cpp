@@ -29,16 +29,19 @@ Vector sizes_of_cells(const CellVolumes& volumes, Side side, int degree) {
 }
 
 /// The unit of time that keeps diffusion rates in range: 1 if the largest coefficient in the unit
-/// of the mesh is between 2^-80 and 2^80, else the power of two that scales it to 1 to 2.
-double unit_of_time(const std::vector<Unknown>& unknowns) {
-    constexpr int moderate = 80;
+/// of the mesh is between 2^-80 and 2^80, else the power of two that scales it to 1 to 2, as far as
+/// that is in range. If a reaction has its own pace, no unit is longer than 1.
+double unit_of_time(const std::vector<Unknown>& unknowns, bool has_reaction) {
+    constexpr int moderate = 80, most = 1000;
     std::optional<int> largest;
     for (const Unknown& unknown : unknowns)
         if (unknown.diffusion > 0 && std::isfinite(unknown.diffusion))
             largest = std::max(largest.value_or(std::numeric_limits<int>::min()),
                                std::ilogb(unknown.diffusion) -
                                    2 * std::ilogb(unknown.space.cells().unit()));
-    return !largest || std::abs(*largest) <= moderate ? 1 : std::ldexp(1.0, -*largest);
+    if (!largest || std::abs(*largest) <= moderate)
+        return 1;
+    return std::ldexp(1.0, std::clamp(-*largest, -most, has_reaction ? 0 : most));
 }
 
 /// All times in this unit.
@@ -237,7 +240,7 @@ std::optional<Fingerprint> Evolution::Equation::fingerprint() const {
 Evolution::Evolution(std::vector<Unknown> unknowns, Reaction reaction, EvolutionOptions options)
     : equation_(std::make_shared<Equation>()) {
     const double time = options.time;
-    equation_->unit = unit_of_time(unknowns);
+    equation_->unit = unit_of_time(unknowns, !!reaction);
     integrator_ = make_integrator(options.integrator, in_unit(options.steps, equation_->unit));
     equation_->reaction = std::move(reaction);
     equation_->options = std::move(options);

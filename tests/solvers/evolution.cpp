@@ -307,6 +307,38 @@ TEST(evolution, a_stiffness_of_ones_own_does_what_diffusion_does) {
     EXPECT_LE(norm(mesh, a.form(0) - b.form(0)), 1e-12);
 }
 
+// The twin: the same reaction at half the pace.
+TEST(evolution, reactions_keep_their_pace_beside_diffusion_of_any_strength) {
+    for (const auto& [size, diffusion] : {std::pair{1e-80, 1e-309},
+                                          {1e-80, 1e-160},
+                                          {1.0, 1e-309},
+                                          {1.0, 1e-100},
+                                          {1.0, 1e100},
+                                          {1e80, 1e-100},
+                                          {1e80, 1.0},
+                                          {1e80, 1e100}})
+        for (const auto& engine : engines(EngineKind::integrator)) {
+            if (!engine.available || refusal([&] { make_integrator(engine.name); }) != "accepted")
+                continue;
+            Mesh input = grid(2, 2);
+            input.points *= size;
+            const auto mesh = discretize(input);
+            const Vector ones = Vector::Ones(mesh.size(0));
+            const auto end_of = [&, nu = diffusion](double pace) {
+                Evolution run({{.space = {mesh, Side::primal, 0}, .start = ones, .diffusion = nu}},
+                              [pace](double, const std::vector<Cochain>& now) {
+                                  return std::vector{Vector(-pace * now[0].values)};
+                              },
+                              {.integrator = engine.name});
+                run.march(1);
+                EXPECT_EQ(run.time(), 1);
+                return run.form(0).values.maxCoeff();
+            };
+            EXPECT_NEAR(end_of(1), std::exp(-1), 1e-4) << size << ' ' << diffusion << engine.name;
+            EXPECT_GT(end_of(0.5), std::exp(-1) + 0.1);
+        }
+}
+
 TEST(evolution, runs_that_share_a_stiff_part_do_not_disturb_each_other) {
     const auto mesh = circumcentric(kuhn(2, 5));
     const FormSpace space(mesh, Side::primal, 0);
