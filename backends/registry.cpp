@@ -108,9 +108,10 @@ void add_builtin(Registry& registry) {
         "runge-kutta", "MIT", builtin::make_runge_kutta,
         "additive Runge-Kutta: Kennedy and Carpenter's 4(3) with a stiff part, else Dormand and "
         "Prince's 5(4)");
-    registry.integrator.add_builtin(
-        "backward-euler", "MIT", builtin::make_backward_euler,
-        "backward Euler by fixed steps, of order 1: functions get no new extremes");
+    registry.integrator.add_builtin("backward-euler", "MIT", builtin::make_backward_euler,
+                                    "backward Euler by fixed steps, of order 1: functions get no "
+                                    "new extremes if their stars are "
+                                    "diagonal and positive");
     registry.integrator.add_builtin(
         "implicit-midpoint", "MIT", builtin::make_implicit_midpoint,
         "the implicit midpoint rule by fixed steps, of order 2: Crank and Nicolson's scheme where "

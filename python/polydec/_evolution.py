@@ -170,8 +170,8 @@ def heat(complex: CellsLike, u: Form, time_step: float, steps: int = 1, *, degre
     """Values of a form after `steps` steps of the heat equation du/dt = -Delta u, each of length
     `time_step`. Runs one `Evolution`; see there for the other parameters.
 
-    Backward Euler is first-order in time and creates no new extrema; "implicit-midpoint" is
-    second-order.
+    Backward Euler is first-order in time. It creates no new extrema of functions if their stars are
+    diagonal and positive; Galerkin stars are not diagonal. "implicit-midpoint" is second-order.
 
     Examples
     --------
