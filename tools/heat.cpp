@@ -230,7 +230,8 @@ void add_heat(CLI::App& app) {
     command
         ->add_option("--tolerance-in-time", arguments->tolerance,
                      "E\trelative error allowed per step (default with a source: 1e-5)")
-        ->check(check_positive);
+        ->check(check_positive)
+        ->excludes("--time-step");
     command->add_option(
         "--integrator", arguments->integrator,
         "NAME\tequal steps: backward-euler (default; order 1), implicit-midpoint (order 2); by "

@@ -169,8 +169,10 @@ void add_maxwell(CLI::App& app) {
         run_maxwell);
     add_form(*command, "--initial", arguments->initial, "the electric field at time 0");
     add_form(*command, "--current", arguments->current, "current density");
-    command->add_option("--pulse", arguments->pulse,
-                        "PULSE\tfactor of the current over time, an expression in t");
+    command
+        ->add_option("--pulse", arguments->pulse,
+                     "PULSE\tfactor of the current over time, an expression in t")
+        ->needs("--current");
     add_materials(*command, *arguments);
     add_side(*command, arguments->side);
     command
@@ -193,7 +195,8 @@ void add_maxwell(CLI::App& app) {
                      "NAME\tabsorb by stretched coordinates (cells parallel to the axes), "
                      "conducting (any cells, waves at normal incidence), or automatic")
         ->transform(enumerator({"stretched", "conducting", "automatic"}))
-        ->default_str("automatic");
+        ->default_str("automatic")
+        ->needs("--absorb");
     add_time(*command, arguments->time, "0.9 of the largest stable step");
     command->footer(
         "Expressions per cell may use `group`, the cell's physical group; files list the cells in "

@@ -120,7 +120,6 @@ void add_reproduce(CLI::App& app) {
     auto* name = command->add_option("NAME", arguments->name, "name from --list, or all");
     name->check(one_of(names()));
     auto* list = command->add_flag("--list", arguments->list, "print the names");
-    list->excludes(name);
     command
         ->add_option("--levels", arguments->request.levels,
                      "N\trefinements (default: as in the figure)")
@@ -129,6 +128,7 @@ void add_reproduce(CLI::App& app) {
                         "FOLDER\tfolder for .json, .csv and .svg files (default: print only)");
     command->add_option("--meshes", arguments->request.meshes,
                         "FOLDER\tmesh files for table2 (default: generated meshes)");
+    list->excludes(name)->excludes("--levels")->excludes("--out")->excludes("--meshes");
     add_common_options(*command, arguments->tell);
     command->footer("Examples:\n  polydec reproduce --list\n"
                     "  polydec reproduce fig7 --levels 4 --out figures\n"

@@ -106,6 +106,9 @@ class InTime(TestCase):
         heat = ("heat", grid, "--side", "primal", "--initial", "1", "--until", 1)
         self.assertSays(self.fail_with(2, *heat, "--tolerance-in-time", 1e-4, "--integrator",
                                        "backward-euler"), "--tolerance-in-time", "backward-euler")
+        self.assertSays(self.fail_with(1, *heat, "--tolerance-in-time", 1e-4, "--integrator",
+                                       "runge-kutta", "--time-step", .05), "--time-step", "excludes",
+                        "--tolerance-in-time")
         self.assertSays(self.fail_with(2, *heat, "--boundary-values", "t"),
                         "--boundary-values", "essential", "--essential-where")
         self.assertSays(self.fail_with(2, *heat, "--integrator", "foo"), "integrator", "`foo`")

@@ -67,6 +67,9 @@ class Reproduce(TestCase):
                 ((), ("NAME: ", "expected", "all", "--list")),
                 (("fig1",), ("NAME: ", ", ".join(NAMES), "all", "'fig1'")),
                 (("fig2", "--list"), ("NAME", "--list")),
+                (("--list", "--levels", "3"), ("--list", "--levels")),
+                (("--list", "--out", "figures"), ("--list", "--out")),
+                (("--list", "--meshes", "models"), ("--list", "--meshes")),
                 (("fig2", "--levels", "0"), ("--levels: ", "number", 1, 20, "'0'"))):
             self.assertSays(self.fail_with(1, "reproduce", *arguments), *words)
         self.write("file", "")

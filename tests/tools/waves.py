@@ -50,6 +50,8 @@ class Waves(TestCase):
         conducting = self.ask(*line, "--absorb", 0.25, "--layer", "conducting")
         self.assertEqual(conducting["layer"], "conducting")
         self.assertLess(conducting["relative_energy"], 1e-2)
+        self.assertSays(self.fail_with(1, *line, "--layer", "conducting"), "--layer", "--absorb")
+        self.assertSays(self.fail_with(1, *line, "--pulse", "sin(t)"), "--pulse", "--current")
         self.assertSays(self.fail_with(2, *line, "--absorb", 2), "layer", 2, "expected",
                         "above 0", "below 1")
 
