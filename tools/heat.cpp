@@ -111,8 +111,10 @@ struct Cooled : Answer {
     void write(Text& text) const override {
         text("heat equation for {} {}-forms, {}\n", name(side), degree, in_words(steps, ran));
         if (!has_equal_steps)
-            text("  divided by {} into {} steps, {} of them taken again, the last one of {:.6g}\n",
-                 integrated.engine, integrated.steps, integrated.rejected, integrated.last_step);
+            text(
+                "  divided by {} into {} steps{}, {} of them taken again, the last one of {:.6g}\n",
+                integrated.engine, integrated.steps, ran.resumed_at > 0 ? " since then" : "",
+                integrated.rejected, integrated.last_step);
         text("  {}\n  {}\n", conditions, in_words(stars));
         text("  values from {:.10g} to {:.10g}; L2 norm {}{}\n", min, max, in_digits(norm),
              in_words(relative_norm));

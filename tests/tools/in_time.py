@@ -146,6 +146,12 @@ class InTime(TestCase):
                 open(self.path("part.checkpoint"), "rb") as other:
             self.assertEqual(one.read(), other.read())
 
+    def test_a_run_that_is_resumed_counts_the_steps_since_then(self):
+        line = ("heat", golden("grid4.nsc"), "--side", "primal", "--initial", "x", "--source", "t",
+                "--until", 1, "--checkpoint", "a.checkpoint", "--resume")
+        self.assertNotIn("since then", self.succeed(*line).out)
+        self.assertSays(self.succeed(*line).out, "resumed after step", "0 steps since then")
+
     def test_waves_swing_back_and_keep_their_energy(self):
         square = self.generate("grid", "--nx", 32, "--ny", 32)
         period = math.sqrt(2)
