@@ -52,15 +52,12 @@ public:
           degree_(arguments.degree),
           k_(cell_degree(empty.complex(), arguments.side, arguments.degree)) {
         const auto at = [&](const char* name, const std::optional<SiteValues>& values,
-                            double none) {
-            if (!values)
-                return Vector(Vector::Constant(empty.complex().size(empty.dimension()), none));
-            return cell_values(empty, *values)
-                .on(empty, name, none > 0 ? Range::positive : Range::not_negative);
+                            Range range) {
+            return values ? cell_values(empty, *values).on(empty, name, range) : Vector();
         };
-        permittivity_ = at("permittivity", material.permittivity, 1);
-        permeability_ = at("permeability", material.permeability, 1);
-        conductivity_ = at("conductivity", material.conductivity, 0);
+        permittivity_ = at("permittivity", material.permittivity, Range::positive);
+        permeability_ = at("permeability", material.permeability, Range::positive);
+        conductivity_ = at("conductivity", material.conductivity, Range::not_negative);
     }
 
     Discretization filled() const {
@@ -75,7 +72,7 @@ public:
 
     /// What a current adds to the rate of the field.
     Vector source(const Vector& current) const {
-        if (permittivity_.isOnes(0))
+        if (permittivity_.size() == 0)
             return -current;
         return -current.cwiseProduct(over_permittivity(Vector::Ones(permittivity_.size())));
     }
@@ -87,6 +84,8 @@ private:
         const auto means = [&](const Vector& of_cells) {
             return cell_means(empty_, k_, CellData::on_cells(of_cells));
         };
+        if (permittivity_.size() == 0)
+            return means(values);
         if (side_ == Side::dual)
             return means(values.cwiseQuotient(permittivity_));
         return means(values).cwiseQuotient(means(permittivity_));
@@ -95,7 +94,7 @@ private:
     const Discretization& empty_;
     Side side_;
     int degree_, k_;
-    Vector permittivity_, permeability_, conductivity_;
+    Vector permittivity_, permeability_, conductivity_; // empty: not given
 };
 
 WaveWords words_of(const MaxwellArguments& arguments) {

@@ -94,7 +94,8 @@ public:
     /// vertices, and all points have the same number of coordinates.
     explicit Discretization(Parts parts);
 
-    /// The same with other stars (see Cells), or with stars of this kind; throws like choose_stars.
+    /// The same with other stars (see Cells), or with stars of this kind, without the materials and
+    /// stars of before; throws like choose_stars.
     Discretization with_stars(const ChosenStars& chosen) const;
     Discretization with_stars(const HodgeStars& stars) const {
         return with_stars(ChosenStars(stars));

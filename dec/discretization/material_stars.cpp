@@ -131,18 +131,29 @@ HodgeStars weighted_stars(const Discretization& mesh, int k, const CellData& giv
     const int n = mesh.dimension();
     check_number("a star of degree", k, 0, n);
     const HodgeStars& stars = mesh.stars();
+    const ChosenStars& chosen = mesh.chosen_stars();
+    const bool is_own = chosen.kind == StarKind::own;
+    if (is_own && !stars[k].is_diagonal())
+        throw InvalidInput(
+            fmt::format("weights of cells cannot be combined with your own star of {}-cells, a "
+                        "matrix, because the shares of the cells are unknown: compute that star "
+                        "from the weights (material_star)",
+                        k),
+            {.degree = k});
     if (!stars[k].is_diagonal())
         return stars.with(k, material_star(mesh, k, given));
     const Vector weights = given.on(mesh, "weight", Range::positive);
-    const CellVolumes& volumes = stars.volumes();
+    const CellVolumes &volumes = stars.volumes(), &none = is_own ? volumes : mesh.volumes();
     const SparseMatrix parts = parts_of_star(mesh, k);
-    const Vector around = pattern(parts).transpose() * weights;
     const Vector dual =
-        mesh.chosen_stars().kind == StarKind::own
+        is_own
             ? Vector(volumes.dual(k).cwiseProduct(cell_means(mesh, k, CellData::on_cells(weights))))
             : Vector((parts.transpose() * weights).cwiseQuotient(volumes.primal(k)));
-    HodgeStars result(volumes.with_dual(k, dual, around.cwiseProduct(volumes.terms(k).vector()),
-                                        around.cwiseProduct(volumes.rounding(k).vector())));
+    const Vector around = pattern(parts).transpose() * weights;
+    HodgeStars result(chosen.is_over_duals(k)
+                          ? volumes.with_dual(k, dual, around.cwiseProduct(none.terms(k).vector()),
+                                              around.cwiseProduct(none.rounding(k).vector()))
+                          : volumes.with_dual(k, dual));
     for (int j = 0; j <= n; ++j)
         if (!stars[j].is_diagonal())
             result = result.with(j, stars[j].matrix());
@@ -156,13 +167,6 @@ Discretization with_material(const Discretization& mesh, int k, const CellData& 
 
 Discretization with_conductivity(const Discretization& mesh, Side side, const CellData& kappa) {
     const int k = side == Side::primal ? std::min(1, mesh.dimension()) : mesh.dimension() - 1;
-    if (mesh.chosen_stars().kind == StarKind::own && !mesh.stars()[k].is_diagonal())
-        throw InvalidInput(
-            fmt::format("conductivities cannot be combined with your own star of {}-cells, a "
-                        "matrix, because the shares of the cells are unknown: compute that star "
-                        "from the conductivities (material_star)",
-                        k),
-            {.degree = k});
     const Vector values = kappa.on(mesh, "conductivity", Range::positive);
     return with_material(
         mesh, k, CellData::on_cells(side == Side::primal ? values : Vector(values.cwiseInverse())));
@@ -174,10 +178,11 @@ Discretization with_electric_material(const Discretization& mesh, Side side, int
     const int k = cell_degree(mesh.complex(), side, degree);
     Discretization result = mesh;
     const auto put = [&](int j, const char* name, const CellData& given, bool inverted) {
+        if (given.is_empty())
+            return;
         const Vector weights = given.on(mesh, name, Range::positive);
-        if (!weights.isOnes(0))
-            result = with_material(
-                result, j, CellData::on_cells(inverted ? Vector(weights.cwiseInverse()) : weights));
+        result = with_material(
+            result, j, CellData::on_cells(inverted ? Vector(weights.cwiseInverse()) : weights));
     };
     put(k, "permittivity", permittivity, !is_primal);
     put(is_primal ? k + 1 : k - 1, "permeability", permeability, is_primal);

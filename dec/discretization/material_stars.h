@@ -34,25 +34,28 @@ Vector cell_means(const Discretization& mesh, int k, const CellData& weights);
 
 /// The stars of a mesh with the star of k-forms weighted by n-cell. A diagonal star becomes the sum
 /// of the signed shares of the n-cells, each times its weight; a matrix becomes Galerkin's star of
-/// the material. So on a Delaunay mesh of triangles, primal 0-forms have the equations of linear
+/// the material. The weights replace the former ones of this degree, also below; other degrees keep
+/// theirs. So on a Delaunay mesh of triangles, primal 0-forms have the equations of linear
 /// elements. In Maxwell's equations with E a primal 1-form, the permittivity weights star_1, the
-/// inverse permeability star_2. User-supplied diagonal stars, whose shares are unknown, are
-/// multiplied by cell_means. Throws like material_star.
+/// inverse permeability star_2. User-supplied diagonal stars, whose shares and former weights are
+/// unknown, are multiplied by cell_means. Throws like material_star, and for user-supplied stars
+/// that are matrices.
 HodgeStars weighted_stars(const Discretization& mesh, int k, const CellData& weights);
 
-/// The mesh with these stars; the kind of stars is unchanged.
+/// The mesh with these stars; the kind of stars is unchanged. with_stars(kind) removes all weights.
 Discretization with_material(const Discretization& mesh, int k, const CellData& weights);
 
 /// The mesh with stars for which Delta of functions is -div kappa grad, kappa > 0. For primal
 /// functions kappa weights the star of 1-forms; for dual functions 1 / kappa weights the star of
-/// (n-1)-forms. Throws like material_star, and for user-supplied stars that are matrices, whose
-/// parts by cell are unknown.
+/// (n-1)-forms. Throws like weighted_stars.
 Discretization with_conductivity(const Discretization& mesh, Side side, const CellData& kappa);
 
 /// The mesh with stars for which forms of a side and degree are electric fields E, with energies
 /// permittivity |E|^2 and |B|^2 / permeability, both positive. Dual forms are stars of primal forms
-/// through the material, so their stars have the inverse weights. Throws like material_star.
+/// through the material, so their stars have the inverse weights. Without permeability, or with
+/// empty data, a star stays as it is. Throws like weighted_stars.
 Discretization with_electric_material(const Discretization& mesh, Side side, int degree,
-                                      const CellData& permittivity, const CellData& permeability);
+                                      const CellData& permittivity,
+                                      const CellData& permeability = {});
 
 } // namespace polydec

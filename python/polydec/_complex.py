@@ -194,12 +194,15 @@ class Complex(Cells):
         return Complex(self._mesh.with_star(k, parts), None, self._options)
 
     def with_stars(self, kind: str) -> Complex:
-        """A copy with stars of another kind, as in the option ``star`` of `discretize`."""
+        """A copy with stars of another kind, as in the option ``star`` of `discretize`, without
+        materials and stars of your own."""
         return Complex(self._mesh.with_stars(kind), self._given, {**self._options, "star": kind})
 
     def with_material(self, k: int, weights: CellNumbers) -> Complex:
         """A copy with the star of k-forms weighted by positive numbers on cells. A diagonal star
-        becomes a weighted sum of signed shares; other stars become Galerkin's. Weights: one number,
+        becomes a weighted sum of signed shares; other stars become Galerkin's. The weights replace
+        former ones of this degree, and other degrees keep theirs; a diagonal star of your own is
+        multiplied by their `cell_means`, a matrix of your own refused. Weights: one number,
         one per input cell in input order (simplices, or polygons and solids before splitting), a
         dual 0-form, or a function of the centroids of the n-cells.
         For Maxwell's primal 1-form E: permittivity in degree 1, 1 / permeability in degree 2.
@@ -218,11 +221,12 @@ class Complex(Cells):
         data = cell_data(self, kappa, "conductivities")
         return Complex(self._mesh.with_conductivity(side, data), None, self._options)
 
-    def with_electric_material(self, permittivity: CellNumbers, permeability: CellNumbers = 1.0, *,
+    def with_electric_material(self, permittivity: CellNumbers | None,
+                               permeability: CellNumbers | None = None, *,
                                degree: int = 1, side: str = "primal") -> Complex:
         """A copy on which forms of this degree and side are electric fields E, with energies
-        ``permittivity |E|^2`` and ``|B|^2 / permeability``; see `with_material`. Raises
-        InvalidInput, naming the cell, unless both are positive.
+        ``permittivity |E|^2`` and ``|B|^2 / permeability``; see `with_material`. None leaves a star
+        as it is. Raises InvalidInput, naming the cell, unless both are positive.
 
         >>> import numpy as np, polydec
         >>> box = polydec.discretize(polydec.meshes.kuhn([2, 2, 2]))

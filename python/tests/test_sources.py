@@ -135,6 +135,15 @@ def test_materials_weight_stars(square):
     assert near(square.cell_means(2, weights), weights.values)
 
 
+def test_materials_replace_former_ones(square):
+    heavy = square.with_material(1, 5.0)
+    assert near(heavy.with_material(1, 2.0).star(1), 2 * square.star(1))
+    for permittivity in (1.0, 1 + 1e-9):
+        assert near(heavy.with_electric_material(permittivity).star(1), square.star(1), 1e-8)
+    assert near(heavy.with_electric_material(None, 2.0).star(1), heavy.star(1), 0)
+    assert near(heavy.with_stars("circumcentric").star(1), square.star(1), 0)
+
+
 def test_numbers_of_cells_are_in_the_order_of_the_input():
     mesh = polydec.meshes.perturbed(polydec.meshes.grid(5, 5), 0.03, 2)
     order = np.random.default_rng(1).permutation(len(mesh.simplices))

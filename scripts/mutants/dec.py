@@ -282,4 +282,10 @@ MUTANTS = {
                               "InputUnits.are_those_of_the_stiffness_wherever_double_precision_holds_it"),
     "volumes_in_the_unit": ("dec/forms/cells.cpp", "return in_input_units(volumes_, unit_);", "return volumes_;",
                             "InputUnits.are_those_of_the_volumes_of_a_mesh_whatever_its_stars"),
+    "materials_on_materials": ("dec/discretization/material_stars.cpp", "is_own ? volumes : mesh.volumes();", "volumes;",
+                               "Materials.replace_the_former_one_of_their_degree_alone"),
+    "materials_of_1_passed_over": ("dec/discretization/material_stars.cpp", "        if (given.is_empty())", "        if (given.is_empty() || given.on(mesh, name, Range::positive).isOnes(0))",
+                                   "Materials.near_1_have_stars_near_those_of_1"),
+    "own_matrices_become_galerkins": ("dec/discretization/material_stars.cpp", "if (is_own && !stars[k].is_diagonal())", "if (is_own && k > 9)",
+                                      "Materials.multiply_diagonal_stars_of_ones_own_and_refuse_matrices"),
 }
