@@ -97,10 +97,9 @@ Cochain FormValues::on(const Discretization& mesh, Side side, int degree, double
     if (coefficients_.front().are_of_file())
         return {side, degree, coefficients_.front().at(Points(mesh.complex().size(k), 0))};
     check_count(mesh, degree);
-    if (degree > 0)
+    if (degree > 0 || (side == Side::dual && mesh.ambient_dimension() > 0))
         return {side, degree, integrals(mesh, side, degree, coefficients_, time)};
-    const Points sites = side == Side::primal ? cell_centers(mesh, 0) : dual_sites(mesh);
-    return {side, degree, coefficients_.front().at(sites, time)};
+    return {side, degree, coefficients_.front().at(cell_centers(mesh, k), time)};
 }
 
 Vector FormValues::on_boundary(const Discretization& mesh, Side side, int degree,

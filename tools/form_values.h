@@ -35,9 +35,9 @@ public:
     /// Throws like SiteValues. `time` names the time in expressions that may use it.
     FormValues(const std::string& option, const std::string& text, const std::string& time = "");
 
-    /// The form on this mesh. 0-forms are evaluated at vertices, or at the sites of dual values.
-    /// Throws like SiteValues::at and de_rham; InvalidInput for a wrong number of coefficients,
-    /// other than N over `degree`, and if there are no such forms.
+    /// The form on this mesh, by de_rham or dual_de_rham; where only lengths are known, numbers are
+    /// 0-forms. Throws like SiteValues::at and de_rham; InvalidInput for a wrong number of
+    /// coefficients, other than N over `degree`, and if there are no such forms.
     Cochain on(const Discretization& mesh, Side side, int degree, double time = 0) const;
 
     /// The values on essential facets, as for an Unknown. Throws likewise; InvalidInput for dual

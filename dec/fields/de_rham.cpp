@@ -258,7 +258,7 @@ Vector inverse_star_de_rham(const Discretization& mesh, int j, const SmoothForm&
                               [&](Index, Index s) { return means.row(s); });
 }
 
-/// Values at dual_sites, averaged by volume over the pieces of a cell.
+/// Values at sites_of_pieces, averaged by volume over the pieces of a cell.
 Cochain values_at_sites(const Discretization& mesh, const SmoothForm& form) {
     Points rows = sites_of_pieces(mesh);
     fill_flat_pieces(mesh, rows);

@@ -76,9 +76,10 @@ Vector inverse_star_de_rham(const Pieces& complex, const Points& points, int j,
 
 /// The dual j-form on merged cells, by the stars of the mesh. Stars over duals (see
 /// ChosenStars::is_over_duals): integrals over the circumcentric duals, averaged by volume over the
-/// pieces. Other stars, which know no duals: the star of inverse_star_de_rham. After flips the
-/// centers lie on the surface, as in cell_centers, and elementary simplices are straight between
-/// them: Stokes' theorem still holds.
+/// pieces; for j = 0 values at the sites of the pieces (see sites_of_pieces). Other stars, which
+/// know no duals: the star of inverse_star_de_rham. After flips the centers lie on the surface, as
+/// in cell_centers, and elementary simplices are straight between them: Stokes' theorem still
+/// holds.
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree = 5);
 

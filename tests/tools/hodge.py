@@ -38,6 +38,16 @@ class Hodge(TestCase):
                 for mesh in ("kuhn3.nsc", "fcc1.nsc"):
                     self.norms(golden(mesh), side, form, "--degree", degree)
 
+    def test_functions_on_duals_are_means_over_the_pieces_of_each_cell(self):
+        """Galerkin's values are at centroids: of triangles a third and two thirds along a square."""
+        ask = ("hodge", golden("grid4.nsc"), "--side", "dual", "--degree", 0, "--star", "galerkin", "--form")
+        means = [((i + 1 / 3)**2 + (i + 2 / 3)**2) / 32 for i in range(4)] # squares of x in a column
+        expected = math.sqrt(sum(mean**2 for mean in means) / 4)
+        self.assertAlmostEqual(self.ask(*ask, "x^2")["norms"]["form"], expected, delta=1e-12)
+        centroids = [(2 * i + 1) / 8 for i in range(4)]
+        expected = math.sqrt(sum(x**2 for x in centroids) / 4)
+        self.assertAlmostEqual(self.ask(*ask, "x")["norms"]["form"], expected, delta=1e-12)
+
     def test_units_of_length_scale_the_norms(self):
         self.write("large.nsc", Mesh.read(golden("grid4.nsc")).times(1e30).text())
         for degree, form in ((0, "1"), (1, "1; 2"), (2, "1")):
