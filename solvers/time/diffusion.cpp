@@ -18,6 +18,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -239,10 +240,11 @@ void Resolvent::prepare(double gamma) {
     SparseMatrix A = of_.step_matrix(gamma);
     const Vector of_mass = diagonal(weights(of_.mass_));
     largest_ = A.diagonal().head(of_mass.size()).cwiseQuotient(of_mass).maxCoeff();
-    // a shift of the mass that is below the rounding of A keeps constants out of its kernel
+    // where M is below the rounding of t K, more of it keeps constants out of the kernel
     constexpr double rounding = 1e-13;
-    if (of_.keeps_means() && rounding * largest_ > 1)
-        A += (rounding * largest_ - 1) * of_.mass_.matrix();
+    shift_ = of_.keeps_means() ? std::max(rounding * largest_ - 1, 0.0) : 0;
+    if (shift_ > 0)
+        A += shift_ * of_.mass_.matrix();
     // forms of different degrees have different units
     scales_ =
         A.diagonal().unaryExpr([](double a) { return a == 0 ? 1 : 1 / std::sqrt(std::abs(a)); });
@@ -268,6 +270,14 @@ void Resolvent::check_growth(const Vector& before, const Vector& after) const {
             positive_stars(of_.mass_.dimension())));
 }
 
+Vector Resolvent::without_mean(const Vector& w) const {
+    Vector right_side = of_.mass_ * w;
+    right_side.conservativeResizeLike(Vector::Zero(scales_.size()));
+    const Vector next =
+        solver_->solve(right_side.cwiseProduct(scales_)).cwiseProduct(scales_).head(w.size());
+    return next - of_.mean_of(next);
+}
+
 Vector Resolvent::solve(const Vector& values) const {
     // dual forms are stars of primal ones, and stars commute with the Laplacian
     const bool primal = of_.side_ == Side::primal;
@@ -276,11 +286,10 @@ Vector Resolvent::solve(const Vector& values) const {
     const Vector mean = of_.mean_of(all);
     Vector w = all - mean;
     w -= of_.mean_of(w);
-    Vector right_side = of_.mass_ * w;
-    right_side.conservativeResizeLike(Vector::Zero(scales_.size()));
-    Vector next =
-        solver_->solve(right_side.cwiseProduct(scales_)).cwiseProduct(scales_).head(w.size());
-    next -= of_.mean_of(next);
+    Vector next = without_mean(w);
+    // undoes the shift s of the mass: (M + t K + s M) x = M (w + s x)
+    for (int i = 0; i < 2 && shift_ > 0; ++i)
+        next = without_mean(w + shift_ * next);
     check_growth(w, next);
     next += mean;
     return primal ? next : of_.mass_ * next;

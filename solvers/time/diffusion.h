@@ -109,10 +109,14 @@ public:
 private:
     void check_growth(const Vector& before, const Vector& after) const;
 
+    /// The solution of the factorized system for w, without the mean that rounding leaves.
+    Vector without_mean(const Vector& w) const;
+
     Diffusion of_;
     std::unique_ptr<LinearSolver> solver_;
     Vector scales_;      // of rows and columns of the matrix
     double largest_ = 1; // of its diagonal, over the mass
+    double shift_ = 0;   // what the mass is multiplied by in addition
 };
 
 /// A run with fixed steps from time 0. A march to a time ends after the step that is nearest to it.

@@ -23,6 +23,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace polydec::test::in_heat {
 namespace {
@@ -244,6 +245,21 @@ TEST(HeatMeans, are_left_by_steps_beyond_all_digits) {
                 EXPECT_NEAR(mean, before, 1e-14) << cells << name(side) << step;
                 EXPECT_LE(range, 1e-12) << cells << name(side) << step;
             }
+}
+
+// A cosine on equal edges is an eigenform, and odd about the middle, unlike rounding of the mean.
+TEST(HeatMeans, leave_the_rest_right_in_steps_of_any_length) {
+    const int cells = 10'000;
+    const auto mesh = discretize(kuhn(1, cells));
+    Resolvent resolvent(
+        Diffusion({mesh, Side::primal, 0, BoundaryCondition::natural}, 1, "eigen.ldlt"));
+    const Vector form = (std::numbers::pi * mesh.input_points().col(0)).array().cos();
+    const double eigenvalue = 2 * (1 - std::cos(std::numbers::pi / cells)) * cells * cells;
+    for (const double step : {1e-3, 1.0, 1e6, 1e9, 1e12}) {
+        resolvent.prepare(step);
+        const Vector next = resolvent.solve(form), odd = (next - next.reverse()) / 2;
+        EXPECT_CLOSE((1 + step * eigenvalue) * odd, form, 1e-7) << step;
+    }
 }
 
 TEST(Heat, of_stars_that_are_matrices_does_not_mind_the_size_of_cells) {
