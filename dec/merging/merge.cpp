@@ -149,19 +149,18 @@ CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOption
     check_not_negative("the merge tolerance", options.tolerance);
     const Pieces& complex = geometry.pieces();
     const int n = complex.dimension();
-    const auto& [stay, tags] = facets;
-    if (!stay.empty())
-        check_as_many("marks of facets", std::ssize(stay), complex.size(n - 1));
-    if (!tags.empty())
-        check_as_many("tags of facets", std::ssize(tags), complex.size(n - 1));
+    if (!facets.stay.empty())
+        check_as_many("marks of facets", std::ssize(facets.stay), complex.size(n - 1));
+    if (!facets.tags.empty())
+        check_as_many("tags of facets", std::ssize(facets.tags), complex.size(n - 1));
     const auto defects = facet_defects(geometry, options);
     if (options.criterion == MergeCriterion::none ||
         (defects.degenerate.interior == 0 && defects.flat.empty()))
         return {unmerged(complex), defects.degenerate, 0, geometry};
 
     CellMarks kept = no_marks(complex); // that must not be removed
-    if (!stay.empty())
-        kept[n - 1] = stay;
+    if (!facets.stay.empty())
+        kept[n - 1] = facets.stay;
     const FacetChoice choice(geometry, defects, options.tolerance);
 
     // every round keeps at least one more simplex, so the loop ends
@@ -175,7 +174,8 @@ CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOption
             centers.are_circumcenters() ? geometry : geometry.with_centers(centers);
         StraightnessTest test(shared, spread_limit * options.tolerance, options.tolerance);
         const auto straight = [&](int k, Index s, Index f, Index g) {
-            const bool are_alike = k < n - 1 || tags.empty() || tags[f] == tags[g];
+            const bool are_alike =
+                k < n - 1 || facets.tags.empty() || facets.tags[f] == facets.tags[g];
             return are_alike && !kept[k - 1][s] && test(k, s, f, g);
         };
         Blocks blocks = join_blocks(complex, removed, std::move(cells.tops), straight);
