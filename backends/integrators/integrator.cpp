@@ -141,7 +141,9 @@ Vector Integrator::ahead(double time, const Vector& state, double step) {
     if (problem_.rate)
         change += step * rate(time + step, state);
     if (problem_.stiff)
-        change = solve(change + step * stiff_rate(time + step, state));
+        change += step * stiff_rate(time + step, state);
+    if (problem_.stiff && change.allFinite())
+        change = solve(change);
     return change.allFinite() ? state + change : state;
 }
 

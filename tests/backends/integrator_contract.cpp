@@ -273,6 +273,33 @@ TEST_P(IntegratorContract, parts_have_units_of_their_own) {
     EXPECT_REFUSED(end_of(1, {1, 2}), GetParam(), "parts", "3", "2 entries");
 }
 
+// y = t attracts, and the rate is not a number where y < t - .01, such as at the end of a long
+// step.
+TEST_P(IntegratorContract, engines_solve_for_numbers_alone_after_steps_beyond_where_rates_exist) {
+    const auto weight = std::make_shared<double>(1);
+    const InitialValueProblem problem{
+        .rate =
+            [](double t, const Vector& y) {
+                return Vector{{2 - 10 * std::sqrt(0.01 + y[0] - t) + 3 * y[0]}};
+            },
+        .stiff = StiffPart{
+            .rate = [](double, const Vector& y) { return Vector(-3 * y); },
+            .prepare = [=](double, const Vector&, double gamma) { *weight = 1 + 3 * gamma; },
+            .solve =
+                [=](const Vector& b) {
+                    if (!b.allFinite())
+                        throw InvalidInput("not a number");
+                    return Vector(b / *weight);
+                },
+            .linearity = Linearity::linear}};
+    for (const double first_step : {0.05, 0.5}) {
+        const auto run = begun(problem, Vector{{0.005}}, {.first_step = first_step});
+        run->advance(1);
+        EXPECT_GT(run->report().rejected, 0);
+        EXPECT_NEAR(run->state()[0], 1, 1e-5);
+    }
+}
+
 TEST_P(IntegratorContract, what_makes_no_sense_is_refused) {
     EXPECT_REFUSED(make({.absolute_tolerance = 0}), GetParam(), "absolute_tolerance is 0");
     EXPECT_REFUSED(make({.relative_tolerance = 0}), GetParam(), "absolute_tolerance",
