@@ -100,7 +100,7 @@ Diffusion::Diffusion(const FormSpace& space, double nu, const std::string& linea
     const int k = space.cell_degree();
     check_positive_mass(mass_, side_, degree_);
     check_not_negative("the coefficient of diffusion", coefficient_);
-    space_ = std::make_shared<Space>(space, free_components(space));
+    space_ = std::shared_ptr<const Space>(new Space{space, free_components(space)});
     stiffness_ = space.stiffness();
     facts_ = {.symmetry = Symmetry::symmetric,
               .domain_dimension = inside.dimension(),
