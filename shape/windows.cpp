@@ -203,7 +203,7 @@ int Wavefront::useless_part(const Window& window, double cut, double distance, d
 void Wavefront::turn(const Fan& fan, const UnfoldedTriangles::Side& corner, Index other,
                      double base, double cut, const Exit& exit) {
     if (exit.turns > static_cast<Index>(surface_.corners_of(exit.pivot).size()))
-        return; // around a corner a second time is longer than along its side
+        return; // a path through a corner twice is longer than one along its side
     const auto hit = [&](double x) {
         const double down = (fan.along - x) * corner.sine + fan.below * corner.cosine;
         return down > 0 ? std::min(fan.below * x / down, exit.length) : exit.length;

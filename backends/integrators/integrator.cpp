@@ -186,7 +186,7 @@ Vector Integrator::allowed(const Vector& state, const Vector& largest) const {
         first += entries;
         ++part;
     }
-    return result.cwiseMax(std::numeric_limits<double>::min()); // of 0, no part is allowed but 0
+    return result.cwiseMax(std::numeric_limits<double>::min()); // errors of 0 are allowed
 }
 
 double Integrator::size(const Vector& error, const Vector& allowed) const {

@@ -319,7 +319,7 @@ private:
     double left_ = 0;       ///< steps of this length up to the end; 0: to be planned
     double end_ = 0;
     bool was_rejected_ = false;
-    Vector ahead_; ///< largest() at the end of the first step that was: rates may jump from 0
+    Vector ahead_;        ///< if so, largest() at the end of that step: rates may jump from 0
     double prepared_ = 0; ///< the gamma that can be solved with
     bool knows_first_rates_ = false;
     DenseMatrix f_, g_; ///< rates, a column for each stage

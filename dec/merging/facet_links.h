@@ -16,7 +16,7 @@ constexpr double tie = 1e-12;
 
 /// Whether a facet with this relative defect is restored where the cell that removed it is no ball:
 /// all within a factor of two of the worst, so that the choice depends neither on numbering nor on
-/// rounding. A cell of defects that are rounding loses every facet, as if they were 0.
+/// rounding. If the worst is rounding, all are restored, as if all defects were 0.
 inline bool is_among_the_worst(double relative_defect, double worst) {
     return relative_defect >= worst / 2 - tie;
 }

@@ -146,7 +146,7 @@ template <class Number>
     squares[0] = static_cast<Plain<Number>>(squared);
 }
 
-/// The length whose last digits such errors of both ends of an edge are: see rounding_of.
+/// The length l with rounding_of(l) = 2 error: rounding that moves both ends of an edge by `error`.
 inline double last_digits(double error) {
     return 2 * error / rounding_of(1);
 }
