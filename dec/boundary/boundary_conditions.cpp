@@ -132,7 +132,7 @@ std::string in_words(const BoundaryCounts& on, int degree, int n, const Boundary
 void require_use(const std::string& what, bool is_used, std::int64_t facets, const char* expected) {
     if (!what.empty() && !is_used && facets > 0)
         throw InvalidInput(fmt::format("{} would apply at none of the {} boundary facets: "
-                                       "expected {}, or none of these data",
+                                       "expected {}; else omit it",
                                        what, facets, expected));
 }
 
