@@ -129,9 +129,10 @@ Tallies tallies(const Pieces& complex, const Blocks& blocks) {
             const auto& [dimension, piece] = carriers[s];
             if (dimension > k || piece != s)
                 result.euler[dimension][piece] += k % 2 == 0 ? 1 : -1;
-            if (dimension > k + 1 &&
-                is_undecided(complex, ++result.below_interfaces[dimension][piece]))
-                result.any_undecided = true;
+            if (dimension > k + 1) {
+                const Index count = ++result.below_interfaces[dimension][piece];
+                result.any_undecided = result.any_undecided || is_undecided(complex, count);
+            }
         }
     }
     return result;

@@ -18,13 +18,11 @@ namespace {
 
 using Carriers = std::vector<std::vector<Carrier>>;
 
-using CellName = BlockName;
-
 /// What a rank knows of what makes a cell no ball: its part of the Euler number without the first
 /// piece, how many of its simplices have at least two dimensions less, and whether anything else is
 /// amiss.
 struct Flaw {
-    CellName cell;
+    BlockName cell;
     GlobalIndex euler, below_interfaces, is_amiss;
 
     bool makes_no_ball() const { return euler != 0 || is_amiss != 0; }
@@ -69,14 +67,15 @@ private:
     std::vector<Carrier> pieces_of(const Blocks& blocks, int k);
     Carriers carriers_of(const Blocks& blocks);
     std::vector<Flaw> local_flaws(const Blocks& blocks, const Carriers& carriers) const;
-    std::vector<CellName> bad_cells(const std::vector<Flaw>& flaws, const Carriers& carriers) const;
-    std::vector<CellName> no_balls_among(const std::vector<CellName>& cells,
-                                         const Carriers& carriers) const;
-    int rank_for(const CellName& cell) const {
+    std::vector<BlockName> bad_cells(const std::vector<Flaw>& flaws,
+                                     const Carriers& carriers) const;
+    std::vector<BlockName> no_balls_among(const std::vector<BlockName>& cells,
+                                          const Carriers& carriers) const;
+    int rank_for(const BlockName& cell) const {
         const auto k = static_cast<int>(cell.dimension);
         return EqualStretches(local_.degree(k).count, ranks_.size()).rank_of(cell.first);
     }
-    void keep_worst(const std::vector<CellName>& bad, const Carriers& carriers);
+    void keep_worst(const std::vector<BlockName>& bad, const Carriers& carriers);
     DistributedMerging unmerged(DistributedMerging result) const;
 
     const Ranks& ranks_;
@@ -86,7 +85,7 @@ private:
     int n_;
     FacetDefects defects_;
     KeptSimplices kept_;
-    std::vector<CellName> clashing_; // that ranks contradict each other about
+    std::vector<BlockName> clashing_; // that ranks contradict each other about
 };
 
 /// Only what is complete here may be removed for lying straight. What is not may seem to lie inside
@@ -153,7 +152,7 @@ std::vector<Flaw> Rounds::local_flaws(const Blocks& blocks, const Carriers& carr
                 flaws.push_back(
                     {{dimension, first}, k % 2 == 0 ? 1 : -1, dimension > k + 1 ? 1 : 0, 0});
         }
-    for (const CellName& cell : clashing_)
+    for (const BlockName& cell : clashing_)
         flaws.push_back({cell, 0, 0, 1});
     const FaceTable ends = local_.complex.faces(1);
     for (Index e = 0; e < local_.degree(1).size(); ++e)
@@ -165,15 +164,15 @@ std::vector<Flaw> Rounds::local_flaws(const Blocks& blocks, const Carriers& carr
 }
 
 /// Summed up where the numbers of first pieces lie.
-std::vector<CellName> Rounds::bad_cells(const std::vector<Flaw>& flaws,
-                                        const Carriers& carriers) const {
+std::vector<BlockName> Rounds::bad_cells(const std::vector<Flaw>& flaws,
+                                         const Carriers& carriers) const {
     auto parcels = ranks_.empty_parcels<Flaw>();
     for (const Flaw& flaw : flaws)
         parcels[rank_for(flaw.cell)].push_back(flaw);
     const auto arrived = ranks_.deliver(std::move(parcels));
     const auto known = ranks_.together("cells", [&] { return summed(unpacked(arrived)); });
     const auto cells_with = [&](bool (Flaw::*property)() const) {
-        std::vector<CellName> own;
+        std::vector<BlockName> own;
         for (const Flaw& flaw : known)
             if ((flaw.*property)())
                 own.push_back(flaw.cell);
@@ -189,13 +188,13 @@ std::vector<CellName> Rounds::bad_cells(const std::vector<Flaw>& flaws,
 }
 
 /// Their interiors are gathered in the same places.
-std::vector<CellName> Rounds::no_balls_among(const std::vector<CellName>& cells,
-                                             const Carriers& carriers) const {
+std::vector<BlockName> Rounds::no_balls_among(const std::vector<BlockName>& cells,
+                                              const Carriers& carriers) const {
     auto parcels = ranks_.empty_parcels<OpenIncidence>();
     for (int k = 1; k <= n_ && !cells.empty(); ++k) {
         const auto &numbers = local_.degree(k).number, &of_faces = local_.degree(k - 1).number;
         for (Index s = 0; s < local_.degree(k).size(); ++s) {
-            const CellName cell{carriers[k][s].dimension, carriers[k][s].first};
+            const BlockName cell{carriers[k][s].dimension, carriers[k][s].first};
             if (!local_.owns(ranks_, k, s) || !std::binary_search(cells.begin(), cells.end(), cell))
                 continue;
             for (const auto& [face, sign] : local_.complex.incidences(k - 1)[s])
@@ -209,13 +208,13 @@ std::vector<CellName> Rounds::no_balls_among(const std::vector<CellName>& cells,
 }
 
 /// As one process does: see merge_cospherical.
-void Rounds::keep_worst(const std::vector<CellName>& bad, const Carriers& carriers) {
+void Rounds::keep_worst(const std::vector<BlockName>& bad, const Carriers& carriers) {
     std::vector<double> worst(bad.size(), 0);
     const auto for_each_interface = [&](auto take) {
         for (int k = 0; k < n_; ++k)
             for (Index s = 0; s < local_.degree(k).size(); ++s) {
                 const auto& [dimension, sign, owner, first] = carriers[k][s];
-                const CellName cell{dimension, first};
+                const BlockName cell{dimension, first};
                 const auto found = std::lower_bound(bad.begin(), bad.end(), cell);
                 if (dimension == k + 1 && local_.owns(ranks_, k, s) && found != bad.end() &&
                     *found == cell)

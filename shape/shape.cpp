@@ -53,8 +53,9 @@ double error_of_refining(const Discretization& mesh) {
     double worst = 0;
     for (Index s = 0; s < before.pieces.size(mesh.dimension()); ++s) {
         const auto measured = measured_simplex(before, s);
-        const double reach = points.cols() > 0 ? far / std::sqrt(measured.shortest_square)
-                                               : measured.longest_square / measured.shortest_square;
+        const double reach = points.cols() > 0
+                                 ? far / std::sqrt(measured.shortest_square)
+                                 : 4 * measured.longest_square / measured.shortest_square;
         worst = std::max(worst, measured.sensitivity * reach);
     }
     return mesh.bisections() * std::numeric_limits<double>::epsilon() * worst;

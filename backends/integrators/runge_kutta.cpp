@@ -140,7 +140,9 @@ private:
             change += f_.col(0);
         if (g_.cols() > 0)
             change += g_.col(0);
-        const Vector allowed = this->allowed(state());
+        // what begins at 0 has the size that it grows to
+        const Vector here = largest(), next = largest_with(state() + 1e-3 * span * change);
+        const Vector allowed = this->allowed(state(), (here.array() > 0).select(here, next));
         const double now = size(state(), allowed), speed = size(change, allowed);
         const bool is_told = now > 1e-5 && speed > 1e-5;
         const double step = is_told ? 0.01 * now / speed : 1e-3 * span;

@@ -129,7 +129,8 @@ std::string in_words(const BoundaryCounts& on, int degree, int n, const Boundary
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-void require_use(const std::string& what, bool is_used, std::int64_t facets, const char* expected) {
+void require_facets(const std::string& what, bool is_used, std::int64_t facets,
+                    const char* expected) {
     if (!what.empty() && !is_used && facets > 0)
         throw InvalidInput(fmt::format("{} would apply at none of the {} boundary facets: "
                                        "expected {}; else omit it",
@@ -138,10 +139,10 @@ void require_use(const std::string& what, bool is_used, std::int64_t facets, con
 
 void require_use(const BoundaryCounts& on, const NamedData& data) {
     const char* other = "a facet that is not essential (see BoundaryConditions::essential)";
-    require_use(data.values, on.essential + on.fixed_vertices > 0, on.facets,
-                "an essential facet or a fixed vertex (see BoundaryConditions::essential)");
-    require_use(data.flow, on.essential < on.facets, on.facets, other);
-    require_use(data.robin, on.robin > 0, on.facets, other);
+    require_facets(data.values, on.essential + on.fixed_vertices > 0, on.facets,
+                   "an essential facet or a fixed vertex (see BoundaryConditions::essential)");
+    require_facets(data.flow, on.essential < on.facets, on.facets, other);
+    require_facets(data.robin, on.robin > 0, on.facets, other);
 }
 
 BoundaryConditions BoundaryConditions::essential(const std::vector<bool>& marks) const {

@@ -107,7 +107,8 @@ void require_use(const BoundaryCounts& on, const NamedData& data);
 
 /// The same for data of any equation, on a boundary of so many facets. `expected` names the facets
 /// where such data apply.
-void require_use(const std::string& what, bool is_used, std::int64_t facets, const char* expected);
+void require_facets(const std::string& what, bool is_used, std::int64_t facets,
+                    const char* expected);
 
 /// The conditions with Robin's in place of natural.
 BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coefficient);

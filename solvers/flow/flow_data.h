@@ -28,8 +28,8 @@ struct FlowFacets {
 };
 
 /// The condition of each (n-1)-cell: the last one chosen for it, else free slip. Throws
-/// InvalidInput for another number of marks, and, like require_use, if marks are given but none on
-/// the boundary.
+/// InvalidInput for another number of marks, and, like require_facets, if marks are given but none
+/// on the boundary.
 std::vector<FlowBoundary> flow_boundary(const CellComplex& complex,
                                         const std::vector<FlowFacets>& chosen);
 

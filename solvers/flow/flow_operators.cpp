@@ -50,10 +50,10 @@ Vector along_walls(const Discretization& mesh, const std::vector<BoundaryFacet>&
 /// Throws InvalidInput, like polydec::require_use, if data on the boundary apply nowhere.
 void require_use(const FlowSpaces& spaces, const FlowOptions& options) {
     const auto facets = std::ssize(boundary_facets(spaces.flux.cells().complex()));
-    polydec::require_use(options.boundary_flux.size() > 0 ? "FlowOptions::boundary_flux" : "",
-                         std::ssize(spaces.open) < facets, facets, "a facet that is not open");
-    polydec::require_use(options.wall_velocity.size() > 0 ? "FlowOptions::wall_velocity" : "",
-                         !spaces.dragged.empty(), facets, "a no-slip facet");
+    require_facets(options.boundary_flux.size() > 0 ? "FlowOptions::boundary_flux" : "",
+                   std::ssize(spaces.open) < facets, facets, "a facet that is not open");
+    require_facets(options.wall_velocity.size() > 0 ? "FlowOptions::wall_velocity" : "",
+                   !spaces.dragged.empty(), facets, "a no-slip facet");
 }
 
 Vector given_flux(const FormSpace& fluxes, const Vector& given) {

@@ -255,20 +255,22 @@ TEST_P(IntegratorContract, linear_problems_take_the_same_steps_in_any_unit_of_va
 
 // The twin: in one part, the second entry is measured by the first.
 TEST_P(IntegratorContract, parts_have_units_of_their_own) {
-    const auto end_of = [&](double unit, const std::vector<Index>& parts) {
+    const auto end_of = [&](double unit, const std::vector<Index>& parts, double second = 1) {
         const InitialValueProblem problem{.rate =
                                               [=](double t, const Vector& y) {
                                                   return Vector{{std::cos(t) * y[0] - y[1] / unit,
                                                                  std::cos(t) * y[1] + unit * y[0]}};
                                               },
                                           .parts = parts};
-        const auto run = begun(problem, Vector{{1, unit}});
+        const auto run = begun(problem, Vector{{1, second * unit}});
         run->advance(3);
         return Vector{{run->state()[0], run->state()[1] / unit}};
     };
     for (const double unit : {0x1p-60, 0x1p60}) {
         EXPECT_EQ(end_of(unit, {1, 1}), end_of(1, {1, 1}));
         EXPECT_NE(end_of(unit, {2}), end_of(1, {2}));
+        if (make()->traits().resumes_exactly) // CVODE weighs errors by what was before a step
+            EXPECT_EQ(end_of(unit, {1, 1}, 0), end_of(1, {1, 1}, 0));
     }
     EXPECT_REFUSED(end_of(1, {1, 2}), GetParam(), "parts", "3", "2 entries");
 }
