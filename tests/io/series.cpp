@@ -216,9 +216,9 @@ TEST(Series, RefusesWhatDoesNotFit) {
     const TemporaryFolder folder;
     const NamedForm u("u", moving(mesh, Side::primal, 0, 1));
     EXPECT_REFUSED(Series("a.vtu", mesh), "a.vtu", "series", ".pvd", ".html");
-    for (const auto& [name, shown] : {std::pair("\x01", "\\x01"), {"\xFF", "\\xff"}, {"\n", "\\n"}})
-        EXPECT_REFUSED(Series(folder.path(std::string(name) + ".pvd"), mesh), shown, "name",
-                       "characters");
+    for (const auto& each : {std::pair("\x01", "\\x01"), {"\xFF", "\\xff"}, {"\n", "\\n"}})
+        EXPECT_REFUSED(Series(folder.path(std::string(each.first) + ".pvd"), mesh), each.second,
+                       "name", "characters");
     EXPECT_NO_THROW(Series(folder.path("größe 網格.pvd"), mesh));
     for (const char* name : {"a.pvd", "a.html"}) {
         Series series(folder.path(name), mesh);
