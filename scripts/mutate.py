@@ -35,7 +35,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PROGRAMS = {folder: (f"{folder}/test_{folder}",) for folder in ("io", "shape")}
 for lower in ("base", "complex", "meshes"):
     PROGRAMS[lower] = (f"{lower}/test_{lower}", "dec/test_dec")
-PROGRAMS["dec"] = ("dec/test_dec", "solvers/test_solvers")
+PROGRAMS["dec"] = ("dec/test_dec", "shape/test_shape", "solvers/test_solvers")
 PROGRAMS["backends"] = ("backends/test_backends", "solvers/test_solvers")
 PROGRAMS["solvers"] = ("solvers/test_solvers", "io/test_io")
 SECONDS = 600
