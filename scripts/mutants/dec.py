@@ -26,7 +26,7 @@ MUTANTS = {
         "Vector::Constant(points.cols(), points.cwiseAbs().maxCoeff())",
         "Planes.are_none_where_details_are_small_beside_zero_coordinates"),
     "error_of_planes_forgotten": (
-        "dec/metric/sphere_kernel.h", "return 2 * error / rounding_of(1);", "return 0 * error;",
+        "dec/metric/plane.cpp", "(std::move(plane.points)), plane.error}", "(std::move(plane.points)), 0}",
         "Planes.of_points_have_volumes_within_rounding_of_those_between_the_points"),
     "diagonals_of_any_sign": ("dec/stars/star.cpp", "!(diagonal[cell] > 0)", "diagonal[cell] < 0",
                               "StarErrors.matrices_fit_their_cells_and_are_symmetric_and_definite"),
