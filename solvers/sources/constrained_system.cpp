@@ -134,9 +134,12 @@ Compatibility FreeComponents::balance(Vector& b) const {
 void FreeComponents::remove_means(Vector& u) const {
     const Sums weighted =
         sums(count(), [&](Index i) { return static_cast<long double>(weights_[i]) * u[i]; });
+    Vector means(count());
+    for (Index c = 0; c < count(); ++c)
+        means[c] = static_cast<double>(weighted[c] / weights_of_all_[c]);
     for (Index i = 0; i < u.size(); ++i)
         if (const Index c = component_[i]; c >= 0)
-            u[i] -= static_cast<double>(weighted[c] / weights_of_all_[c]);
+            u[i] -= means[c];
 }
 
 void check_loads(const char* what, const Vector& loads, int degree) {
