@@ -161,7 +161,8 @@ void write_stl(const Path& path, const SurfaceFaces& faces) {
                                            .stableNormalized();
         for (const double value : normal)
             file.write(bytes_of(std::isfinite(value) ? static_cast<float>(value) : 0.0F));
-        for (const float value : in_floats(path, faces.points, corners).reshaped())
+        const Eigen::Matrix3f places = in_floats(path, faces.points, corners);
+        for (const float value : places.reshaped())
             file.write(bytes_of(value));
         file.write(bytes_of(std::uint16_t{0}));
     }
