@@ -74,7 +74,7 @@ std::vector<BoundaryFacet> boundary_facets(const CellComplex& complex) {
             place[f] = static_cast<Index>(facets.size());
             facets.push_back({f, -1, 0});
         }
-    for (Index t = 0; n > 0 && t < complex.size(n); ++t)
+    for (Index t = 0; !facets.empty() && t < complex.size(n); ++t)
         for (const auto& [f, sign] : complex.incidences(n - 1)[t])
             if (place[f] >= 0)
                 facets[place[f]] = {f, t, sign};

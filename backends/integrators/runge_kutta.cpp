@@ -161,21 +161,26 @@ private:
             if (!take_stage(i, step, end))
                 return {{}, no_number};
         const bool is_end = table_->ends_at_last_stage(f_.cols() > 0, is_stiff());
-        Vector next = is_end ? stage_ : state(), error = Vector::Zero(next.size());
-        for (const DenseMatrix* rates : {&g_, &f_}) {
-            if (rates->cols() == 0)
-                continue;
-            error += step * (*rates * table_->error_weights);
-            if (!is_end)
-                next += step * (*rates * table_->weights);
-        }
-        const Vector larger = state().cwiseAbs().cwiseMax(next.cwiseAbs());
-        if (!next.allFinite() || !error.allFinite())
+        Vector next = is_end ? std::move(stage_) : moved(state(), step, table_->weights);
+        if (!next.allFinite())
             return {{}, no_number};
+        if (is_fixed())
+            return {std::move(next), 0};
+        const Vector error = moved(Vector::Zero(next.size()), step, table_->error_weights);
+        const Vector larger = state().cwiseAbs().cwiseMax(next.cwiseAbs());
         Vector largest = largest_with(larger);
         if (was_rejected_)
             largest = largest.cwiseMax(ahead_);
-        return {std::move(next), is_fixed() ? 0 : size(error, allowed(larger, largest))};
+        return {std::move(next),
+                error.allFinite() ? size(error, allowed(larger, largest)) : no_number};
+    }
+
+    /// A state plus the step times the rates, explicit and implicit, with these weights of stages.
+    Vector moved(Vector state, double step, const Vector& weights) const {
+        for (const DenseMatrix* rates : {&g_, &f_})
+            if (rates->cols() > 0)
+                state += step * (*rates * weights);
+        return state;
     }
 
     /// False if its rates are not finite or its equation is not solved.
@@ -190,9 +195,11 @@ private:
                 return false;
             g_.col(i) = (stage_ - known) / gamma;
         }
+        if (!stage_.allFinite())
+            return false;
         if (f_.cols() > 0)
             f_.col(i) = rate(time, stage_);
-        return stage_.allFinite() && (f_.cols() == 0 || f_.col(i).allFinite());
+        return f_.cols() == 0 || f_.col(i).allFinite();
     }
 
     /// Solves Y - gamma g(t, Y) = known by Newton's method, in one step where g is affine.
@@ -202,7 +209,7 @@ private:
         const Linearity linearity = problem().stiff->linearity;
         if (linearity == Linearity::linear) {
             state = solve(known);
-            return state.allFinite();
+            return true;
         }
         state = this->state();
         const Vector allowed = this->allowed(state);
@@ -214,7 +221,7 @@ private:
             const Vector change = solve(residual);
             state += change;
             if (linearity == Linearity::affine)
-                return state.allFinite();
+                return true;
             const double now = size(change, allowed);
             if (now <= small)
                 return true;

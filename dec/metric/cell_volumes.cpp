@@ -67,11 +67,7 @@ void CellVolumes::check(int k) const {
 }
 
 Vector CellVolumes::ratios(int k) const {
-    const auto& [primal, dual, terms, rounding] = degree(k);
-    Vector result(size(k));
-    for (Index s = 0; s < result.size(); ++s)
-        result[s] = dual[s] / primal[s];
-    return result;
+    return dual(k).cwiseQuotient(primal(k));
 }
 
 CellVolumes CellVolumes::with_dual(int k, Vector dual) const {

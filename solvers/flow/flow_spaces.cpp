@@ -56,8 +56,7 @@ FlowSpaces::FlowSpaces(const Cells& cells, FlowBoundary everywhere,
         open.push_back(on);
         tied[on.cell] = true;
     }
-    loose = FreeComponents(divergence * SparseMatrix(divergence.transpose()),
-                           std::vector<bool>(tied.size(), false), tied,
+    loose = FreeComponents(divergence.transpose(), std::vector<bool>(tied.size(), false), tied,
                            cells.stars().volumes().primal(cells.dimension()));
 }
 

@@ -35,8 +35,7 @@ void check_held_back(const CellComplex& complex, const FlowSpaces& spaces) {
     for (const BoundaryFacet& on : spaces.dragged)
         if (left_out[n - 1][on.facet])
             sticks[on.cell] = true;
-    const SparseMatrix& d = spaces.divergence;
-    const FreeComponents loose(d * SparseMatrix(d.transpose()),
+    const FreeComponents loose(spaces.divergence.transpose(),
                                std::vector<bool>(sticks.size(), false), sticks,
                                Vector::Ones(complex.size(n)));
     if (loose.count() == 0)

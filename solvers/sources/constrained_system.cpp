@@ -56,19 +56,26 @@ SparseMatrix part(const SparseMatrix& A, const std::vector<Index>& list) {
 /// Of each unknown, numbered in order; -1 if it is not free.
 std::vector<Index> free_components(const SparseMatrix& graph, const std::vector<bool>& fixed,
                                    const std::vector<bool>& tied) {
-    const auto n = static_cast<Index>(graph.rows());
+    const auto n = static_cast<Index>(fixed.size());
     DisjointSets sets(n);
     std::vector<bool> held = tied;
-    for (Index i = 0; i < n; ++i)
+    for (Index i = 0; i < graph.rows(); ++i) {
+        Index first = -1;
+        bool is_held = false;
         for (SparseMatrix::InnerIterator entry(graph, i); entry; ++entry) {
             const auto j = static_cast<Index>(entry.col());
-            if (entry.value() == 0 || fixed[i])
+            if (entry.value() == 0 && i != j)
                 continue;
             if (fixed[j])
-                held[i] = true;
+                is_held = true;
+            else if (first < 0)
+                first = j;
             else
-                sets.join(i, j);
+                sets.join(first, j);
         }
+        if (is_held && first >= 0)
+            held[first] = true;
+    }
 
     std::vector<bool> held_root(n, false);
     for (Index i = 0; i < n; ++i)
@@ -104,9 +111,15 @@ FreeComponents::FreeComponents(const SparseMatrix& graph, const std::vector<bool
 template <typename Term>
 FreeComponents::Sums FreeComponents::sums(Index count, Term term) const {
     Sums own = Sums::Zero(count);
-    for (std::size_t i = 0; i < component_.size(); ++i)
-        if (const Index c = component_[i]; c >= 0)
-            own[c] += term(static_cast<Index>(i));
+    const auto size = static_cast<Index>(component_.size());
+    for (Index i = 0; i < size;) {
+        const Index c = component_[i];
+        long double sum = 0; // of a run of unknowns
+        for (; i < size && component_[i] == c; ++i)
+            sum += term(i);
+        if (c >= 0)
+            own[c] += sum;
+    }
     return over_all_(std::move(own));
 }
 
@@ -134,9 +147,7 @@ Compatibility FreeComponents::balance(Vector& b) const {
 void FreeComponents::remove_means(Vector& u) const {
     const Sums weighted =
         sums(count(), [&](Index i) { return static_cast<long double>(weights_[i]) * u[i]; });
-    Vector means(count());
-    for (Index c = 0; c < count(); ++c)
-        means[c] = static_cast<double>(weighted[c] / weights_of_all_[c]);
+    const Vector means = weighted.cwiseQuotient(weights_of_all_).cast<double>();
     for (Index i = 0; i < u.size(); ++i)
         if (const Index c = component_[i]; c >= 0)
             u[i] -= means[c];

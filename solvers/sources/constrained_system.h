@@ -31,8 +31,9 @@ struct Compatibility {
     double excess = 0; ///< the sum of b on this component
 };
 
-/// The connected components of unknowns on which a solution is free up to a constant: the
-/// components of a matrix graph without fixed or tied unknowns.
+/// The connected components of unknowns on which a solution is free up to a constant: those without
+/// fixed or tied unknowns. Each row of a matrix connects the columns of its entries, of which zeros
+/// count on the diagonal alone.
 class FreeComponents {
 public:
     using Sums = Eigen::Matrix<long double, Eigen::Dynamic, 1>; ///< as exact as their terms

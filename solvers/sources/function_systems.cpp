@@ -234,7 +234,7 @@ private:
                                  .degree = of_.dimension};
         result.A =
             gram_of_rows(space.cells().complex().incidences(of_.dimension - 1), conductances_);
-        result.A.prune(0.0); // cancelled entries are no connections
+        result.A.prune([](Index t, Index s, double a) { return a != 0 || t == s; });
         return result;
     }
 
@@ -296,10 +296,7 @@ public:
 private:
     const FreeComponents& components() const override { return components_; }
 
-    SparseMatrix connections() const {
-        const SparseMatrix sides = SparseMatrix(divergence_ * kept_).cwiseAbs();
-        return sides * SparseMatrix(sides.transpose());
-    }
+    SparseMatrix connections() const { return SparseMatrix(divergence_ * kept_).transpose(); }
 
     SparseMatrix M_, kept_; // kept: free fluxes to all
     SaddleSolver solver_;

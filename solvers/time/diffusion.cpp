@@ -56,16 +56,15 @@ FreeComponents free_components(const FormSpace& space) {
         return {};
     const SparseMatrix d =
         k == 0 ? derivative(complex, 0) : SparseMatrix(derivative(complex, n - 1).transpose());
-    const SparseMatrix sides = d.cwiseAbs(), cells = sides.transpose();
     const Vector ones = Vector::Ones(d.cols());
-    Vector ties = cells * Vector((d * ones).cwiseAbs());
+    Vector ties = d.cwiseAbs().transpose() * Vector((d * ones).cwiseAbs());
     if (const SparseMatrix robin = space.free_robin_weights(); robin.size() > 0)
         ties += robin.diagonal();
     std::vector<bool> tied;
     for (const double tie : ties)
         tied.push_back(tie > 0);
     const HodgeStar mass = inside.stars()[k];
-    return {cells * sides, std::vector<bool>(tied.size(), false), tied,
+    return {d, std::vector<bool>(tied.size(), false), tied,
             k == 0 ? mass * ones : mass.solve(ones)};
 }
 
@@ -140,14 +139,13 @@ bool Diffusion::keeps_means() const {
     return space_ && space_->constants.count() > 0;
 }
 
-Vector Diffusion::mean_of(const Vector& w) const {
+Vector Diffusion::without_means(const Vector& w) const {
     if (!keeps_means())
-        return Vector::Zero(w.size());
+        return w;
     const bool has_values = mass_.degree() == 0;
-    const Vector values = has_values ? w : mass_ * w;
-    Vector rest = values;
-    space_->constants.remove_means(rest);
-    return has_values ? Vector(values - rest) : mass_.solve(Vector(values - rest));
+    Vector values = has_values ? w : mass_ * w;
+    space_->constants.remove_means(values);
+    return has_values ? values : mass_.solve(values);
 }
 
 Vector Diffusion::rate(const Vector& values) const {
@@ -270,28 +268,28 @@ void Resolvent::check_growth(const Vector& before, const Vector& after) const {
             positive_stars(of_.mass_.dimension())));
 }
 
-Vector Resolvent::without_mean(const Vector& w) const {
+Vector Resolvent::solved(const Vector& w) const {
     Vector right_side = of_.mass_ * w;
     right_side.conservativeResizeLike(Vector::Zero(scales_.size()));
-    const Vector next =
-        solver_->solve(right_side.cwiseProduct(scales_)).cwiseProduct(scales_).head(w.size());
-    return next - of_.mean_of(next);
+    return of_.without_means(
+        solver_->solve(right_side.cwiseProduct(scales_)).cwiseProduct(scales_).head(w.size()));
 }
 
 Vector Resolvent::solve(const Vector& values) const {
     // dual forms are stars of primal ones, and stars commute with the Laplacian
     const bool primal = of_.side_ == Side::primal;
     const Vector all = primal ? values : of_.mass_.solve(values);
-    // long steps would lose means, and the rounding of means, in their own
-    const Vector mean = of_.mean_of(all);
-    Vector w = all - mean;
-    w -= of_.mean_of(w);
-    Vector next = without_mean(w);
+    // steps lose means in their rounding, and long steps the rounding of means
+    constexpr double is_long = 1e4;
+    Vector w = of_.without_means(all);
+    if (largest_ > is_long)
+        w = of_.without_means(w);
+    Vector next = solved(w);
     // undoes the shift s of the mass: (M + t K + s M) x = M (w + s x)
     for (int i = 0; i < 2 && shift_ > 0; ++i)
-        next = without_mean(w + shift_ * next);
+        next = solved(w + shift_ * next);
     check_growth(w, next);
-    next += mean;
+    next += all - w;
     return primal ? next : of_.mass_ * next;
 }
 

@@ -70,10 +70,9 @@ private:
     BoundaryLoads loads(const BoundaryForms& data) const;
     Vector moved(const Vector& fixed) const;
 
-    /// The means of a function on components through whose boundary nothing flows, which diffusion
-    /// keeps; 0 elsewhere, and for forms of other degrees. Of primal forms whose stars are the dual
-    /// ones.
-    Vector mean_of(const Vector& w) const;
+    /// Removes the means of a function on components through whose boundary nothing flows, which
+    /// diffusion keeps. Of primal forms whose stars are the dual ones.
+    Vector without_means(const Vector& w) const;
     bool keeps_means() const;
 
     std::vector<Index> kept_;
@@ -110,7 +109,7 @@ private:
     void check_growth(const Vector& before, const Vector& after) const;
 
     /// The solution of the factorized system for w, without the mean that rounding leaves.
-    Vector without_mean(const Vector& w) const;
+    Vector solved(const Vector& w) const;
 
     Diffusion of_;
     std::unique_ptr<LinearSolver> solver_;
