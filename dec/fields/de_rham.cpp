@@ -204,27 +204,6 @@ Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothF
     return result;
 }
 
-Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
-                    int quadrature_degree, const Centers& centers) {
-    const int k = cell_degree(complex, Side::dual, j);
-    require_straight(complex, points, "the de Rham map");
-    const Integral integral(form, static_cast<Index>(points.cols()), j, quadrature_degree);
-    const auto centers_of = [&](int i) {
-        return combinations(complex, i, center_coordinates(complex, points, centers, i), points);
-    };
-    return DualIntegrals(complex, k, complex.dimension(), integral, centers_of).all();
-}
-
-Vector inverse_star_de_rham(const Pieces& complex, const Points& points, int j,
-                            const SmoothForm& form, int quadrature_degree) {
-    cell_degree(complex, Side::dual, j);
-    require_straight(complex, points, "the de Rham map");
-    check_callable("the function of a smooth form", form);
-    const DenseMatrix means = means_over(complex, points, j, form, quadrature_degree);
-    return inverse_star_means(complex, points, complex.simplices(complex.dimension()), j,
-                              [&](Index, Index s) { return means.row(s); });
-}
-
 namespace {
 
 /// The form as a function of places in the unit of the mesh.

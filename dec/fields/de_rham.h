@@ -57,29 +57,20 @@ Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothF
 Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form,
                 int quadrature_degree = 5);
 
-/// The de Rham map of dual j-forms: integrals over the circumcentric duals *s of the simplices s of
-/// degree k = n-j, oriented so that s followed by *s has the orientation of the n-simplices. *s
-/// consists of the elementary simplices [c(s_k), .., c(s_n)] over all flags s = s_k < .. < s_n,
-/// with the sign prod over i of (-1)^(i+1) [s_(i+1) : s_i], i = k .. n-1. Size size(k). Commutes
-/// with dual_derivative off the boundary of orientable meshes. The form is evaluated near
-/// circumcenters, which may lie outside the mesh.
+/// The de Rham map of dual j-forms, by the stars of the mesh. Stars over duals (see
+/// ChosenStars::is_over_duals): integrals over the circumcentric duals *s of the pieces s of degree
+/// k = n-j, averaged by volume over the pieces of a cell; s followed by *s has the orientation of
+/// the n-pieces. *s consists of the elementary simplices [c(s_k), .., c(s_n)] over all flags s =
+/// s_k < .. < s_n, with the sign prod over i of (-1)^(i+1) [s_(i+1) : s_i], i = k .. n-1. For j =
+/// 0, values at the sites of the pieces (see sites_of_pieces). Size size(k). Commutes with
+/// dual_derivative off the boundary of orientable meshes. The form is evaluated near circumcenters,
+/// which may lie outside the mesh. After flips they lie on the surface, as in cell_centers, and
+/// elementary simplices are straight between them: Stokes' theorem still holds.
+///
+/// Other stars, which know no duals: the star of the integrals of the form's inverse star over the
+/// oriented k-simplices, in the planes of the n-simplices around them; if these planes differ, of
+/// the mean by volume. Then the form is evaluated inside the simplices only.
 /// Source: Hirani 2003, sec. 2.5. Throws like de_rham.
-Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
-                    int quadrature_degree = 5, const Centers& centers = {});
-
-/// The primal (n-j)-form whose star is the given j-form: integrals of the form's inverse star over
-/// the oriented k-simplices, k = n-j, in the planes of the n-simplices around them; if these planes
-/// differ, the mean by volume. Size size(k). The form is evaluated inside the simplices only.
-/// Throws like de_rham.
-Vector inverse_star_de_rham(const Pieces& complex, const Points& points, int j,
-                            const SmoothForm& form, int quadrature_degree = 5);
-
-/// The dual j-form on merged cells, by the stars of the mesh. Stars over duals (see
-/// ChosenStars::is_over_duals): integrals over the circumcentric duals, averaged by volume over the
-/// pieces; for j = 0 values at the sites of the pieces (see sites_of_pieces). Other stars, which
-/// know no duals: the star of inverse_star_de_rham. After flips the centers lie on the surface, as
-/// in cell_centers, and elementary simplices are straight between them: Stokes' theorem still
-/// holds.
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree = 5);
 

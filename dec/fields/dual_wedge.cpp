@@ -10,7 +10,6 @@
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/simplex_layout.h"
 #include "dec/metric/subsets.h"
-#include "dec/stars/star.h"
 
 #include <algorithm>
 #include <cmath>
@@ -167,38 +166,24 @@ Vector product_of_stars(const Geometry& geometry, const Cochain& a, const Cochai
     return values;
 }
 
-/// Over the parts of the duals.
-Points parts_of_duals(const Geometry& geometry, int m) {
-    return parts_of_duals(geometry, geometry.centers(), m, geometry.pieces().dimension());
-}
-
 } // namespace
-
-Cochain dual_wedge(const Geometry& geometry, const Cochain& a, const Cochain& b) {
-    check_factors(geometry.pieces(), Side::dual, a, b);
-    const int n = geometry.pieces().dimension(), j = a.degree + b.degree;
-    const auto primal = [&](const Cochain& form) {
-        const int p = n - form.degree;
-        return Cochain{Side::primal, p, star(geometry.volumes(), p).solve(form.values)};
-    };
-    return {Side::dual, j,
-            product_of_stars(geometry, primal(a), primal(b), parts_of_duals(geometry, n - j))};
-}
 
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b) {
     check_factors(mesh.complex(), Side::dual, a, b);
     refuse_flat_pieces(mesh, "the product of dual forms");
+    const int n = mesh.dimension(), j = a.degree + b.degree, m = n - j;
+    const Geometry& geometry = mesh.geometry();
     const auto lifted = [&](const Cochain& form) {
-        const int p = mesh.dimension() - form.degree;
+        const int p = n - form.degree;
         return on_pieces(mesh, {Side::primal, p, mesh.stars()[p].solve(form.values)});
     };
-    const int j = a.degree + b.degree, m = mesh.dimension() - j;
     const auto product = [&](const Points& parts) {
-        return product_of_stars(mesh.geometry(), lifted(a), lifted(b), parts);
+        return product_of_stars(geometry, lifted(a), lifted(b), parts);
     };
     if (mesh.chosen_stars().is_over_duals(m))
-        return on_cells(mesh, {Side::dual, j, product(parts_of_duals(mesh.geometry(), m))});
-    const Vector means = product(parts_of_means(mesh.geometry(), m));
+        return on_cells(
+            mesh, {Side::dual, j, product(parts_of_duals(geometry, geometry.centers(), m, n))});
+    const Vector means = product(parts_of_means(geometry, m));
     return star(Cells(mesh.complex(), mesh.stars()), on_cells(mesh, {Side::primal, m, means}));
 }
 

@@ -95,24 +95,19 @@ Cochain wedge(const Pieces& complex, const Cochain& a, const Cochain& b) {
     return product(complex, a, b, [share](Index, int) { return share; });
 }
 
-Cochain circumcentric_wedge(const Geometry& geometry, const Cochain& a, const Cochain& b) {
-    check_factors(geometry.pieces(), Side::primal, a, b);
-    const int m = a.degree + b.degree;
-    const Points parts = parts_of_duals(geometry, geometry.centers(), 0, m);
-    const Vector& volumes = geometry.volumes().primal(m);
-    return product(geometry.pieces(), a, b,
-                   [&](Index s, int v) { return parts(s, v) / volumes[s]; });
-}
-
 Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
               WedgeWeights weights) {
     check_factors(mesh.complex(), Side::primal, a, b);
-    if (weights != WedgeWeights::uniform)
-        refuse_flat_pieces(mesh, "the product weighted by parts of duals");
     const Cochain x = on_pieces(mesh, a), y = on_pieces(mesh, b);
-    return on_cells(mesh, weights == WedgeWeights::uniform
-                              ? wedge(mesh.pieces(), x, y)
-                              : circumcentric_wedge(mesh.geometry(), x, y));
+    if (weights == WedgeWeights::uniform)
+        return on_cells(mesh, wedge(mesh.pieces(), x, y));
+    refuse_flat_pieces(mesh, "the product weighted by parts of duals");
+    const Geometry& geometry = mesh.geometry();
+    const int m = a.degree + b.degree;
+    const Points parts = parts_of_duals(geometry, geometry.centers(), 0, m);
+    const Vector& volumes = geometry.volumes().primal(m);
+    return on_cells(mesh, product(mesh.pieces(), x, y,
+                                  [&](Index s, int v) { return parts(s, v) / volumes[s]; }));
 }
 
 Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Cochain& b) {

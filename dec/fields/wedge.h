@@ -7,7 +7,11 @@
 namespace polydec {
 
 /// Share of a vertex v in a simplex s in a product of forms: equal for all vertices, or the part |s
-/// n *v| of s that lies in the circumcentric dual of v.
+/// n *v| of s that lies in the circumcentric dual of v: Hirani's weights, sign k! l! / (k+l)! |s n
+/// *v| / |s| for a pair of faces with common vertex v. A weight may be negative where s is obtuse.
+/// Products with these are anticommutative, with the same unit, and exact for constant forms; but
+/// Leibniz' rule does not hold. Equal to uniform ones where all vertices have equal shares.
+/// Source: Hirani 2003, Def. 7.1.1.
 enum class WedgeWeights { uniform, circumcentric };
 
 /// Exterior product of a primal k-form and a primal l-form on simplices, a (k+l)-form: the integral
@@ -21,19 +25,11 @@ enum class WedgeWeights { uniform, circumcentric };
 /// Throws like check, and InvalidInput for dual forms and for k + l > n.
 Cochain wedge(const Pieces& complex, const Cochain& a, const Cochain& b);
 
-/// The same with Hirani's weights: sign k! l! / (k+l)! |s n *v| / |s| for a pair of faces with
-/// common vertex v; a weight may be negative where s is obtuse. Anticommutative, with the same
-/// unit, exact for constant forms; but Leibniz' rule does not hold. Equal to wedge where all
-/// vertices have equal shares.
-/// Source: Hirani 2003, Def. 7.1.1.
-/// Throws like wedge.
-Cochain circumcentric_wedge(const Geometry& geometry, const Cochain& a, const Cochain& b);
-
-/// The products on merged cells: both forms are lifted to the pieces, multiplied there, and summed
-/// over the pieces. The lift is a cochain map, so wedge keeps its laws, including Leibniz' rule,
-/// and is exact for constant forms on flat cells. The value on a cell depends on its closure only.
-/// For forms that are not closed, the product depends on how the input splits the cell, by about
-/// the size of da, db. Throws like the products on simplices.
+/// The product on merged cells: both forms are lifted to the pieces, multiplied there, and summed
+/// over the pieces. The lift is a cochain map, so uniform weights keep their laws, including
+/// Leibniz' rule, and are exact for constant forms on flat cells. The value on a cell depends on
+/// its closure only. For forms that are not closed, the product depends on how the input splits the
+/// cell, by about the size of da, db. Throws like the product on simplices.
 Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
               WedgeWeights weights = WedgeWeights::uniform);
 
@@ -47,11 +43,14 @@ Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
 /// Throws like check, and InvalidInput unless a is primal, b dual, and the degrees add up to n.
 Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Cochain& b);
 
-/// Exterior product of a dual k-form and a dual l-form on simplices, a dual (k+l)-form: the
-/// integral over each dual cell *s, s an (n-k-l)-simplex, of the product of two fields that are
-/// constant on n-simplices. The field of a form on an n-simplex is the Hodge star, in its plane, of
-/// the mean of the Whitney form of star^-1 of the form. The product is integrated over the part of
-/// *s in that simplex.
+/// Exterior product of a dual k-form and a dual l-form, a dual (k+l)-form: star^-1 of both forms is
+/// lifted to the pieces, multiplied there, and averaged by volume over the pieces of each cell. The
+/// product on pieces is the integral over each dual cell *s, s an (n-k-l)-simplex, of the product
+/// of two fields that are constant on n-simplices. The field of a form on an n-simplex is the Hodge
+/// star, in its plane, of the mean of the Whitney form of star^-1 of the form. The product is
+/// integrated over the part of *s in that simplex. Where dual forms are stars of primal ones (see
+/// ChosenStars::is_over_duals), the product is the star of star^-1 of it, averaged by volume over
+/// the n-simplices.
 ///
 /// Anticommutative, a ^ b = (-1)^(kl) b ^ a. Exact for constant forms on flat complexes, also on
 /// dual cells that the boundary cuts off; so the constant 1 is the unit for constant forms.
@@ -61,13 +60,6 @@ Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Coc
 ///
 /// Throws like check; like HodgeStar::inverse, naming the cells, where star_(n-k) or star_(n-l) has
 /// a zero; and InvalidInput for primal forms and for k + l > n.
-Cochain dual_wedge(const Geometry& geometry, const Cochain& a, const Cochain& b);
-
-/// The product on the duals of merged cells: star^-1 of both forms is lifted to the pieces,
-/// multiplied there, and averaged by volume over the pieces of each cell. Where dual forms are
-/// stars of primal ones (see ChosenStars::is_over_duals), it is the star of star^-1 of the product,
-/// averaged by volume over the n-simplices. Anticommutative; exact for constant forms on flat
-/// cells. Throws like the overload above.
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b);
 
 } // namespace polydec

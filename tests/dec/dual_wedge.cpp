@@ -17,38 +17,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace polydec::test::in_dual_wedge {
 namespace {
 
 constexpr double rounding = 1e-11;
-
-/// The product of a complex, and what takes dual forms on simplices to it.
-struct DualProduct {
-    std::string name;
-    const CellComplex& complex;
-    const CellVolumes& volumes;
-    std::function<Cochain(const Cochain&, const Cochain&)> product;
-    std::function<Vector(int j, const Vector&)> restricted;
-};
-
-/// The mean by volume over the pieces of a merged cell.
-Vector mean_over_pieces(const Merged& mesh, int j, const Vector& values) {
-    const int k = mesh.n() - j;
-    const Vector sums =
-        on_merged_cells(mesh, k, Vector(values.cwiseProduct(mesh.input_volumes.primal(k))));
-    return sums.cwiseQuotient(mesh.volumes.primal(k));
-}
-
-std::vector<DualProduct> products(const Merged& mesh, const Discretization& whole) {
-    return {{"simplices", mesh.K(), mesh.input_volumes,
-             [&](const Cochain& a, const Cochain& b) { return dual_wedge(mesh.geometry(), a, b); },
-             [](int, const Vector& values) { return values; }},
-            {"merged", mesh.P(), mesh.volumes,
-             [&](const Cochain& a, const Cochain& b) { return dual_wedge(whole, a, b); },
-             [&](int j, const Vector& values) { return mean_over_pieces(mesh, j, values); }}};
-}
 
 /// By how much star^-1 of degree p magnifies rounding, at worst.
 double condition(const CellVolumes& volumes, int p) {
@@ -56,20 +29,20 @@ double condition(const CellVolumes& volumes, int p) {
     return values.maxCoeff() / values.minCoeff();
 }
 
-/// Calls law(product, k, l) for simplices and merged cells and all degrees of which there is a
+/// Calls law(mesh, k, l) for simplices and merged cells and all degrees of which there is a
 /// product: no star that has to be inverted is zero.
 template <class Law>
 void for_products(const std::string& name, Law law) {
-    const auto& mesh = merged(name);
-    const int n = mesh.n();
-    for (const auto& product : products(mesh, discretized(name)))
+    for_merged_and_not(name, [&](const Discretization& on) {
+        const int n = on.dimension();
         for (int k = 0; k <= n; ++k)
             for (int l = 0; k + l <= n; ++l)
-                if (star(product.volumes, n - k).zeros().empty() &&
-                    star(product.volumes, n - l).zeros().empty()) {
-                    SCOPED_TRACE(fmt::format("{}, k = {}, l = {}", product.name, k, l));
-                    law(product, k, l);
+                if (star(on.volumes(), n - k).zeros().empty() &&
+                    star(on.volumes(), n - l).zeros().empty()) {
+                    SCOPED_TRACE(fmt::format("k = {}, l = {}", k, l));
+                    law(on, k, l);
                 }
+    });
 }
 
 class DualWedges : public OverMeshes {
@@ -77,25 +50,24 @@ protected:
     Index N() const { return static_cast<Index>(mesh().points.cols()); }
 
     /// Rounding as star^-1 magnifies it: the mesh of almost squares has duals of 1e-6.
-    double tolerance_of(const DualProduct& on, int k, int l) const {
-        return 1e-14 * std::max({100.0, condition(on.volumes, mesh().n() - k),
-                                 condition(on.volumes, mesh().n() - l)});
+    double tolerance_of(const Discretization& on, int k, int l) const {
+        return 1e-14 * std::max({100.0, condition(on.volumes(), mesh().n() - k),
+                                 condition(on.volumes(), mesh().n() - l)});
     }
 
     /// Integrals of a constant j-form over the duals.
-    Cochain constant(const DualProduct& product, int j, const Vector& coefficients) const {
-        const auto form = [&](const Vector&) { return coefficients; };
-        return {Side::dual, j,
-                product.restricted(j, dual_de_rham(mesh().K(), mesh().points, j, form, 1))};
+    static Cochain constant(const Discretization& on, int j, const Vector& coefficients) {
+        return dual_de_rham(on, j, constant_form(coefficients), 1);
     }
 };
 
 TEST_P(DualWedges, are_anticommutative) {
-    for_products(GetParam(), [&](const DualProduct& on, int k, int l) {
-        const auto a = random_form(on.complex, Side::dual, k, 1);
-        const auto b = random_form(on.complex, Side::dual, l, 2);
+    for_products(GetParam(), [&](const Discretization& on, int k, int l) {
+        const auto a = random_form(on.complex(), Side::dual, k, 1);
+        const auto b = random_form(on.complex(), Side::dual, l, 2);
         const double sign = k * l % 2 == 0 ? 1 : -1;
-        const Vector product = on.product(a, b).values, other = sign * on.product(b, a).values;
+        const Vector product = dual_wedge(on, a, b).values,
+                     other = sign * dual_wedge(on, b, a).values;
         EXPECT_CLOSE(other, product, rounding);
         EXPECT_GT(relative_difference(Vector(-other), product), 1) << "with the wrong sign";
     });
@@ -104,11 +76,11 @@ TEST_P(DualWedges, are_anticommutative) {
 TEST_P(DualWedges, multiply_constant_forms_exactly_on_flat_meshes) {
     if (!is_flat(mesh_named(GetParam())))
         return;
-    for_products(GetParam(), [&](const DualProduct& on, int k, int l) {
+    for_products(GetParam(), [&](const Discretization& on, int k, int l) {
         const Vector a = random_vector(coefficients(N(), k), 3);
         const Vector b = random_vector(coefficients(N(), l), 4);
         const auto exact = constant(on, k + l, exterior_product(N(), k, a, l, b)).values;
-        const auto found = on.product(constant(on, k, a), constant(on, l, b)).values;
+        const auto found = dual_wedge(on, constant(on, k, a), constant(on, l, b)).values;
         EXPECT_CLOSE(found, exact, tolerance_of(on, k, l));
         EXPECT_GT(relative_difference(Vector(-found), exact), 1) << "with the wrong sign";
     });
@@ -117,22 +89,22 @@ TEST_P(DualWedges, multiply_constant_forms_exactly_on_flat_meshes) {
 TEST_P(DualWedges, have_the_constant_function_1_as_unit_of_constant_forms_on_flat_meshes) {
     if (!is_flat(mesh_named(GetParam())))
         return;
-    for_products(GetParam(), [&](const DualProduct& on, int k, int l) {
+    for_products(GetParam(), [&](const Discretization& on, int k, int l) {
         if (k > 0)
             return;
-        const Cochain one{Side::dual, 0, Vector::Ones(on.complex.size(mesh().n()))};
+        const Cochain one{Side::dual, 0, Vector::Ones(on.complex().size(mesh().n()))};
         const auto b = constant(on, l, random_vector(coefficients(N(), l), 4));
-        EXPECT_CLOSE(on.product(one, b).values, b.values, tolerance_of(on, k, l));
+        EXPECT_CLOSE(dual_wedge(on, one, b).values, b.values, tolerance_of(on, k, l));
     });
 }
 
 TEST_P(DualWedges, of_functions_on_cells_are_their_products) {
-    for_products(GetParam(), [&](const DualProduct& on, int k, int l) {
+    for_products(GetParam(), [&](const Discretization& on, int k, int l) {
         if (k + l > 0)
             return;
-        const auto f = random_form(on.complex, Side::dual, 0, 1);
-        const auto g = random_form(on.complex, Side::dual, 0, 2);
-        EXPECT_CLOSE(on.product(f, g).values, f.values.cwiseProduct(g.values), rounding);
+        const auto f = random_form(on.complex(), Side::dual, 0, 1);
+        const auto g = random_form(on.complex(), Side::dual, 0, 2);
+        EXPECT_CLOSE(dual_wedge(on, f, g).values, f.values.cwiseProduct(g.values), rounding);
     });
 }
 
@@ -163,26 +135,23 @@ TEST(DualWedgesByStars, multiply_constant_forms_exactly) {
 /// mean over the dual cells. Duals cut off by the boundary, which have their values off the middle
 /// of their primal cells, are kept away from.
 double smooth_error(const Mesh& input) {
-    const auto mesh = make_merged(input);
-    const auto whole = discretize(input, {MergeCriterion::dual_length, tolerance});
-    const auto product = products(mesh, whole)[1];
+    const auto mesh = circumcentric(input, {MergeCriterion::dual_length, tolerance});
     const auto first = [](const Vector& x) -> Vector {
         return Eigen::Vector2d(std::sin(x[0] + 2 * x[1]), std::cos(x[0]));
     };
     const auto second = [](const Vector& x) -> Vector {
         return Eigen::Vector2d(std::exp(x[1]), std::sin(2 * x[0] - x[1]));
     };
-    const auto form = [&](int j, const SmoothForm& smooth) -> Cochain {
-        return {Side::dual, j,
-                product.restricted(j, dual_de_rham(mesh.K(), mesh.points, j, smooth, 3))};
+    const auto product = [&](const Vector& x) {
+        return exterior_product(2, 1, first(x), 1, second(x));
     };
-    const auto exact =
-        form(2, [&](const Vector& x) { return exterior_product(2, 1, first(x), 1, second(x)); });
-    const auto found = product.product(form(1, first), form(1, second));
+    const auto exact = dual_de_rham(mesh, 2, product, 3);
+    const auto found =
+        dual_wedge(mesh, dual_de_rham(mesh, 1, first, 3), dual_de_rham(mesh, 1, second, 3));
     double sum = 0, area = 0;
-    for (Index v = 0; v < mesh.P().size(0); ++v)
-        if ((mesh.points.row(v).array() - 0.5).abs().maxCoeff() < 0.3) {
-            const double dual = mesh.volumes.dual(0)[v];
+    for (Index v = 0; v < mesh.complex().size(0); ++v)
+        if ((mesh.points().row(v).array() - 0.5).abs().maxCoeff() < 0.3) {
+            const double dual = mesh.volumes().dual(0)[v];
             const double error = (found.values[v] - exact.values[v]) / dual;
             sum += dual * error * error;
             area += dual;
@@ -201,14 +170,11 @@ TEST(DualWedgeConvergence, is_of_second_order_on_lattices_and_of_first_on_others
 }
 
 TEST(DualWedgesBroken, obey_the_rule_of_leibniz_for_constants_alone) {
-    const auto& mesh = merged("wellcentred4");
-    const auto f = random_form(mesh.K(), Side::dual, 0, 1);
-    const auto g = random_form(mesh.K(), Side::dual, 0, 2);
-    const auto product = [&](const Cochain& a, const Cochain& b) {
-        return dual_wedge(mesh.geometry(), a, b);
-    };
-    const auto left = d(mesh.K(), product(f, g));
-    const auto right = product(d(mesh.K(), f), g) + product(f, d(mesh.K(), g));
+    const auto& mesh = discretized("wellcentred4", MergeCriterion::none);
+    const auto& K = mesh.complex();
+    const auto f = random_form(K, Side::dual, 0, 1), g = random_form(K, Side::dual, 0, 2);
+    const auto left = d(K, dual_wedge(mesh, f, g));
+    const auto right = dual_wedge(mesh, d(K, f), g) + dual_wedge(mesh, f, d(K, g));
     EXPECT_GT(relative_difference(left.values, right.values), 0.1);
 }
 
@@ -224,10 +190,10 @@ TEST(DualWedgesOfConstants, are_areas_and_those_of_a_form_with_itself_are_not) {
 }
 
 TEST(DualWedgeErrors, name_the_forms_and_the_zeros_of_the_star) {
-    const auto& mesh = merged("grid4");
-    const auto& K = mesh.K();
+    const auto& mesh = discretized("grid4", MergeCriterion::none);
+    const auto& K = mesh.complex();
     const auto multiply = [&](const Cochain& a, const Cochain& b) {
-        return refusal([&] { dual_wedge(mesh.geometry(), a, b); });
+        return refusal([&] { dual_wedge(mesh, a, b); });
     };
     const auto one = random_form(K, Side::dual, 1, 1), two = random_form(K, Side::dual, 2, 1);
     EXPECT_SAYS(multiply(one, two), "1-form", "2-form", "degree 3", "dimension 2");

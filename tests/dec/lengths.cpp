@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/decompositions.h"
+#include "dec/discretization/discretization.h"
 #include "dec/fields/wedge.h"
 #include "dec/forms/laplacian.h"
 #include "dec/merging/lift.h"
@@ -22,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 
 namespace polydec::test::in_lengths {
@@ -128,6 +130,17 @@ double condition(const Vector& values) {
     return values.cwiseAbs().maxCoeff() / values.cwiseAbs().minCoeff();
 }
 
+/// The simplices with this metric and these volumes.
+Discretization measured(const SimplicialComplex& K, const SimplexMetric& metric,
+                        const CellVolumes& volumes) {
+    const Geometry geometry(K, metric, volumes);
+    return Discretization({.input = geometry,
+                           .passage = Passage(K),
+                           .merged = {unmerged(K), geometry, volumes},
+                           .input_points = std::make_shared<const Points>(K.size(0), 0),
+                           .options = {.star = StarKind::circumcentric}});
+}
+
 TEST_P(Lengths, give_the_parts_of_duals_and_the_products_that_points_give) {
     const double shape = worst_shape(K(), metric());
     const int n = mesh().n();
@@ -136,19 +149,20 @@ TEST_P(Lengths, give_the_parts_of_duals_and_the_products_that_points_give) {
         EXPECT_CLOSE(dual_parts({K(), metric(), volumes}, {}, k, n),
                      dual_parts({K(), mesh().points, volumes}, {}, k, n), 2e-14 * n * shape * shape)
             << k;
+    const Discretization ours = measured(K(), metric(), volumes),
+                         theirs = measured(K(), mesh().points, volumes);
     for (const int k : {0, n - 1}) {
         const Cochain a{Side::primal, k, random_vector(K().size(k), 1)};
         const Cochain b{Side::primal, n - k, random_vector(K().size(n - k), 2)};
-        EXPECT_CLOSE(circumcentric_wedge({K(), metric(), volumes}, a, b).values,
-                     circumcentric_wedge({K(), mesh().points, volumes}, a, b).values,
+        EXPECT_CLOSE(wedge(ours, a, b, WedgeWeights::circumcentric).values,
+                     wedge(theirs, a, b, WedgeWeights::circumcentric).values,
                      1e-13 * shape * shape);
     }
     if (!star(volumes, 1).zeros().empty() || !star(volumes, n - 1).zeros().empty())
         return; // no inverse star to make the dual product of
     const Cochain a{Side::dual, 1, random_vector(K().size(n - 1), 3)};
     const Cochain b{Side::dual, n - 1, random_vector(K().size(1), 4)};
-    EXPECT_CLOSE(dual_wedge({K(), metric(), volumes}, a, b).values,
-                 dual_wedge({K(), mesh().points, volumes}, a, b).values,
+    EXPECT_CLOSE(dual_wedge(ours, a, b).values, dual_wedge(theirs, a, b).values,
                  1e-13 * shape * shape * condition(volumes.dual(1)) *
                      condition(volumes.dual(n - 1)));
 }

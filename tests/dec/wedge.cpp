@@ -43,9 +43,10 @@ std::vector<NamedProduct> products(const std::string& name, WedgeWeights weights
                  [&](const Cochain& a, const Cochain& b) { return wedge(mesh.K(), a, b); }},
                 {"merged", whole.complex(),
                  [&](const Cochain& a, const Cochain& b) { return wedge(whole, a, b); }}};
+    const auto& simplices = discretized(name, MergeCriterion::none);
     return {{"simplices, circumcentric", mesh.K(),
              [&](const Cochain& a, const Cochain& b) {
-                 return circumcentric_wedge(mesh.geometry(), a, b);
+                 return wedge(simplices, a, b, WedgeWeights::circumcentric);
              }},
             {"merged, circumcentric", whole.complex(), [&](const Cochain& a, const Cochain& b) {
                  return wedge(whole, a, b, WedgeWeights::circumcentric);
@@ -205,13 +206,12 @@ TEST(WedgesOfRegularSimplices, are_the_same_for_both_weights) {
     for (int n = 1; n <= 5; ++n) {
         Mesh mesh{Points::Identity(n + 1, n + 1), Simplices(1, n + 1), {}};
         std::iota(mesh.simplices.data(), mesh.simplices.data() + n + 1, 0);
-        const SimplicialComplex K(mesh.simplices);
-        const auto volumes = circumcentric_volumes(K, mesh.points);
+        const auto one = discretize(mesh);
         for_degrees(n, [&](int k, int l) {
-            const auto a = random_form(K, Side::primal, k, 1);
-            const auto b = random_form(K, Side::primal, l, 2);
-            EXPECT_CLOSE(circumcentric_wedge({K, mesh.points, volumes}, a, b).values,
-                         wedge(K, a, b).values, rounding);
+            const auto a = random_form(one.complex(), Side::primal, k, 1);
+            const auto b = random_form(one.complex(), Side::primal, l, 2);
+            EXPECT_CLOSE(wedge(one, a, b, WedgeWeights::circumcentric).values,
+                         wedge(one, a, b).values, rounding);
         });
     }
 }
@@ -224,9 +224,9 @@ TEST(WedgesOfDiscretizations, are_those_with_the_lift_of_their_merging) {
     const Cochain fine_a{Side::primal, 1, lift[1] * a.values};
     const Cochain fine_b{Side::primal, 1, lift[1] * b.values};
     const SparseMatrix dia = mesh.merging().diamond(2).cast<double>();
-    const auto& K = mesh.input();
-    const Vector uniform = dia * wedge(K, fine_a, fine_b).values;
-    const Vector other = dia * circumcentric_wedge(mesh.input_geometry(), fine_a, fine_b).values;
+    const auto simplices = discretize(hexagons(3), {.criterion = MergeCriterion::none});
+    const Vector uniform = dia * wedge(mesh.input(), fine_a, fine_b).values;
+    const Vector other = dia * wedge(simplices, fine_a, fine_b, WedgeWeights::circumcentric).values;
     EXPECT_EQ(wedge(mesh, a, b).values, uniform);
     EXPECT_EQ(wedge(mesh, a, b, WedgeWeights::circumcentric).values, other);
     EXPECT_GT(relative_difference(other, uniform), 1e-2);

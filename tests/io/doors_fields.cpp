@@ -31,10 +31,6 @@ void ask_of_products(const Asking& ask, const Sample& s, int k, int l) {
         return fit(wedge(s.pieces(), on_pieces(in, k), on_pieces(in, l)), s.pieces(), Side::primal,
                    k + l);
     });
-    ask("circumcentric_wedge", [&](Inputs& in) {
-        return fit(circumcentric_wedge(s.geometry(), on_pieces(in, k), on_pieces(in, l)),
-                   s.pieces(), Side::primal, k + l);
-    });
     ask("dual_wedge", [&](Inputs& in) {
         const auto a = in.form(s, Side::dual, k), b = in.form(s, Side::dual, l);
         return fit(dual_wedge(s.mesh, a, b), s.P(), Side::dual, k + l);
