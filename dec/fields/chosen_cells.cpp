@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/chosen_cells.h"
 
-#include "base/checks.h"
 #include "base/errors.h"
 #include "complex/components.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/metric/simplex_metric.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -104,22 +101,6 @@ std::vector<Index> boundary_vertices(const Discretization& mesh) {
     if (numbers.empty())
         throw InvalidInput(
             "the mesh has no boundary, and so no boundary vertices: choose other vertices");
-    return numbers;
-}
-
-std::vector<Index> vertices_where(const Discretization& mesh,
-                                  const std::function<bool(const Vector& point)>& predicate) {
-    check_callable("the predicate of vertices", predicate);
-    require_points(mesh.ambient_dimension(), "a vertex chosen by its place");
-    const Points points = cell_centers(mesh, 0);
-    std::vector<bool> marks;
-    for (Index v = 0; v < points.rows(); ++v)
-        marks.push_back(predicate(points.row(v).transpose()));
-    auto numbers = numbers_of(marks);
-    if (numbers.empty())
-        throw InvalidInput(
-            fmt::format("the predicate holds at none of the {} vertices: expected at least one",
-                        points.rows()));
     return numbers;
 }
 

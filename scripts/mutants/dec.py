@@ -11,9 +11,6 @@ MUTANTS = {
     "facets_where_nothing_holds": ("dec/boundary/boundary_conditions.cpp",
                                    '    check_callable("the predicate of facets", predicate);\n', "",
                                    "BoundaryConditions.refuse_an_empty_predicate"),
-    "vertices_where_nothing_holds": ("dec/fields/chosen_cells.cpp",
-                                     '    check_callable("the predicate of vertices", predicate);\n', "",
-                                     "ChosenVertices.are_those_of_a_place_a_group_and_the_boundary"),
     "boundary_stars_of_no_number": ("dec/boundary/boundary_star.cpp", 'check_values("weights of facets", weights,',
                                     'check_as_many("weights of facets", weights.size(),',
                                     "BoundaryStars.refuse_weights_that_are_not_finite"),
@@ -132,7 +129,7 @@ MUTANTS = {
                          "count(cofaces.begin(), cofaces.end(), 2)",
                          "LooserTolerance.is_told_where_coordinates_have_few_digits"),
     "sources_everywhere": ("dec/fields/chosen_cells.cpp", "tag && mesh.tags()[t] == *tag", "tag && mesh.tags()[t] != 0",
-                           "ChosenVertices.are_those_of_a_place_a_group_and_the_boundary"),
+                           "ChosenVertices.are_those_of_a_group_and_the_boundary"),
     "no_duals_beside_flat_cells": ("dec/stars/choose_stars.cpp", "FlatSimplices::passed_over", "FlatSimplices::refused",
                                    "ChosenStars.of_vertices_fill_cubes_with_flat_pieces"),
     "stars_of_flat_pieces_taken_for_granted": (

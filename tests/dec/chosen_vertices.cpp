@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/chosen_cells.h"
 #include "meshes/generate.h"
-#include "meshes/periodic.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +21,7 @@ Mesh grouped_square() {
     return mesh;
 }
 
-TEST(ChosenVertices, are_those_of_a_place_a_group_and_the_boundary) {
+TEST(ChosenVertices, are_those_of_a_group_and_the_boundary) {
     const auto mesh = discretize(grouped_square(),
                                  {.criterion = MergeCriterion::none, .star = StarKind::galerkin});
     using List = std::vector<Index>;
@@ -31,16 +30,9 @@ TEST(ChosenVertices, are_those_of_a_place_a_group_and_the_boundary) {
     EXPECT_EQ(vertices_on(mesh, {"9"}), (List{2, 4}));
     EXPECT_EQ(vertices_on(mesh, {"inner", "wall"}), (List{0, 1, 2, 4}));
     EXPECT_EQ(vertices_on(mesh, {"upper"}), (List{0, 2, 3, 4}));
-    EXPECT_EQ(vertices_where(mesh, [](const Vector& p) { return p[0] < 1.5; }), (List{0, 3, 4}));
-    const auto box = periodic(grid(3, 3), {Vector{{1, 0}}, Vector{{0, 1}}});
-    EXPECT_REFUSED(
-        vertices_where(discretize(box.quotient), [](const Vector& p) { return p[0] > 0; }),
-        "only lengths");
     EXPECT_REFUSED(vertices_on(mesh, {"floor"}), "floor", "wall", "inner");
     EXPECT_REFUSED(vertices_on(mesh, {"77"}), "no facet", "77", "wall");
     EXPECT_REFUSED(boundary_vertices(discretize(icosphere(1))), "boundary");
-    EXPECT_REFUSED(vertices_where(mesh, [](const Vector&) { return false; }), "5 vertices");
-    EXPECT_REFUSED(vertices_where(mesh, {}), "predicate", "empty", "function");
 }
 
 } // namespace
