@@ -139,25 +139,10 @@ GluedBox::Parts GluedBox::parts(const PeriodicMesh& glued, const Discretization&
             std::move(corners)};
 }
 
-GluedBox::GluedBox(const PeriodicMesh& glued, const Discretization& mesh)
-    : parts_(parts(glued, mesh)), vertices_(forth(0, parts_.mesh.measured_input_points())) {}
+namespace {
 
-const std::vector<Index>& GluedBox::onto(int k) const& {
-    check_number("the simplices of a box of degree", k, 0, mesh().dimension());
-    return parts_.maps[k].onto;
-}
-
-DenseMatrix GluedBox::back(int k, const DenseMatrix& values) const {
-    const auto& [onto, signs, size] = parts_.maps[k];
-    check_as_many("values on a glued mesh", values.rows(), size);
-    DenseMatrix result(std::ssize(onto), values.cols());
-    for (std::size_t s = 0; s < onto.size(); ++s)
-        result.row(s) = signs[s] * values.row(onto[s]);
-    return result;
-}
-
-DenseMatrix GluedBox::forth(int k, const DenseMatrix& values) const {
-    const auto& [onto, signs, size] = parts_.maps[k];
+DenseMatrix at_first(const GluedBox::Map& map, const DenseMatrix& values) {
+    const auto& [onto, signs, size] = map;
     check_as_many("values on a box", values.rows(), std::ssize(onto));
     DenseMatrix result(size, values.cols());
     for (auto s = std::ssize(onto) - 1; s >= 0; --s) // the first one wins
@@ -165,13 +150,15 @@ DenseMatrix GluedBox::forth(int k, const DenseMatrix& values) const {
     return result;
 }
 
-DenseMatrix GluedBox::sums(int k, const DenseMatrix& values) const {
-    const auto& [onto, signs, size] = parts_.maps[k];
-    check_as_many("values on a box", values.rows(), std::ssize(onto));
-    DenseMatrix result = DenseMatrix::Zero(size, values.cols());
-    for (std::size_t s = 0; s < onto.size(); ++s)
-        result.row(onto[s]) += signs[s] * values.row(s);
-    return result;
+} // namespace
+
+GluedBox::GluedBox(const PeriodicMesh& glued, const Discretization& mesh)
+    : parts_(parts(glued, mesh)),
+      vertices_(at_first(parts_.maps[0], parts_.mesh.measured_input_points())) {}
+
+const GluedBox::Map& GluedBox::map(int k) const& {
+    check_number("the simplices of a box of degree", k, 0, mesh().dimension());
+    return parts_.maps[k];
 }
 
 const Discretization& placed(const Discretization& mesh) {
@@ -187,22 +174,36 @@ std::vector<Index> cells_of_places(const Discretization& mesh, int k) {
             continue;
         }
         const Index first = cells.pieces_of(k, cell).front();
-        const auto& carrier = mesh.merging().carriers(k)[mesh.box()->onto(k)[first]];
+        const auto& carrier = mesh.merging().carriers(k)[mesh.box()->map(k).onto[first]];
         result.push_back(carrier.dimension == k ? carrier.cell : -1);
     }
     return result;
 }
 
 DenseMatrix to_places(const Discretization& mesh, int k, const DenseMatrix& values) {
-    return mesh.box() ? mesh.box()->back(k, values) : values;
+    if (!mesh.box())
+        return values;
+    const auto& [onto, signs, size] = mesh.box()->map(k);
+    check_as_many("values on a glued mesh", values.rows(), size);
+    DenseMatrix result(std::ssize(onto), values.cols());
+    for (std::size_t s = 0; s < onto.size(); ++s)
+        result.row(s) = signs[s] * values.row(onto[s]);
+    return result;
 }
 
 DenseMatrix from_places(const Discretization& mesh, int k, const DenseMatrix& values) {
-    return mesh.box() ? mesh.box()->forth(k, values) : values;
+    return mesh.box() ? at_first(mesh.box()->map(k), values) : values;
 }
 
 DenseMatrix sums_from_places(const Discretization& mesh, int k, const DenseMatrix& values) {
-    return mesh.box() ? mesh.box()->sums(k, values) : values;
+    if (!mesh.box())
+        return values;
+    const auto& [onto, signs, size] = mesh.box()->map(k);
+    check_as_many("values on a box", values.rows(), std::ssize(onto));
+    DenseMatrix result = DenseMatrix::Zero(size, values.cols());
+    for (std::size_t s = 0; s < onto.size(); ++s)
+        result.row(onto[s]) += signs[s] * values.row(s);
+    return result;
 }
 
 } // namespace polydec

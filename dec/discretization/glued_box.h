@@ -30,27 +30,15 @@ public:
     Points vertices() && { return vertices(); }
 
     /// For each k-simplex of the box, the k-simplex of the glued mesh that it becomes.
-    const std::vector<Index>& onto(int k) const&;
-    std::vector<Index> onto(int k) && { return onto(k); }
-
-    /// The pull-back of primal k-cochains (columns) from the simplices of the glued mesh to the
-    /// simplices of the box; commutes with d.
-    DenseMatrix back(int k, const DenseMatrix& values) const;
-
-    /// The way back for cochains with equal values on both sides of every seam: the value on the
-    /// first simplex of the box.
-    DenseMatrix forth(int k, const DenseMatrix& values) const;
-
-    /// Sums over the simplices of the box that become one simplex: the transpose of the pull-back,
-    /// which maps dual forms.
-    DenseMatrix sums(int k, const DenseMatrix& values) const;
-
-private:
     struct Map {
-        std::vector<Index> onto;        ///< of each simplex of the box
+        std::vector<Index> onto;
         std::vector<std::int8_t> signs; ///< 1 where both are oriented alike, else -1
         Index size = 0;                 ///< number of simplices of the glued mesh
     };
+    const Map& map(int k) const&;
+    Map map(int k) && { return map(k); }
+
+private:
     struct Parts {
         Discretization mesh;
         std::vector<Map> maps; ///< by degree
@@ -67,8 +55,10 @@ private:
 const Discretization& placed(const Discretization& mesh);
 const Discretization& placed(const Discretization&&) = delete;
 
-/// GluedBox::back, forth and sums, between the simplices of a mesh and of placed(mesh). If the mesh
-/// is not glued, they return the values unchanged.
+/// The pull-back of primal k-cochains (columns) from the simplices of a mesh to those of
+/// placed(mesh), which commutes with d; the way back for values equal on both sides of every seam,
+/// which takes the value on the first simplex of the box; and the transpose of the pull-back, which
+/// maps dual forms. If the mesh is not glued, they return the values unchanged.
 DenseMatrix to_places(const Discretization& mesh, int k, const DenseMatrix& values);
 DenseMatrix from_places(const Discretization& mesh, int k, const DenseMatrix& values);
 DenseMatrix sums_from_places(const Discretization& mesh, int k, const DenseMatrix& values);

@@ -257,7 +257,7 @@ std::vector<SignedFace> boundary_facets(const Discretization& mesh) {
     for (Index t = 0; t < pieces.size(n); ++t)
         for (int omitted = 0; omitted <= n; ++omitted)
             if (const Index f = pieces.face(n, t, omitted);
-                counts[mesh.box() ? mesh.box()->onto(n - 1)[f] : f] == 1)
+                counts[mesh.box() ? mesh.box()->map(n - 1).onto[f] : f] == 1)
                 result.push_back({f, pieces.sign(n, t, omitted)});
     return result;
 }

@@ -29,7 +29,7 @@ LevelSets level_sets(const Discretization& given, const Cochain& form, const Vec
     LevelSets sets = level_sets(cells, form_at_places(given, form).values, levels);
     if (given.box())
         for (Index& owner : sets.owners)
-            owner = given.box()->onto(given.dimension())[owner];
+            owner = given.box()->map(given.dimension()).onto[owner];
     return sets;
 }
 

@@ -164,7 +164,7 @@ MUTANTS = {
                                 "system.topRows(n_) = corners_.middleRows(0, n_ + 1)",
                                 "GluedBox.has_centers_a_dual_edge_apart"),
     "seams_as_boundary": ("dec/fields/de_rham.cpp",
-                          "counts[mesh.box() ? mesh.box()->onto(n - 1)[f] : f] == 1)",
+                          "counts[mesh.box() ? mesh.box()->map(n - 1).onto[f] : f] == 1)",
                           "pieces.coface_counts(n - 1)[f] == 1)",
                           "GluedBox.has_the_theorem_of_stokes"),
     "copies_counted_once": ("dec/discretization/glued_box.cpp", "result.row(onto[s]) += signs[s] * values.row(s);",

@@ -108,15 +108,15 @@ TEST(GluedBox, has_straight_simplices_across_the_seams) {
 TEST(GluedBox, pulls_forms_back_as_d_does) {
     for (const auto& [glued, closed] : samples()) {
         const auto mesh = circumcentric(glued);
-        const auto& box = *mesh.box();
         for (int k = 0; k < mesh.dimension(); ++k) {
             const Vector a = random_vector(mesh.input().size(k), 3);
             const Vector da = derivative(mesh.input(), k) * a;
-            const Vector there = box.back(k, a);
-            EXPECT_CLOSE(Vector(derivative(box.mesh().input(), k) * there),
-                         Vector(box.back(k + 1, da)), 1e-15);
-            EXPECT_EQ(Vector(box.forth(k, there)), a);
-            EXPECT_NEAR(box.sums(k, there).col(0).dot(a), there.squaredNorm(), 1e-12 * a.size());
+            const Vector there = to_places(mesh, k, a);
+            EXPECT_CLOSE(Vector(derivative(placed(mesh).input(), k) * there),
+                         Vector(to_places(mesh, k + 1, da)), 1e-15);
+            EXPECT_EQ(Vector(from_places(mesh, k, there)), a);
+            EXPECT_NEAR(sums_from_places(mesh, k, there).col(0).dot(a), there.squaredNorm(),
+                        1e-12 * a.size());
             // and on merged cells, by the lift
             const Cochain u{Side::primal, k, random_vector(mesh.complex().size(k), 4)};
             EXPECT_CLOSE(d(placed(mesh).complex(), form_at_places(mesh, u)).values,

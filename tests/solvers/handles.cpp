@@ -117,7 +117,7 @@ static_assert(are_values<decltype(of<Incidences>().matrix()), decltype(of<Values
                          decltype(of<Discretization>().measured_points()),
                          decltype(of<Discretization>().measured_input_points()),
                          decltype(of<GluedBox>().mesh()), decltype(of<GluedBox>().vertices()),
-                         decltype(of<GluedBox>().onto(0))>);
+                         decltype(of<GluedBox>().map(0))>);
 static_assert(
     are_values<decltype(of<IncompressibleFlow>().mesh()), decltype(of<Flow>().flux()),
                decltype(of<IncompressibleFlow>().options()),
