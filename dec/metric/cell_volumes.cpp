@@ -14,21 +14,13 @@
 
 namespace polydec {
 
-CellVolumes::CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
-                         std::vector<Vector> terms, std::vector<Vector> rounding) {
-    const auto sizes = terms.empty() ? dual.size() : terms.size();
-    const auto lost = rounding.empty() ? sizes : rounding.size();
-    if (primal.size() != dual.size() || primal.size() != sizes || primal.size() != lost)
-        throw InvalidInput(fmt::format("volumes are given in {} degrees, dual volumes in {}, their "
-                                       "terms in {} and rounding errors in {}: expected the same "
-                                       "number",
-                                       primal.size(), dual.size(), sizes, lost));
+CellVolumes::CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual) {
+    check_as_many("degrees of dual volumes", std::ssize(dual), std::ssize(primal));
     std::vector<Degree> degrees;
     for (std::size_t k = 0; k < primal.size(); ++k) {
-        const Bounds own(terms.empty() ? dual[k].cwiseAbs() : std::exchange(terms[k], {}));
-        degrees.push_back({std::exchange(primal[k], {}), std::exchange(dual[k], {}), own,
-                           rounding.empty() ? own.vector().unaryExpr(&rounding_of)
-                                            : std::exchange(rounding[k], {})});
+        const Bounds terms(dual[k].cwiseAbs());
+        degrees.push_back({std::exchange(primal[k], {}), std::exchange(dual[k], {}), terms,
+                           Vector(terms.vector().unaryExpr(&rounding_of))});
     }
     *this = CellVolumes(std::move(degrees));
 }

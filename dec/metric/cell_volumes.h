@@ -25,13 +25,13 @@ public:
     /// No cells: dimension -1.
     CellVolumes() : parts_(std::make_shared<Parts>()) {}
 
-    /// One vector per degree 0..n, one number per cell. Without `terms` and `rounding` the duals
-    /// count as exact up to their last digits: terms are the duals' own sizes.
-    /// Throws InvalidInput, naming degree and cell, for sizes that differ, for a primal volume that
-    /// is not finite and positive, and for other numbers that are not finite.
-    CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
-                std::vector<Vector> terms = {}, std::vector<Vector> rounding = {});
+    /// One per degree 0..n, one number per cell. Throw InvalidInput, naming degree and cell, for
+    /// sizes that differ, for a primal volume that is not finite and positive, and for other
+    /// numbers that are not finite.
     explicit CellVolumes(std::vector<Degree> degrees);
+
+    /// Of duals that are exact up to their last digits: terms are the duals' own sizes.
+    CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual);
 
     /// Dimension n; -1 without cells.
     int dimension() const { return static_cast<int>(parts_->degrees.size()) - 1; }
