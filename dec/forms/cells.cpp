@@ -15,9 +15,7 @@ namespace polydec {
 Cells::Cells(const CellComplex& complex, const HodgeStars& stars, double unit)
     : complex_(complex),
       volumes_(stars.volumes()),
-      input_volumes_(std::make_shared<Lazy<CellVolumes>>()),
       stars_(std::make_shared<Lazy<ChosenStars>>(ChosenStars(stars))),
-      input_stars_(std::make_shared<Lazy<HodgeStars>>()),
       unit_(unit) {
     check_fit(complex, stars);
 }
@@ -28,9 +26,7 @@ Cells::Cells(std::shared_ptr<const MergedCells> merged, std::function<ChosenStar
       volumes_(merged->volumes()),
       merged_(std::move(merged)),
       make_stars_(std::move(stars)),
-      input_volumes_(std::make_shared<Lazy<CellVolumes>>()),
       stars_(std::make_shared<Lazy<ChosenStars>>()),
-      input_stars_(std::make_shared<Lazy<HodgeStars>>()),
       unit_(unit) {}
 
 const ChosenStars& Cells::chosen_stars() const& {

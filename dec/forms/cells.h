@@ -92,9 +92,9 @@ private:
     CellVolumes volumes_;
     Shared<const MergedCells> merged_; // null for cells of your own
     std::function<ChosenStars()> make_stars_;
-    Shared<const Lazy<CellVolumes>> input_volumes_;
+    Shared<const Lazy<CellVolumes>> input_volumes_{std::make_shared<Lazy<CellVolumes>>()};
     Shared<const Lazy<ChosenStars>> stars_;
-    Shared<const Lazy<HodgeStars>> input_stars_;
+    Shared<const Lazy<HodgeStars>> input_stars_{std::make_shared<Lazy<HodgeStars>>()};
     double unit_;
 };
 
