@@ -201,13 +201,10 @@ public:
     const std::vector<Index>& facet_tags() const& { return parts_->facet_tags.tags; }
     std::vector<Index> facet_tags() && { return facet_tags(); }
 
-    /// The facet tags that stand for several groups.
-    const std::vector<JointTag>& joint_tags() const& { return parts_->facet_tags.joint; }
-    std::vector<JointTag> joint_tags() && { return joint_tags(); }
-
-    /// The groups with facets in the input, ascending; merging and flips may leave none of a group.
-    const std::vector<Index>& facet_groups() const& { return parts_->facet_tags.groups; }
-    std::vector<Index> facet_groups() && { return facet_groups(); }
+    /// The same with the tags that stand for several groups, and the groups with facets in the
+    /// input, of which merging and flips may leave none.
+    const FacetTags& tagged_facets() const& { return parts_->facet_tags; }
+    FacetTags tagged_facets() && { return tagged_facets(); }
 
     /// Names of the groups of the input.
     const std::vector<GroupName>& groups() const& { return parts_->groups; }

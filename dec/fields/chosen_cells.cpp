@@ -16,7 +16,7 @@ namespace {
 
 /// The groups that a tag represents.
 std::vector<Index> groups_of(const Discretization& mesh, Index tag) {
-    for (const JointTag& joint : mesh.joint_tags())
+    for (const JointTag& joint : mesh.tagged_facets().joint)
         if (joint.tag == tag)
             return joint.groups;
     return {tag};
@@ -41,14 +41,14 @@ std::string groups_with_facets(const Discretization& mesh) {
                                    count));
     }
     if (list.empty())
-        return mesh.facet_groups().empty() ? "the mesh has no facets in groups"
-                                           : "no merged facet is in a group";
+        return mesh.tagged_facets().groups.empty() ? "the mesh has no facets in groups"
+                                                   : "no merged facet is in a group";
     return fmt::format("there are {}", fmt::join(list, ", "));
 }
 
 /// Why no facet is in a group, and what helps.
 std::string reason_for_none(const Discretization& mesh, Index tag) {
-    const auto& before = mesh.facet_groups();
+    const auto& before = mesh.tagged_facets().groups;
     if (!std::binary_search(before.begin(), before.end(), tag))
         return groups_with_facets(mesh);
     if (!mesh.passage().is_identity())

@@ -198,9 +198,9 @@ TEST(FacetTags, of_several_groups_of_a_facet_all_count) {
     mesh.groups = {{1, 8, "wall"}, {-1, 9, "lid"}, {2, 9, "plate"}};
     const auto result = discretize(mesh, apart);
     EXPECT_EQ(result.facet_tags(), (std::vector<Index>{10, 5, 0, 9, 0}));
-    ASSERT_EQ(result.joint_tags().size(), 1U);
-    EXPECT_EQ(result.joint_tags()[0].tag, 10);
-    EXPECT_EQ(result.joint_tags()[0].groups, (std::vector<Index>{8, 9}));
+    ASSERT_EQ(result.tagged_facets().joint.size(), 1U);
+    EXPECT_EQ(result.tagged_facets().joint[0].tag, 10);
+    EXPECT_EQ(result.tagged_facets().joint[0].groups, (std::vector<Index>{8, 9}));
     EXPECT_EACH_SAYS(result.warnings(), {"1 facet", "groups 8, 9", "10"});
     using Marks = std::vector<bool>;
     EXPECT_EQ(facets_in(result, {"wall"}), (Marks{true, false, false, false, false}));
@@ -217,7 +217,7 @@ TEST(FacetTags, of_several_groups_of_a_facet_all_count) {
     mesh.facet_tags = {};
     EXPECT_REFUSED(facets_in(discretize(mesh), {"4"}), "no facet", "group 4");
     mesh.facet_tags = {Simplices{{1, 0}, {0, 1}}, {1, std::numeric_limits<Index>::max()}};
-    EXPECT_EQ(discretize(mesh).joint_tags()[0].tag, 2);
+    EXPECT_EQ(discretize(mesh).tagged_facets().joint[0].tag, 2);
 }
 
 TEST(FacetTags, of_cells_that_tidying_leaves_out_go_with_them) {
@@ -242,7 +242,7 @@ TEST(FacetTags, pieces_of_different_groups_have_none_together) {
     EXPECT_EQ(zeros, result.complex().size(2));
     EXPECT_EACH_SAYS(result.warnings(),
                      {std::to_string(zeros), "merged facets", "groups", "tag", "0"});
-    EXPECT_EQ(std::ssize(result.facet_groups()), complex.size(2));
+    EXPECT_EQ(std::ssize(result.tagged_facets().groups), complex.size(2));
     EXPECT_REFUSED(facets_in(result, {"5"}), "group 5", "merging", "Materials::keep_apart",
                    "MergeCriterion::none");
     EXPECT_REFUSED(facets_in(result, {"1000"}), "group 1000", "no merged facet");
