@@ -263,8 +263,7 @@ Discretization::Discretization(Parts parts)
 Discretization Discretization::with_volumes(const CellVolumes& volumes) const {
     Parts parts = *parts_;
     parts.merged = merged().with_volumes(volumes);
-    return Discretization(std::move(parts))
-        .with_stars(ChosenStars(volumes, StarKind::circumcentric));
+    return Discretization(std::move(parts)).with_stars({volumes, StarKind::circumcentric});
 }
 
 Discretization Discretization::with_box(std::shared_ptr<const GluedBox> box) const {

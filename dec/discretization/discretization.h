@@ -97,9 +97,6 @@ public:
     /// The same with other stars (see Cells), or with stars of this kind, without the materials and
     /// stars of before; throws like choose_stars.
     Discretization with_stars(const ChosenStars& chosen) const;
-    Discretization with_stars(const HodgeStars& stars) const {
-        return with_stars(ChosenStars(stars));
-    }
     Discretization with_stars(StarKind kind) const;
     Discretization with_star(int k, const SparseMatrix& star) const;
 

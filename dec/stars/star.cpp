@@ -122,28 +122,22 @@ Vector HodgeStar::uncertainty() const {
     return volumes_.rounding(degree_).vector().cwiseQuotient(volumes_.primal(degree_));
 }
 
-std::vector<Index> HodgeStar::zeros() const {
-    if (!is_diagonal())
-        return {};
-    const Vector& dual = volumes_.dual(degree_);
-    const Bounds& terms = volumes_.terms(degree_);
+template <class Is>
+std::vector<Index> HodgeStar::cells_whose_dual(Is is) const {
     std::vector<Index> cells;
-    for (Index s = 0; s < dual.size(); ++s)
-        if (is_zero(dual[s], terms[s]))
+    for (Index s = 0; is_diagonal() && s < size(); ++s)
+        if (is(volumes_.degree(degree_).dual[s], volumes_.degree(degree_).terms[s]))
             cells.push_back(s);
     return cells;
 }
 
+std::vector<Index> HodgeStar::zeros() const {
+    return cells_whose_dual(is_zero);
+}
+
 std::vector<Index> HodgeStar::negatives() const {
-    if (!is_diagonal())
-        return {};
-    const Vector& dual = volumes_.dual(degree_);
-    const Bounds& terms = volumes_.terms(degree_);
-    std::vector<Index> cells;
-    for (Index s = 0; s < dual.size(); ++s)
-        if (dual[s] < 0 && !is_zero(dual[s], terms[s]))
-            cells.push_back(s);
-    return cells;
+    return cells_whose_dual(
+        [](double dual, double terms) { return dual < 0 && !is_zero(dual, terms); });
 }
 
 std::string HodgeStar::numbers(const std::vector<Index>& cells) const {
@@ -207,14 +201,10 @@ void check_fit(const CellComplex& complex, const HodgeStars& stars) {
 }
 
 ChosenStars::ChosenStars(const HodgeStars& stars_, StarKind kind_, std::vector<bool> galerkin_)
-    : stars(stars_), kind(kind_), galerkin(std::move(galerkin_)) {}
-
-ChosenStars::ChosenStars(const HodgeStars& stars_, StarKind kind_)
-    : ChosenStars(
-          stars_, kind_,
-          std::vector<bool>(stars_.dimension() < 0
-                                ? 0
-                                : static_cast<std::size_t>(stars_[stars_.dimension()].size()))) {}
+    : stars(stars_), kind(kind_), galerkin(std::move(galerkin_)) {
+    if (galerkin.empty() && stars.dimension() >= 0)
+        galerkin.resize(static_cast<std::size_t>(stars[stars.dimension()].size()));
+}
 
 bool ChosenStars::is_over_duals(int k) const {
     return stars[k].is_diagonal() &&

@@ -70,6 +70,8 @@ private:
     struct Matrix;
 
     void check(const Vector& values) const;
+    template <class Is>
+    std::vector<Index> cells_whose_dual(Is is) const;
 
     CellVolumes volumes_;
     int degree_;
@@ -140,10 +142,9 @@ struct ChosenStars {
     /// centroid, else at the circumcenter.
     std::vector<bool> galerkin;
 
-    ChosenStars(const HodgeStars& stars, StarKind kind, std::vector<bool> galerkin);
-
-    /// Without Galerkin cells.
-    explicit ChosenStars(const HodgeStars& stars, StarKind kind = StarKind::own);
+    /// Without Galerkin cells if no marks are given.
+    ChosenStars(const HodgeStars& stars, StarKind kind = StarKind::own,
+                std::vector<bool> galerkin = {});
 
     /// Whether the star of k-cells uses the circumcentric duals of the volumes, so that dual forms
     /// are integrals over these duals. If not, dual forms are stars of primal forms.

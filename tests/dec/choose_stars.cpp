@@ -216,7 +216,7 @@ TEST(ChosenStars, are_an_option_of_discretize) {
         EXPECT_EQ(dense(mesh.stars()[k]), dense(expected.stars[k]));
     EXPECT_EQ(discretize(input).chosen_stars().kind, StarKind::hybrid) << "by default";
     EXPECT_EQ(circumcentric(input).chosen_stars().kind, StarKind::circumcentric);
-    EXPECT_EQ(mesh.with_stars(mesh.volumes()).chosen_stars().kind, StarKind::own);
+    EXPECT_EQ(mesh.with_stars(HodgeStars(mesh.volumes())).chosen_stars().kind, StarKind::own);
     EXPECT_REFUSED(mesh.with_stars(StarKind::own).chosen_stars(), "own", "pass your stars");
 }
 

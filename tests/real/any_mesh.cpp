@@ -71,7 +71,7 @@ TEST(AnyMesh, has_certified_spectra_with_as_many_zeros_as_harmonic_forms) {
         EXPECT_TRUE(found.certificate.complete);
         for (Index i = 0; i < found.eigenvalues.size(); ++i)
             EXPECT_EQ(std::abs(found.eigenvalues[i]) <= found.radii[i], i < harmonic) << i;
-        const auto circumcentric = mesh.with_stars(mesh.volumes());
+        const auto circumcentric = mesh.with_stars(HodgeStars(mesh.volumes()));
         refused += refusal([&] {
                        spectrum({circumcentric, Side::primal, 1});
                    }) != "accepted"
