@@ -38,6 +38,7 @@ public:
         : cells_(cells), bad_(static_cast<std::size_t>(cells.complex().size(2)), false) {
         for (const int k : {0, 1}) {
             parts_[k] = cells.parts(k, cells.geometry().centers());
+            cofaces_[k] = parts_[k].transpose();
             rounding_[k] =
                 cells.volumes().rounding(k).vector().cwiseProduct(cells.volumes().primal(k));
         }
@@ -83,8 +84,6 @@ private:
     }
 
     bool add_cells_at(int k, Index face) {
-        if (cofaces_[k].rows() == 0)
-            cofaces_[k] = parts_[k].transpose();
         bool any = false;
         for (Entry cell(cofaces_[k], face); cell; ++cell)
             any = add(static_cast<Index>(cell.col())) || any;
@@ -93,8 +92,6 @@ private:
 
     /// Spreads from each bad cell across the edges with a negative part in it.
     void spread() {
-        if (cofaces_[1].rows() == 0)
-            cofaces_[1] = parts_[1].transpose();
         while (!latest_.empty()) {
             const Index t = latest_.back();
             latest_.pop_back();
