@@ -19,7 +19,6 @@
 #include "meshes/unit_of_length.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace polydec {
@@ -124,7 +123,7 @@ void refuse_flat_cells(const Given& given, const Merging& merging) {
 struct Measured {
     Passage passage;
     Geometry input, pieces;
-    Points points; // of the triangles
+    std::shared_ptr<const Points> points; // of the vertices of the pieces
 };
 
 Measured measure(Given& given, const DiscretizeOptions& options) {
@@ -133,7 +132,7 @@ Measured measure(Given& given, const DiscretizeOptions& options) {
         const Geometry input(complex, metric, options.centers,
                              flat.rows.empty() ? FlatSimplices::refused
                                                : FlatSimplices::passed_over);
-        return {Passage(complex), input, input, Points()};
+        return {Passage(complex), input, input, places};
     }
     const Vector sides = given.has_points() ? edge_lengths(complex, *places) : *metric.lengths();
     Passage passage(complex, flipped(complex, sides, options),
@@ -145,7 +144,7 @@ Measured measure(Given& given, const DiscretizeOptions& options) {
     const Geometry pieces(passage.pieces(), {passage.pieces(), flips.lengths});
     Points points = passage.forth(0, *places);
     points.topRows(places->rows()) = *places;
-    return {std::move(passage), input, pieces, std::move(points)};
+    return {std::move(passage), input, pieces, std::make_shared<const Points>(std::move(points))};
 }
 
 Discretization measured(Given given, DiscretizeOptions options, const Progress& stage) {
@@ -194,7 +193,7 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
                                  .passage = std::move(passage),
                                  .merged = {merged.merging, merged.geometry, volumes},
                                  .input_points = places,
-                                 .points = std::move(points),
+                                 .points = points,
                                  .options = options,
                                  .degenerate = std::move(merged.degenerate),
                                  .warnings = std::move(mesh.warnings),
@@ -227,11 +226,9 @@ void check_points(const Discretization::Parts& parts) {
     const auto N = parts.input_points->cols();
     check_as_many("points of the input's vertices", parts.input_points->rows(),
                   parts.passage.input().size(0));
-    if (!parts.passage.is_identity()) {
-        check_as_many("points of the vertices of the pieces", parts.points.rows(),
-                      parts.passage.pieces().size(0));
-        check_as_many("coordinates of the vertices of the pieces", parts.points.cols(), N);
-    }
+    check_as_many("points of the vertices of the pieces", parts.points->rows(),
+                  parts.passage.pieces().size(0));
+    check_as_many("coordinates of the vertices of the pieces", parts.points->cols(), N);
     if (parts.isolated.rows() > 0)
         check_as_many("coordinates of the points of no cell", parts.isolated.cols(), N);
 }
@@ -245,6 +242,8 @@ Discretization::Discretization(Parts parts)
           parts.unit) {
     check_fit(parts.passage.input(), parts.input.volumes());
     check_fit(parts.passage.pieces(), parts.merged.geometry().volumes());
+    if (!parts.points)
+        parts.points = parts.input_points;
     check_points(parts);
     const CellComplex& complex = parts.merged.complex();
     if (!parts.tags.empty())
@@ -280,9 +279,8 @@ PlacedSimplices Discretization::places() const& {
 }
 
 PlacedSimplices Discretization::places_of_pieces() const& {
-    return passage().is_identity()
-               ? places()
-               : PlacedSimplices{measured_points(), pieces().simplices(dimension())};
+    return box() ? box()->places()
+                 : PlacedSimplices{measured_points(), pieces().simplices(dimension())};
 }
 
 int Discretization::ambient_dimension() const {

@@ -76,7 +76,8 @@ public:
         MergedCells merged; ///< of the pieces
         /// One row per vertex of the input; without columns if only lengths are known.
         std::shared_ptr<const Points> input_points;
-        Points points = {}; ///< of the vertices of the pieces, if edges were flipped
+        /// Of the vertices of the pieces; null: the points of the input.
+        std::shared_ptr<const Points> points = {};
         DiscretizeOptions options = {};
         DegenerateFacets degenerate = {}; ///< of the pieces; computed anew if it has no marks
         std::vector<std::string> warnings = {};
@@ -139,9 +140,7 @@ public:
     }
     Points points() && { return points(); }
     Points input_points() && { return input_points(); }
-    const Points& measured_points() const& {
-        return passage().is_identity() ? measured_input_points() : parts_->points;
-    }
+    const Points& measured_points() const& { return *parts_->points; }
     const Points& measured_input_points() const& { return *parts_->input_points; }
     Points measured_points() && { return measured_points(); }
     Points measured_input_points() && { return measured_input_points(); }

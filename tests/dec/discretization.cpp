@@ -135,7 +135,7 @@ Discretization::Parts parts_of(const Discretization& mesh) {
             .passage = mesh.passage(),
             .merged = mesh.merged(),
             .input_points = std::make_shared<const Points>(mesh.input_points()),
-            .points = mesh.points(),
+            .points = std::make_shared<const Points>(mesh.points()),
             .isolated = mesh.isolated()};
 }
 
@@ -160,7 +160,7 @@ TEST(DiscretizationOfParts, refuses_points_and_lengths_of_another_mesh) {
         EXPECT_EQ(refusal_after(mesh, [](Parts&) {}), "accepted");
     const auto of_input = [](Index rows) {
         return [rows](Parts& p) {
-            p.input_points = std::make_shared<const Points>(Points::Zero(rows, p.points.cols()));
+            p.input_points = std::make_shared<const Points>(Points::Zero(rows, p.points->cols()));
         };
     };
     EXPECT_SAYS(refusal_after(square, of_input(8)), "8 points", "input's vertices", "9");
@@ -169,11 +169,13 @@ TEST(DiscretizationOfParts, refuses_points_and_lengths_of_another_mesh) {
     EXPECT_REFUSED(Geometry(input.pieces(), Points(8, 2), input.volumes()), "8 points", "vertices",
                    "9");
     EXPECT_REFUSED(SimplexMetric(input.pieces(), Vector::Ones(3)), "3 lengths", "16 edges");
-    EXPECT_SAYS(refusal_after(flipped, [](Parts& p) { p.points = p.input_points->topRows(2); }),
-                "2 points", "pieces", std::to_string(flipped.pieces().size(0)));
-    EXPECT_SAYS(
-        refusal_after(flipped, [](Parts& p) { p.points.conservativeResize(Eigen::NoChange, 3); }),
-        "3 coordinates", "pieces", "2");
+    const Index pieces = flipped.pieces().size(0);
+    const auto of_pieces = [](Index rows, Index N) {
+        return [=](Parts& p) { p.points = std::make_shared<const Points>(Points::Zero(rows, N)); };
+    };
+    EXPECT_SAYS(refusal_after(flipped, of_pieces(2, 2)), "2 points", "pieces",
+                std::to_string(pieces));
+    EXPECT_SAYS(refusal_after(flipped, of_pieces(pieces, 3)), "3 coordinates", "pieces", "2");
     EXPECT_SAYS(refusal_after(isolated, [](Parts& p) { p.isolated = Points::Zero(1, 3); }),
                 "3 coordinates", "no cell", "2");
     const auto other = discretize(grid(3, 2));
