@@ -21,12 +21,12 @@ CellMarks on_the_boundary(const CellComplex& complex, std::vector<bool> without_
                           const CellMarks& left_out) {
     const int n = complex.dimension();
     CellMarks marks = no_marks(complex);
+    if (std::find(without_dual.begin(), without_dual.end(), true) == without_dual.end())
+        return marks;
     marks[n - 1] = std::move(without_dual);
     for (Index f = 0; f < complex.size(n - 1); ++f)
         if (left_out[n - 1][f])
             marks[n - 1][f] = false;
-    if (std::find(marks[n - 1].begin(), marks[n - 1].end(), true) == marks[n - 1].end())
-        return marks;
     for (Index t = 0; t < complex.size(n); ++t)
         for (const SignedFace& f : complex.incidences(n - 1)[t])
             if (marks[n - 1][f.face])
@@ -151,12 +151,8 @@ const CellMarks& FormSpace::left_out() const& {
 }
 
 const RelativeComplex& FormSpace::relative() const& {
-    return parts_->relative.get([&] {
-        const CellComplex& complex = parts_->cells.complex();
-        if (parts_->without_dual.empty())
-            return relative_complex(complex, fixed());
-        return relative_complex(complex, fixed(), on_the_boundary());
-    });
+    return parts_->relative.get(
+        [&] { return relative_complex(parts_->cells.complex(), fixed(), on_the_boundary()); });
 }
 
 SparseMatrix FormSpace::free_part(int k, const SparseMatrix& of_all) const {

@@ -229,8 +229,8 @@ MUTANTS = {
                      "0 * angles_[s] <=",
                      "Lengths.know_the_planes_of_the_boundary_of_flat_boxes_by_angles"),
     "space_keeps_what_lies_on_the_boundary": (
-        "dec/boundary/form_space.cpp", "if (parts_->without_dual.empty())\n            return relative",
-        "if (true)\n            return relative", "WaveOrders.are_2_on_hexagons"),
+        "dec/boundary/form_space.cpp", "fixed(), on_the_boundary());", "fixed());",
+        "WaveOrders.are_2_on_hexagons"),
     "left_out_keeps_what_lies_on_the_boundary": (
         "dec/boundary/form_space.cpp", "if (parts_->without_dual.empty())\n        return fixed",
         "if (true)\n        return fixed",
