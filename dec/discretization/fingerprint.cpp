@@ -61,13 +61,7 @@ Fingerprint& Fingerprint::add(const HodgeStars& stars) {
 
 Fingerprint& Fingerprint::add(const BoundaryConditions& conditions) {
     add(conditions.everywhere).add(conditions.facets.size()).add(conditions.coefficients.size());
-    for (const auto condition : conditions.facets)
-        add(condition);
-    for (const double coefficient : conditions.coefficients)
-        add(coefficient);
-    for (const bool is_fixed : conditions.fixed_vertices)
-        add(is_fixed);
-    return *this;
+    return add(conditions.facets).add(conditions.coefficients).add(conditions.fixed_vertices);
 }
 
 Fingerprint& Fingerprint::add(const Cells& cells) {
@@ -81,10 +75,7 @@ Fingerprint& Fingerprint::add(const Discretization& mesh) {
 
 Fingerprint& Fingerprint::add(const FormSpace& space) {
     add(space.cells()).add(space.side()).add(space.degree()).add(space.conditions());
-    for (const std::vector<bool>& of_degree : space.fixed())
-        for (const bool is_fixed : of_degree)
-            add(is_fixed);
-    return *this;
+    return add(space.fixed());
 }
 
 } // namespace polydec

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace polydec {
 
@@ -25,6 +26,12 @@ public:
     template <class Word>
     requires std::integral<Word> || std::is_enum_v<Word> Fingerprint& add(Word word) {
         return add_word(static_cast<std::uint64_t>(word));
+    }
+    template <class Item>
+    Fingerprint& add(const std::vector<Item>& items) {
+        for (const Item& item : items)
+            add(item);
+        return *this;
     }
     Fingerprint& add(double number);
     Fingerprint& add(std::string_view text);
