@@ -127,6 +127,22 @@ bool couples_facets_of(const SparseMatrix& M, const IncidenceRow& faces) {
     return false;
 }
 
+/// Barycentric coordinates of the sites of the n-pieces, n + 1 in a row.
+Points site_coordinates(const Discretization& discretization) {
+    const int n = discretization.dimension();
+    Points result = center_coordinates(discretization.pieces(), discretization.geometry().metric(),
+                                       discretization.geometry().centers(), n);
+    if (n == 0 || discretization.stars()[n - 1].is_diagonal())
+        return result;
+    const SparseMatrix M = discretization.stars()[n - 1].matrix();
+    const Incidences& faces = discretization.complex().incidences(n - 1);
+    for (Index cell = 0; cell < faces.rows(); ++cell)
+        if (couples_facets_of(M, faces[cell]))
+            for (const Index piece : discretization.merging().pieces_of(n, cell))
+                result.row(piece).setConstant(1.0 / (n + 1));
+    return result;
+}
+
 } // namespace
 
 Points cell_centers(const Discretization& discretization, int k) {
@@ -146,21 +162,6 @@ Points cell_centroids(const Discretization& discretization, int k) {
     const Index count = discretization.pieces().size(k);
     return discretization.unit() *
            mean_over_cells(discretization, k, Points::Constant(count, k + 1, 1.0 / (k + 1)));
-}
-
-Points site_coordinates(const Discretization& discretization) {
-    const int n = discretization.dimension();
-    Points result = center_coordinates(discretization.pieces(), discretization.geometry().metric(),
-                                       discretization.geometry().centers(), n);
-    if (n == 0 || discretization.stars()[n - 1].is_diagonal())
-        return result;
-    const SparseMatrix M = discretization.stars()[n - 1].matrix();
-    const Incidences& faces = discretization.complex().incidences(n - 1);
-    for (Index cell = 0; cell < faces.rows(); ++cell)
-        if (couples_facets_of(M, faces[cell]))
-            for (const Index piece : discretization.merging().pieces_of(n, cell))
-                result.row(piece).setConstant(1.0 / (n + 1));
-    return result;
 }
 
 Points sites_of_pieces(const Discretization& discretization) {

@@ -27,9 +27,7 @@ Points cell_centroids(const Discretization& discretization, int k);
 /// function sampled there has exactly the fluxes that the stars give. Throws like cell_centroids.
 Points dual_sites(const Discretization& discretization);
 
-/// Barycentric coordinates of these sites, or of the centers, in each n-piece: n + 1 in a row; and
-/// the positions of these sites of the pieces, in unit().
-Points site_coordinates(const Discretization& discretization);
+/// These sites, or the centers, of the n-pieces: a row for each, in unit().
 Points sites_of_pieces(const Discretization& discretization);
 
 /// Sites of boundary values and of fluxes through the boundary: the centroids of the (n-1)-cells if
