@@ -2,12 +2,12 @@
 #include "complex/merging.h"
 
 #include "base/checks.h"
+#include "base/lists.h"
 #include "complex/blocks.h"
 #include "complex/incidence_rows.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -124,8 +124,7 @@ std::vector<Index> Merging::vertices(int k, Index cell) const {
         const auto simplex = pieces_.simplices(k).row(s);
         list.insert(list.end(), simplex.begin(), simplex.end());
     }
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
+    sort_unique(list);
     return list;
 }
 

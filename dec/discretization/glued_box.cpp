@@ -2,6 +2,7 @@
 #include "dec/discretization/glued_box.h"
 
 #include "base/checks.h"
+#include "base/lists.h"
 #include "base/permutation_sign.h"
 #include "complex/blocks.h"
 #include "dec/merging/merged_cells.h"
@@ -122,9 +123,7 @@ GluedBox::Parts GluedBox::parts(const PeriodicMesh& glued, const Discretization&
                     position.push_back(places[i][corner]);
                 const double sign = permutation_sign(position);
                 std::sort(position.begin(), position.end());
-                const auto& all = in_box.positions();
-                const auto found = std::lower_bound(all.begin(), all.end(), position);
-                const Index s = others[found - all.begin()];
+                const Index s = others[place_in(in_box.positions(), position)];
                 map.onto[s] = faces[f];
                 map.signs[s] = k < n ? static_cast<std::int8_t>(sign) : std::int8_t{1};
             }

@@ -2,6 +2,7 @@
 #include "dec/fields/contraction.h"
 
 #include "base/decompositions.h"
+#include "base/lists.h"
 #include "complex/components.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/simplex_geometry.h"
@@ -82,12 +83,11 @@ Contraction::extensions_of(const std::vector<int>& face,
                            const std::vector<std::vector<int>>& cofaces) const {
     std::vector<Extension> extensions;
     for (const int q : complement(complex_.dimension() + 1, face)) {
-        const auto place = std::lower_bound(face.begin(), face.end(), q);
+        const Index place = place_in(face, q);
         auto extended = face;
-        extended.insert(extended.begin() + (place - face.begin()), q);
-        const auto found = std::lower_bound(cofaces.begin(), cofaces.end(), extended);
-        extensions.push_back({q, static_cast<std::size_t>(found - cofaces.begin()),
-                              (place - face.begin()) % 2 == 0 ? 1.0 : -1.0});
+        extended.insert(extended.begin() + place, q);
+        extensions.push_back({q, static_cast<std::size_t>(place_in(cofaces, extended)),
+                              place % 2 == 0 ? 1.0 : -1.0});
     }
     return extensions;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/lists.h"
 #include "base/permutation_sign.h"
 #include "dec/fields/developed_cells.h"
 #include "dec/fields/flat_pieces.h"
@@ -41,9 +42,8 @@ public:
                 if (std::adjacent_find(IJ.begin(), IJ.end()) != IJ.end())
                     continue;
                 const Axes rest = complement(n, IJ);
-                const auto place = std::lower_bound(both.begin(), both.end(), rest);
                 terms_.push_back({static_cast<Index>(i), static_cast<Index>(j),
-                                  static_cast<Index>(place - both.begin()),
+                                  place_in(both, rest),
                                   order * permutation_sign(joined(first[i], I)) *
                                       permutation_sign(joined(second[j], J)) *
                                       permutation_sign(joined(rest, IJ))});

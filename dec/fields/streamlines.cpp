@@ -4,6 +4,7 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "base/exponent.h"
+#include "base/lists.h"
 #include "complex/sides.h"
 #include "dec/discretization/glued_box.h"
 #include "dec/metric/simplex_geometry.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -146,8 +146,7 @@ private:
             for (const double x : sum)
                 keys[t].push_back(static_cast<std::int64_t>(std::floor(x / (n_ + 1) / spacing_)));
         }
-        std::vector<Index> order(keys.size());
-        std::iota(order.begin(), order.end(), 0);
+        std::vector<Index> order = numbers_below(std::ssize(keys));
         std::stable_sort(order.begin(), order.end(),
                          [&](Index a, Index b) { return keys[a] < keys[b]; });
         bins_.resize(keys.size());

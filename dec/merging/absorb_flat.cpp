@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/absorb_flat.h"
 
+#include "base/lists.h"
 #include "dec/merging/mean_spheres.h"
 
 #include <algorithm>
@@ -182,8 +183,7 @@ private:
         };
         std::map<Index, std::vector<Index>> parts;
         for (auto& [root, list] : corners) {
-            std::sort(list.begin(), list.end());
-            list.erase(std::unique(list.begin(), list.end()), list.end());
+            sort_unique(list);
             std::sort(list.begin(), list.end(), before);
             parts[together.find(root).element].push_back(root);
         }

@@ -3,6 +3,7 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/lists.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_faces.h"
@@ -183,10 +184,6 @@ private:
     /// The j-cells of P on which the values inside F depend, ascending: the faces of its
     /// (j+1)-simplices, and the cells that carry the simplices on its boundary.
     std::vector<Index> columns(int m, Index F, int j) const {
-        const auto make_unique = [](std::vector<Index>& list) {
-            std::sort(list.begin(), list.end());
-            list.erase(std::unique(list.begin(), list.end()), list.end());
-        };
         std::vector<Index> above, cells;
         for (const Index t : inside_[m][j + 1][F]) {
             rows_[j + 1].visit(t, [&](Index upper, double) { above.push_back(upper); });
@@ -194,11 +191,11 @@ private:
                 if (!is_inside(m, F, j, s.face))
                     rows_[j].visit(s.face, [&](Index E, double) { cells.push_back(E); });
         }
-        make_unique(above);
+        sort_unique(above);
         for (const Index upper : above)
             for (const SignedFace& E : P_.incidences(j)[upper])
                 cells.push_back(E.face);
-        make_unique(cells);
+        sort_unique(cells);
         return cells;
     }
 

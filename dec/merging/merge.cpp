@@ -13,8 +13,6 @@
 #include "dec/merging/straightness.h"
 #include "dec/metric/rounding.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -8,9 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace polydec {
 
 template <class Number, int k_fixed, int N_fixed>

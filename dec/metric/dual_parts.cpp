@@ -2,11 +2,11 @@
 #include "dec/metric/dual_parts.h"
 
 #include "base/checks.h"
+#include "base/lists.h"
 #include "dec/metric/center_heights.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/subsets.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -29,9 +29,7 @@ std::vector<SharedFace> shared_faces(int k, int m) {
             auto corners = faces[i];
             for (int& corner : corners)
                 corner -= corner > omitted ? 1 : 0;
-            const auto place = std::lower_bound(below.begin(), below.end(), corners);
-            result.push_back(
-                {static_cast<Eigen::Index>(i), omitted, Eigen::Index(place - below.begin())});
+            result.push_back({static_cast<Eigen::Index>(i), omitted, place_in(below, corners)});
         }
     return result;
 }

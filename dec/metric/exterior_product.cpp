@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/exterior_product.h"
 
+#include "base/lists.h"
 #include "dec/metric/subsets.h"
-
-#include <algorithm>
 
 namespace polydec {
 
@@ -16,9 +15,8 @@ ExteriorProduct::ExteriorProduct(int N, int k) : degrees_(1, {{}}) {
             for (int p = 0; p < j; ++p) {
                 auto rest = current[J];
                 rest.erase(rest.begin() + p);
-                const auto place = std::lower_bound(lower.begin(), lower.end(), rest);
-                degrees_[j][J].push_back({static_cast<Index>(place - lower.begin()), current[J][p],
-                                          (j - 1 - p) % 2 == 0 ? 1.0 : -1.0});
+                degrees_[j][J].push_back(
+                    {place_in(lower, rest), current[J][p], (j - 1 - p) % 2 == 0 ? 1.0 : -1.0});
             }
         lower = std::move(current);
     }

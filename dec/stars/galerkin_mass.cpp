@@ -2,6 +2,7 @@
 #include "dec/stars/galerkin_mass.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "complex/simplicial_complex.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/whitney.h"
@@ -197,8 +198,7 @@ double count_pairs(const Merging& merging, int k) {
             for (const Index cell : cells)
                 for (const SignedFace& face : complex.incidences(j)[cell])
                     faces.push_back(face.face);
-            std::sort(faces.begin(), faces.end());
-            faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+            sort_unique(faces);
             cells.swap(faces);
         }
         pairs += std::pow(static_cast<double>(cells.size()), 2);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/checks.h"
+#include "base/lists.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
 #include "dec/surfaces/passage.h"
@@ -185,8 +186,7 @@ private:
         for (const SidePoint& corner : polygon)
             for (const Index v : ends_by_point_[corner.point])
                 vertices.push_back(v);
-        std::sort(vertices.begin(), vertices.end());
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+        sort_unique(vertices);
         return K_.find(2, K_.vertex_numbers(vertices));
     }
 

@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/decompositions.h"
+#include "base/lists.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
@@ -21,9 +22,7 @@ Places::Places(const Passage& passage, const Points& points) : passage_(passage)
     overlay_ = overlay(passage, points);
     cofaces_.emplace(K, K.dimension());
     for (Index t = 0; t <= K.size(K.dimension()); ++t)
-        begins_.push_back(static_cast<Index>(
-            std::lower_bound(overlay_.triangle.begin(), overlay_.triangle.end(), t) -
-            overlay_.triangle.begin()));
+        begins_.push_back(place_in(overlay_.triangle, t));
 }
 
 Points Places::at(int k, const Points& coordinates, const Points& values) const {
