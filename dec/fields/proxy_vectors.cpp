@@ -3,10 +3,6 @@
 #include "dec/fields/flat_and_sharp.h"
 #include "dec/stars/star.h"
 
-#include <algorithm>
-#include <utility>
-#include <vector>
-
 namespace polydec {
 
 namespace {
@@ -21,20 +17,6 @@ Cochain primal_of(const Discretization& mesh, const Cochain& form) {
     const int k = mesh.dimension() - form.degree;
     return form.side == Side::primal ? form
                                      : Cochain{Side::primal, k, star(mesh, k).solve(form.values)};
-}
-
-/// Each vertex with each n-cell around it.
-std::vector<std::pair<Index, Index>> corners_of_cells(const Discretization& mesh) {
-    const int n = mesh.dimension();
-    const auto &points = mesh.merging().carriers(0), &cells = mesh.merging().carriers(n);
-    std::vector<std::pair<Index, Index>> pairs;
-    for (Index t = 0; t < mesh.pieces().size(n); ++t)
-        for (const Index corner : mesh.pieces().simplices(n).row(t))
-            if (const auto [degree, vertex] = points[corner]; degree == 0)
-                pairs.emplace_back(vertex, cells[t].cell);
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    return pairs;
 }
 
 } // namespace
@@ -70,10 +52,13 @@ DenseMatrix means_at_vertices(const Discretization& mesh, const DenseMatrix& at_
     check_as_many("rows", at_cells.rows(), mesh.complex().size(n));
     DenseMatrix sums = DenseMatrix::Zero(mesh.complex().size(0), at_cells.cols());
     Vector weights = Vector::Zero(sums.rows());
-    for (const auto& [v, cell] : corners_of_cells(mesh)) {
+    for (Index cell = 0; cell < at_cells.rows(); ++cell) {
         const double volume = mesh.volumes().primal(n)[cell];
-        sums.row(v) += volume * at_cells.row(cell);
-        weights[v] += volume;
+        for (const Index corner : mesh.merging().vertices(n, cell))
+            if (const auto [degree, v] = mesh.merging().carriers(0)[corner]; degree == 0) {
+                sums.row(v) += volume * at_cells.row(cell);
+                weights[v] += volume;
+            }
     }
     for (Index v = 0; v < weights.size(); ++v)
         if (weights[v] > 0)

@@ -111,8 +111,7 @@ DenseMatrix whitney_at_centroids(const Pieces& complex, const Points& points, co
 
 Vector whitney_form(const Discretization& mesh, const Cochain& form, Index top,
                     const Vector& barycentric) {
-    if (mesh.passage().is_identity() && top >= 0 && top < mesh.pieces().size(mesh.dimension()) &&
-        mesh.geometry().is_flat(top)) {
+    if (top >= 0 && top < mesh.pieces().size(mesh.dimension()) && mesh.geometry().is_flat(top)) {
         check_place(mesh.input(), top, barycentric);
         return whitney_at_centroids(mesh, form).row(top).transpose();
     }

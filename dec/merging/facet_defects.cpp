@@ -5,6 +5,7 @@
 #include "dec/merging/facet_links.h"
 #include "dec/merging/flat_simplices.h"
 #include "dec/metric/circumsphere.h"
+#include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_metric.h"
 
 #include <algorithm>
@@ -47,10 +48,9 @@ public:
           layout_(geometry.pieces(), geometry.metric()),
           facets_(geometry.volumes().primal(k_)),
           sides_(geometry.volumes().primal(k_ - 1)),
-          edges_(geometry.volumes().primal(1)) {
-        for (int k = 1; k <= k_; ++k)
-            faces_.push_back(geometry.pieces().faces(k));
-    }
+          lengths_(geometry.volumes().primal(1)),
+          faces_(geometry.pieces().faces(k_)),
+          edges_(geometry.pieces(), k_, 1) {}
 
     double operator[](Index f) {
         sphere_.look_at(layout_, k_, f);
@@ -61,37 +61,21 @@ public:
     /// their squared distance times the gradient of their barycentric coordinate, the inverse
     /// height. So l <= L^2 times the sum of |g| / k |f| over the faces g, L the longest edge.
     double bound(Index f) {
-        double sum = 0;
+        double sum = 0, edge = 0;
         for (int i = 0; i <= k_; ++i)
-            sum += sides_[faces_.back()(f, i)];
-        const double edge = longest_edge(f);
+            sum += sides_[faces_(f, i)];
+        for (const Index e : edges_.of(f))
+            edge = std::max(edge, lengths_[e]);
         return edge * edge * sum / (k_ * facets_[f]);
     }
 
 private:
-    double longest_edge(Index f) {
-        within_.assign(1, f); // and then its faces, degree by degree
-        for (int k = k_; k > 1; --k) {
-            below_.clear();
-            for (const Index s : within_)
-                for (int i = 0; i <= k; ++i)
-                    below_.push_back(faces_[k - 1](s, i));
-            std::sort(below_.begin(), below_.end());
-            below_.erase(std::unique(below_.begin(), below_.end()), below_.end());
-            std::swap(within_, below_);
-        }
-        double longest = 0;
-        for (const Index edge : within_)
-            longest = std::max(longest, edges_[edge]);
-        return longest;
-    }
-
     int k_;
     SimplexLayout layout_;
     Circumsphere sphere_;
-    const Vector &facets_, &sides_, &edges_; // volumes
-    std::vector<FaceTable> faces_;           // of degrees 1, ..
-    std::vector<Index> within_, below_;
+    const Vector &facets_, &sides_, &lengths_; // volumes
+    FaceTable faces_;
+    SimplexFaces edges_;
 };
 
 /// Most facets have no defect, or more than their bounds tolerate: only the others need spheres.
