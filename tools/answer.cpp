@@ -13,7 +13,7 @@ namespace {
 
 void write_object(JsonWriter& json, const Answer& answer, const Log& log, bool timing) {
     json.object([&] {
-        answer.write(json);
+        answer.json(json);
         json.member("warnings", log.warnings);
         if (!timing)
             return;
@@ -25,7 +25,7 @@ void write_object(JsonWriter& json, const Answer& answer, const Log& log, bool t
 }
 
 void write_text(Text& text, const Answer& answer, const Log& log, bool timing) {
-    answer.write(text);
+    answer.text(text);
     if (!timing)
         return;
     text("\nseconds\n");
@@ -45,10 +45,11 @@ void Timing::begin(std::string_view stage) {
     since_ = Clock::now();
 }
 
-void Timing::end() {
-    if (running_)
-        seconds_[*running_].second += std::chrono::duration<double>(Clock::now() - since_).count();
-    running_.reset();
+double Timing::end() {
+    if (!running_)
+        return 0;
+    auto& [stage, seconds] = seconds_[*std::exchange(running_, std::nullopt)];
+    return seconds += std::chrono::duration<double>(Clock::now() - since_).count();
 }
 
 void Log::warn(const std::string& text) {

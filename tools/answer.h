@@ -23,7 +23,7 @@ namespace polydec::tools {
 class Timing {
 public:
     void begin(std::string_view stage);
-    void end();
+    double end(); ///< the seconds of the stage that ends, or 0
     const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
 
 private:
@@ -65,17 +65,17 @@ std::optional<double> in_range(const std::function<double()>& number);
 std::string in_digits(const std::optional<double>& number, int digits = 10);
 
 /// The result of a command, for output as JSON or text.
-class Answer {
-public:
-    virtual ~Answer() = default;
-    /// The members of the JSON object; the caller appends warnings and timing.
-    virtual void write(JsonWriter& json) const = 0;
-    virtual void write(Text& text) const = 0;
+struct Answer {
+    Answer(std::function<void(JsonWriter&)> members, std::function<void(Text&)> words)
+        : json(std::move(members)), text(std::move(words)) {}
 
-protected:
-    Answer() = default;
-    Answer(const Answer&) = default;
-    Answer& operator=(const Answer&) = default;
+    /// By an object that writes both, and outlives this.
+    template <class Written>
+    Answer(const Written& of)
+        : Answer([&of](JsonWriter& to) { of.write(to); }, [&of](Text& to) { of.write(to); }) {}
+
+    std::function<void(JsonWriter&)> json; ///< its members; the caller appends warnings and timing
+    std::function<void(Text&)> text;
 };
 
 /// The output format.

@@ -19,11 +19,11 @@ const char* kind_name(EngineKind kind) {
     return names[static_cast<std::size_t>(kind)];
 }
 
-struct Backends : Answer {
+struct Backends {
     std::vector<EngineInfo> engines = polydec::engines();
     std::optional<Blas> blas = loaded_blas();
 
-    void write(JsonWriter& json) const override {
+    void write(JsonWriter& json) const {
         json.array("backends", [&] {
             for (const auto& engine : engines)
                 json.object([&] {
@@ -44,7 +44,7 @@ struct Backends : Answer {
             });
     }
 
-    void write(Text& text) const override {
+    void write(Text& text) const {
         for (const auto& engine : engines)
             text("{:<18}{:<15}{:<9}{}{}{}\n", engine.name, kind_name(engine.kind),
                  engine.available ? "there" : "missing", engine.description,

@@ -9,7 +9,6 @@
 #include "meshes/periodic.h"
 #include "meshes/tidy.h"
 #include "tools/component_values.h"
-#include "tools/messages.h"
 #include "tools/outputs.h"
 
 #include <fmt/format.h>
@@ -193,7 +192,8 @@ void add_engine(CLI::App& command, std::string& engine) {
     command.add_option("--engine", engine, "NAME\tlinear solver; see `polydec backends`");
 }
 
-Discretization load(const MeshArguments& arguments, Log& log) {
+Discretization load(const MeshArguments& arguments, Log& log,
+                    const std::filesystem::path& picture) {
     const Progress progress;
     const auto stage = [&](std::string_view what) {
         log.timing.begin(what);
@@ -224,15 +224,9 @@ Discretization load(const MeshArguments& arguments, Log& log) {
     log.timing.end();
     log.warn(result.warnings());
     log.mesh = arguments.mesh;
-    return result;
-}
-
-Discretization load_to_draw(const MeshArguments& arguments, const std::filesystem::path& picture,
-                            Log& log) {
-    Discretization mesh = load(arguments, log);
     if (!picture.empty())
-        check_drawable(mesh);
-    return mesh;
+        check_drawable(result);
+    return result;
 }
 
 std::string in_words(const ChosenStars& stars) {
@@ -242,7 +236,10 @@ std::string in_words(const ChosenStars& stars) {
     return fmt::format("{} stars", name(stars.kind));
 }
 
-Progress::Progress() : visible_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(std::string_view what) : visible_(isatty(STDERR_FILENO) != 0) {
+    if (!what.empty())
+        (*this)(what);
+}
 
 Progress::~Progress() {
     if (visible_)

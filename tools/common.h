@@ -5,6 +5,7 @@
 #include "dec/forms/cochain.h"
 #include "tools/answer.h"
 #include "tools/joining.h"
+#include "tools/messages.h"
 #include "tools/options.h"
 
 #include <CLI/CLI.hpp>
@@ -60,17 +61,15 @@ void add_engine(CLI::App& command, std::string& engine);
 /// cells", and a member "star" with kind and share.
 std::string in_words(const ChosenStars& stars);
 
-/// Reads, merges and measures the mesh; reports its warnings.
-Discretization load(const MeshArguments& arguments, Log& log);
-
-/// The same; throws like check_drawable if there is a path of a picture.
-Discretization load_to_draw(const MeshArguments& arguments, const std::filesystem::path& picture,
-                            Log& log);
+/// Reads, merges and measures the mesh; reports its warnings. Throws like check_drawable if there
+/// is a path of a picture.
+Discretization load(const MeshArguments& arguments, Log& log,
+                    const std::filesystem::path& picture = {});
 
 /// A progress line on stderr; on a terminal only, and erased at the end.
 class Progress {
 public:
-    Progress();
+    explicit Progress(std::string_view what = {});
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -79,5 +78,12 @@ public:
 private:
     bool visible_;
 };
+
+/// The result of work(), which progress names; its errors name the log's mesh file.
+template <class Work>
+auto computed(const Log& log, std::string_view what, Work work) {
+    const Progress progress(what);
+    return computed_on(log.mesh, work);
+}
 
 } // namespace polydec::tools

@@ -5,6 +5,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/chosen_cells.h"
 #include "tools/form_values.h"
+#include "tools/messages.h"
 #include "tools/options.h"
 
 #include <fmt/format.h>
@@ -57,8 +58,11 @@ std::optional<BoundaryConditions> ConditionValues::on(const Discretization& mesh
     return with_robin;
 }
 
-FormSpace ConditionValues::space(const Discretization& mesh, Side side, int degree) const {
-    return {mesh, side, degree, on(mesh).value_or(built_in_conditions(side))};
+FormSpace ConditionValues::space(const Discretization& mesh, Side side, int degree,
+                                 const std::filesystem::path& file) const {
+    return computed_on(file, [&] {
+        return FormSpace(mesh, side, degree, on(mesh).value_or(built_in_conditions(side)));
+    });
 }
 
 std::optional<BoundaryConditions> ConditionValues::without_robin(const Discretization& mesh) const {

@@ -48,8 +48,10 @@ public:
     /// SiteValues::at, polydec::essential_on and require_use.
     std::optional<BoundaryConditions> on(const Discretization& mesh) const;
 
-    /// The forms of this side and degree under these conditions, or under the default ones.
-    FormSpace space(const Discretization& mesh, Side side, int degree) const;
+    /// The forms of this side and degree under these conditions, or under the default ones. Errors
+    /// name the file of the mesh.
+    FormSpace space(const Discretization& mesh, Side side, int degree,
+                    const std::filesystem::path& file) const;
 
 private:
     std::optional<BoundaryConditions> without_robin(const Discretization& mesh) const;

@@ -12,7 +12,6 @@
 #include "tools/distance_answer.h"
 #include "tools/expression.h"
 #include "tools/form_values.h"
-#include "tools/messages.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
 
@@ -128,15 +127,14 @@ void draw(const Discretization& mesh, const DistanceArguments& arguments, const 
         return write_lines(arguments, lines, lengths, "length");
     }
     const auto& from = answer.from;
-    PageText text;
-    text.title = fmt::format("{}: geodesic distance", arguments.mesh.mesh.filename().string());
-    text.facts = {fmt::format("Distance along the surface from {}, {}.",
-                              from.size() > 9 ? fmt::format("{} vertices", from.size())
-                                              : fmt::format("vertex {}", fmt::join(from, ", ")),
-                              accuracy(answer.method))};
+    const std::string fact =
+        fmt::format("Distance along the surface from {}, {}.",
+                    from.size() > 9 ? fmt::format("{} vertices", from.size())
+                                    : fmt::format("vertex {}", fmt::join(from, ", ")),
+                    accuracy(answer.method));
     const NamedForm form("distance", {Side::primal, 0, distance}, "in units of length of the file");
-    write_picture(arguments.picture, mesh, {form}, std::move(text), {{"from", from}}, log,
-                  lines.mesh);
+    write_picture(arguments.picture, mesh, {form}, page_of(log, "geodesic distance", {fact}),
+                  {{"from", from}}, log, lines.mesh);
 }
 
 void run_distance(const DistanceArguments& arguments) {
@@ -157,13 +155,9 @@ void run_distance(const DistanceArguments& arguments) {
     log.timing.begin("solve");
     const auto chosen = sources(mesh, arguments, where);
     const auto from = numbers_of(mesh, chosen);
-    const auto found = computed_on(arguments.mesh.mesh, [&] {
-        const Progress progress;
-        progress("solve");
-        return GeodesicDistance(mesh, arguments.geodesic).to(chosen);
-    });
+    const auto found = computed(
+        log, "solve", [&] { return GeodesicDistance(mesh, arguments.geodesic).to(chosen); });
     const Vector& distance = found.values;
-    const Index raised = found.raised;
     log.warn(found.warnings);
     Eigen::Index farthest = 0;
     distance.maxCoeff(&farthest);
@@ -173,7 +167,7 @@ void run_distance(const DistanceArguments& arguments) {
     answer.farthest = cell_vertices(mesh, 0, static_cast<Index>(farthest)).front();
     answer.max = distance[farthest];
     answer.mean = distance.mean();
-    answer.raised = raised;
+    answer.raised = found.raised;
     std::optional<SurfacePaths> windows;
     if (wants_windows(arguments))
         windows.emplace(mesh, chosen);

@@ -14,7 +14,7 @@ struct ToldPath {
     SurfacePath path;
 };
 
-struct Distances : Answer {
+struct Distances {
     DistanceMethod method = DistanceMethod::exact;
     std::vector<Index> from;
     Index farthest = 0;
@@ -22,8 +22,8 @@ struct Distances : Answer {
     double max = 0, mean = 0;
     std::vector<ToldPath> paths; ///< with the sources' numbers in the file
 
-    void write(JsonWriter& json) const override;
-    void write(Text& text) const override;
+    void write(JsonWriter& json) const;
+    void write(Text& text) const;
 };
 
 /// "exact up to rounding", or the accuracy of the other method.

@@ -4,7 +4,6 @@
 #include "io/pictures/svg_drawing.h"
 #include "tools/commands.h"
 #include "tools/common.h"
-#include "tools/messages.h"
 #include "tools/outputs.h"
 
 namespace polydec::tools {
@@ -18,22 +17,6 @@ struct DrawArguments {
     std::filesystem::path out;
 };
 
-struct Drawn : Answer {
-    std::string out;
-    std::size_t shapes = 0;
-    Index vertices = 0, edges = 0, cells = 0;
-
-    void write(JsonWriter& json) const override {
-        json.member("out", out);
-        json.member("vertices", vertices);
-        json.member("edges", edges);
-        json.member("cells", cells);
-        json.member("shapes", shapes);
-    }
-
-    void write(Text& text) const override { text("{}\n", printable(out)); }
-};
-
 void run_draw(DrawArguments arguments) {
     Log log;
     if (arguments.out.empty())
@@ -44,17 +27,18 @@ void run_draw(DrawArguments arguments) {
     if (!arguments.eye.empty())
         arguments.shown.structure.view.eye = Eigen::Map<const Vector>(arguments.eye.data(), 3);
     const SvgDrawing drawing =
-        computed_on(arguments.mesh.mesh, [&] { return draw_lesson(mesh, arguments.shown); });
+        computed_on(log.mesh, [&] { return draw_lesson(mesh, arguments.shown); });
     log.timing.begin("write");
     write_drawing(arguments.out, drawing);
-
-    Drawn answer;
-    answer.out = arguments.out.string();
-    answer.shapes = drawing.shapes.size();
-    answer.vertices = mesh.complex().size(0);
-    answer.edges = mesh.complex().size(1);
-    answer.cells = mesh.complex().size(mesh.dimension());
-    tell(answer, log, arguments.mesh.tell);
+    const std::string out = arguments.out.string();
+    const auto members = [&](JsonWriter& json) {
+        json.member("out", out);
+        json.member("vertices", mesh.complex().size(0));
+        json.member("edges", mesh.complex().size(1));
+        json.member("cells", mesh.complex().size(mesh.dimension()));
+        json.member("shapes", drawing.shapes.size());
+    };
+    tell({members, [&](Text& text) { text("{}\n", printable(out)); }}, log, arguments.mesh.tell);
 }
 
 } // namespace

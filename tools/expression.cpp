@@ -146,24 +146,13 @@ bool Expression::uses_label() const {
     return state_->uses_label;
 }
 
-Vector Expression::operator()(const Points& sites, double label) const {
-    state_->label_value = label;
-    return values(sites, {});
-}
-
-Vector Expression::operator()(const Points& sites, const std::vector<Index>& labels) const {
-    const auto& [option, text, label, parser, position, used, label_value, uses_label] = *state_;
-    if (uses_label && labels.empty())
+Vector Expression::operator()(const Points& sites, const Vector& labels) const {
+    auto& [option, text, label, parser, position, used, label_value, uses_label] = *state_;
+    if (uses_label && labels.size() == 0)
         throw InvalidInput(
             fmt::format("{}: '{}' uses `{}`, but the mesh has none: give a mesh with "
                         "physical groups, or change the expression",
                         option, printable(text), label));
-    return values(sites, labels);
-}
-
-/// With no labels the label keeps its value.
-Vector Expression::values(const Points& sites, const std::vector<Index>& labels) const {
-    auto& [option, text, label, parser, position, used, label_value, uses_label] = *state_;
     const auto axes = static_cast<int>(sites.cols());
     if (axes == 0 && used > 0)
         require_points(0, fmt::format("{} {}", option, printable(text)));
@@ -175,8 +164,8 @@ Vector Expression::values(const Points& sites, const std::vector<Index>& labels)
     for (Index i = 0; i < sites.rows(); ++i) {
         for (int c = 0; c < used; ++c)
             position[c] = sites(i, c);
-        if (uses_label && !labels.empty())
-            label_value = labels[i];
+        if (uses_label)
+            label_value = labels[labels.size() > 1 ? i : 0];
         values[i] =
             state_->value([&] { return fmt::format("({})", fmt::join(sites.row(i), ", ")); });
     }
@@ -213,15 +202,11 @@ SiteValues::SiteValues(const std::string& option, const std::string& text,
                             printable(text)));
 }
 
-Vector SiteValues::at(const Points& sites, const std::vector<Index>& labels) const {
+Vector SiteValues::at(const Points& sites, const Vector& labels) const {
     if (expression_)
         return (*expression_)(sites, labels);
     check_count(sites.rows());
     return values_;
-}
-
-Vector SiteValues::at(const Points& sites, double label) const {
-    return expression_ ? (*expression_)(sites, label) : at(sites);
 }
 
 Vector SiteValues::at(const Points& sites, const std::vector<std::int64_t>& numbers,

@@ -21,13 +21,10 @@ public:
     Expression(const std::string& option, const std::string& text, const std::string& label = "");
     ~Expression();
 
-    /// Values at the rows of `sites`, with the label's values there if known. Throws InvalidInput,
-    /// naming the place, where the value is undefined, and for a missing coordinate or an unknown
-    /// label.
-    Vector operator()(const Points& sites, const std::vector<Index>& labels = {}) const;
-
-    /// The same with one value of the label for all sites, e.g. a time.
-    Vector operator()(const Points& sites, double label) const;
+    /// Values at the rows of `sites`, with the label's values there if known, or one for all sites,
+    /// e.g. a time. Throws InvalidInput, naming the place, where the value is undefined, and for a
+    /// missing coordinate or an unknown label.
+    Vector operator()(const Points& sites, const Vector& labels = {}) const;
 
     bool uses_label() const;
     /// The value for a label alone, e.g. a time. Throws InvalidInput if it is undefined, and for an
@@ -35,8 +32,6 @@ public:
     double of_label(double label) const;
 
 private:
-    Vector values(const Points& sites, const std::vector<Index>& labels) const;
-
     struct State;
     std::unique_ptr<State> state_;
 };
@@ -51,8 +46,7 @@ public:
     SiteValues(const std::string& option, const std::string& text, const std::string& label = "");
 
     /// Throws InvalidInput for a file with a wrong number of values, else like Expression.
-    Vector at(const Points& sites, const std::vector<Index>& labels = {}) const;
-    Vector at(const Points& sites, double label) const;
+    Vector at(const Points& sites, const Vector& labels = {}) const;
 
     /// Whether they are an expression that uses the label.
     bool uses_label() const { return expression_ && expression_->uses_label(); }

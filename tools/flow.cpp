@@ -12,7 +12,6 @@
 #include "tools/component_values.h"
 #include "tools/form_values.h"
 #include "tools/in_time.h"
-#include "tools/messages.h"
 #include "tools/picture.h"
 
 #include <fmt/format.h>
@@ -106,7 +105,7 @@ std::string boundary_in_words(const std::vector<FlowBoundary>& facets, const Cel
                        count(FlowBoundary::open));
 }
 
-struct Flowed : Answer {
+struct Flowed {
     TimeSteps steps;
     Ran ran;
     std::string conditions;
@@ -129,7 +128,7 @@ struct Flowed : Answer {
         least = in_range([&] { return flow.vorticity(w).minCoeff(); });
     }
 
-    void write(JsonWriter& json) const override {
+    void write(JsonWriter& json) const {
         write_time(json, steps, ran);
         json.member("viscosity", viscosity);
         if (std::isfinite(exchange_time))
@@ -145,7 +144,7 @@ struct Flowed : Answer {
         write_stars(json, stars);
     }
 
-    void write(Text& text) const override {
+    void write(Text& text) const {
         text("incompressible flow of viscosity {:.6g}, {}\n", viscosity, in_words(steps, ran));
         text("  {}\n  {}\n", conditions, in_words(stars));
         text("  energy {}{}; enstrophy {}\n", in_digits(energy), in_words(relative_energy),
@@ -189,27 +188,20 @@ void run_flow(const FlowArguments& arguments) {
         throw CLI::ValidationError("flow needs --vorticity EXPR, --velocity VECTOR or "
                                    "--boundary-velocity VECTOR: else the fluid stays at rest");
     check_time(arguments.time);
-    const Discretization mesh = load_to_draw(arguments.mesh, arguments.time.out, log);
+    const Discretization mesh = load(arguments.mesh, log, arguments.time.out);
     const FlowOptions options = given.options(mesh, arguments.flow);
     log.timing.begin("solve");
-    const auto flow = computed_on(arguments.mesh.mesh, [&] {
-        const Progress progress;
-        progress("factorize");
-        return IncompressibleFlow(mesh, options);
-    });
+    const auto flow = computed(log, "factorize", [&] { return IncompressibleFlow(mesh, options); });
     const Vector asked = given.start(mesh), start = flow.project(asked);
     log.warn(warning_of_rest(asked, start));
     const TimeSteps steps = time_steps(arguments.time, own_step(flow, start, arguments));
     Flow moving(flow, start, {.time_step = steps.length, .scheme = arguments.scheme});
     const std::string words = boundary_in_words(options.facets, mesh.complex());
-    PageText text;
-    text.title = fmt::format("{}: flow", arguments.mesh.mesh.filename().string());
-    text.facts = {
-        fmt::format("an incompressible flow of viscosity {:.6g}", arguments.flow.viscosity), words,
-        in_words(mesh.chosen_stars())};
-    const March march{"flow", in_page(std::move(text), log), steps,
-                      [&](const Run&) { return shown(flow, moving.flux()); }};
-    const Ran ran = march_to_end(moving, march, arguments.time, arguments.mesh.mesh, mesh);
+    const std::string what =
+        fmt::format("an incompressible flow of viscosity {:.6g}", arguments.flow.viscosity);
+    const March march{"flow", page_of(log, "flow", {what, words, in_words(mesh.chosen_stars())}),
+                      steps, [&](const Run&) { return shown(flow, moving.flux()); }};
+    const Ran ran = march_to_end(moving, march, arguments.time, mesh, log);
     Flowed answer(flow, start, moving.flux(), arguments.flow.viscosity);
     answer.steps = steps;
     answer.ran = ran;

@@ -34,7 +34,7 @@ Vector integrals(const Discretization& mesh, Side side, int degree,
         const Points site = point.transpose();
         Vector values(static_cast<Eigen::Index>(coefficients.size()));
         for (std::size_t i = 0; i < coefficients.size(); ++i)
-            values[static_cast<Eigen::Index>(i)] = coefficients[i].at(site, time)[0];
+            values[static_cast<Eigen::Index>(i)] = coefficients[i].at(site, Vector{{time}})[0];
         return values;
     };
     return side == Side::primal ? de_rham(mesh, degree, form).values
@@ -49,13 +49,14 @@ CellData cell_values(const Discretization& mesh, const SiteValues& values) {
     const int n = mesh.dimension();
     const bool has_points = mesh.ambient_dimension() > 0;
     const Points sites = has_points ? cell_centroids(mesh, n) : Points(mesh.complex().size(n), 0);
-    return CellData::on_cells(values.at(sites, mesh.tags()));
+    const std::vector<Index>& tags = mesh.tags();
+    const Eigen::Map<const Column<Index>> groups(tags.data(), std::ssize(tags));
+    return CellData::on_cells(values.at(sites, groups.cast<double>()));
 }
 
-Vector vertex_values(const Discretization& mesh, const SiteValues& values, const Points& places,
-                     double time) {
+Vector vertex_values(const Discretization& mesh, const SiteValues& values, const Points& places) {
     if (!values.are_of_file())
-        return values.at(places, time);
+        return values.at(places);
     return values.at(Points(count_vertices(mesh), 0))(vertices_of_cells(mesh));
 }
 
@@ -86,31 +87,31 @@ void FormValues::check_count(const Discretization& mesh, int degree) const {
                                        wanted));
 }
 
-Cochain FormValues::on(const Discretization& mesh, Side side, int degree, double time) const {
+Vector FormValues::on(const Discretization& mesh, Side side, int degree, double time) const {
     const int n = mesh.dimension();
     if (degree < 0 || degree > n)
         throw InvalidInput(
             fmt::format("there are no forms of degree {}: expected 0 to {}", degree, n));
     const int k = cell_degree(mesh.complex(), side, degree);
     if (coefficients_.front().are_of_file() && k == 0)
-        return {side, degree, vertex_values(mesh, coefficients_.front(), {})};
+        return vertex_values(mesh, coefficients_.front(), {});
     if (coefficients_.front().are_of_file())
-        return {side, degree, coefficients_.front().at(Points(mesh.complex().size(k), 0))};
+        return coefficients_.front().at(Points(mesh.complex().size(k), 0));
     check_count(mesh, degree);
     if (degree > 0 || (side == Side::dual && mesh.ambient_dimension() > 0))
-        return {side, degree, integrals(mesh, side, degree, coefficients_, time)};
-    return {side, degree, coefficients_.front().at(cell_centers(mesh, k), time)};
+        return integrals(mesh, side, degree, coefficients_, time);
+    return coefficients_.front().at(cell_centers(mesh, k), Vector{{time}});
 }
 
 Vector FormValues::on_boundary(const Discretization& mesh, Side side, int degree,
                                double time) const {
     if (side == Side::primal)
-        return on(mesh, side, degree, time).values;
+        return on(mesh, side, degree, time);
     if (degree > 0)
         throw InvalidInput(fmt::format("{} of a dual {}-form: expected a 0-form or a primal form",
                                        option_, degree));
     check_count(mesh, degree);
-    return coefficients_.front().at(cell_centers(mesh, mesh.dimension() - 1), time);
+    return coefficients_.front().at(facet_sites(mesh), Vector{{time}});
 }
 
 Vector FormValues::through_boundary(const Discretization& mesh, Side side, int degree,
@@ -120,8 +121,7 @@ Vector FormValues::through_boundary(const Discretization& mesh, Side side, int d
             fmt::format("{} of a {}-form: expected a 0-form, which has an outward derivative",
                         option_, degree));
     check_count(mesh, degree);
-    const Points sites = facet_sites(mesh);
-    return outward_flow(mesh, side, coefficients_.front().at(sites, time));
+    return outward_flow(mesh, side, coefficients_.front().at(facet_sites(mesh), Vector{{time}}));
 }
 
 bool FormValues::uses_time() const {

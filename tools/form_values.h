@@ -20,8 +20,7 @@ CellData cell_values(const Discretization& mesh, const SiteValues& values);
 
 /// Values of an option for each 0-cell at these places: numbers from a file, one per vertex of the
 /// mesh file, or values of an expression. Throws like SiteValues.
-Vector vertex_values(const Discretization& mesh, const SiteValues& values, const Points& places,
-                     double time = 0);
+Vector vertex_values(const Discretization& mesh, const SiteValues& values, const Points& places);
 
 /// Adds an option that FormValues are made of; `what` says what form it is.
 CLI::Option* add_form(CLI::App& command, const std::string& option, std::string& text,
@@ -38,7 +37,7 @@ public:
     /// The form on this mesh, by de_rham or dual_de_rham; where only lengths are known, numbers are
     /// 0-forms. Throws like SiteValues::at and de_rham; InvalidInput for a wrong number of
     /// coefficients, other than N over `degree`, and if there are no such forms.
-    Cochain on(const Discretization& mesh, Side side, int degree, double time = 0) const;
+    Vector on(const Discretization& mesh, Side side, int degree, double time = 0) const;
 
     /// The values on essential facets, as for an Unknown. Throws likewise; InvalidInput for dual
     /// forms of a degree above 0.

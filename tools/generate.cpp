@@ -85,25 +85,6 @@ void add_surface(CLI::App& generate, const Surface& surface) {
     }
 }
 
-struct Generated : Answer {
-    std::string out;
-    Eigen::Index points = 0, simplices = 0;
-    int dimension = 0, ambient_dimension = 0;
-
-    void write(JsonWriter& json) const override {
-        json.member("out", out);
-        json.member("points", points);
-        json.member("simplices", simplices);
-        json.member("dimension", dimension);
-        json.member("ambient_dimension", ambient_dimension);
-    }
-
-    void write(Text& text) const override {
-        text("{}: {} points, {} simplices of dimension {}\n", printable(out), points, simplices,
-             dimension);
-    }
-};
-
 } // namespace
 
 CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
@@ -136,13 +117,18 @@ void write_generated(const std::filesystem::path& out, const Mesh& mesh, Log& lo
         write_page(out, draw_page(cells, out.stem().string()), log);
     } else
         write_mesh(out, mesh);
-    Generated answer;
-    answer.out = out.string();
-    answer.points = mesh.points.rows();
-    answer.simplices = mesh.simplices.rows();
-    answer.dimension = mesh.dimension();
-    answer.ambient_dimension = mesh.ambient_dimension();
-    tell(answer, log, options);
+    const auto members = [&](JsonWriter& json) {
+        json.member("out", out.string());
+        json.member("points", mesh.points.rows());
+        json.member("simplices", mesh.simplices.rows());
+        json.member("dimension", mesh.dimension());
+        json.member("ambient_dimension", mesh.ambient_dimension());
+    };
+    const auto words = [&](Text& text) {
+        text("{}: {} points, {} simplices of dimension {}\n", printable(out.string()),
+             mesh.points.rows(), mesh.simplices.rows(), mesh.dimension());
+    };
+    tell({members, words}, log, options);
 }
 
 void add_generate(CLI::App& app) {

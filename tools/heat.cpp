@@ -9,7 +9,6 @@
 #include "tools/conditions.h"
 #include "tools/form_values.h"
 #include "tools/in_time.h"
-#include "tools/messages.h"
 #include "tools/picture.h"
 
 #include <fmt/format.h>
@@ -57,7 +56,7 @@ struct Heat {
     std::optional<FormValues> source, boundary, flux;
 };
 
-struct Cooled : Answer {
+struct Cooled {
     Side side;
     int degree;
     TimeSteps steps;
@@ -91,7 +90,7 @@ struct Cooled : Answer {
             relative_norm = part_of(*now, *before);
     }
 
-    void write(JsonWriter& json) const override {
+    void write(JsonWriter& json) const {
         json.member("side", name(side));
         json.member("degree", degree);
         write_time(json, steps, ran);
@@ -108,7 +107,7 @@ struct Cooled : Answer {
         write_stars(json, stars);
     }
 
-    void write(Text& text) const override {
+    void write(Text& text) const {
         text("heat equation for {} {}-forms, {}\n", name(side), degree, in_words(steps, ran));
         if (!has_equal_steps)
             text(
@@ -121,36 +120,28 @@ struct Cooled : Answer {
     }
 };
 
-/// A value at each time; the same one where an expression does not use the time, none without one.
-std::function<Vector(double)> in_time(const std::optional<FormValues>& values,
-                                      std::function<Vector(double)> at) {
-    if (values && values->uses_time())
-        return at;
-    return [value = values ? at(0) : Vector()](double) { return value; };
-}
-
 /// By equal steps, or from frame to frame by as many as the tolerance asks for.
 Evolution run_of(const Heat& heat, const TimeSteps& steps) {
-    const Side side = heat.start.side;
-    const int degree = heat.start.degree;
-    const Discretization& mesh = heat.mesh;
+    // the same value at all times where an expression does not use the time, none without one
+    const auto in_time = [&heat](const std::optional<FormValues>& values,
+                                 auto member) -> std::function<Vector(double)> {
+        const auto at = [&heat, given = &values, member](double t) {
+            return ((**given).*member)(heat.mesh, heat.start.side, heat.start.degree, t);
+        };
+        if (values && values->uses_time())
+            return at;
+        return [value = values ? at(0) : Vector()](double) { return value; };
+    };
     Unknown unknown{.space = heat.space, .start = heat.start.values, .diffusion = 1};
     if (heat.boundary || heat.flux)
-        unknown.boundary = [values = in_time(heat.boundary,
-                                             [&, side, degree](double t) {
-                                                 return heat.boundary->on_boundary(mesh, side,
-                                                                                   degree, t);
-                                             }),
-                            flow = in_time(heat.flux, [&, side, degree](double t) {
-                                return heat.flux->through_boundary(mesh, side, degree, t);
-                            })](double t) {
+        unknown.boundary = [values = in_time(heat.boundary, &FormValues::on_boundary),
+                            flow = in_time(heat.flux, &FormValues::through_boundary)](double t) {
             return BoundaryForms{.values = values(t), .derivative_flow = flow(t)};
         };
     Reaction reaction;
     if (heat.source)
-        reaction = [rate = in_time(heat.source, [&, side, degree](double t) {
-                        return heat.source->on(mesh, side, degree, t).values;
-                    })](double t, const std::vector<Cochain>&) { return std::vector{rate(t)}; };
+        reaction = [rate = in_time(heat.source, &FormValues::on)](
+                       double t, const std::vector<Cochain>&) { return std::vector{rate(t)}; };
     EvolutionOptions options{.integrator = heat.arguments.integrator,
                              .linear_solver = heat.arguments.engine,
                              .label = "data"};
@@ -162,8 +153,6 @@ Evolution run_of(const Heat& heat, const TimeSteps& steps) {
         heat.arguments.has_equal_steps() ? steps.length : heat.arguments.time.time_step;
     if (heat.arguments.tolerance > 0)
         options.steps.relative_tolerance = heat.arguments.tolerance;
-    const Progress progress;
-    progress("factorize");
     return {{unknown}, reaction, options};
 }
 
@@ -182,14 +171,13 @@ void run_heat(HeatArguments arguments) {
     if (!arguments.has_equal_steps())
         time.time_step = 0; // which is the integrator's
     const TimeSteps steps = time_steps(time, time.until / (arguments.has_equal_steps() ? 100 : 1));
-    const Discretization mesh = load_to_draw(arguments.mesh, arguments.time.out, log);
-    const auto space =
-        computed_on(arguments.mesh.mesh, [&] { return asked.space(mesh, side, degree); });
+    const Discretization mesh = load(arguments.mesh, log, arguments.time.out);
+    const FormSpace space = asked.space(mesh, side, degree, log.mesh);
     space.require_use({.values = arguments.boundary.empty() ? "" : "--boundary-values",
                        .flow = arguments.flux.empty() ? "" : "--flux"});
     const Heat heat{arguments,
                     mesh,
-                    initial.on(mesh, side, degree),
+                    {side, degree, initial.on(mesh, side, degree)},
                     space,
                     std::move(source),
                     std::move(boundary),
@@ -197,17 +185,14 @@ void run_heat(HeatArguments arguments) {
     log.timing.begin("solve");
     const std::string words =
         space.in_words({.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
-    PageText text;
-    text.title = fmt::format("{}: heat", arguments.mesh.mesh.filename().string());
-    text.facts = {fmt::format("du/dt = -Delta u{} of a {} {}-form, u = {} at the time 0",
-                              heat.source ? " + " + arguments.source : "", name(side), degree,
-                              arguments.initial),
-                  words, in_words(mesh.chosen_stars())};
-    const March march{"heat", in_page(std::move(text), log), steps, [](const Run& now) {
-                          return std::vector{NamedForm("u", now.form(0), "the heat")};
-                      }};
-    auto run = computed_on(arguments.mesh.mesh, [&] { return run_of(heat, steps); });
-    const Ran ran = march_to_end(run, march, arguments.time, arguments.mesh.mesh, mesh);
+    const std::string equation = fmt::format(
+        "du/dt = -Delta u{} of a {} {}-form, u = {} at the time 0",
+        heat.source ? " + " + arguments.source : "", name(side), degree, arguments.initial);
+    const March march{
+        "heat", page_of(log, "heat", {equation, words, in_words(mesh.chosen_stars())}), steps,
+        [](const Run& now) { return std::vector{NamedForm("u", now.form(0), "the heat")}; }};
+    auto run = computed(log, "factorize", [&] { return run_of(heat, steps); });
+    const Ran ran = march_to_end(run, march, arguments.time, mesh, log);
     tell(Cooled(heat, steps, ran, words, run), log, arguments.mesh.tell);
 }
 

@@ -7,7 +7,6 @@
 #include "tools/common.h"
 #include "tools/conditions.h"
 #include "tools/form_values.h"
-#include "tools/messages.h"
 #include "tools/picture.h"
 
 #include <fmt/format.h>
@@ -28,7 +27,7 @@ struct HodgeArguments {
 };
 
 /// L2 norms, in the units of the file; none that are no numbers there.
-struct Divided : Answer {
+struct Divided {
     Side side = Side::primal;
     int degree = 0;
     std::optional<double> form, exact, coexact, harmonic;
@@ -37,7 +36,7 @@ struct Divided : Answer {
 
     explicit Divided(const ChosenStars& chosen) : stars(chosen) {}
 
-    void write(JsonWriter& json) const override {
+    void write(JsonWriter& json) const {
         json.member("side", name(side));
         json.member("degree", degree);
         json.object("norms", [&] {
@@ -50,7 +49,7 @@ struct Divided : Answer {
         write_stars(json, stars);
     }
 
-    void write(Text& text) const override {
+    void write(Text& text) const {
         text("Hodge decomposition of a {} {}-form\n", name(side), degree);
         text("  {}\n  {}\n", conditions, in_words(stars));
         text("  L2 norms: form {}, exact {}, coexact {}, harmonic {}\n", in_digits(form),
@@ -60,17 +59,17 @@ struct Divided : Answer {
 
 void draw(const HodgeArguments& arguments, const Discretization& mesh, const Cochain& form,
           const HodgeParts& parts, const Divided& answer, const Log& log) {
-    PageText text;
-    text.title = fmt::format("{}: Hodge decomposition", arguments.mesh.mesh.filename().string());
-    text.facts = {fmt::format("The {} {}-form {} is the sum of three, orthogonal to each other",
-                              name(form.side), form.degree, arguments.form),
-                  answer.conditions, in_words(answer.stars)};
-    write_picture(arguments.picture, mesh,
-                  {{"form", form, "the form that is split"},
-                   {"exact", parts.exact, "d of a form"},
-                   {"coexact", parts.coexact, "the codifferential of a form"},
-                   {"harmonic", parts.harmonic, "neither, from the topology"}},
-                  std::move(text), {}, log);
+    const std::string sum =
+        fmt::format("The {} {}-form {} is the sum of three, orthogonal to each other",
+                    name(form.side), form.degree, arguments.form);
+    write_picture(
+        arguments.picture, mesh,
+        {{"form", form, "the form that is split"},
+         {"exact", parts.exact, "d of a form"},
+         {"coexact", parts.coexact, "the codifferential of a form"},
+         {"harmonic", parts.harmonic, "neither, from the topology"}},
+        page_of(log, "Hodge decomposition", {sum, answer.conditions, in_words(answer.stars)}), {},
+        log);
 }
 
 void run_hodge(const HodgeArguments& arguments) {
@@ -78,17 +77,14 @@ void run_hodge(const HodgeArguments& arguments) {
     const FormValues given("--form", arguments.form);
     const ConditionValues asked(arguments.conditions);
     check_picture(arguments.picture);
-    const Discretization mesh = load_to_draw(arguments.mesh, arguments.picture.out, log);
-    Cochain form = given.on(mesh, arguments.side, arguments.degree);
-    const auto space = computed_on(
-        arguments.mesh.mesh, [&] { return asked.space(mesh, arguments.side, arguments.degree); });
+    const Discretization mesh = load(arguments.mesh, log, arguments.picture.out);
+    Cochain form{arguments.side, arguments.degree,
+                 given.on(mesh, arguments.side, arguments.degree)};
+    const FormSpace space = asked.space(mesh, arguments.side, arguments.degree, log.mesh);
     log.timing.begin("solve");
     form.values = space.extend(space.restrict(form.values));
-    const HodgeParts parts = computed_on(arguments.mesh.mesh, [&] {
-        const Progress progress;
-        progress("solve");
-        return hodge_decomposition(space, form, arguments.engine);
-    });
+    const HodgeParts parts =
+        computed(log, "solve", [&] { return hodge_decomposition(space, form, arguments.engine); });
     const auto norm_of = [&](const Cochain& part) {
         const Cochain kept{part.side, part.degree, space.restrict(part.values)};
         return in_range([&] { return norm(space.inside(), kept); });

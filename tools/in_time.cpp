@@ -107,7 +107,7 @@ TimeSteps time_steps(const TimeArguments& arguments, double length) {
 }
 
 Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,
-                 const std::filesystem::path& file, const Discretization& mesh) {
+                 const Discretization& mesh, const Log& log) {
     const Index steps = march.steps.count, frames = std::min(arguments.frames, steps);
     std::vector<double> times;
     for (Index frame = 0; frame <= frames; ++frame)
@@ -131,10 +131,10 @@ Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,
     remaining.emplace(march.what, begin, arguments.until);
     std::optional<Series> series;
     if (!arguments.out.empty())
-        series.emplace(arguments.out, mesh, march.text,
+        series.emplace(arguments.out, mesh, in_page(march.text, log),
                        std::vector(times.begin(), times.begin() + to_come.passed()),
                        run.fingerprint().value_or(polydec::Fingerprint()).value());
-    while (computed_on(file, [&] { return to_come.next(); }))
+    while (computed_on(log.mesh, [&] { return to_come.next(); }))
         if (series)
             series->add(times[to_come.passed() - 1], march.shown(run));
     if (signals && signals->asked())

@@ -58,9 +58,9 @@ struct Ran {
 
 /// Marches to the end and writes the requested frames and a checkpoint after each; see march of the
 /// library. If there is a checkpoint, it is saved before a stop signal ends the program. Errors
-/// name the mesh file.
+/// name the log's mesh file.
 Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,
-                 const std::filesystem::path& file, const Discretization& mesh);
+                 const Discretization& mesh, const Log& log);
 
 /// A number over its initial value; none if that was 0.
 std::optional<double> part_of(double now, double before);

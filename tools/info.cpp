@@ -162,7 +162,7 @@ void write_laplacians(Text& text, const Diagnosis& facts, StarKind stars) {
     }
 }
 
-struct Info : Answer {
+struct Info {
     std::string mesh;
     Diagnosis facts;
     ChosenStars stars;
@@ -170,12 +170,12 @@ struct Info : Answer {
     Info(std::string name, Diagnosis found, ChosenStars chosen)
         : mesh(std::move(name)), facts(std::move(found)), stars(std::move(chosen)) {}
 
-    void write(JsonWriter& json) const override {
+    void write(JsonWriter& json) const {
         write_diagnosis(json, facts, advice_in_words(facts));
         polydec::write_stars(json, stars);
     }
 
-    void write(Text& text) const override {
+    void write(Text& text) const {
         text("{}\n", printable(mesh));
         write_cells(text, facts);
         write_topology(text, facts);
@@ -207,7 +207,7 @@ void run(const InfoArguments& arguments) {
     Log log;
     if (!arguments.out.empty())
         check_output_file(arguments.out, and_pages({}));
-    const Discretization mesh = load_to_draw(arguments.mesh, arguments.out, log);
+    const Discretization mesh = load(arguments.mesh, log, arguments.out);
     const Info answer(arguments.mesh.mesh.string(),
                       diagnose(mesh, [&](std::string_view stage) { log.timing.begin(stage); }),
                       mesh.chosen_stars());

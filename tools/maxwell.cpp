@@ -6,7 +6,6 @@
 #include "tools/conditions.h"
 #include "tools/expression.h"
 #include "tools/form_values.h"
-#include "tools/messages.h"
 #include "tools/picture.h"
 #include "tools/wave_answer.h"
 
@@ -104,7 +103,7 @@ WaveWords words_of(const MaxwellArguments& arguments) {
     if (!arguments.current.empty())
         equation += fmt::format(", J = ({}) times {}", arguments.current, arguments.pulse);
     return {"maxwell",
-            fmt::format("{}: Maxwell's equations", arguments.mesh.mesh.filename().string()),
+            "Maxwell's equations",
             equation,
             "E",
             "the electric field",
@@ -125,7 +124,7 @@ void run_maxwell(const MaxwellArguments& arguments) {
     const FormValues& first = initial ? *initial : *current;
     check_time(arguments.time);
 
-    const Discretization empty = load_to_draw(arguments.mesh, arguments.time.out, log);
+    const Discretization empty = load(arguments.mesh, log, arguments.time.out);
     const Filling filling(empty, arguments, material);
     const auto on_cells = [&](const FormValues& values) {
         return values.on(empty, arguments.side, arguments.degree);
@@ -133,21 +132,21 @@ void run_maxwell(const MaxwellArguments& arguments) {
     WaveOptions options{.loss = filling.loss()};
     if (arguments.layer_width > 0)
         options.layer = {filling.filled(), arguments.layer_width, arguments.layer};
-    const auto space = computed_on(arguments.mesh.mesh, [&] {
+    const auto space = computed_on(log.mesh, [&] {
         return FormSpace(filling.filled(), arguments.side, arguments.degree,
                          asked.on(empty).value_or(BoundaryConditions{}));
     });
-    Vector start = on_cells(first).values;
+    Vector start = on_cells(first);
     if (!initial)
         start.setZero();
     if (current) {
         pulse.of_label(0); // which there must be
-        const Vector source = filling.source(on_cells(*current).values);
+        const Vector source = filling.source(on_cells(*current));
         options.source = [=, &pulse](double t) { return Vector(pulse.of_label(t) * source); };
         options.label =
             fmt::format("{} of {:x}", arguments.pulse, polydec::Fingerprint().add(source).value());
     }
-    answer_waves(words_of(arguments), filling.filled(), space, start, options, arguments.mesh,
+    answer_waves(words_of(arguments), filling.filled(), space, start, options, arguments.mesh.tell,
                  arguments.time, log);
 }
 

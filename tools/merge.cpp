@@ -47,7 +47,7 @@ void run_merge(const MergeArguments& arguments) {
     log.timing.begin("write");
     write_merged(arguments, mesh, log);
     const int n = mesh.dimension();
-    tell(Merged(out.string(), n, mesh.input().size(n), mesh.complex().size(n)), log,
+    tell(merged(out.string(), n, mesh.input().size(n), mesh.complex().size(n)), log,
          arguments.mesh.tell);
 }
 

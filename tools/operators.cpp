@@ -182,7 +182,7 @@ void run_operators(const OperatorsArguments& arguments) {
     write_manifest(folder.path(),
                    {"operators", files, arguments.mesh, mesh.dimension(), log.warnings});
     folder.commit();
-    tell(Operators(arguments.out.string(), mesh.dimension()), log, arguments.mesh.tell);
+    tell(operators(arguments.out.string(), mesh.dimension()), log, arguments.mesh.tell);
 }
 
 } // namespace

@@ -70,10 +70,6 @@ void set_command_text(int argc, const char* const* argv) {
         text += " " + quoted(argv[i]);
 }
 
-const std::string& command_text() {
-    return kept_command();
-}
-
 void add_page_options(CLI::App& command) {
     command
         .add_option_function<std::string>(
@@ -136,8 +132,15 @@ void check_picture(const PictureArguments& picture) {
     check_float32(picture);
 }
 
+PageText page_of(const Log& log, const std::string& what, std::vector<std::string> facts) {
+    PageText text;
+    text.title = fmt::format("{}: {}", log.mesh.filename().string(), what);
+    text.facts = std::move(facts);
+    return text;
+}
+
 PageText in_page(PageText text, const Log& log) {
-    text.command = command_text();
+    text.command = kept_command();
     text.file = log.mesh;
     text.up = kept_options().up;
     text.length_unit = kept_options().length_unit;

@@ -37,7 +37,6 @@ void check_picture(const PictureArguments& picture);
 
 /// The command line as text, for pages; main sets it once.
 void set_command_text(int argc, const char* const* argv);
-const std::string& command_text();
 
 /// Adds --up and --length-unit, for commands that write a page; in_page applies them.
 void add_page_options(CLI::App& command);
@@ -54,6 +53,9 @@ std::vector<const char*> and_pages(std::vector<const char*> extensions);
 void write_picture(const PictureArguments& to, const Discretization& mesh,
                    const std::vector<NamedForm>& forms, PageText text,
                    std::vector<VtuArray> numbers, const Log& log, const Mesh& lines = {});
+
+/// Text about the log's mesh file: what is shown of it, for the title, and facts.
+PageText page_of(const Log& log, const std::string& what, std::vector<std::string> facts);
 
 /// The text with the log's mesh file and warnings, the command line, and the page options.
 PageText in_page(PageText text, const Log& log);

@@ -11,7 +11,6 @@
 #include "tools/conditions.h"
 #include "tools/expression.h"
 #include "tools/form_values.h"
-#include "tools/messages.h"
 #include "tools/picture.h"
 #include "tools/poisson_answer.h"
 
@@ -66,11 +65,11 @@ Errors errors(const Discretization& mesh, Side side, const Vector& difference) {
 void draw(const Discretization& mesh, const PoissonArguments& arguments, const Vector& values,
           const Solved& answer, const Log& log) {
     const auto side = arguments.side;
-    PageText text;
-    text.title = fmt::format("{}: Poisson problem", arguments.mesh.mesh.filename().string());
-    text.facts = {fmt::format("Delta u = f with f = {}", arguments.rhs), answer.conditions,
-                  fmt::format("u from {:.10g} to {:.10g}; residual {:.2e} with {}", answer.min,
-                              answer.max, answer.report.residual, answer.report.engine)};
+    PageText text =
+        page_of(log, "Poisson problem",
+                {fmt::format("Delta u = f with f = {}", arguments.rhs), answer.conditions,
+                 fmt::format("u from {:.10g} to {:.10g}; residual {:.2e} with {}", answer.min,
+                             answer.max, answer.report.residual, answer.report.engine)});
     const NamedForm u("u", {side, 0, values},
                       fmt::format("the solution, a {} 0-form, in units of length^2*f{}", name(side),
                                   arguments.conductivity.empty() ? "" : "/conductivity"));
@@ -125,13 +124,13 @@ void run_poisson(PoissonArguments arguments) {
     check_picture(arguments.picture);
     if (arguments.picture.isolines > 0 && arguments.side == Side::dual)
         throw InvalidInput("--isolines need values at vertices: use --side primal");
-    const Discretization mesh = load_to_draw(arguments.mesh, arguments.picture.out, log);
+    const Discretization mesh = load(arguments.mesh, log, arguments.picture.out);
     const CellData conductivity =
         data.conductivity ? cell_values(mesh, *data.conductivity) : CellData();
-    const auto cells = computed_on(arguments.mesh.mesh, [&] {
+    const auto cells = computed_on(log.mesh, [&] {
         return data.conductivity ? with_conductivity(mesh, arguments.side, conductivity) : mesh;
     });
-    const auto space = computed_on(arguments.mesh.mesh, [&] {
+    const auto space = computed_on(log.mesh, [&] {
         return FormSpace(cells, arguments.side, 0,
                          data.conditions.on(mesh).value_or(BoundaryConditions{}));
     });
@@ -152,13 +151,8 @@ void run_poisson(PoissonArguments arguments) {
         h = data.flux.at(facet_sites(cells));
         known.derivative_flow = outward_flow(cells, arguments.side, h);
     }
-    const PoissonSolver solver = computed_on(arguments.mesh.mesh, [&] {
-        const Progress progress;
-        progress("solve");
-        return PoissonSolver(space, arguments.engine);
-    });
-    const auto solution = computed_on(arguments.mesh.mesh, [&] {
-        return solver.solve({arguments.side, 0, f}, known);
+    const auto solution = computed(log, "solve", [&] {
+        return PoissonSolver(space, arguments.engine).solve({arguments.side, 0, f}, known);
     });
     const Vector& u = solution.form.values;
     log.warn(solution.warnings);

@@ -18,7 +18,7 @@ struct Errors {
 };
 
 /// The reported solution of a Poisson problem, from one process or several.
-struct Solved : Answer {
+struct Solved {
     Side side = Side::primal;
     const char* boundary = "";
     std::string conditions; ///< in words
@@ -32,8 +32,8 @@ struct Solved : Answer {
     ChosenStars stars;
 
     explicit Solved(const ChosenStars& chosen) : stars(chosen) {}
-    void write(JsonWriter& json) const override;
-    void write(Text& text) const override;
+    void write(JsonWriter& json) const;
+    void write(Text& text) const;
 };
 
 } // namespace polydec::tools

@@ -36,8 +36,8 @@ std::string check_levels(const std::string& text) {
     return good ? "" : fmt::format("expected a number from 1 to 20, not '{}'", text);
 }
 
-struct List : Answer {
-    void write(JsonWriter& json) const override {
+struct List {
+    void write(JsonWriter& json) const {
         json.array("reproductions", [&] {
             for (const auto& each : paper::reproductions())
                 json.object([&] {
@@ -47,14 +47,14 @@ struct List : Answer {
         });
     }
 
-    void write(Text& text) const override {
+    void write(Text& text) const {
         for (const auto& each : paper::reproductions())
             text("{:<9} {}\n", each.name, each.summary);
     }
 };
 
 /// What was made, one or all, and where its files are.
-struct Reports : Answer {
+struct Reports {
     struct Made {
         paper::Report report;
         std::vector<std::filesystem::path> files;
@@ -62,7 +62,7 @@ struct Reports : Answer {
     std::vector<Made> made;
     bool all = false;
 
-    void write(JsonWriter& json) const override {
+    void write(JsonWriter& json) const {
         if (!all)
             return paper::write(json, made.front().report);
         json.array("reports", [&] {
@@ -71,7 +71,7 @@ struct Reports : Answer {
         });
     }
 
-    void write(Text& text) const override {
+    void write(Text& text) const {
         const char* separator = "";
         for (const auto& [report, files] : made) {
             text("{}{}", separator, paper::to_text(report));

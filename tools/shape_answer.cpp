@@ -35,7 +35,7 @@ void ShapeEigenvalues::write(JsonWriter& json) const {
             json.member("at_least", spectrum.count.at_least);
             json.member("at_most", spectrum.count.at_most);
         });
-        json.member(dimension == 2 ? "triangles" : "simplices", spectrum.simplices);
+        json.member(kind(), spectrum.simplices);
         json.member("flips", flips);
         json.member("level", level);
         json.member("factorizations", spectrum.factorizations);
@@ -48,8 +48,7 @@ void ShapeEigenvalues::write(Text& text) const {
     text("Laplacian of {} on the shape itself, {} smallest eigenvalues\n"
          "{} {} after {} flips\n{}\n\n{:>5}  {:>16}  {:>16}  {:>9}\n",
          degree == 0 ? "functions" : fmt::format("{}-forms", degree), spectrum.upper.size(),
-         spectrum.simplices, dimension == 2 ? "triangles" : "simplices", flips, conditions, "",
-         "at least", "at most", "width");
+         spectrum.simplices, kind(), flips, conditions, "", "at least", "at most", "width");
     const Vector wide = widths(spectrum);
     for (Index i = 0; i < spectrum.upper.size(); ++i)
         if (i < spectrum.zeros)
@@ -61,7 +60,7 @@ void ShapeEigenvalues::write(Text& text) const {
 }
 
 void ShapeCounts::write(JsonWriter& json) const {
-    json.member("degree", options.degree);
+    json.member("degree", degree);
     json.object("shape", [&] {
         json.array("counts", [&] {
             for (std::size_t i = 0; i < below.size(); ++i)
@@ -71,9 +70,9 @@ void ShapeCounts::write(JsonWriter& json) const {
                     json.member("at_most", counts[i].at_most);
                 });
         });
-        json.member(dimension == 2 ? "triangles" : "simplices", simplices);
+        json.member(kind(), simplices);
         json.member("flips", flips);
-        json.member("level", options.level);
+        json.member("level", level);
     });
     json.member("conditions", conditions);
     json.member("seconds", seconds);
@@ -81,8 +80,8 @@ void ShapeCounts::write(JsonWriter& json) const {
 
 void ShapeCounts::write(Text& text) const {
     text("Laplacian of {} on the shape itself\n{} {} after {} flips\n{}\n\n",
-         options.degree == 0 ? "functions" : fmt::format("{}-forms", options.degree), simplices,
-         dimension == 2 ? "triangles" : "simplices", flips, conditions);
+         degree == 0 ? "functions" : fmt::format("{}-forms", degree), simplices, kind(), flips,
+         conditions);
     for (std::size_t i = 0; i < below.size(); ++i)
         text("proved: {} eigenvalues of the shape lie below {:.8g}\n", number_in_words(counts[i]),
              below[i]);

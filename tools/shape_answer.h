@@ -9,40 +9,32 @@
 
 namespace polydec::tools {
 
-/// The reported spectrum of a shape.
-struct ShapeEigenvalues : Answer {
-    const ShapeSpectrum& spectrum;
-    int degree, level;
+/// What answers about a shape have in common.
+struct ShapeFacts {
+    int degree, level, dimension;
     Index flips;
-    int dimension;
-    std::string conditions; ///< on the boundary, in words
-    double seconds;
-
-    ShapeEigenvalues(const ShapeSpectrum& found, const ShapeSpectrumOptions& options,
-                     const Shape& shape, Index flipped, std::string words, double took)
-        : spectrum(found),
-          degree(options.degree),
-          level(options.level),
-          flips(flipped),
-          dimension(shape.pieces.dimension()),
-          conditions(std::move(words)),
-          seconds(took) {}
-    void write(JsonWriter& json) const override;
-    void write(Text& text) const override;
-};
-
-/// The reported counts of a shape's eigenvalues.
-struct ShapeCounts : Answer {
-    std::vector<double> below;
-    std::vector<CountBelow> counts; ///< one per bound
-    CountOptions options = {};
-    Index simplices = 0, flips = 0;
-    int dimension = 0;
     std::string conditions; ///< on the boundary, in words
     double seconds = 0;
 
-    void write(JsonWriter& json) const override;
-    void write(Text& text) const override;
+    const char* kind() const { return dimension == 2 ? "triangles" : "simplices"; }
+};
+
+/// The reported spectrum of a shape.
+struct ShapeEigenvalues : ShapeFacts {
+    const ShapeSpectrum& spectrum;
+
+    void write(JsonWriter& json) const;
+    void write(Text& text) const;
+};
+
+/// The reported counts of a shape's eigenvalues.
+struct ShapeCounts : ShapeFacts {
+    std::vector<double> below;
+    std::vector<CountBelow> counts; ///< one per bound
+    Index simplices;
+
+    void write(JsonWriter& json) const;
+    void write(Text& text) const;
 };
 
 } // namespace polydec::tools

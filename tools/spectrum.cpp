@@ -13,7 +13,6 @@
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/conditions.h"
-#include "tools/messages.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
 #include "tools/shape_answer.h"
@@ -21,7 +20,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -110,9 +108,8 @@ void run_spectrum(SpectrumArguments arguments) {
     check_picture(arguments.picture);
     if (!arguments.checkpoint.empty())
         check_output_file(arguments.checkpoint, {".checkpoint"});
-    const Discretization mesh = load_to_draw(arguments.mesh, arguments.picture.out, log);
-    const auto space = computed_on(
-        arguments.mesh.mesh, [&] { return asked.space(mesh, arguments.side, arguments.degree); });
+    const Discretization mesh = load(arguments.mesh, log, arguments.picture.out);
+    const FormSpace space = asked.space(mesh, arguments.side, arguments.degree, log.mesh);
     check_cost(space, arguments.spectrum.count);
     std::optional<Index> resumed;
     if (!arguments.checkpoint.empty()) {
@@ -123,18 +120,16 @@ void run_spectrum(SpectrumArguments arguments) {
         arguments.spectrum.found = [modes](const DenseMatrix& found) { modes.write(found); };
     }
     log.timing.begin("solve");
-    const auto since = std::chrono::steady_clock::now();
-    auto result = computed_on(arguments.mesh.mesh, [&] {
+    auto result = computed_on(log.mesh, [&] {
         const Progress progress;
         arguments.spectrum.progress = [&](std::string_view what) { progress(what); };
         if (!arguments.certify)
             arguments.spectrum.certification = Certification::waived;
         return spectrum(space, arguments.spectrum);
     });
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
-
+    const double seconds = log.timing.end();
     log.warn(result.warnings);
-    Eigenvalues answer(result, space.in_words(), mesh.chosen_stars(), seconds.count());
+    Eigenvalues answer(result, space.in_words(), mesh.chosen_stars(), seconds);
     answer.resumed = resumed;
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
@@ -154,7 +149,6 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
     const std::string words =
         in_words(boundary_counts(mesh.complex(), boundary), arguments.degree, mesh.dimension());
     log.timing.begin("solve");
-    const auto since = std::chrono::steady_clock::now();
     ShapeSpectrumOptions& options = arguments.shape;
     options.degree = arguments.degree;
     options.count = arguments.spectrum.count;
@@ -162,34 +156,28 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
     options.eigen_solver = arguments.spectrum.eigen_solver;
     const FlippedShape shape = flipped(shape_of(mesh, boundary));
     const Index before = mesh.passage().is_identity() ? 0 : mesh.passage().flips().statistics.flips;
-    const auto seconds_since = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
-    };
+    const int n = mesh.dimension();
+    const ShapeFacts facts{options.degree, options.level, n, before + shape.flips, words};
     if (!arguments.below.empty()) {
-        ShapeCounts answer;
-        answer.below = arguments.below;
-        answer.options = {options.degree, options.level, options.linear_solver};
-        answer.simplices = shape.shape.pieces.size(mesh.dimension());
-        answer.flips = before + shape.flips;
-        answer.dimension = mesh.dimension();
-        answer.conditions = words;
+        ShapeCounts answer{facts, arguments.below, {}, shape.shape.pieces.size(n)};
+        const CountOptions counting{options.degree, options.level, options.linear_solver};
         for (const double s : arguments.below) {
             answer.counts.push_back(computed_on(
-                arguments.mesh.mesh, [&] { return count_below(shape.shape, s, answer.options); }));
+                arguments.mesh.mesh, [&] { return count_below(shape.shape, s, counting); }));
             log.warn(answer.counts.back().warnings);
         }
-        answer.seconds = seconds_since();
+        answer.seconds = log.timing.end();
         return tell(answer, log, arguments.mesh.tell);
     }
-    const auto found = computed_on(arguments.mesh.mesh, [&] {
+    const auto found = computed_on(log.mesh, [&] {
         const Progress progress;
         options.progress = [&](std::string_view what) { progress(what); };
         return shape_spectrum(shape.shape, options);
     });
-    const double seconds = seconds_since();
+    ShapeEigenvalues answer{facts, found};
+    answer.seconds = log.timing.end();
     log.warn(found.warnings);
-    tell(ShapeEigenvalues(found, options, shape.shape, before + shape.flips, words, seconds), log,
-         arguments.mesh.tell);
+    tell(answer, log, arguments.mesh.tell);
 }
 
 void add_shape(CLI::App& command, SpectrumArguments& arguments) {

@@ -11,7 +11,7 @@
 namespace polydec::tools {
 
 /// The reported spectrum, from one process or several.
-struct Eigenvalues : Answer {
+struct Eigenvalues {
     const Spectrum& spectrum;
     std::string conditions; ///< on the boundary, in words
     ChosenStars stars;
@@ -20,8 +20,8 @@ struct Eigenvalues : Answer {
 
     Eigenvalues(const Spectrum& found, std::string words, const ChosenStars& chosen, double took)
         : spectrum(found), conditions(std::move(words)), stars(chosen), seconds(took) {}
-    void write(JsonWriter& json) const override;
-    void write(Text& text) const override;
+    void write(JsonWriter& json) const;
+    void write(Text& text) const;
 };
 
 } // namespace polydec::tools

@@ -26,21 +26,19 @@ struct ViewArguments {
     std::filesystem::path out;
 };
 
-struct Viewed : Answer {
-    std::string out;
-    std::uintmax_t bytes = 0;
-    std::size_t pages = 1, cells = 0, fields = 0;
-
-    void write(JsonWriter& json) const override {
+/// What was written: so many pages, or one with so many cells and fields.
+void tell_written(const ViewArguments& arguments, std::size_t pages, std::size_t cells,
+                  std::size_t fields, Log& log) {
+    const std::string out = arguments.out.string();
+    const auto members = [&](JsonWriter& json) {
         json.member("out", out);
-        json.member("bytes", bytes);
+        json.member("bytes", std::filesystem::file_size(arguments.out));
         json.member("pages", pages);
         json.member("cells", cells);
         json.member("fields", fields);
-    }
-
-    void write(Text& text) const override { text("{}\n", printable(out)); }
-};
+    };
+    tell({members, [&](Text& text) { text("{}\n", printable(out)); }}, log, arguments.mesh.tell);
+}
 
 /// Throws InvalidInput for an option that was given besides these, which apply to such a file.
 void require_use(const ViewArguments& arguments, const char* kind,
@@ -92,11 +90,7 @@ void bind_pages(const ViewArguments& arguments) {
     check_output_file(arguments.out, {".html"});
     log.timing.begin("write");
     write_album(arguments.out, arguments.out.stem().string(), pages);
-    Viewed answer;
-    answer.out = arguments.out.string();
-    answer.bytes = std::filesystem::file_size(arguments.out);
-    answer.pages = pages.size();
-    tell(answer, log, arguments.mesh.tell);
+    tell_written(arguments, pages.size(), 0, 0, log);
 }
 
 void run_view(ViewArguments arguments) {
@@ -124,13 +118,10 @@ void run_view(ViewArguments arguments) {
     }
     page.text.title = file.filename().string();
     log.timing.begin("write");
-    Viewed answer;
-    answer.out = arguments.out.string();
-    answer.cells = page.grid.types.size();
-    answer.fields = page.grid.point_data.size() + page.grid.cell_data.size();
+    const std::size_t cells = page.grid.types.size(),
+                      fields = page.grid.point_data.size() + page.grid.cell_data.size();
     write_page(arguments.out, std::move(page), log);
-    answer.bytes = std::filesystem::file_size(arguments.out);
-    tell(answer, log, arguments.mesh.tell);
+    tell_written(arguments, 1, cells, fields, log);
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 #include "tools/common.h"
 #include "tools/conditions.h"
 #include "tools/form_values.h"
-#include "tools/messages.h"
 #include "tools/picture.h"
 #include "tools/wave_answer.h"
 
@@ -27,20 +26,19 @@ void run_wave(const WaveArguments& arguments) {
     const FormValues initial("--initial", arguments.initial);
     const ConditionValues asked(arguments.conditions);
     check_time(arguments.time);
-    const Discretization mesh = load_to_draw(arguments.mesh, arguments.time.out, log);
+    const Discretization mesh = load(arguments.mesh, log, arguments.time.out);
     const WaveWords words{
         "wave",
-        fmt::format("{}: waves", arguments.mesh.mesh.filename().string()),
+        "waves",
         fmt::format("d2u/dt2 = -delta d u of a {} {}-form, u = {} at rest at the time 0",
                     name(arguments.side), arguments.degree, arguments.initial),
         "u",
         "the wave",
         "v",
         "minus the integral of du over the time, half a step earlier"};
-    const auto space = computed_on(
-        arguments.mesh.mesh, [&] { return asked.space(mesh, arguments.side, arguments.degree); });
-    answer_waves(words, mesh, space, initial.on(mesh, arguments.side, arguments.degree).values, {},
-                 arguments.mesh, arguments.time, log);
+    const FormSpace space = asked.space(mesh, arguments.side, arguments.degree, log.mesh);
+    answer_waves(words, mesh, space, initial.on(mesh, arguments.side, arguments.degree), {},
+                 arguments.mesh.tell, arguments.time, log);
 }
 
 } // namespace

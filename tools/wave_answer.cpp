@@ -3,7 +3,6 @@
 
 #include "dec/fields/flat_and_sharp.h"
 #include "io/diagnosis_json.h"
-#include "tools/messages.h"
 #include "tools/picture.h"
 
 #include <fmt/format.h>
@@ -15,7 +14,7 @@ namespace polydec::tools {
 
 namespace {
 
-struct Swung : Answer {
+struct Swung {
     Side side;
     int degree;
     TimeSteps steps;
@@ -30,7 +29,7 @@ struct Swung : Answer {
 
     explicit Swung(const ChosenStars& chosen) : stars(chosen) {}
 
-    void write(JsonWriter& json) const override {
+    void write(JsonWriter& json) const {
         json.member("side", name(side));
         json.member("degree", degree);
         write_time(json, steps, ran);
@@ -45,7 +44,7 @@ struct Swung : Answer {
         write_stars(json, stars);
     }
 
-    void write(Text& text) const override {
+    void write(Text& text) const {
         text("waves of {} {}-forms, {}\n", name(side), degree, in_words(steps, ran));
         text("  {}\n  {}\n", conditions, in_words(stars));
         if (layer_width > 0)
@@ -70,26 +69,20 @@ std::vector<NamedForm> shown(const WaveWords& words, const Discretization& mesh,
 } // namespace
 
 void answer_waves(const WaveWords& words, const Discretization& mesh, const FormSpace& space,
-                  const Vector& start, WaveOptions options, const MeshArguments& arguments,
+                  const Vector& start, WaveOptions options, const TellOptions& tell_options,
                   const TimeArguments& time, Log& log) {
     log.timing.begin("solve");
     Swung answer(mesh.chosen_stars());
-    const double stable = computed_on(arguments.mesh, [&] {
-        const Progress progress;
-        progress("find the stable step");
-        return stable_step(space);
-    });
+    const double stable = computed(log, "find the stable step", [&] { return stable_step(space); });
     const TimeSteps steps = time_steps(time, part_of_stable_step * stable);
     options.time_step = steps.length;
     Waves run(space, start, options);
     log.warn(run.warnings());
     const std::string conditions = space.in_words();
-    PageText text;
-    text.title = words.title;
-    text.facts = {words.equation, conditions, in_words(answer.stars)};
-    const March march{words.what, in_page(std::move(text), log), steps,
-                      [&](const Run& now) { return shown(words, mesh, now.forms()); }};
-    const Ran ran = march_to_end(run, march, time, arguments.mesh, mesh);
+    const March march{
+        words.what, page_of(log, words.title, {words.equation, conditions, in_words(answer.stars)}),
+        steps, [&](const Run& now) { return shown(words, mesh, now.forms()); }};
+    const Ran ran = march_to_end(run, march, time, mesh, log);
     answer.side = space.side();
     answer.degree = space.degree();
     answer.steps = steps;
@@ -104,7 +97,7 @@ void answer_waves(const WaveWords& words, const Discretization& mesh, const Form
     answer.max = E.maxCoeff();
     answer.energy = in_range([&] { return run.energy(); });
     answer.relative_energy = run.relative_energy();
-    tell(answer, log, arguments.tell);
+    tell(answer, log, tell_options);
 }
 
 } // namespace polydec::tools

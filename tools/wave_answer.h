@@ -21,7 +21,7 @@ struct WaveWords {
 
 /// Marches a wave of a space on a mesh, and answers. Sets only the step of the options.
 void answer_waves(const WaveWords& words, const Discretization& mesh, const FormSpace& space,
-                  const Vector& start, WaveOptions options, const MeshArguments& arguments,
+                  const Vector& start, WaveOptions options, const TellOptions& tell_options,
                   const TimeArguments& time, Log& log);
 
 } // namespace polydec::tools

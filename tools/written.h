@@ -6,51 +6,35 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
 
 /// The reports on files that several processes write as one does.
 namespace polydec::tools {
 
-class Merged : public Answer {
-public:
-    /// The numbers of n-cells before and after merging.
-    Merged(std::string out, int dimension, std::int64_t input, std::int64_t merged)
-        : out_(std::move(out)), dimension_(dimension), input_(input), merged_(merged) {}
+/// With the numbers of n-cells before and after merging.
+inline Answer merged(const std::string& out, int dimension, std::int64_t input,
+                     std::int64_t merged) {
+    return {[=](JsonWriter& json) {
+                json.member("out", out);
+                json.member("dimension", dimension);
+                json.object("cells", [&] {
+                    json.member("input", input);
+                    json.member("merged", merged);
+                });
+            },
+            [=](Text& text) {
+                text("{}: {} cells of dimension {} merged into {}\n", printable(out), input,
+                     dimension, merged);
+            }};
+}
 
-    void write(JsonWriter& json) const override {
-        json.member("out", out_);
-        json.member("dimension", dimension_);
-        json.object("cells", [&] {
-            json.member("input", input_);
-            json.member("merged", merged_);
-        });
-    }
-    void write(Text& text) const override {
-        text("{}: {} cells of dimension {} merged into {}\n", printable(out_), input_, dimension_,
-             merged_);
-    }
-
-private:
-    std::string out_;
-    int dimension_;
-    std::int64_t input_, merged_;
-};
-
-class Operators : public Answer {
-public:
-    Operators(std::string out, int dimension) : out_(std::move(out)), dimension_(dimension) {}
-
-    void write(JsonWriter& json) const override {
-        json.member("out", out_);
-        json.member("dimension", dimension_);
-    }
-    void write(Text& text) const override {
-        text("operators of degrees 0 .. {} written to {}\n", dimension_, printable(out_));
-    }
-
-private:
-    std::string out_;
-    int dimension_;
-};
+inline Answer operators(const std::string& out, int dimension) {
+    return {[=](JsonWriter& json) {
+                json.member("out", out);
+                json.member("dimension", dimension);
+            },
+            [=](Text& text) {
+                text("operators of degrees 0 .. {} written to {}\n", dimension, printable(out));
+            }};
+}
 
 } // namespace polydec::tools

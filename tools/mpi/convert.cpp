@@ -17,33 +17,6 @@ struct ConvertArguments {
     TellOptions tell;
 };
 
-class Converted : public Answer {
-public:
-    Converted(std::string out, const MeshSlice& slice, int ranks)
-        : out_(std::move(out)),
-          dimension_(slice.dimension()),
-          ranks_(ranks),
-          vertices_(slice.vertices),
-          cells_(slice.cells) {}
-
-    void write(JsonWriter& json) const override {
-        json.member("out", out_);
-        json.member("dimension", dimension_);
-        json.member("vertices", vertices_);
-        json.member("cells", cells_);
-        json.object("ranks", [&] { json.member("count", ranks_); });
-    }
-    void write(Text& text) const override {
-        text("{}: {} vertices, {} cells of dimension {}\n", printable(out_), vertices_, cells_,
-             dimension_);
-    }
-
-private:
-    std::string out_;
-    int dimension_, ranks_;
-    GlobalIndex vertices_, cells_;
-};
-
 void run_convert(const Ranks& ranks, const ConvertArguments& arguments) {
     Log log;
     check_output_file(ranks, arguments.out, {".pdm"});
@@ -54,7 +27,19 @@ void run_convert(const Ranks& ranks, const ConvertArguments& arguments) {
     log.warn(slice.warnings);
     log.timing.begin("write");
     write_slice(ranks, arguments.out, slice);
-    tell(Converted(arguments.out.string(), slice, ranks.size()), log, arguments.tell);
+    const std::string out = arguments.out.string();
+    const auto members = [&](JsonWriter& json) {
+        json.member("out", out);
+        json.member("dimension", slice.dimension());
+        json.member("vertices", slice.vertices);
+        json.member("cells", slice.cells);
+        json.object("ranks", [&] { json.member("count", ranks.size()); });
+    };
+    const auto words = [&](Text& text) {
+        text("{}: {} vertices, {} cells of dimension {}\n", printable(out), slice.vertices,
+             slice.cells, slice.dimension());
+    };
+    tell({members, words}, log, arguments.tell);
 }
 
 } // namespace

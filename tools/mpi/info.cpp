@@ -20,7 +20,7 @@ namespace polydec::tools {
 namespace {
 
 /// What `info` tells of a mesh as far as it is known without homology.
-struct SharedInfo : Answer {
+struct SharedInfo {
     std::string mesh;
     int dimension = 0, ambient_dimension = 0;
     BeforeAndAfter<std::vector<GlobalIndex>> cells;
@@ -33,7 +33,7 @@ struct SharedInfo : Answer {
     std::map<GlobalIndex, GlobalIndex> vertices_per_cell;
     GlobalIndex merged_simplices = 0; ///< pieces of cells of several pieces
 
-    void write(JsonWriter& json) const override {
+    void write(JsonWriter& json) const {
         json.member("dimension", dimension);
         json.member("ambient_dimension", ambient_dimension);
         json.object("cells", [&] {
@@ -66,7 +66,7 @@ struct SharedInfo : Answer {
             });
     }
 
-    void write(Text& text) const override {
+    void write(Text& text) const {
         text("{}\ndimension {} in {} coordinates, volume {}\n", printable(mesh), dimension,
              ambient_dimension, in_digits(volume, 6));
         text("cells of degree 0 .. {}\n  input    {}\n  merged   {}\n", dimension,

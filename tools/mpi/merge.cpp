@@ -19,9 +19,10 @@ void run_merge(const Ranks& ranks, const SharedMergeArguments& arguments) {
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     log.begin("write");
     write_pvtu(ranks, arguments.out, mesh, {});
-    const Merged answer(arguments.out.string(), mesh.dimension(), mesh.local.degrees.back().count,
-                        mesh.cells.degrees.back().count);
-    tell(ranks, mesh, answer, log, arguments.mesh.mesh.tell);
+    tell(ranks, mesh,
+         merged(arguments.out.string(), mesh.dimension(), mesh.local.degrees.back().count,
+                mesh.cells.degrees.back().count),
+         log, arguments.mesh.mesh.tell);
 }
 
 } // namespace

@@ -23,7 +23,7 @@ void run_operators(const Ranks& ranks, const SharedOperatorsArguments& arguments
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     log.begin("write");
     log.warn(write_operators(ranks, mesh, arguments.out));
-    tell(ranks, mesh, Operators(arguments.out.string(), mesh.dimension()), log,
+    tell(ranks, mesh, operators(arguments.out.string(), mesh.dimension()), log,
          arguments.mesh.mesh.tell);
 }
 

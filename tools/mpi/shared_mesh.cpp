@@ -23,69 +23,43 @@ struct Effort {
     double most_cpu, mean_cpu; ///< seconds
     GlobalIndex most_sent;     ///< bytes
     GlobalIndex most_memory;   ///< bytes of a rank, at its peak
-    std::vector<StageEffort> stages = {};
-};
+    std::vector<StageEffort> stages;
 
-Effort effort(const Ranks& ranks, const DistributedMesh& mesh) {
-    const auto& tops = mesh.local.degrees.back();
-    const double cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    return {ranks.size(),
-            tops.count,
-            ranks.sum(tops.size()),
-            ranks.largest(cpu),
-            ranks.sum(cpu) / ranks.size(),
-            ranks.largest(ranks.bytes_sent()),
-            ranks.largest(peak_memory())};
-}
-
-/// An answer with what it took.
-class WithEffort : public Answer {
-public:
-    WithEffort(const Answer& answer, Effort effort) : answer_(answer), effort_(std::move(effort)) {}
-
-    void write(JsonWriter& json) const override {
-        answer_.write(json);
+    void write(JsonWriter& json) const {
         json.object("ranks", [&] {
-            json.member("count", effort_.ranks);
-            json.member("cells", effort_.cells);
-            json.member("cells_held", effort_.held);
-            json.member("cpu_seconds", effort_.most_cpu);
-            json.member("mean_cpu_seconds", effort_.mean_cpu);
-            json.member("bytes_sent", effort_.most_sent);
-            json.member("peak_memory", effort_.most_memory);
-            if (!effort_.stages.empty())
+            json.member("count", ranks);
+            json.member("cells", cells);
+            json.member("cells_held", held);
+            json.member("cpu_seconds", most_cpu);
+            json.member("mean_cpu_seconds", mean_cpu);
+            json.member("bytes_sent", most_sent);
+            json.member("peak_memory", most_memory);
+            if (!stages.empty())
                 json.object("stages", [&] { write_stages(json); });
         });
     }
 
-    void write(Text& text) const override {
-        answer_.write(text);
+    void write(Text& text) const {
         text("{} rank{}: {:.1f} % of the cells are held twice; {:.2f} s of CPU, {:.1f} MB sent and "
              "{:.0f} MB of memory at most\n",
-             effort_.ranks, effort_.ranks == 1 ? "" : "s",
-             100.0 * static_cast<double>(effort_.held - effort_.cells) /
-                 static_cast<double>(effort_.cells),
-             effort_.most_cpu, 1e-6 * static_cast<double>(effort_.most_sent),
-             1e-6 * static_cast<double>(effort_.most_memory));
-        if (!effort_.stages.empty())
+             ranks, ranks == 1 ? "" : "s",
+             100.0 * static_cast<double>(held - cells) / static_cast<double>(cells), most_cpu,
+             1e-6 * static_cast<double>(most_sent), 1e-6 * static_cast<double>(most_memory));
+        if (!stages.empty())
             text("\nbusiest rank   CPU, s  sent, MB  memory so far, MB\n");
-        for (const auto& [stage, cpu, sent, memory] : effort_.stages)
+        for (const auto& [stage, cpu, sent, memory] : stages)
             text("  {:<12} {:8.3f} {:9.1f} {:18.0f}\n", stage, cpu,
                  1e-6 * static_cast<double>(sent), 1e-6 * static_cast<double>(memory));
     }
 
-private:
     void write_stages(JsonWriter& json) const {
-        for (const StageEffort& effort : effort_.stages)
+        for (const StageEffort& effort : stages)
             json.object(effort.stage, [&] {
                 json.member("cpu_seconds", effort.cpu);
                 json.member("bytes_sent", effort.sent);
                 json.member("peak_memory", effort.peak_memory);
             });
     }
-
-    const Answer& answer_;
-    Effort effort_;
 };
 
 } // namespace
@@ -161,10 +135,25 @@ BoundaryCounts boundary_counts(const Ranks& ranks, const DistributedMesh& mesh,
 void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, SharedLog& log,
           const TellOptions& options) {
     log.end();
-    Effort took = effort(ranks, mesh);
-    if (options.timing)
-        took.stages = log.busiest();
-    tell(WithEffort(answer, std::move(took)), log, options);
+    const auto& tops = mesh.local.degrees.back();
+    const double cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    const Effort took{ranks.size(),
+                      tops.count,
+                      ranks.sum(tops.size()),
+                      ranks.largest(cpu),
+                      ranks.sum(cpu) / ranks.size(),
+                      ranks.largest(ranks.bytes_sent()),
+                      ranks.largest(peak_memory()),
+                      options.timing ? log.busiest() : std::vector<StageEffort>()};
+    const auto members = [&](JsonWriter& json) {
+        answer.json(json);
+        took.write(json);
+    };
+    const auto words = [&](Text& text) {
+        answer.text(text);
+        took.write(text);
+    };
+    tell({members, words}, log, options);
 }
 
 void check_output_file(const Ranks& ranks, const std::filesystem::path& out,
