@@ -78,12 +78,12 @@ void FormFamily::make_pattern() {
     const auto simplices = static_cast<Index>(reach_.size());
     for (Index s = 0; s < simplices; ++s)
         for (Index i = 0; i < width_; ++i) {
-            const Index row = unknowns_[std::size_t(width_) * s + i];
+            const Index row = unknown(s, i);
             if (row < 0)
                 continue;
             most_summands_ = std::max(most_summands_, ++summands_[row]);
             for (Index j = 0; j < width_; ++j)
-                if (const Index column = unknowns_[std::size_t(width_) * s + j]; column >= 0)
+                if (const Index column = unknown(s, j); column >= 0)
                     places.emplace_back(row, column, 0);
         }
     pattern_ = SparseMatrix(count_, count_);
@@ -95,8 +95,7 @@ void FormFamily::make_pattern() {
     for (Index s = 0; s < simplices; ++s)
         for (Index i = 0; i < width_; ++i)
             for (Index j = 0; j < width_; ++j, ++slot) {
-                const Index row = unknowns_[std::size_t(width_) * s + i];
-                const Index column = unknowns_[std::size_t(width_) * s + j];
+                const Index row = unknown(s, i), column = unknown(s, j);
                 if (row >= 0 && column >= 0)
                     slots_[slot] = static_cast<Index>(
                         std::lower_bound(columns + begins[row], columns + begins[row + 1], column) -
@@ -109,14 +108,11 @@ void FormFamily::make_pattern() {
 void FormFamily::add_local(const Factors& factors_at, Index simplex, double s, DenseMatrix& Q,
                            Vector& sizes, double& error) const {
     const auto factors = factors_at(s, s * reach_[simplex]);
-    const std::size_t entries = std::size_t(width_) * width_;
-    const double* values = values_.data() + entries * parts_ * simplex;
     Q.setZero(width_, width_);
     sizes.setZero(width_ + 1);
-    for (Index p = 0; p < parts_; ++p, values += entries) {
-        const Eigen::Map<const DenseMatrix> part(values, width_, width_);
-        Q += factors[p] * part;
-        sizes.head(width_) += std::abs(factors[p]) * part.diagonal().cwiseAbs();
+    for (Index p = 0; p < parts_; ++p) {
+        Q += factors[p] * part(simplex, p);
+        sizes.head(width_) += std::abs(factors[p]) * part(simplex, p).diagonal().cwiseAbs();
     }
     error = errors_[simplex];
     if (!cells_.empty()) {
@@ -153,9 +149,6 @@ CountedMatrix FormFamily::sum(const Factors& factors, double s) const {
             local_sizes.col(t) = sizes;
         }
     });
-    const auto unknown = [&](Index simplex, Index i) {
-        return unknowns_[std::size_t(width_) * simplex + i];
-    };
     std::size_t slot = 0;
     for (Index t = 0; t < simplices; ++t) {
         result.eliminated += static_cast<Index>(local_sizes(width_, t));
@@ -203,14 +196,12 @@ Vector FormFamily::doubt(Index simplex, double t) const {
 void FormFamily::drop(Index simplex, double s, double t, const Vector& doubt, DenseMatrix& form,
                       double& mass) const {
     const auto at_s = factors_(s, s * reach_[simplex]), at_t = factors_(t, t * reach_[simplex]);
-    const std::size_t entries = std::size_t(width_) * width_;
-    const double* values = values_.data() + entries * parts_ * simplex;
     const double error = width_ * errors_[simplex];
     form.setZero(width_, width_);
-    for (Index p = 0; p < parts_; ++p, values += entries) {
-        const Eigen::Map<const DenseMatrix> part(values, width_, width_);
-        form += (at_s[p] - at_t[p]) * part;
-        form.diagonal() -= error * (std::abs(at_s[p]) + std::abs(at_t[p])) * part.diagonal();
+    for (Index p = 0; p < parts_; ++p) {
+        form += (at_s[p] - at_t[p]) * part(simplex, p);
+        form.diagonal() -=
+            error * (std::abs(at_s[p]) + std::abs(at_t[p])) * part(simplex, p).diagonal();
     }
     mass = 0;
     if (cells_.empty()) {
@@ -247,11 +238,9 @@ void FormFamily::add_to(DenseMatrix& X, Index simplex, const DenseMatrix& Y) con
 /// Parts with these factors, without Robin's.
 DenseMatrix FormFamily::combined(const Factors& factors, Index simplex, double s) const {
     const auto each = factors(s, s * reach_[simplex]);
-    const std::size_t entries = std::size_t(width_) * width_;
-    const double* values = values_.data() + entries * parts_ * simplex;
     DenseMatrix Q = DenseMatrix::Zero(width_, width_);
-    for (Index p = 0; p < parts_; ++p, values += entries)
-        Q += each[p] * Eigen::Map<const DenseMatrix>(values, width_, width_);
+    for (Index p = 0; p < parts_; ++p)
+        Q += each[p] * part(simplex, p);
     return Q;
 }
 

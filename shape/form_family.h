@@ -98,6 +98,13 @@ private:
         double mass;
     };
 
+    Eigen::Map<const DenseMatrix> part(Index simplex, Index p) const {
+        const std::size_t entries = std::size_t(width_) * width_;
+        return {values_.data() + entries * (std::size_t(parts_) * simplex + p), width_, width_};
+    }
+    Index unknown(Index simplex, Index i) const {
+        return unknowns_[std::size_t(width_) * simplex + i];
+    }
     DenseMatrix combined(const Factors& factors, Index simplex, double s) const;
     void add_local(const Factors& factors, Index simplex, double s, DenseMatrix& Q, Vector& sizes,
                    double& error) const;

@@ -12,21 +12,24 @@ namespace polydec {
 
 namespace {
 
-/// The first of two ascending lists without what they begin with, together, behind zeros.
-Vector merged(const Vector& a, Index begin_a, const Vector& b, Index begin_b, Index zeros,
-              Index count) {
-    Vector all(a.size() - begin_a + b.size() - begin_b);
-    all << a.tail(a.size() - begin_a), b.tail(b.size() - begin_b);
+/// The first of the positive bounds of both, ascending, behind zeros.
+Vector merged(const ShapeSpectrum& a, const ShapeSpectrum& b, Vector ShapeSpectrum::*bounds,
+              Index zeros, Index count) {
+    const auto positive = [&](const ShapeSpectrum& of) {
+        return Vector((of.*bounds).tail((of.*bounds).size() - of.zeros));
+    };
+    const Vector of_a = positive(a), of_b = positive(b);
+    Vector all(of_a.size() + of_b.size());
+    all << of_a, of_b;
     std::sort(all.begin(), all.end());
     Vector result = Vector::Zero(count);
-    for (Index j = zeros; j < count; ++j)
-        result[j] = all[j - zeros];
+    result.tail(count - zeros) = all.head(count - zeros);
     return result;
 }
 
-/// The Betti number b_1 of the surface relative to its essential edges, by Euler's characteristic.
-/// Points do not join what meets at them alone.
-Index harmonic_one_forms(const Shape& shape) {
+/// Euler's characteristic of the surface relative to its essential edges. Points do not join what
+/// meets at them alone.
+Index characteristic(const Shape& shape) {
     const Pieces& pieces = shape.pieces;
     const auto sides = facet_sides(shape);
     const auto vertices = glued_points(shape, sides, {{0, 0}, {1, 1}, {2, 2}});
@@ -35,8 +38,7 @@ Index harmonic_one_forms(const Shape& shape) {
         is_essential[side.facet] = side.is_essential;
     const auto edges =
         static_cast<Index>(std::count(is_essential.begin(), is_essential.end(), false));
-    const Index characteristic = vertices.count - edges + pieces.size(2);
-    return zero_eigenvalues(shape) + zero_eigenvalues(top_forms(shape)) - characteristic;
+    return vertices.count - edges + pieces.size(2);
 }
 
 } // namespace
@@ -59,7 +61,10 @@ bool are_one_forms(const Shape& shape, int degree) {
 
 ShapeSpectrum one_form_spectrum(const Shape& shape, const ShapeSpectrumOptions& options) {
     ShapeSpectrum result;
-    result.zeros = std::min(harmonic_one_forms(shape), options.count);
+    // the Betti number b_1
+    result.zeros = std::min(zero_eigenvalues(shape) + zero_eigenvalues(top_forms(shape)) -
+                                characteristic(shape),
+                            options.count);
     // positive ones: as many of each as are wanted of both, and one for the gap behind
     const auto spectrum = [&](const Shape& of) {
         ShapeSpectrumOptions more = options;
@@ -68,10 +73,8 @@ ShapeSpectrum one_form_spectrum(const Shape& shape, const ShapeSpectrumOptions& 
         return shape_spectrum(of, more);
     };
     const ShapeSpectrum functions = spectrum(shape), densities = spectrum(top_forms(shape));
-    result.lower = merged(functions.lower, functions.zeros, densities.lower, densities.zeros,
-                          result.zeros, options.count);
-    result.upper = merged(functions.upper, functions.zeros, densities.upper, densities.zeros,
-                          result.zeros, options.count);
+    for (const auto bounds : {&ShapeSpectrum::lower, &ShapeSpectrum::upper})
+        result.*bounds = merged(functions, densities, bounds, result.zeros, options.count);
     result.factorizations = functions.factorizations + densities.factorizations + 2;
     result.simplices = std::max(functions.simplices, densities.simplices);
     result.count_at = std::min(functions.count_at, densities.count_at);
@@ -89,12 +92,12 @@ CountBelow one_form_count(const Shape& shape, double s, const CountOptions& opti
     const CountBelow densities = count_below(top_forms(shape), s, of_functions);
     if (!(s > 0))
         return functions;
-    const Index zeros =
-        harmonic_one_forms(shape) - zero_eigenvalues(shape) - zero_eigenvalues(top_forms(shape));
+    // the zeros of functions and densities less those of 1-forms
+    const Index euler = characteristic(shape);
     CountBelow result = functions;
-    result.at_least = functions.at_least + densities.at_least + zeros;
+    result.at_least = functions.at_least + densities.at_least - euler;
     if (functions.at_most && densities.at_most)
-        result.at_most = *functions.at_most + *densities.at_most + zeros;
+        result.at_most = *functions.at_most + *densities.at_most - euler;
     return result;
 }
 

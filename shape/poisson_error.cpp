@@ -161,20 +161,6 @@ DenseMatrix averaged_gradients(const PoissonForms& forms, const PoissonPair& pai
     return result;
 }
 
-/// The mean of a function over each component where constants are free, taken away.
-void take_means(const PoissonForms& forms, DenseMatrix& corners) {
-    const auto& components = forms.components();
-    Vector sums = Vector::Zero(forms.vertices().kernel.cols()), sizes = sums;
-    for (Index s = 0; s < forms.simplices(); ++s)
-        if (components[s] >= 0) {
-            sums[components[s]] += forms.volumes()[s] * corners.row(s).mean();
-            sizes[components[s]] += forms.volumes()[s];
-        }
-    for (Index s = 0; s < forms.simplices(); ++s)
-        if (components[s] >= 0)
-            corners.row(s).array() -= sums[components[s]] / sizes[components[s]];
-}
-
 std::optional<double> l2_error(const PoissonForms& forms, const DenseMatrix& corners,
                                const LocalData& data, const std::string& engine) {
     const auto constant = l2_constant_squared(forms, engine);
@@ -183,7 +169,10 @@ std::optional<double> l2_error(const PoissonForms& forms, const DenseMatrix& cor
     DenseMatrix change = forms.to_galerkin(corners, data);
     const PoissonPair galerkin = forms.pair(corners + change, data);
     const double energy = root_of_sum(Squares(forms, galerkin, data).all, galerkin.rounding);
-    take_means(forms, change);
+    Vector integrals(forms.simplices());
+    for (Index s = 0; s < forms.simplices(); ++s)
+        integrals[s] = forms.volumes()[s] * change.row(s).mean();
+    change.colwise() -= forms.free_means(integrals);
     double square = 0;
     for (Index s = 0; s < forms.simplices(); ++s)
         square += forms.mass(s, change, change);

@@ -34,15 +34,7 @@ double estimate(const PoissonForms& forms, const SparseMatrix& on_facets,
     const auto& volumes = forms.volumes();
     const Vector roots = volumes.cwiseSqrt();
     const auto subtract_means = [&](Vector& f) { // they count where constants are not free alone
-        Vector sums = Vector::Zero(forms.facets().kernel.cols()), sizes = sums;
-        for (Index s = 0; s < forms.simplices(); ++s)
-            if (const Index component = forms.components()[s]; component >= 0) {
-                sums[component] += f[s] * volumes[s];
-                sizes[component] += volumes[s];
-            }
-        for (Index s = 0; s < forms.simplices(); ++s)
-            if (const Index component = forms.components()[s]; component >= 0)
-                f[s] -= sums[component] / sizes[component];
+        f -= forms.free_means(f.cwiseProduct(volumes));
     };
     const SymmetricOperator A{
         forms.simplices(), [&](const Vector& x, Vector& y) {

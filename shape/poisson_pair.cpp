@@ -113,19 +113,27 @@ LocalData PoissonForms::local(const DenseMatrix& source, const Vector& flow) con
         data.oscillation[s] = std::sqrt(poincare_[s] * square);
     }
     // what a component without given values gains must be nothing
-    Vector gains = Vector::Zero(facets_.kernel.cols()), sizes = gains;
+    Vector gains(simplices());
     for (Index s = 0; s < simplices(); ++s)
-        if (components_[s] >= 0) {
-            gains[components_[s]] += data.means[s] * volumes_[s] + data.facet_flow.row(s).sum();
-            sizes[components_[s]] += volumes_[s];
-        }
-    for (Index s = 0; s < simplices(); ++s)
-        if (components_[s] >= 0) {
-            const double mean = gains[components_[s]] / sizes[components_[s]];
-            data.means[s] -= mean;
-            data.corners.row(s).array() -= mean;
-        }
+        gains[s] = data.means[s] * volumes_[s] + data.facet_flow.row(s).sum();
+    const Vector means = free_means(gains);
+    data.means -= means;
+    data.corners.colwise() -= means;
     return data;
+}
+
+Vector PoissonForms::free_means(const Vector& integrals) const {
+    Vector sums = Vector::Zero(facets_.kernel.cols()), sizes = sums;
+    for (Index s = 0; s < simplices(); ++s)
+        if (const Index component = components_[s]; component >= 0) {
+            sums[component] += integrals[s];
+            sizes[component] += volumes_[s];
+        }
+    Vector result = Vector::Zero(simplices());
+    for (Index s = 0; s < simplices(); ++s)
+        if (const Index component = components_[s]; component >= 0)
+            result[s] = sums[component] / sizes[component];
+    return result;
 }
 
 Vector PoissonForms::gathered(const System& system, const DenseMatrix& local) const {

@@ -39,7 +39,9 @@ public:
     const Vector& volumes() const { return volumes_; }
     const Vector& bubbles() const { return bubbles_; }      ///< c / kappa
     double poincare(Index s) const { return poincare_[s]; } ///< C_P^2 / kappa
-    const std::vector<Index>& components() const { return components_; }
+    /// For each simplex the mean over its component of a function with these integrals over
+    /// simplices, where constants are free; else 0.
+    Vector free_means(const Vector& integrals) const;
 
     /// Values at vertices as a table with one row per simplex.
     DenseMatrix at_corners(const Vector& values) const;

@@ -3,6 +3,8 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "base/lists.h"
+#include "complex/surfaces/ordered_surface.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
 #include "shape/gluing.h"
 #include "shape/measured_simplex.h"
@@ -35,7 +37,8 @@ Vector lengths_of(const Discretization& mesh, const Geometry& geometry) {
                : *metric.lengths();
 }
 
-/// The share by which the lengths of a flipped surface may be off.
+/// The share by which the lengths of a flipped surface may be off: every flip rounds the length of
+/// an edge, which others follow from.
 double error_of_flips(const IntrinsicDelaunay& flips) {
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
     return rounding + 2 * flips.statistics.added_length / flips.lengths.minCoeff();
@@ -102,6 +105,10 @@ BoundaryConditions conditions_of(const Discretization& mesh, BoundaryConditions 
     return conditions;
 }
 
+bool is_constant(const Vector& weights) {
+    return weights.size() == 0 || weights.minCoeff() == weights.maxCoeff();
+}
+
 } // namespace
 
 Shape shape_of(const Discretization& mesh, const BoundaryConditions& conditions,
@@ -147,6 +154,24 @@ void check(const Shape& shape) {
         throw InvalidInput(fmt::format(
             "the relative error of squared lengths is {}: expected a number of at least 0", error));
     facet_sides(shape); // throws for wrong conditions, and where twisted functions branch
+}
+
+FlippedShape flipped(const Shape& shape) {
+    check(shape);
+    const Pieces& pieces = shape.pieces;
+    if (pieces.dimension() != Triangles::dimension || !GluedSurface::accepts(pieces) ||
+        !is_constant(shape.conductivity) || !is_constant(shape.density))
+        return {shape};
+    const auto flips = intrinsic_delaunay(GluedSurface(pieces), shape.lengths);
+    if (flips.statistics.flips == 0 && flips.statistics.added_length == 0)
+        return {shape};
+    Shape result = shape;
+    result.pieces =
+        in_order(flips.surface, pieces.vertex_numbers(numbers_below(pieces.size(0)))).pieces;
+    result.lengths = flips.lengths;
+    result.length_error = 0;
+    result.metric_error = metric_share(shape) + error_of_flips(flips) * most_sensitivity(result);
+    return {std::move(result), flips.statistics.flips};
 }
 
 } // namespace polydec

@@ -4,6 +4,7 @@
 #include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/lists.h"
 #include "dec/metric/simplex_geometry.h"
 #include "shape/lower_bounds.h"
 #include "shape/one_forms.h"
@@ -16,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace polydec {
@@ -165,8 +165,7 @@ std::vector<Index> Enclosing::marked() {
     Vector indicators = Vector::Zero(shape_.pieces.size(dimension()));
     for (Index j = result_.zeros; j < options_.count; ++j)
         indicators += lower_.local_values(factors, values[j], vectors.col(j)) / values[j];
-    std::vector<Index> order(indicators.size());
-    std::iota(order.begin(), order.end(), Index{0});
+    std::vector<Index> order = numbers_below(indicators.size());
     std::stable_sort(order.begin(), order.end(),
                      [&](Index a, Index b) { return indicators[a] > indicators[b]; });
     constexpr double bulk = 0.5; // Doerfler 1996
@@ -206,12 +205,6 @@ Shape bisected_up_to(const Shape& shape, const std::vector<Index>& simplices, In
     return first(low);
 }
 
-std::vector<Index> all_simplices(const Shape& shape) {
-    std::vector<Index> all(shape.pieces.size(shape.pieces.dimension()));
-    std::iota(all.begin(), all.end(), Index{0});
-    return all;
-}
-
 /// On the shape as it is, or bisected until all enclosures are narrow or no more simplices fit.
 ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
     const int n = shape.pieces.dimension();
@@ -219,7 +212,8 @@ ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
     bool full = simplices >= options.max_triangles;
     for (;;) {
         Enclosing enclosing(shape, options);
-        auto marked = full || enclosing.suffices() ? enclosing.coarse() : all_simplices(shape);
+        auto marked =
+            full || enclosing.suffices() ? enclosing.coarse() : numbers_below(shape.pieces.size(n));
         if (full || marked.empty()) {
             ShapeSpectrum result = enclosing.enclose();
             if (full || widths(result).maxCoeff() <= options.width) {

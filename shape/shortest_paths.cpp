@@ -34,6 +34,14 @@ double length_through(const PassedWindow& window, const Place& point) {
 
 } // namespace
 
+Vector exact_distance(const Triangles& surface, const Vector& lengths,
+                      std::span<const Index> sources) {
+    const UnfoldedTriangles unfolded(surface, lengths);
+    check_sources(surface, sources);
+    const auto found = distances_by_windows(unfolded, sources, most_windows(surface.triangles()));
+    return in_units_of_lengths(surface, found.distances, unfolded.exponent());
+}
+
 struct ShortestPaths::Parts {
     UnfoldedTriangles surface;
     WindowTrace trace;
