@@ -68,13 +68,8 @@ struct Given {
         choose(FlowBoundary::open, open, open_on, "--open-where");
         options.facets = flow_boundary(mesh.complex(), chosen);
         if (boundary.given()) {
-            const Points given = boundary.at(facets, facets.cols());
-            options.boundary_flux = flux_through_boundary(mesh, given);
-            // without no-slip walls, the part of the velocity through facets alone is used
-            const auto& kinds = options.facets;
-            if (options.boundary_flux.isZero(0) ||
-                std::find(kinds.begin(), kinds.end(), FlowBoundary::no_slip) != kinds.end())
-                options.wall_velocity = given;
+            options.wall_velocity = boundary.at(facets, facets.cols());
+            options.boundary_flux = flux_through_boundary(mesh, options.wall_velocity);
         }
         if (rotation)
             options.rotation = vertex_values(mesh, *rotation, cell_centers(mesh, 0));

@@ -14,23 +14,29 @@ namespace polydec::python {
 
 namespace {
 
+/// The conditions of facets; one `false` is not given.
+std::vector<FlowBoundary> conditions(const CellComplex& complex, std::vector<FlowFacets> chosen) {
+    std::erase_if(chosen, [](const auto& each) { return each.marks == std::vector{false}; });
+    return flow_boundary(complex, chosen);
+}
+
 void add_flow(py::module_& module) {
     using Flow = Guarded<IncompressibleFlow>;
     py::class_<Flow> flow(module, "IncompressibleFlow");
-    flow.def(py::init([](const Discretization& mesh, double viscosity,
-                         const std::vector<bool>& no_slip, const std::vector<bool>& open,
-                         Vector boundary_flux, Points wall_velocity, Vector rotation,
-                         const std::string& engine) {
-        const FlowOptions options{
-            .viscosity = viscosity,
-            .facets = flow_boundary(mesh.complex(), {{FlowBoundary::no_slip, no_slip, "no_slip"},
-                                                     {FlowBoundary::open, open, "open"}}),
-            .boundary_flux = std::move(boundary_flux),
-            .wall_velocity = std::move(wall_velocity),
-            .rotation = std::move(rotation),
-            .linear_solver = engine};
-        return guarded<IncompressibleFlow>(mesh, options);
-    }));
+    flow.def(
+        py::init([](const Discretization& mesh, double viscosity, const std::vector<bool>& no_slip,
+                    const std::vector<bool>& open, Vector boundary_flux, Points wall_velocity,
+                    Vector rotation, const std::string& engine) {
+            const FlowOptions options{
+                .viscosity = viscosity,
+                .facets = conditions(mesh.complex(), {{FlowBoundary::no_slip, no_slip, "no_slip"},
+                                                      {FlowBoundary::open, open, "open"}}),
+                .boundary_flux = std::move(boundary_flux),
+                .wall_velocity = std::move(wall_velocity),
+                .rotation = std::move(rotation),
+                .linear_solver = engine};
+            return guarded<IncompressibleFlow>(mesh, options);
+        }));
     const auto add = [&](const char* name, auto member) {
         flow.def(name, [member](Flow& self, const Vector& w) {
             return self.use([&](const IncompressibleFlow& of) { return (of.*member)(w); });
@@ -114,8 +120,8 @@ void add_stokes(py::module_& module) {
             const StokesOptions options{
                 .viscosity = viscosity,
                 .facets =
-                    flow_boundary(of.complex(), {{FlowBoundary::no_slip, no_slip, "no_slip"},
-                                                 {FlowBoundary::pressure, known, "pressure_on"}}),
+                    conditions(of.complex(), {{FlowBoundary::no_slip, no_slip, "no_slip"},
+                                              {FlowBoundary::pressure, known, "pressure_on"}}),
                 .linear_solver = engine};
             return guarded<StokesSolver>(of, options);
         }))

@@ -175,7 +175,7 @@ MUTANTS = {
                               "return kind == FlowBoundary::no_slip || kind == FlowBoundary::pressure;",
                               "return kind == FlowBoundary::no_slip;",
                               "Flows.have_the_vorticity_that_flows_in_time_have"),
-    "flow_conditions_nowhere": ("solvers/flow/flow_data.cpp", "is_used || given == std::vector{false}", "true",
+    "flow_conditions_nowhere": ("solvers/flow/flow_data.cpp", "require_facets(name, is_used,", "require_facets(name, true,",
                                 "FlowBoundaries.are_chosen_where_marks_hold_on_the_boundary"),
     "flow_data_nowhere": ("solvers/flow/flow_operators.cpp", "    require_use(spaces, options);\n", "",
                           "FlowErrors.name_what_is_wrong"),

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace polydec {
 
@@ -82,11 +83,11 @@ std::optional<Fingerprint> Flow::fingerprint() const {
 Vector Flow::midpoint(const Vector& w) const {
     const Vector momentum = equations_.momentum(w);
     Vector middle = w;
-    constexpr int most_growth = 400; // squares of more soon leave the range
+    // the next one grows as the square, and its energy as the fourth power
+    constexpr int most_growth = std::numeric_limits<double>::max_exponent / 4;
     double change = 0;
-    int first = exponent_of(w);
-    for (int pass = 0; pass < steps_.most_passes && exponent_of(middle) - first < most_growth;
-         ++pass) {
+    for (int pass = 0, first = exponent_of(w);
+         pass < steps_.most_passes && exponent_of(middle) - first < most_growth; ++pass) {
         const Vector next =
             implicit_.solve(momentum + steps_.time_step / 2 * equations_.inertia(middle)).flux;
         const Vector by = next - middle;

@@ -29,8 +29,7 @@ std::vector<FlowBoundary> flow_boundary(const CellComplex& complex,
         check_as_many("marks of facets", std::ssize(marks), facets);
         const bool is_used = std::any_of(boundary.begin(), boundary.end(),
                                          [&](const BoundaryFacet& on) { return marks[on.facet]; });
-        require_facets(name, is_used || given == std::vector{false}, std::ssize(boundary),
-                       "a facet on the boundary");
+        require_facets(name, is_used, std::ssize(boundary), "a facet on the boundary");
         for (std::size_t f = 0; f < result.size(); ++f)
             if (marks[f])
                 result[f] = kind;

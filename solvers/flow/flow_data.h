@@ -23,12 +23,12 @@ enum class FlowBoundary {
 /// Facets that a condition is chosen for.
 struct FlowFacets {
     FlowBoundary kind;
-    std::vector<bool> marks; ///< of the (n-1)-cells, or one for all; one `false`: not given
+    std::vector<bool> marks; ///< of the (n-1)-cells, or one for all
     std::string name;        ///< for messages
 };
 
 /// The condition of each (n-1)-cell: the last one chosen for it, else free slip. Throws
-/// InvalidInput for another number of marks, and, like require_facets, if marks are given but none
+/// InvalidInput for another number of marks, and, like require_facets, for marks of which none is
 /// on the boundary.
 std::vector<FlowBoundary> flow_boundary(const CellComplex& complex,
                                         const std::vector<FlowFacets>& chosen);
@@ -61,8 +61,6 @@ public:
     /// `theta` is a time that multiplies the friction. Throws InvalidInput for theta * viscosity <
     /// 0, and like LinearSolver.
     FlowProjection(std::shared_ptr<const FlowOperators> operators, double theta);
-
-    double theta() const { return theta_; }
 
     struct Flow {
         Vector flux;       ///< w: size(n-1)

@@ -10,7 +10,7 @@ namespace polydec {
 
 /// The linear operators of a flow, built once: its spaces with their stars, and its boundary data.
 /// Everything is in the unit of the mesh; the options given to the constructor are in the input's.
-struct FlowOperators {
+struct FlowOperators : FlowUnits {
     FlowOperators(const Discretization& mesh, const FlowOptions& options);
 
     Discretization mesh;
@@ -36,14 +36,6 @@ struct FlowOperators {
 
     /// star d z, size(n-1).
     Vector curl_of(const Vector& vorticity) const { return star * (curl * vorticity); }
-
-    /// Converts values of a power of length to the unit of the mesh, and back.
-    Vector in_unit(const Vector& values, int power, const char* what) const {
-        return form_in_input_units(values, mesh.unit(), -power, what);
-    }
-    Vector in_input(const Vector& values, int power, const char* what) const {
-        return form_in_input_units(values, mesh.unit(), power, what);
-    }
 };
 
 } // namespace polydec

@@ -2,12 +2,25 @@
 #pragma once
 
 #include "dec/boundary/form_space.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/flow/flow_data.h"
 #include "solvers/sources/constrained_system.h"
 
 #include <vector>
 
 namespace polydec {
+
+/// Converts values of a power of length between the unit of a mesh and the units of its input.
+struct FlowUnits {
+    double unit;
+
+    Vector in_unit(const Vector& values, int power, const char* what) const {
+        return form_in_input_units(values, unit, -power, what);
+    }
+    Vector in_input(const Vector& values, int power, const char* what) const {
+        return form_in_input_units(values, unit, power, what);
+    }
+};
 
 /// The spaces of a flow: fluxes, primal (n-1)-forms that are fixed on facets with a known flux, and
 /// vorticities, primal (n-2)-forms that are fixed on facets without vorticity and on their faces.

@@ -13,7 +13,7 @@
 namespace polydec {
 
 struct IncompressibleFlow::Parts {
-    FlowOptions options; // as they were given
+    FlowOptions options; // in the units of the input
     Advection advection;
     std::shared_ptr<const FlowOperators> operators;
     FlowProjection projection;
@@ -22,7 +22,10 @@ struct IncompressibleFlow::Parts {
         : options(given),
           advection(mesh),
           operators(std::make_shared<FlowOperators>(mesh, given)),
-          projection(operators, 0) {}
+          projection(operators, 0) {
+        if (operators->spaces.dragged.empty())
+            options.wall_velocity = {};
+    }
 
     /// Fluxes in the unit of the mesh.
     Vector fluxes(const Vector& w) const {
@@ -54,10 +57,6 @@ const Discretization& IncompressibleFlow::mesh() const& {
 
 const FlowOptions& IncompressibleFlow::options() const& {
     return parts_->options;
-}
-
-const Advection& IncompressibleFlow::advection() const& {
-    return parts_->advection;
 }
 
 Vector IncompressibleFlow::project(const Vector& flux) const {

@@ -3,11 +3,10 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/boundary/form_space.h"
 #include "dec/discretization/positive_mass.h"
 #include "dec/forms/cochain.h"
-#include "meshes/unit_of_length.h"
 #include "solvers/flow/advection.h"
+#include "solvers/flow/flow_spaces.h"
 
 #include <fmt/format.h>
 
@@ -46,8 +45,7 @@ SparseMatrix means_at_vertices(const Discretization& mesh) {
 } // namespace
 
 /// In the unit of the mesh, but for depths, whose unit is their own.
-struct ShallowWater::Parts {
-    double unit;
+struct ShallowWater::Parts : FlowUnits {
     ShallowWaterOptions options;
     Advection advection;
     Vector areas, star, vertex_areas;
@@ -55,7 +53,7 @@ struct ShallowWater::Parts {
     SparseMatrix curl, divergence, sides, at_vertices;
 
     Parts(const Discretization& mesh, const ShallowWaterOptions& how)
-        : unit(mesh.unit()),
+        : FlowUnits{mesh.unit()},
           options(how),
           advection(mesh),
           areas(mesh.volumes().primal(2)),
@@ -83,12 +81,7 @@ struct ShallowWater::Parts {
         options.gravity = in_unit(Vector::Constant(1, options.gravity), 2, "gravity")[0];
     }
 
-    Vector in_unit(const Vector& values, int power, const char* what) const {
-        return form_in_input_units(values, unit, -power, what);
-    }
-    Vector in_input(const Vector& values, int power, const char* what) const {
-        return form_in_input_units(values, unit, power, what);
-    }
+    using FlowUnits::in_input;
     double in_input(double value, int power, const char* what) const {
         return in_input(Vector(Vector::Constant(1, value)), power, what)[0];
     }

@@ -6,7 +6,6 @@
 #include "complex/homology.h"
 #include "dec/discretization/positive_mass.h"
 #include "dec/forms/cochain.h"
-#include "meshes/unit_of_length.h"
 #include "solvers/flow/flow_spaces.h"
 #include "solvers/sources/saddle_solver.h"
 
@@ -81,7 +80,7 @@ Vector or_zeros(const char* what, const Vector& values, Eigen::Index size) {
 
 /// Of u and (w, -p): nu d^T M_n d u + nu M d w - d^T p, which fixes the divergence twice, so that
 /// the upper block is not empty; and the turn and the divergence of u.
-struct StokesSolver::System {
+struct StokesSolver::System : FlowUnits {
     Cells cells;
     int n;
     double viscosity;
@@ -90,7 +89,8 @@ struct StokesSolver::System {
     std::unique_ptr<SaddleSolver> solver;
 
     System(const Cells& on, const StokesOptions& options)
-        : cells((check_positive("the viscosity", options.viscosity), on)),
+        : FlowUnits{on.unit()},
+          cells((check_positive("the viscosity", options.viscosity), on)),
           n(cells.dimension()),
           viscosity(in_unit(Vector::Constant(1, options.viscosity), 2, "viscosity")[0]),
           spaces(cells, options.everywhere, options.facets),
@@ -124,13 +124,6 @@ struct StokesSolver::System {
         mark_faces(cells.complex(), known);
         const auto others = FormSpace::vanishing_on(cells, Side::primal, n - 1, known);
         check_positive_mass(others.inside().stars()[n - 1], Side::primal, n - 1);
-    }
-
-    Vector in_unit(const Vector& values, int power, const char* what) const {
-        return form_in_input_units(values, cells.unit(), -power, what);
-    }
-    Vector in_input(const Vector& values, int power, const char* what) const {
-        return form_in_input_units(values, cells.unit(), power, what);
     }
 
     /// The pressure at open facets, as the difference of pressures that facets see has it.

@@ -100,7 +100,6 @@ SaddleSolver::SaddleSolver(Vector scales, const SparseMatrix& M, const SparseMat
     : scales_(std::move(scales)),
       A_(saddle(M, D, C, scales_, 0, 0)),
       size_(static_cast<Index>(M.rows())),
-      domain_dimension_(domain_dimension),
       solver_(make_linear_solver(engine)) {
     if (!scales_.allFinite())
         throw InvalidInput("the diagonal of the matrix of inner products is not positive: expected "

@@ -40,8 +40,6 @@ public:
     /// is no such x, because g is not in the range of D.
     Values solve(const Vector& f, const Vector& g, const Vector& terms = {}) const;
 
-    int domain_dimension() const { return domain_dimension_; }
-
 private:
     SaddleSolver(Vector scales, const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C,
                  double above, const std::string& engine, int domain_dimension);
@@ -49,7 +47,6 @@ private:
     Vector scales_;  // of rows and columns, so that diagonals are 1
     SparseMatrix A_; // with these scales, without the small diagonals
     Index size_;     // of x
-    int domain_dimension_;
     std::unique_ptr<LinearSolver> solver_;
 };
 

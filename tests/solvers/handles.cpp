@@ -121,7 +121,6 @@ static_assert(are_values<decltype(of<Incidences>().matrix()), decltype(of<Values
 static_assert(
     are_values<decltype(of<IncompressibleFlow>().mesh()), decltype(of<Flow>().flux()),
                decltype(of<IncompressibleFlow>().options()),
-               decltype(of<IncompressibleFlow>().advection()),
                decltype(of<ShortestPaths>().distances()),
                decltype(of<ParallelTransport>().frames()), decltype(of<Diffusion>().kept())>);
 
