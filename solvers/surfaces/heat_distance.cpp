@@ -18,11 +18,10 @@ namespace polydec {
 namespace {
 
 /// The cotangent Laplacian with the pins at 0.
-ConstrainedSystem poisson_system(const Triangles& surface, const SurfaceMetric& metric,
-                                 std::span<const Index> pins) {
-    return {.A = surface_laplacian(surface, metric, Vector::Ones(metric.mean_lengths.size())),
-            .fixed = marks_at(pins, surface.vertices()),
-            .tied = std::vector<bool>(surface.vertices(), false),
+ConstrainedSystem poisson_system(const SurfaceMetric& metric, std::span<const Index> pins) {
+    return {.A = surface_laplacian(metric, Vector::Ones(metric.mean_lengths.size())),
+            .fixed = marks_at(pins, metric.surface.vertices()),
+            .tied = std::vector<bool>(metric.surface.vertices(), false),
             .weights = metric.vertex_areas,
             .definiteness = Definiteness::semidefinite,
             .domain_dimension = 2};
@@ -38,19 +37,19 @@ Eigen::Vector3d levels(const Eigen::Vector3d& u) {
 }
 
 /// The corners of a triangle in the plane, the first at 0 and the second on the first axis.
-std::array<Eigen::Vector2d, 3> layout(const Triangles& surface, const SurfaceMetric& metric,
-                                      Index t) {
-    const double length = metric.lengths[surface.edge(3 * t)];
+std::array<Eigen::Vector2d, 3> layout(const SurfaceMetric& metric, Index t) {
+    const double length = metric.lengths[metric.surface.edge(3 * t)];
     const double height = 2 * metric.areas[t] / length;
     return {Eigen::Vector2d(0, 0), Eigen::Vector2d(length, 0),
             Eigen::Vector2d(metric.cotangents[3 * t + 1] * height, height)};
 }
 
 /// For every vertex, the integral of X . grad(hat function), with unit vectors X against grad u.
-Vector against_gradient(const Triangles& surface, const SurfaceMetric& metric, const Vector& u) {
+Vector against_gradient(const SurfaceMetric& metric, const Vector& u) {
+    const Triangles& surface = metric.surface;
     Vector b = Vector::Zero(surface.vertices());
     for (Index t = 0; t < surface.triangles(); ++t) {
-        const auto corners = layout(surface, metric, t);
+        const auto corners = layout(metric, t);
         std::array<Eigen::Vector2d, 3> hats; // gradients, times twice the area
         for (int i = 0; i < 3; ++i) {
             const Eigen::Vector2d opposite = corners[(i + 2) % 3] - corners[(i + 1) % 3];
@@ -84,8 +83,8 @@ std::vector<bool> beside_source_edges(const Triangles& surface,
 /// isolated source the distance has a kink that piecewise linear functions miss, so all other
 /// values have the same offset. Its neighbors determine the offset: their distances are the lengths
 /// of their edges to it.
-Vector shifts(const Triangles& surface, const SurfaceMetric& metric, std::span<const Index> sources,
-              const Vector& distance) {
+Vector shifts(const SurfaceMetric& metric, std::span<const Index> sources, const Vector& distance) {
+    const Triangles& surface = metric.surface;
     constexpr double far = std::numeric_limits<double>::infinity();
     const auto is_source = marks_at(sources, surface.vertices());
     Vector known = Vector::Constant(surface.vertices(), far);
@@ -110,19 +109,17 @@ Vector shifts(const Triangles& surface, const SurfaceMetric& metric, std::span<c
 } // namespace
 
 struct HeatDistance::Parts {
-    Triangles surface;
     SurfaceMetric metric;
     std::string engine;
     HeatStep step;
     std::optional<ConstrainedSolver> poisson;
     bool is_for_single_sources = false; // the pins of the factorization
 
-    Parts(const Triangles& surface_, const Vector& lengths, double time_scale,
+    Parts(const Triangles& surface, const Vector& lengths, double time_scale,
           const std::string& engine_)
-        : surface(surface_),
-          metric(surface_metric(surface, lengths)),
+        : metric(surface_metric(surface, lengths)),
           engine(engine_),
-          step(surface, metric, time_scale * metric.mean_lengths.cwiseAbs2(), engine) {}
+          step(metric, time_scale * metric.mean_lengths.cwiseAbs2(), engine) {}
 
     bool is_single(std::span<const Index> pins) const {
         return Eigen::Index(pins.size()) == metric.mean_lengths.size();
@@ -132,12 +129,12 @@ struct HeatDistance::Parts {
     /// constant value, so one factorization serves all pins. Several pins are held at 1: else a pin
     /// with little area around it would get hotter than the others and heat them.
     Vector heat(std::span<const Index> pins) const {
-        Vector b = Vector::Zero(surface.vertices());
+        Vector b = Vector::Zero(metric.surface.vertices());
         if (!is_single(pins))
-            return HeatStep(surface, metric, step.times(), engine, pins).from(surface, metric, b).u;
+            return HeatStep(metric, step.times(), engine, pins).from(metric, b).u;
         for (const Index v : pins)
             b[v] = 1;
-        return step.from(surface, metric, b).u;
+        return step.from(metric, b).u;
     }
 
     /// The function that is 0 at the pins and fits b elsewhere. With one pin per component, pins
@@ -145,7 +142,7 @@ struct HeatDistance::Parts {
     Vector fit(const Vector& b, std::span<const Index> pins) {
         const bool single = is_single(pins);
         if (!(single && poisson && is_for_single_sources)) {
-            poisson.emplace(poisson_system(surface, metric, pins), engine);
+            poisson.emplace(poisson_system(metric, pins), engine);
             is_for_single_sources = single;
         }
         Vector u = poisson->solve(b, Vector::Zero(b.size())).values;
@@ -166,15 +163,13 @@ HeatDistance::HeatDistance(const Triangles& surface, const Vector& lengths, doub
 
 Vector HeatDistance::to(std::span<const Index> sources) const {
     const SurfaceMetric& metric = parts_->metric;
-    check_sources(parts_->surface, sources);
+    check_sources(metric.surface, sources);
     std::vector<Index> pins(sources.begin(), sources.end());
     sort_unique(pins);
-    Vector distance = explaining_failure(parts_->surface, metric, [&] {
-        const Vector b = against_gradient(parts_->surface, metric, parts_->heat(pins));
-        return parts_->fit(b, pins);
-    });
+    Vector distance = explaining_failure(
+        metric, [&] { return parts_->fit(against_gradient(metric, parts_->heat(pins)), pins); });
 
-    distance -= shifts(parts_->surface, metric, pins, distance)(metric.component);
+    distance -= shifts(metric, pins, distance)(metric.component);
     for (const Index v : pins)
         distance[v] = 0;
     return metric.unit * distance;

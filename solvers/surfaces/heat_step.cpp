@@ -28,16 +28,16 @@ Vector hold(SparseMatrix& A, const std::vector<Index>& held) {
 
 } // namespace
 
-HeatStep::HeatStep(const Triangles& surface, const SurfaceMetric& metric, const Vector& times,
-                   const std::string& engine, std::span<const Index> held)
+HeatStep::HeatStep(const SurfaceMetric& metric, const Vector& times, const std::string& engine,
+                   std::span<const Index> held)
     : times_(times),
       engine_(engine),
       held_(held.begin(), held.end()),
       solver_(make_linear_solver(engine)) {
-    SparseMatrix A(surface.vertices(), surface.vertices());
+    SparseMatrix A(metric.surface.vertices(), metric.surface.vertices());
     A.setIdentity();
     A = metric.vertex_areas.asDiagonal() * A;
-    A += surface_laplacian(surface, metric, times);
+    A += surface_laplacian(metric, times);
     from_held_ = hold(A, held_);
     solver_->factorize(A, {.symmetry = Symmetry::symmetric,
                            .definiteness = Definiteness::positive,
@@ -54,12 +54,11 @@ DenseMatrix HeatStep::operator()(const DenseMatrix& b) const {
     return u;
 }
 
-HeatFlow HeatStep::from(const Triangles& surface, const SurfaceMetric& metric,
-                        const DenseMatrix& b) const {
+HeatFlow HeatStep::from(const SurfaceMetric& metric, const DenseMatrix& b) const {
     HeatFlow flow{(*this)(b), times_};
     Vector times = longer(metric, flow.u.col(0));
     while (times != flow.times) {
-        const HeatStep step(surface, metric, times, engine_, held_);
+        const HeatStep step(metric, times, engine_, held_);
         flow = {step(b), times};
         times = step.longer(metric, flow.u.col(0));
     }

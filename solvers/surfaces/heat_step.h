@@ -21,8 +21,8 @@ struct HeatFlow {
 /// time t per component, or with u = 1 at the held vertices.
 class HeatStep {
 public:
-    HeatStep(const Triangles& surface, const SurfaceMetric& metric, const Vector& times,
-             const std::string& engine, std::span<const Index> held = {});
+    HeatStep(const SurfaceMetric& metric, const Vector& times, const std::string& engine,
+             std::span<const Index> held = {});
 
     /// One column per right-hand side.
     DenseMatrix operator()(const DenseMatrix& b) const;
@@ -32,8 +32,7 @@ public:
     /// The step from b, one column per right-hand side; the first gives heat of size 1 at sources.
     /// Times are longer on components where heat would be too faint at some vertex for trusted
     /// digits.
-    HeatFlow from(const Triangles& surface, const SurfaceMetric& metric,
-                  const DenseMatrix& b) const;
+    HeatFlow from(const SurfaceMetric& metric, const DenseMatrix& b) const;
 
 private:
     Vector longer(const SurfaceMetric& metric, const Vector& u) const;

@@ -111,7 +111,7 @@ struct ParallelTransport::Parts {
           metric(surface_metric(surface, lengths)),
           frames(tangent_frames(surface, lengths)),
           engine(options.linear_solver),
-          functions(surface, metric, options.time_scale * metric.mean_lengths.cwiseAbs2(), engine),
+          functions(metric, options.time_scale * metric.mean_lengths.cwiseAbs2(), engine),
           vectors(step_of_vectors(functions.times())) {}
 
     std::unique_ptr<LinearSolver> step_of_vectors(const Vector& times) const {
@@ -134,7 +134,7 @@ struct ParallelTransport::Parts {
             blocks[2 * Eigen::Index(sources[s])] = vector.real();
             blocks[2 * Eigen::Index(sources[s]) + 1] = vector.imag();
         }
-        HeatFlow flow = functions.from(surface, metric, sizes);
+        HeatFlow flow = functions.from(metric, sizes);
         const bool as_long = flow.times == functions.times();
         return {std::move(flow.u),
                 as_long ? vectors->solve(blocks) : step_of_vectors(flow.times)->solve(blocks)};
@@ -162,8 +162,8 @@ TangentVectors ParallelTransport::extend(std::span<const Index> sources,
     if (largest == 0)
         return result;
 
-    const Heat heat = explaining_failure(parts.surface, parts.metric,
-                                         [&] { return parts_->heat(sources, vectors / largest); });
+    const Heat heat =
+        explaining_failure(parts.metric, [&] { return parts_->heat(sources, vectors / largest); });
     for (Eigen::Index v = 0; v < result.size(); ++v) {
         // far from Delaunay, heat can be negative: that of functions and of vectors alike
         const double all = heat.functions(v, 0);

@@ -14,7 +14,8 @@ namespace polydec {
 
 namespace {
 
-void find_components(const Triangles& surface, SurfaceMetric& metric) {
+void find_components(SurfaceMetric& metric) {
+    const Triangles& surface = metric.surface;
     DisjointSets sets(surface.vertices());
     std::vector<Index> vertex_of_edge(std::size_t(surface.edges()), 0);
     for (Index h = 0; h < 3 * surface.triangles(); ++h) {
@@ -42,7 +43,7 @@ SurfaceMetric surface_metric(const Triangles& surface, const Vector& lengths) {
     check_lengths(surface, lengths);
     if (surface.triangles() == 0)
         throw InvalidInput("the surface has no triangles: expected at least one");
-    SurfaceMetric metric;
+    SurfaceMetric metric{surface};
     metric.unit = std::exp2(std::ilogb(lengths.maxCoeff()));
     metric.lengths = lengths / metric.unit;
     metric.areas.resize(surface.triangles());
@@ -59,7 +60,7 @@ SurfaceMetric surface_metric(const Triangles& surface, const Vector& lengths) {
         for (Index i = 0; i < 3; ++i)
             metric.vertex_areas[surface.tail(h + i)] += metric.areas[t] / 3;
     }
-    find_components(surface, metric);
+    find_components(metric);
     return metric;
 }
 
@@ -69,8 +70,7 @@ void check_time_scale(double time_scale) {
             fmt::format("the time scale is {}: expected a number from 1e-6 to 1e6", time_scale));
 }
 
-std::string explained(const Triangles& surface, const SurfaceMetric& metric,
-                      const std::string& failure) {
+std::string explained(const SurfaceMetric& metric, const std::string& failure) {
     Eigen::Index sharpest = 0;
     metric.cotangents.cwiseAbs().maxCoeff(&sharpest);
     const auto h = static_cast<Index>(sharpest);
@@ -78,11 +78,12 @@ std::string explained(const Triangles& surface, const SurfaceMetric& metric,
                        "triangle {}: flip edges until the triangulation is Delaunay, which "
                        "changes neither distances nor transport.",
                        failure, metric.cotangents[sharpest],
-                       surface.vertex_number(surface.tail(surface.previous(h))), h / 3);
+                       metric.surface.vertex_number(metric.surface.tail(Triangles::previous(h))),
+                       h / 3);
 }
 
-SparseMatrix surface_laplacian(const Triangles& surface, const SurfaceMetric& metric,
-                               const Vector& factors) {
+SparseMatrix surface_laplacian(const SurfaceMetric& metric, const Vector& factors) {
+    const Triangles& surface = metric.surface;
     std::vector<Eigen::Triplet<double, Index>> entries;
     entries.reserve(12 * std::size_t(surface.triangles()));
     for (Index h = 0; h < 3 * surface.triangles(); ++h) {
