@@ -20,23 +20,6 @@ namespace {
 
 namespace files = std::filesystem;
 
-// Passes over engines that the program has already, which may be linked with it.
-class MissingEngines final : public EngineRegistrar {
-public:
-    void add_linear_solver(const EngineInfo& info, LinearSolverFactory factory) override {
-        if (!has_linear_solver(info.name))
-            register_linear_solver(info, std::move(factory));
-    }
-    void add_eigen_solver(const EngineInfo& info, EigenSolverFactory factory) override {
-        if (!has_eigen_solver(info.name))
-            register_eigen_solver(info, std::move(factory));
-    }
-    void add_integrator(const EngineInfo& info, IntegratorFactory factory) override {
-        if (!has_integrator(info.name))
-            register_integrator(info, std::move(factory));
-    }
-};
-
 /// Modules that were tried, by name, with the reason why they are of no use; empty: they are.
 struct TriedModules {
     std::recursive_mutex mutex;
@@ -112,8 +95,7 @@ std::string module_name(const std::string& engine) {
 
 void load_tried(const files::path& file, std::string& reason) {
     try {
-        MissingEngines registrar;
-        load_engine_module(file, registrar);
+        load_engine_module(file, registrar_of_missing());
         reason.clear();
     } catch (const std::exception& failure) {
         reason = failure.what();

@@ -20,19 +20,6 @@ namespace polydec {
 
 namespace {
 
-class ProgramRegistrar final : public EngineRegistrar {
-public:
-    void add_linear_solver(const EngineInfo& info, LinearSolverFactory factory) override {
-        register_linear_solver(info, std::move(factory));
-    }
-    void add_eigen_solver(const EngineInfo& info, EigenSolverFactory factory) override {
-        register_eigen_solver(info, std::move(factory));
-    }
-    void add_integrator(const EngineInfo& info, IntegratorFactory factory) override {
-        register_integrator(info, std::move(factory));
-    }
-};
-
 struct CloseModule {
     void operator()(void* handle) const { dlclose(handle); }
 };
@@ -81,11 +68,6 @@ Function* find_function(const Module& module, const char* name, const std::files
 }
 
 } // namespace
-
-EngineRegistrar& program_registrar() {
-    static ProgramRegistrar instance;
-    return instance;
-}
 
 void load_engine_module(const std::filesystem::path& path, EngineRegistrar& registrar) {
     static std::recursive_mutex mutex;

@@ -8,20 +8,23 @@
 namespace polydec {
 
 /// Incremented whenever engines built against older headers would stop working.
-inline constexpr int engine_module_version = 4;
+inline constexpr int engine_module_version = 5;
 
 /// The registrar through which a module registers its engines: always in the program that loads it,
 /// even if the module carries a copy of the library.
 class EngineRegistrar {
 public:
     virtual ~EngineRegistrar() = default;
-    virtual void add_linear_solver(const EngineInfo& info, LinearSolverFactory factory) = 0;
-    virtual void add_eigen_solver(const EngineInfo& info, EigenSolverFactory factory) = 0;
-    virtual void add_integrator(const EngineInfo& info, IntegratorFactory factory) = 0;
+    /// Sets kind and availability. Throws InvalidInput if the name is empty or taken, or the
+    /// factory is empty.
+    virtual void add(EngineInfo info, EngineFactory factory) = 0;
 };
 
-/// Registers in this program, through register_linear_solver and similar functions.
+/// Registers in this program, also in place of known engines that are missing.
 EngineRegistrar& program_registrar();
+
+/// The same, passing over engines that the program has already, which may be linked with it.
+EngineRegistrar& registrar_of_missing();
 
 /// Loads a shared library with engines, and registers them. It exports
 ///     extern "C" int polydec_engine_module_version() { return polydec::engine_module_version; }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace polydec {
@@ -29,6 +30,13 @@ using LinearSolverFactory =
 using EigenSolverFactory = std::function<std::unique_ptr<EigenSolver>()>;
 using IntegratorFactory = std::function<std::unique_ptr<Integrator>(const IntegratorOptions&)>;
 
+/// Makes engines of a kind; the kinds are in the order of EngineKind.
+using EngineFactory = std::variant<LinearSolverFactory, EigenSolverFactory, IntegratorFactory>;
+
+inline EngineKind kind_of(const EngineFactory& factory) {
+    return static_cast<EngineKind>(factory.index());
+}
+
 /// A new solver with this name: auto, eigen.ldlt, eigen.lu, eigen.cg, eigen.bicgstab, an engine of
 /// an installed module (loaded at the first request), or a registered one. Throws InvalidInput,
 /// listing the known names, for an unknown name or an invalid option; BackendUnavailable, naming
@@ -43,15 +51,10 @@ std::unique_ptr<EigenSolver> make_eigen_solver(const std::string& name);
 std::unique_ptr<Integrator> make_integrator(const std::string& name,
                                             const IntegratorOptions& options = {});
 
-/// Registers an engine under a name; the registry sets `available`. Throws InvalidInput if the name
-/// is empty or taken, or the factory is empty. By its name alone, an engine must be new: it does
-/// not take the place of one that a module may bring.
-void register_linear_solver(const EngineInfo& info, LinearSolverFactory factory);
-void register_linear_solver(const std::string& name, LinearSolverFactory factory);
-void register_eigen_solver(const EngineInfo& info, EigenSolverFactory factory);
-void register_eigen_solver(const std::string& name, EigenSolverFactory factory);
-void register_integrator(const EngineInfo& info, IntegratorFactory factory);
-void register_integrator(const std::string& name, IntegratorFactory factory);
+/// Registers an engine under a name that is new for its kind: it does not take the place of one
+/// that a module may bring. Throws InvalidInput if the name is empty or taken, or the factory is
+/// empty.
+void register_engine(const std::string& name, EngineFactory factory);
 
 /// All known engines, including missing ones: linear first, then eigensolvers, integrators and the
 /// mesher, TetGen, which tetrahedralize runs; each kind ordered by name. If a module cannot be
@@ -59,20 +62,11 @@ void register_integrator(const std::string& name, IntegratorFactory factory);
 /// currently on PATH.
 std::vector<EngineInfo> engines();
 
-/// The same for one kind only; loads modules except for the kind mesher, which has none.
-std::vector<EngineInfo> engines(EngineKind kind);
-
 /// Package and build option of a known linear solver that is not there, and why its module could
 /// not be loaded; else empty. Loads no module.
 std::string how_to_get_linear_solver(const std::string& name);
 
 /// Whether make_linear_solver(name) would find an engine.
 bool has_linear_solver(const std::string& name);
-
-/// The same for make_eigen_solver(name).
-bool has_eigen_solver(const std::string& name);
-
-/// The same for make_integrator(name).
-bool has_integrator(const std::string& name);
 
 } // namespace polydec

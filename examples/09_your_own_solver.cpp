@@ -46,7 +46,7 @@ private:
 } // namespace
 
 int main() {
-    polydec::register_linear_solver(
+    polydec::register_engine(
         "gauss-seidel", polydec::adapt<GaussSeidel>(
                             "gauss-seidel", {.method = polydec::Method::iterative,
                                              .symmetry = polydec::Symmetry::symmetric,

@@ -168,7 +168,7 @@ protected:
 } // namespace
 
 void component::add_slepc(EngineRegistrar& registrar) {
-    registrar.add_eigen_solver({.name = "slepc"}, [] { return std::make_unique<SlepcSolver>(); });
+    registrar.add({.name = "slepc"}, [] { return std::make_unique<SlepcSolver>(); });
 }
 
 } // namespace polydec

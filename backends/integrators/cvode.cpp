@@ -283,7 +283,7 @@ private:
 } // namespace
 
 void component::add_cvode(EngineRegistrar& registrar) {
-    registrar.add_integrator({.name = "cvode"}, [](const IntegratorOptions& options) {
+    registrar.add({.name = "cvode"}, [](const IntegratorOptions& options) {
         return std::make_unique<Cvode>(options);
     });
 }

@@ -76,7 +76,7 @@ private:
 
 /// Makes an engine from any type with Eigen's compute(A) and solve(B), and optionally info() and
 /// iterations(). A is passed as Solver::MatrixType if that type exists, else as SparseMatrix.
-///     register_linear_solver("mine", adapt<Eigen::SparseQR<...>>("mine"));
+///     register_engine("mine", adapt<Eigen::SparseQR<...>>("mine"));
 ///     auto solver = adapt<MySolver>("mine", {.symmetry = Symmetry::symmetric})({});
 /// traits: its capabilities, by default everything but inertia. Tolerance and iteration limit are
 /// passed on if it has Eigen's setters; configure is then called once on each new solver. Solutions

@@ -193,7 +193,7 @@ private:
 } // namespace
 
 void component::add_cholmod(EngineRegistrar& registrar) {
-    registrar.add_linear_solver({.name = "cholmod"}, [](const LinearSolverOptions& options) {
+    registrar.add({.name = "cholmod"}, [](const LinearSolverOptions& options) {
         return std::make_unique<Cholmod>(options);
     });
 }

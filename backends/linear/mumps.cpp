@@ -180,7 +180,7 @@ void component::add_mumps(EngineRegistrar& registrar) {
     if (dlsym(RTLD_DEFAULT, "MPI_Init_thread"))
         throw BackendUnavailable(
             "mumps: the program uses MPI, but this is the sequential MUMPS: use another engine");
-    registrar.add_linear_solver({.name = "mumps"}, [](const LinearSolverOptions& options) {
+    registrar.add({.name = "mumps"}, [](const LinearSolverOptions& options) {
         return std::make_unique<Mumps>(options);
     });
 }

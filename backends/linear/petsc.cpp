@@ -216,7 +216,7 @@ private:
 void component::add_petsc(EngineRegistrar& registrar) {
     const auto add = [&](const std::string& name, const std::string& multigrid,
                          const std::string& for_singular) {
-        registrar.add_linear_solver({.name = name}, [=](const LinearSolverOptions& options) {
+        registrar.add({.name = name}, [=](const LinearSolverOptions& options) {
             return std::make_unique<CgMultigrid>(name, multigrid, for_singular, options);
         });
     };

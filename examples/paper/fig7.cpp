@@ -66,11 +66,11 @@ std::string plain_bicgstab() {
     using Solver = Eigen::BiCGSTAB<SparseMatrix, Eigen::DiagonalPreconditioner<double>>;
     const std::string name = "bicgstab.diagonal";
     if (!has_linear_solver(name))
-        register_linear_solver(
-            name, adapt<Solver>(name, {.method = Method::iterative}, [](Solver& solver) {
-                solver.setTolerance(1e-10);
-                solver.setMaxIterations(3000);
-            }));
+        register_engine(name,
+                        adapt<Solver>(name, {.method = Method::iterative}, [](Solver& solver) {
+                            solver.setTolerance(1e-10);
+                            solver.setMaxIterations(3000);
+                        }));
     return name;
 }
 

@@ -62,7 +62,7 @@ private:
 
 void register_solver(const std::string& name, const py::function& factorize) {
     const auto kept = shared(factorize);
-    register_linear_solver(name, [name, kept](const LinearSolverOptions& options) {
+    register_engine(name, [name, kept](const LinearSolverOptions& options) {
         return std::make_unique<PythonSolver>(name, options, kept);
     });
 }
@@ -140,7 +140,7 @@ private:
 };
 
 void register_eigensolver(const std::string& name, const py::function& largest) {
-    register_eigen_solver(name, [name, kept = shared(largest)] {
+    register_engine(name, [name, kept = shared(largest)] {
         return std::make_unique<PythonEigenSolver>(name, kept);
     });
 }

@@ -2,7 +2,7 @@
 """Flaws of backends/; see mutate.py."""
 
 MUTANTS = {
-    "names_of_modules_free": ("backends/registry.cpp", "if (known.entries.contains(name))", "if (false)",
+    "names_of_modules_free": ("backends/registry.cpp", "if (!found_now({kind_of(factory), name}).info.name.empty())", "if (false)",
                               "registry.names_are_taken_once"),
     "groups_as_if_orthogonal": ("backends/spectra/found_pairs.cpp",
                                 "                others_[i] += share;\n                others_[j] += share;\n", "",

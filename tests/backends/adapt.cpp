@@ -67,7 +67,7 @@ TEST(adapt, failures_of_the_engine_are_ours) {
 }
 
 TEST(adapt, adapted_engines_can_be_registered) {
-    register_linear_solver("mine.registered", adapt<DenseLu>("mine.registered"));
+    register_engine("mine.registered", adapt<DenseLu>("mine.registered"));
     EXPECT_TRUE(has_linear_solver("mine.registered"));
     EXPECT_EQ(make_linear_solver("mine.registered")->name(), "mine.registered");
 }

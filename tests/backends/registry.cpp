@@ -77,26 +77,25 @@ TEST(registry, unknown_names_are_answered_with_the_known_ones) {
 
 TEST(registry, names_are_taken_once) {
     const auto factory = adapt<DenseLu>("registry.lu");
-    register_linear_solver("registry.lu", factory);
-    EXPECT_REFUSED(register_linear_solver("registry.lu", factory), "engine", "registry.lu",
+    register_engine("registry.lu", factory);
+    EXPECT_REFUSED(register_engine("registry.lu", factory), "engine", "registry.lu",
                    "known already");
     // those that a module may bring, there or not
-    EXPECT_REFUSED(register_linear_solver("mumps", factory), "mumps", "known already");
-    EXPECT_REFUSED(register_eigen_solver("slepc", [] { return nullptr; }), "slepc",
-                   "known already");
-    EXPECT_REFUSED(register_integrator("cvode", [](const IntegratorOptions&) { return nullptr; }),
+    EXPECT_REFUSED(register_engine("mumps", factory), "mumps", "known already");
+    EXPECT_REFUSED(register_engine("slepc", [] { return nullptr; }), "slepc", "known already");
+    EXPECT_REFUSED(register_engine("cvode", [](const IntegratorOptions&) { return nullptr; }),
                    "cvode", "known already");
-    EXPECT_THROW(register_linear_solver("auto", factory), InvalidInput);
-    EXPECT_THROW(register_linear_solver("", factory), InvalidInput);
-    EXPECT_THROW(register_linear_solver("registry.empty", {}), InvalidInput);
-    EXPECT_THROW(register_eigen_solver("registry.empty", {}), InvalidInput);
-    EXPECT_THROW(register_integrator("registry.empty", {}), InvalidInput);
+    EXPECT_THROW(register_engine("auto", factory), InvalidInput);
+    EXPECT_THROW(register_engine("", factory), InvalidInput);
+    EXPECT_THROW(register_engine("registry.empty", LinearSolverFactory()), InvalidInput);
+    EXPECT_THROW(register_engine("registry.empty", EigenSolverFactory()), InvalidInput);
+    EXPECT_THROW(register_engine("registry.empty", IntegratorFactory()), InvalidInput);
 }
 
 TEST(registry, factories_that_make_nothing_are_an_error) {
-    register_linear_solver("registry.none", [](const LinearSolverOptions&) { return nullptr; });
+    register_engine("registry.none", [](const LinearSolverOptions&) { return nullptr; });
     EXPECT_THROW(make_linear_solver("registry.none"), BackendUnavailable);
-    register_integrator("registry.none", [](const IntegratorOptions&) { return nullptr; });
+    register_engine("registry.none", [](const IntegratorOptions&) { return nullptr; });
     EXPECT_THROW(make_integrator("registry.none"), BackendUnavailable);
 }
 
@@ -105,7 +104,7 @@ TEST(registry, threads_may_register_and_make_at_once) {
     for (int t = 0; t < 4; ++t)
         threads.emplace_back([t] {
             const std::string name = "registry.thread" + std::to_string(t);
-            register_linear_solver(name, adapt<DenseLu>(name));
+            register_engine(name, adapt<DenseLu>(name));
             for (int i = 0; i < 50; ++i)
                 make_linear_solver(name);
         });

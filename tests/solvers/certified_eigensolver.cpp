@@ -59,7 +59,7 @@ bool is_copy(const Vector& values, Index i) {
 }
 
 void register_forgetful(const std::string& name, const Forgetful::Keeps& keeps) {
-    register_eigen_solver(name, [=] { return std::make_unique<Forgetful>(name, keeps); });
+    register_engine(name, [=] { return std::make_unique<Forgetful>(name, keeps); });
 }
 
 /// Two that lose pairs: every other one, and the second copy of every multiple eigenvalue.

@@ -15,7 +15,7 @@ int polydec_engine_module_version() {
 }
 
 void polydec_register_engines(polydec::EngineRegistrar& registrar) {
-    registrar.add_linear_solver(
+    registrar.add(
         {.name = "module.llt", .description = "an engine from a module", .how_to_get = "load it"},
         polydec::adapt<Eigen::SimplicialLLT<ColumnMatrix>>(
             "module.llt", {.symmetry = polydec::Symmetry::symmetric,
