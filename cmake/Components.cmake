@@ -149,4 +149,4 @@ polydec_component(petsc PETSc PETSc PETSc::PETSc petsc-dev
 polydec_component(slepc SLEPc SLEPc SLEPc::SLEPc slepc-dev
     NEEDS petsc # SLEPc starts and ends together with its PETSc
     HEADER eigen/slepc.h
-    SOURCES eigen/slepc.cpp eigen/slepc_session.h)
+    SOURCES eigen/slepc.cpp eigen/slepc_run.h)

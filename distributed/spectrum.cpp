@@ -65,9 +65,7 @@ private:
 
 /// B - shift.
 OwnedMat SharedSearch::shifted(double shift) const {
-    OwnedMat result = made("shifting", [&](Mat* copy) {
-        return MatDuplicate(pencil_.matrix(), MAT_COPY_VALUES, copy);
-    });
+    OwnedMat result = copied(pencil_.matrix());
     require(MatShift(result.get(), -shift), "shifting");
     return result;
 }
@@ -97,16 +95,16 @@ Index SharedSearch::ask(Index count) {
     for (double& entry : start)
         entry = random_.fraction() - 0.5;
     pairs_.project_out(start);
-    const auto apply = [&](const Vector& y) -> Vector {
+    const auto apply = [&](const Vector& y, Vector& result) {
         Vector right = y;
         pairs_.project_out(right);
         Index steps = 0;
-        Vector result = solver_->solve(right, steps);
+        result = solver_->solve(right, steps);
         pairs_.project_out(result);
-        return result;
     };
     constexpr double tolerance = 1e-12;
-    DenseMatrix Y = largest_eigenvectors(ranks_, apply, count, start, tolerance);
+    DenseMatrix Y =
+        largest_eigenvectors(ranks_, {pencil_.own_size(), apply}, count, start, tolerance);
     pairs_.project_out(Y);
     // what is left of those found already has no length
     constexpr double real = 0.5;

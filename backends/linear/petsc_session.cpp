@@ -74,18 +74,13 @@ void start(const std::string& engine) {
     if (const auto error = start_petsc())
         throw BackendUnavailable(
             fmt::format("{}: PETSc cannot start: PETSc error {}", engine, static_cast<int>(error)));
-    at_exit(end_petsc);
+    static_cast<void>(std::atexit(end_petsc)); // else the system ends it
 }
 
 } // namespace
 
 bool is_running() {
     return PetscInitializeCalled && !PetscFinalizeCalled && !mpi_has_ended();
-}
-
-void at_exit(void (*end)()) {
-    // What cannot be ended in order is ended by the system.
-    static_cast<void>(std::atexit(end));
 }
 
 Session::Session(std::string engine) : engine_(std::move(engine)), lock_(mutex) {

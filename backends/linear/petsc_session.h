@@ -36,9 +36,6 @@ private:
 /// Whether PETSc objects are usable: false before the first session and after its end.
 bool is_running();
 
-/// Calls `end` at program exit, before PETSc ends if it was started here.
-void at_exit(void (*end)());
-
 /// Owns a PETSc object, such as Owned<KSP, KSPDestroy>. Objects that outlive PETSc, such as those
 /// in static variables, are not destroyed. Destroy within a session.
 template <typename Object, PetscErrorCode (*destroy)(Object*)>
