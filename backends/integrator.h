@@ -114,8 +114,7 @@ public:
     /// interval that contains it. An event at the beginning does not count. Throws InvalidInput for
     /// a time in the past or without begin(); SolverFailure, naming the time, if a rate is not
     /// finite however short the step, if steps become too short to change the time, and after
-    /// most_steps. Then time() and state() are from a completed step: the last one, or, if the
-    /// engine does not report it, the last one before this march.
+    /// most_steps. Then time() and state() are those after the last completed step.
     Arrival advance(double time);
 
     double time() const { return time_; }

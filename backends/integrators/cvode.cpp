@@ -95,10 +95,10 @@ protected:
         require(stop_at(until), "setting the end");
         double reached = time(), last_step = 0;
         const int answer = CVode(memory_.get(), until, vector_.get(), &reached, CV_NORMAL);
-        count(last_step);
+        CVodeGetLastStep(memory_.get(), &last_step);
         const bool at_event = answer == CV_ROOT_RETURN;
-        if (answer >= 0)
-            accept(at_event ? reached : until, entries(vector_.get()), last_step);
+        accept(answer < 0 || at_event ? reached : until, entries(vector_.get()), last_step);
+        count();
         require(answer, "marching");
         return at_event ? Arrival::at_event : Arrival::at_time;
     }
@@ -145,10 +145,9 @@ private:
         return CVodeSetStopTime(memory_.get(), until);
     }
 
-    void count(double& last_step) {
+    void count() {
         long steps = 0, rejected = 0, failures = 0;
         CVodeGetNumSteps(memory_.get(), &steps);
-        CVodeGetLastStep(memory_.get(), &last_step);
         CVodeGetNumErrTestFails(memory_.get(), &rejected);
         CVodeGetNumNonlinSolvConvFails(memory_.get(), &failures);
         counts().steps = static_cast<Index>(steps);

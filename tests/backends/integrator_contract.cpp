@@ -56,6 +56,7 @@ TEST_P(IntegratorContract, stiffness_costs_no_steps_where_it_is_told) {
     const Forced forced{.stiffness = 1e5};
     const auto untold = begun(forced.mild_alone(), forced.exact(0), options);
     EXPECT_THROW(untold->advance(3), SolverFailure);
+    EXPECT_GT(untold->time(), 0);
 }
 
 TEST_P(IntegratorContract, stiff_rates_need_not_be_linear) {
