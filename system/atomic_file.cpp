@@ -23,11 +23,6 @@ namespace {
 
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
 
-[[noreturn]] void refuse(const std::filesystem::path& target, const std::string& reason) {
-    throw IoError(fmt::format("cannot write {}: {}", printable(target.string()), reason),
-                  {.path = target});
-}
-
 /// Opens a file that was not there; it is noted before it can exist. -1 on failure.
 int create(Unfinished& temporary, const std::filesystem::path& folder) {
     int file = -1;
@@ -55,6 +50,11 @@ std::string advice(const std::filesystem::path& folder) {
 
 } // namespace
 
+void refuse_to_write(const std::filesystem::path& target, const std::string& reason) {
+    throw IoError(fmt::format("cannot write {}: {}", printable(target.string()), reason),
+                  {.path = target});
+}
+
 std::filesystem::path followed(const std::filesystem::path& target) {
     std::error_code error, missing;
     auto result =
@@ -63,7 +63,7 @@ std::filesystem::path followed(const std::filesystem::path& target) {
         result = std::filesystem::weakly_canonical(
             result.parent_path() / std::filesystem::read_symlink(result, missing), error);
     if (error)
-        refuse(target, error.message());
+        refuse_to_write(target, error.message());
     return result;
 }
 
@@ -80,25 +80,25 @@ void check_replaceable(const std::filesystem::path& target) {
     if (::stat(final_target.c_str(), &status) != 0)
         return;
     if (!S_ISREG(status.st_mode))
-        refuse(target, "it is a folder, pipe or device; name a regular file");
+        refuse_to_write(target, "it is a folder, pipe or device; name a regular file");
     if (!is_writable(final_target))
-        refuse(target, "it is read-only; name another file, or make it writable");
+        refuse_to_write(target, "it is read-only; name another file, or make it writable");
 }
 
 void write_part(const std::filesystem::path& file, std::int64_t place, std::string_view bytes,
                 const std::filesystem::path& target) {
     const Descriptor opened(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
     if (opened.number() < 0)
-        refuse(target, system_reason());
+        refuse_to_write(target, system_reason());
     for (std::size_t done = 0; done < bytes.size();) {
         const auto count = ::pwrite(opened.number(), bytes.data() + done, bytes.size() - done,
                                     static_cast<off_t>(place + static_cast<std::int64_t>(done)));
         if (count < 0 && errno != EINTR)
-            refuse(target, system_reason());
+            refuse_to_write(target, system_reason());
         done += count > 0 ? static_cast<std::size_t>(count) : 0;
     }
     if (::fsync(opened.number()) != 0 && errno != EINVAL)
-        refuse(target, system_reason());
+        refuse_to_write(target, system_reason());
 }
 
 AtomicFile::AtomicFile(const std::filesystem::path& target)
@@ -107,13 +107,14 @@ AtomicFile::AtomicFile(const std::filesystem::path& target)
     struct stat status {};
     const bool exists = ::stat(final_.c_str(), &status) == 0;
     if (!temporary_.has_place())
-        refuse(target, fmt::format("{} files are already open for writing; write fewer at a time",
-                                   Unfinished::most));
+        refuse_to_write(target,
+                        fmt::format("{} files are already open for writing; write fewer at a time",
+                                    Unfinished::most));
     file_ = create(temporary_, final_.parent_path());
     if (file_ < 0) {
         const auto reason = system_reason();
         temporary_.finish();
-        refuse(target, reason + advice(final_.parent_path()));
+        refuse_to_write(target, reason + advice(final_.parent_path()));
     }
     if (exists)
         keep_permissions(file_, status.st_mode);
@@ -159,7 +160,7 @@ void AtomicFile::flush() {
 }
 
 void AtomicFile::fail() const {
-    refuse(target_, system_reason());
+    refuse_to_write(target_, system_reason());
 }
 
 } // namespace polydec

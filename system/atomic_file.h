@@ -11,6 +11,9 @@
 
 namespace polydec {
 
+/// Throws IoError, naming the target and the reason.
+[[noreturn]] void refuse_to_write(const std::filesystem::path& target, const std::string& reason);
+
 /// The absolute path of a target, with symbolic links followed, also those to what is not there
 /// yet. Throws IoError if there is none, such as for links in a circle.
 std::filesystem::path followed(const std::filesystem::path& target);

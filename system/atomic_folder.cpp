@@ -81,18 +81,16 @@ void check_replaceable(const Path& target, const AtomicFolder::IsOurs& is_ours) 
     }
     if (error && error != std::errc::no_such_file_or_directory &&
         error != std::errc::not_a_directory)
-        throw IoError(fmt::format("cannot write {}: {}", name, error.message()), {.path = target});
+        refuse_to_write(target, error.message());
 }
 
 AtomicFolder::AtomicFolder(const Path& target, const IsOurs& is_ours)
     : target_(target), final_(resolved_folder(target)), is_ours_(is_ours) {
     check_replaceable(final_, is_ours_);
     if (!temporary_.has_place() || !displaced_.has_place())
-        throw IoError(
-            fmt::format(
-                "cannot write {}: {} files are already open for writing; write fewer at a time",
-                printable(target_.string()), Unfinished::most),
-            {.path = target_});
+        refuse_to_write(target, fmt::format("{} files are already open for writing; write fewer at "
+                                            "a time",
+                                            Unfinished::most));
     // what was there may be there once more, and stays where it is until the end
     const bool is_made =
         make_under_new_name(existing_parent(final_), extension, [&](const char* path) {
@@ -101,10 +99,9 @@ AtomicFolder::AtomicFolder(const Path& target, const IsOurs& is_ours)
     if (is_made)
         return;
     // one that is there and has the name is another's
-    const int reason = errno;
+    const auto reason = system_reason();
     temporary_.finish();
-    errno = reason;
-    fail();
+    refuse_to_write(target, reason);
 }
 
 AtomicFolder::~AtomicFolder() {
@@ -123,10 +120,8 @@ void AtomicFolder::make_parents() {
          parent = parent.parent_path())
         made_ = parent;
     std::filesystem::create_directories(final_.parent_path(), error);
-    if (error) {
-        errno = error.value();
-        fail();
-    }
+    if (error)
+        refuse_to_write(target_, error.message());
 }
 
 /// Puts the folder where another one is, which gets the temporary name.
@@ -171,8 +166,7 @@ void AtomicFolder::commit() {
 }
 
 void AtomicFolder::fail() const {
-    throw IoError(fmt::format("cannot write {}: {}", printable(target_.string()), system_reason()),
-                  {.path = target_});
+    refuse_to_write(target_, system_reason());
 }
 
 } // namespace polydec
