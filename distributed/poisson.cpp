@@ -119,37 +119,33 @@ Points cell_centers(const Ranks& ranks, const DistributedMesh& mesh, int k) {
 }
 
 struct SharedPoissonSolver::Problem {
-    Side side = Side::primal;
-    SharedSystem system = {};
-    Vector mass = {};
-    FromFacets load = {};
-    FromBoundary fixed = {};
-    Points sites = {}, flux_sites = {};
-
-    static Problem primal(const Ranks& ranks, const DistributedMesh& mesh, const OwnFacets& facets);
-    static Problem dual(const Ranks& ranks, const DistributedMesh& mesh, const OwnFacets& facets);
-
-    static Problem of(const Ranks& ranks, const DistributedMesh& mesh,
-                      const SharedPoissonOptions& options) {
+    Problem(const Ranks& ranks, const DistributedMesh& mesh, const SharedPoissonOptions& options)
+        : side(options.side) {
         check_stars(ranks, mesh);
-        const int n = mesh.dimension();
         const OwnFacets facets =
             ranks.together("conditions", [&] { return OwnFacets(mesh, options.boundary); });
-        Problem problem =
-            options.side == Side::primal ? primal(ranks, mesh, facets) : dual(ranks, mesh, facets);
-        problem.side = options.side;
-        problem.sites = cell_centers(ranks, mesh, options.side == Side::primal ? 0 : n);
-        problem.flux_sites = cell_centers(ranks, mesh, n - 1);
-        return problem;
+        const int n = mesh.dimension();
+        side == Side::primal ? set_primal(ranks, mesh, facets) : set_dual(ranks, mesh, facets);
+        sites = cell_centers(ranks, mesh, side == Side::primal ? 0 : n);
+        flux_sites = cell_centers(ranks, mesh, n - 1);
     }
+
+    void set_primal(const Ranks& ranks, const DistributedMesh& mesh, const OwnFacets& facets);
+    void set_dual(const Ranks& ranks, const DistributedMesh& mesh, const OwnFacets& facets);
+
+    Side side;
+    SharedSystem system = {};
+    Vector mass = {}; // of own unknowns
+    /// Boundary data to right-hand side, and boundary values to fixed unknowns.
+    std::function<Vector(const Vector& boundary_values, const Vector& flows)> load = {};
+    std::function<Vector(const Vector& boundary_values)> fixed = {};
+    Points sites = {}, flux_sites = {};
 };
 
-SharedPoissonSolver::Problem SharedPoissonSolver::Problem::primal(const Ranks& ranks,
-                                                                  const DistributedMesh& mesh,
-                                                                  const OwnFacets& facets) {
+void SharedPoissonSolver::Problem::set_primal(const Ranks& ranks, const DistributedMesh& mesh,
+                                              const OwnFacets& facets) {
     const int n = mesh.dimension();
     const auto& vertices = mesh.cells.degree(0);
-    const Vector star = HodgeStar(mesh.cells.volumes, 0).diagonal();
     const Vector weights =
         ranks.together("weights", [&] { return edge_weights(mesh.cells.volumes); });
 
@@ -173,19 +169,18 @@ SharedPoissonSolver::Problem SharedPoissonSolver::Problem::primal(const Ranks& r
             const SparseMatrix own = inclusion(vertices.first, mesh.local.complex.size(0));
             return SparseMatrix(SparseMatrix(own.transpose()) * SparseMatrix(all.transpose()));
         });
-    const auto load = [ranks, shares, natural = facets.natural,
-                       &cells = facets.cells](const Vector&, const Vector& flows) -> Vector {
+    load = [ranks, shares, natural = facets.natural,
+            &cells = facets.cells](const Vector&, const Vector& flows) -> Vector {
         return shares * at_pieces(ranks, cells, natural.cwiseProduct(flows));
     };
-    return {Side::primal,
-            SharedSystem{gram_of_columns(ranks, mesh.cells, 0, weights), std::move(held),
-                         star.cwiseAbs(), by_sign(ranks, weights)},
-            star, load, [](const Vector& boundary_values) { return boundary_values; }};
+    fixed = [](const Vector& boundary_values) { return boundary_values; };
+    mass = HodgeStar(mesh.cells.volumes, 0).diagonal();
+    system = {gram_of_columns(ranks, mesh.cells, 0, weights), std::move(held), mass.cwiseAbs(),
+              by_sign(ranks, weights)};
 }
 
-SharedPoissonSolver::Problem SharedPoissonSolver::Problem::dual(const Ranks& ranks,
-                                                                const DistributedMesh& mesh,
-                                                                const OwnFacets& facets) {
+void SharedPoissonSolver::Problem::set_dual(const Ranks& ranks, const DistributedMesh& mesh,
+                                            const OwnFacets& facets) {
     const int n = mesh.dimension();
     ranks.together("fluxes", [&] { check_fluxes(mesh, facets); });
     const CellVolumes& volumes = mesh.cells.volumes;
@@ -217,44 +212,47 @@ SharedPoissonSolver::Problem SharedPoissonSolver::Problem::dual(const Ranks& ran
         held.fixed.push_back(fixed_by[c] > 0);
         held.tied.push_back(tied_by[c] > 0);
     }
-    const auto load = [=](const Vector& values, const Vector& flows) -> Vector {
+    load = [=](const Vector& values, const Vector& flows) -> Vector {
         return product(ranks, to_cells.get(),
                        conducting.cwiseProduct(values) + outflow.cwiseProduct(flows));
     };
-    const auto fixed = [=](const Vector& values) -> Vector {
+    fixed = [=](const Vector& values) -> Vector {
         return product(ranks, to_cells.get(), fixing.cwiseProduct(values))
             .cwiseQuotient(fixed_by.cwiseMax(1));
     };
-    return {Side::dual,
-            SharedSystem{gram_of_rows(ranks, mesh.cells, n - 1, weights), std::move(held),
-                         volumes.primal(n), by_sign(ranks, weights)},
-            volumes.primal(n), load, fixed};
+    mass = volumes.primal(n);
+    system = {gram_of_rows(ranks, mesh.cells, n - 1, weights), std::move(held), mass,
+              by_sign(ranks, weights)};
 }
 
 SharedPoissonSolver::SharedPoissonSolver(const Ranks& ranks, const DistributedMesh& mesh,
                                          const SharedPoissonOptions& options)
-    : SharedPoissonSolver(ranks, Problem::of(ranks, mesh, options), options.engine) {}
-
-SharedPoissonSolver::SharedPoissonSolver(const Ranks& ranks, Problem problem,
-                                         const SharedEngine& engine)
     : ranks_(ranks),
-      side_(problem.side),
-      sites_(std::move(problem.sites)),
-      flux_sites_(std::move(problem.flux_sites)),
-      mass_(std::move(problem.mass)),
-      load_(std::move(problem.load)),
-      fixed_(std::move(problem.fixed)),
-      solver_(ranks, std::move(problem.system), engine) {}
+      problem_(std::make_shared<Problem>(ranks, mesh, options)),
+      solver_(ranks, std::move(problem_->system), options.engine) {}
+
+Points SharedPoissonSolver::sites() const {
+    return problem_->sites;
+}
+
+Points SharedPoissonSolver::boundary_sites() const {
+    return problem_->side == Side::primal ? sites() : flux_sites();
+}
+
+Points SharedPoissonSolver::flux_sites() const {
+    return problem_->flux_sites;
+}
 
 Solution SharedPoissonSolver::solve(const Vector& f, const Vector& boundary_values,
                                     const Vector& normal_derivatives) const {
     ranks_.together("data", [&] {
-        check_values("right-hand side", f, sites_.rows());
+        check_values("right-hand side", f, problem_->sites.rows());
         check_values("boundary data", boundary_values, boundary_sites().rows());
-        check_values("normal derivatives", normal_derivatives, flux_sites_.rows());
+        check_values("normal derivatives", normal_derivatives, problem_->flux_sites.rows());
     });
-    return solver_.solve(mass_.cwiseProduct(f) + load_(boundary_values, normal_derivatives),
-                         fixed_(boundary_values));
+    return solver_.solve(problem_->mass.cwiseProduct(f) +
+                             problem_->load(boundary_values, normal_derivatives),
+                         problem_->fixed(boundary_values));
 }
 
 } // namespace polydec

@@ -5,8 +5,6 @@
 #include "distributed/discretize.h"
 #include "distributed/shared_solver.h"
 
-#include <functional>
-
 namespace polydec {
 
 /// Collective: the sites of form values on own cells, in units of the mesh: see cell_centers.
@@ -29,12 +27,9 @@ public:
                         const SharedPoissonOptions& options = {});
 
     /// See PoissonSolver.
-    const Points& sites() const& { return sites_; }
-    const Points& boundary_sites() const& { return side_ == Side::primal ? sites_ : flux_sites_; }
-    const Points& flux_sites() const& { return flux_sites_; }
-    Points sites() && { return sites_; }
-    Points boundary_sites() && { return boundary_sites(); }
-    Points flux_sites() && { return flux_sites_; }
+    Points sites() const;
+    Points boundary_sites() const;
+    Points flux_sites() const;
 
     /// See PoissonSolver::solve.
     Solution solve(const Vector& f, const Vector& boundary_values,
@@ -42,17 +37,8 @@ public:
 
 private:
     struct Problem;
-    explicit SharedPoissonSolver(const Ranks& ranks, Problem problem, const SharedEngine& engine);
-
-    using FromFacets = std::function<Vector(const Vector& boundary_values, const Vector& flows)>;
-    using FromBoundary = std::function<Vector(const Vector& boundary_values)>;
-
     Ranks ranks_;
-    Side side_;
-    Points sites_, flux_sites_;
-    Vector mass_;        // of own unknowns
-    FromFacets load_;    // boundary data to right-hand side
-    FromBoundary fixed_; // boundary values to fixed unknowns
+    Shared<Problem> problem_;
     SharedSolver solver_;
 };
 
