@@ -19,7 +19,7 @@ struct ConvertArguments {
 
 void run_convert(const Ranks& ranks, const ConvertArguments& arguments) {
     Log log;
-    check_output_file(ranks, arguments.out, {".pdm"});
+    check_output_file(ranks, arguments.out, ".pdm");
     const SharedProgress progress(ranks);
     log.timing.begin("read");
     const MeshSlice slice =

@@ -181,8 +181,7 @@ void add_shared_info(CLI::App& app, const Ranks& ranks) {
         app, "info", "describes the mesh before and after merging",
         [ranks](const SharedArguments& given) { run_info(ranks, given); });
     add_shared_arguments(*command, *arguments);
-    refuse_option(*command, "--star");
-    refuse_option(*command, "--out");
+    refuse_options(*command, {"--star", "--out"});
     command->footer("`polydec info` also reports Betti numbers and properties of the operators.\n"
                     "\n"
                     "Example:\n"

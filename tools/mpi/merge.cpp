@@ -8,33 +8,27 @@ namespace polydec::tools {
 
 namespace {
 
-struct SharedMergeArguments {
-    SharedArguments mesh;
-    std::filesystem::path out;
-};
-
-void run_merge(const Ranks& ranks, const SharedMergeArguments& arguments) {
+void run_merge(const Ranks& ranks, const SharedArguments& arguments) {
     SharedLog log(ranks);
-    check_picture(ranks, arguments.out);
-    const DistributedMesh mesh = load(ranks, arguments.mesh, log);
+    check_output_file(ranks, arguments.out, ".pvtu");
+    const DistributedMesh mesh = load(ranks, arguments, log);
     log.begin("write");
     write_pvtu(ranks, arguments.out, mesh, {});
     tell(ranks, mesh,
          merged(arguments.out.string(), mesh.dimension(), mesh.local.degrees.back().count,
                 mesh.cells.degrees.back().count),
-         log, arguments.mesh.mesh.tell);
+         log, arguments.mesh.tell);
 }
 
 } // namespace
 
 void add_shared_merge(CLI::App& app, const Ranks& ranks) {
-    const auto [command, arguments] = add_command<SharedMergeArguments>(
+    const auto [command, arguments] = add_command<SharedArguments>(
         app, "merge", "writes the merged complex",
-        [ranks](const SharedMergeArguments& given) { run_merge(ranks, given); });
-    add_shared_arguments(*command, arguments->mesh);
-    refuse_option(*command, "--star");
+        [ranks](const SharedArguments& given) { run_merge(ranks, given); });
+    add_shared_arguments(*command, *arguments);
     add_picture(*command, arguments->out, "polygons or polyhedra", true);
-    refuse_option(*command, "--float32");
+    refuse_options(*command, {"--star", "--float32"});
     command->footer(
         "The file says which rank owns each cell. For other formats use `polydec merge`.\n\n"
         "Example:\n  mpirun -n 4 polydec-mpi merge cubes.pdm -o cubes.pvtu");

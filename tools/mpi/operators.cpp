@@ -9,32 +9,27 @@ namespace polydec::tools {
 
 namespace {
 
-struct SharedOperatorsArguments {
-    SharedArguments mesh;
-    std::filesystem::path out;
-};
-
-void run_operators(const Ranks& ranks, const SharedOperatorsArguments& arguments) {
+void run_operators(const Ranks& ranks, const SharedArguments& arguments) {
     SharedLog log(ranks);
     ranks.together("output", [&] {
         if (ranks.rank() == 0)
             check_replaced_folder(arguments.out);
     });
-    const DistributedMesh mesh = load(ranks, arguments.mesh, log);
+    const DistributedMesh mesh = load(ranks, arguments, log);
     log.begin("write");
     log.warn(write_operators(ranks, mesh, arguments.out));
     tell(ranks, mesh, operators(arguments.out.string(), mesh.dimension()), log,
-         arguments.mesh.mesh.tell);
+         arguments.mesh.tell);
 }
 
 } // namespace
 
 void add_shared_operators(CLI::App& app, const Ranks& ranks) {
-    const auto [command, arguments] = add_command<SharedOperatorsArguments>(
+    const auto [command, arguments] = add_command<SharedArguments>(
         app, "operators", "writes all operators to files",
-        [ranks](const SharedOperatorsArguments& given) { run_operators(ranks, given); });
-    add_shared_arguments(*command, arguments->mesh);
-    refuse_option(*command, "--star");
+        [ranks](const SharedArguments& given) { run_operators(ranks, given); });
+    add_shared_arguments(*command, *arguments);
+    refuse_options(*command, {"--star"});
     command
         ->add_option("--out", arguments->out,
                      "FOLDER\tfolder for the files, created or replaced as a whole")

@@ -26,7 +26,6 @@ struct SharedPoissonArguments {
     SharedPoissonOptions poisson;
     ConditionArguments conditions;
     std::string rhs, boundary, exact, flux;
-    std::filesystem::path out;
 };
 
 /// What the options give at sites of own cells; made before the mesh is read.
@@ -90,7 +89,7 @@ void warn_of_negative(const Ranks& ranks, const DistributedMesh& mesh, Side side
 void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
     SharedLog log(ranks);
     const SharedData data(arguments);
-    check_picture(ranks, arguments.out);
+    check_output_file(ranks, arguments.mesh.out, ".pvtu");
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     const auto& file = arguments.mesh.mesh.mesh;
     const Side side = arguments.poisson.side;
@@ -136,9 +135,9 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
     if (data.exact)
         answer.errors = errors_of(ranks, mesh, side,
                                   u - values_at(ranks, mesh, *data.exact, k, solver.sites()));
-    if (!arguments.out.empty()) {
+    if (!arguments.mesh.out.empty()) {
         log.begin("write");
-        write_pvtu(ranks, arguments.out, mesh, {{"u", k, u}});
+        write_pvtu(ranks, arguments.mesh.out, mesh, {{"u", k, u}});
     }
     tell(ranks, mesh, answer, log, arguments.mesh.mesh.tell);
 }
@@ -168,10 +167,9 @@ void add_shared_poisson(CLI::App& app, const Ranks& ranks) {
     command->add_option("--petsc", arguments->poisson.engine.options,
                         "OPTIONS\toptions for PETSc, such as '-ksp_type fcg -ksp_monitor'; unused "
                         "ones are an error");
-    add_picture(*command, arguments->out, "u", false);
+    add_picture(*command, arguments->mesh.out, "u", false);
     command->remove_option(command->get_option("--essential-on"));
-    for (const char* option : {"--conductivity", "--essential-on", "--isolines", "--float32"})
-        refuse_option(*command, option);
+    refuse_options(*command, {"--conductivity", "--essential-on", "--isolines", "--float32"});
     command->footer(
         "Several ranks support only circumcentric stars: if the automatic ones differ, use --star "
         "circumcentric, or a single process. Files are as for `polydec poisson`; every rank reads "

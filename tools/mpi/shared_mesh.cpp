@@ -64,11 +64,13 @@ struct Effort {
 
 } // namespace
 
-void refuse_option(CLI::App& command, const std::string& option) {
-    const auto refuse = [option, name = command.get_name()](const CLI::results_t&) -> bool {
-        throw OneProcessOnly(option, name);
-    };
-    command.add_option(option, refuse, "")->group("")->expected(0, 1);
+void refuse_options(CLI::App& command, const std::vector<std::string>& options) {
+    for (const std::string& option : options) {
+        const auto refuse = [option, name = command.get_name()](const CLI::results_t&) -> bool {
+            throw OneProcessOnly(option, name);
+        };
+        command.add_option(option, refuse, "")->group("")->expected(0, 1);
+    }
 }
 
 void add_shared_arguments(CLI::App& command, SharedArguments& arguments) {
@@ -83,8 +85,7 @@ void add_shared_arguments(CLI::App& command, SharedArguments& arguments) {
                     "time, not results")
         ->default_str("morton")
         ->transform(enumerator({"morton", "file", "ptscotch"}));
-    for (const char* option : {"--centers", "--keep-groups", "--peel", "--delaunay"})
-        refuse_option(command, option);
+    refuse_options(command, {"--centers", "--keep-groups", "--peel", "--delaunay"});
 }
 
 SharedProgress::SharedProgress(const Ranks& ranks) : ranks_(ranks) {
@@ -157,10 +158,10 @@ void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer,
 }
 
 void check_output_file(const Ranks& ranks, const std::filesystem::path& out,
-                       const std::vector<const char*>& extensions) {
+                       const char* extension) {
     ranks.together("output", [&] {
-        if (ranks.rank() == 0)
-            check_output_file(out, extensions);
+        if (ranks.rank() == 0 && !out.empty())
+            check_output_file(out, {extension});
     });
 }
 
@@ -171,11 +172,6 @@ void add_picture(CLI::App& command, std::filesystem::path& out, const std::strin
                     "FILE\twrite " + what +
                         " as .pvtu, with a folder of the same name for a .vtu file per rank")
         ->required(required);
-}
-
-void check_picture(const Ranks& ranks, const std::filesystem::path& out) {
-    if (!out.empty())
-        check_output_file(ranks, out, {".pvtu"});
 }
 
 } // namespace polydec::tools

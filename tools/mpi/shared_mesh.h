@@ -16,14 +16,15 @@ namespace polydec::tools {
 struct SharedArguments {
     MeshArguments mesh;
     Ownership owners = Ownership::morton;
+    std::filesystem::path out; ///< of commands that write files
 };
 
 /// Adds MESH and the options of SharedArguments to a subcommand; polydec's other options give an
 /// error that names them.
 void add_shared_arguments(CLI::App& command, SharedArguments& arguments);
 
-/// Makes an option of polydec an error, as it runs in one process only.
-void refuse_option(CLI::App& command, const std::string& option);
+/// Makes options of polydec errors, as they run in one process only.
+void refuse_options(CLI::App& command, const std::vector<std::string>& options);
 
 /// Collective: shows the progress of rank 0 during its lifetime.
 class SharedProgress {
@@ -50,15 +51,11 @@ BoundaryCounts boundary_counts(const Ranks& ranks, const DistributedMesh& mesh,
 void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, SharedLog& log,
           const TellOptions& options);
 
-/// Collective: calls check_output_file on rank 0.
-void check_output_file(const Ranks& ranks, const std::filesystem::path& out,
-                       const std::vector<const char*>& extensions);
+/// Collective: checks the requested file, if any, on rank 0, before any work is done.
+void check_output_file(const Ranks& ranks, const std::filesystem::path& out, const char* extension);
 
 /// Adds -o OUT.pvtu; `what` describes the output.
 void add_picture(CLI::App& command, std::filesystem::path& out, const std::string& what,
                  bool required);
-
-/// Collective: checks the requested file, if any, before any work is done.
-void check_picture(const Ranks& ranks, const std::filesystem::path& out);
 
 } // namespace polydec::tools

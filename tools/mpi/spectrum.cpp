@@ -20,7 +20,6 @@ struct SharedSpectrumArguments {
     int degree = 0;
     SpectrumOptions spectrum;
     bool certify = true;
-    std::filesystem::path out;
 };
 
 /// The modes on vertices or n-cells, which a picture shows.
@@ -33,15 +32,15 @@ std::vector<SharedValues> modes_to_show(const Spectrum& spectrum, int k) {
 
 void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
     SharedLog log(ranks);
-    check_picture(ranks, arguments.out);
+    check_output_file(ranks, arguments.mesh.out, ".pvtu");
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     const int n = mesh.dimension();
     const auto [side, degree] = std::pair(arguments.side, arguments.degree);
     const int k = side == Side::primal ? degree : n - degree;
-    if (!arguments.out.empty() && k != 0 && k != n)
+    if (!arguments.mesh.out.empty() && k != 0 && k != n)
         throw InvalidInput(fmt::format("cannot write {}: several ranks write only functions on "
                                        "vertices and cells; omit the file",
-                                       arguments.out.string()));
+                                       arguments.mesh.out.string()));
     log.begin("solve");
     if (!arguments.certify)
         arguments.spectrum.certification = Certification::waived;
@@ -55,9 +54,9 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
     if (ranks.any(result.modes.cols() == 0)) // values of one rank may be out of range
         result.modes.resize(result.modes.rows(), 0);
     log.warn(result.warnings);
-    if (!arguments.out.empty()) {
+    if (!arguments.mesh.out.empty()) {
         log.begin("write");
-        write_pvtu(ranks, arguments.out, mesh, modes_to_show(result, k));
+        write_pvtu(ranks, arguments.mesh.out, mesh, modes_to_show(result, k));
     }
     log.warn(warning_of_rough_values(result.rough));
     const Eigenvalues answer(
@@ -78,12 +77,11 @@ void add_shared_spectrum(CLI::App& app, const Ranks& ranks) {
     add_star(*command, arguments->mesh.mesh, StarKind::automatic);
     add_forms(*command, arguments->side, arguments->degree);
     command->add_option("--count", arguments->spectrum.count, "N\tnumber of eigenpairs");
-    add_picture(*command, arguments->out, "modes on vertices or cells", false);
+    add_picture(*command, arguments->mesh.out, "modes on vertices or cells", false);
     command->add_flag("!--no-certificate", arguments->certify,
                       "skip the proof that no eigenvalue is missing");
-    for (const char* option :
-         {"--natural", "--essential-where", "--engine", "--eigen-engine", "--float32"})
-        refuse_option(*command, option);
+    refuse_options(*command,
+                   {"--natural", "--essential-where", "--engine", "--eigen-engine", "--float32"});
     command->footer(
         "Several ranks support only circumcentric stars, which must be positive. Primal "
         "forms have no flow through the boundary (Neumann), dual ones values 0 "
