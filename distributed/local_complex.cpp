@@ -130,7 +130,6 @@ void number(const Ranks& ranks, const SimplicialComplex& complex,
     });
     const auto [places, count] = places_in_order(ranks, lists, k + 1, below);
     degree.count = count;
-    degree.first_row = ranks.sum_before(std::ssize(places));
     degree.number.assign(degree.owner.size(), -1);
     auto next = places.begin();
     for (std::size_t s = 0; s < degree.owner.size(); ++s)
@@ -144,13 +143,6 @@ void number(const Ranks& ranks, const SimplicialComplex& complex,
 Simplices by_local_vertex(const Stars& stars) {
     const NumberPlaces place(stars.vertices);
     return stars.cells.unaryExpr([&](GlobalIndex vertex) { return place(vertex); });
-}
-
-Index LocalComplex::Degree::own() const {
-    GlobalIndex copied = 0;
-    for (const auto& from : copies.in)
-        copied += std::ssize(from);
-    return static_cast<Index>(size() - copied);
 }
 
 Index LocalComplex::Degree::find(GlobalIndex of_number) const {

@@ -15,16 +15,12 @@ struct LocalComplex {
     /// The simplices of one degree.
     struct Degree {
         GlobalIndex count = 0;           ///< on all ranks
-        GlobalIndex first_row = 0;       ///< own ones before this rank
         std::vector<GlobalIndex> number; ///< place in the lexicographic order of all; ascends
         std::vector<int> owner;          ///< rank
         std::vector<bool> complete;      ///< all cofaces are here, since an own vertex is in it
         Copies copies;
 
         Index size() const { return static_cast<Index>(number.size()); }
-
-        /// Number of own simplices.
-        Index own() const;
 
         /// The simplex with that number; -1 if it is not on this rank.
         Index find(GlobalIndex of_number) const;
