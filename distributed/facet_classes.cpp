@@ -35,6 +35,8 @@ public:
           cofaces_(local.complex, n_) {}
 
     FacetClasses run() {
+        const LocalClasses parts = ranks_.together("links", [&] { return parts_of(); });
+        labels_ = spread_labels(ranks_, local_, n_, parts).of;
         const auto arrived = ranks_.deliver(ranks_.together("links", [&] { return links(); }));
         const auto found =
             ranks_.deliver(ranks_.together("classes", [&] { return classes_of(arrived); }));
@@ -45,12 +47,6 @@ public:
                         result.first);
         read_off(result);
         return result;
-    }
-
-    /// Labels of what hangs together; collective.
-    void label() {
-        const LocalClasses parts = ranks_.together("links", [&] { return parts_of(); });
-        labels_ = spread_labels(ranks_, local_, n_, parts).of;
     }
 
 private:
@@ -77,10 +73,7 @@ private:
         for (Index f = 0; f < local_.degree(n_ - 1).size(); ++f)
             if (is_link(f))
                 sets.join(cofaces_.of(f)[0].cell, cofaces_.of(f)[1].cell);
-        LocalClasses parts{sets.firsts(),
-                           std::vector<std::int8_t>(static_cast<std::size_t>(size), 1),
-                           std::vector<bool>(static_cast<std::size_t>(size), true)};
-        return parts;
+        return LocalClasses(sets.firsts());
     }
 
     Parcels<SentLink> links() const {
@@ -107,7 +100,7 @@ private:
     const std::vector<std::uint8_t>& kept_;
     int n_;
     Cofaces cofaces_;
-    std::vector<Label> labels_;
+    std::vector<Label> labels_; // of what hangs together
 };
 
 /// Links in the order of facets, as one process has them.
@@ -218,9 +211,7 @@ FacetDefects measure_facets(const Ranks& ranks, const LocalComplex& local,
 FacetClasses join_facets(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
                          const FacetDefects& defects, double tolerance,
                          const std::vector<std::uint8_t>& kept) {
-    FacetJoining joining(ranks, local, volumes, defects, tolerance, kept);
-    joining.label();
-    return joining.run();
+    return FacetJoining(ranks, local, volumes, defects, tolerance, kept).run();
 }
 
 } // namespace polydec

@@ -15,6 +15,10 @@ struct Label {
 /// Classes of simplices of one degree: for each simplex, the first one here of its class (itself if
 /// it has none), and its sign relative to that.
 struct LocalClasses {
+    /// All simplices take part, with the sign 1.
+    explicit LocalClasses(std::vector<Index> firsts)
+        : first(std::move(firsts)), sign(first.size(), 1), takes_part(first.size(), true) {}
+
     std::vector<Index> first;
     std::vector<std::int8_t> sign;
     std::vector<bool> takes_part; ///< false for simplices in no class

@@ -2,6 +2,7 @@
 #include "distributed/merging.h"
 
 #include "base/checks.h"
+#include "base/lists.h"
 #include "complex/blocks.h"
 #include "complex/open_balls.h"
 #include "dec/merging/facet_links.h"
@@ -24,11 +25,6 @@ using Carriers = std::vector<std::vector<Carrier>>;
 struct Flaw {
     BlockName cell;
     GlobalIndex euler, below_interfaces, is_amiss;
-
-    bool makes_no_ball() const { return euler != 0 || is_amiss != 0; }
-    bool is_undecided() const {
-        return !makes_no_ball() && below_interfaces > most_below_interfaces;
-    }
 };
 
 /// What is known of each cell together.
@@ -102,14 +98,13 @@ Blocks Rounds::join(const FacetClasses& classes, const CellVolumes& of_pieces) c
 /// What is known of k-simplices that are pieces, by the ranks together.
 std::vector<Carrier> Rounds::pieces_of(const Blocks& blocks, int k) {
     const auto& own = blocks.carriers[k];
-    LocalClasses classes{{}, blocks.signs[k], {}};
-    classes.first.reserve(own.size());
-    classes.takes_part.reserve(own.size());
-    for (std::size_t s = 0; s < own.size(); ++s) {
-        const bool is_piece = own[s].dimension == k;
-        classes.first.push_back(is_piece ? own[s].cell : static_cast<Index>(s));
-        classes.takes_part.push_back(is_piece);
-    }
+    LocalClasses classes(numbers_below(std::ssize(own)));
+    classes.sign = blocks.signs[k];
+    for (std::size_t s = 0; s < own.size(); ++s)
+        if (own[s].dimension == k)
+            classes.first[s] = own[s].cell;
+        else
+            classes.takes_part[s] = false;
     const Labels labels = spread_labels(ranks_, local_, k, classes);
     std::vector<Carrier> carriers;
     carriers.reserve(own.size());
@@ -171,17 +166,16 @@ std::vector<BlockName> Rounds::bad_cells(const std::vector<Flaw>& flaws,
         parcels[rank_for(flaw.cell)].push_back(flaw);
     const auto arrived = ranks_.deliver(std::move(parcels));
     const auto known = ranks_.together("cells", [&] { return summed(unpacked(arrived)); });
-    const auto cells_with = [&](bool (Flaw::*property)() const) {
-        std::vector<BlockName> own;
-        for (const Flaw& flaw : known)
-            if ((flaw.*property)())
-                own.push_back(flaw.cell);
-        auto all = ranks_.of_all(own);
-        std::sort(all.begin(), all.end());
-        return all;
-    };
-    auto bad = cells_with(&Flaw::makes_no_ball);
-    const auto others = no_balls_among(cells_with(&Flaw::is_undecided), carriers);
+    std::vector<BlockName> no_balls, undecided;
+    for (const auto& [cell, euler, below_interfaces, is_amiss] : known)
+        if (euler != 0 || is_amiss != 0)
+            no_balls.push_back(cell);
+        else if (below_interfaces > most_below_interfaces)
+            undecided.push_back(cell);
+    undecided = ranks_.of_all(undecided);
+    std::sort(undecided.begin(), undecided.end());
+    auto bad = ranks_.of_all(no_balls);
+    const auto others = no_balls_among(undecided, carriers);
     bad.insert(bad.end(), others.begin(), others.end());
     std::sort(bad.begin(), bad.end());
     return bad;

@@ -87,7 +87,6 @@ private:
 
 /// Classes, flat simplices and what lies beside these hang together.
 LocalClasses Sending::parts_of() const {
-    const auto size = static_cast<std::size_t>(tops().size());
     DisjointSets sets(tops().size());
     join_equal(first_, sets);
     const Cofaces cofaces(local_.complex, n_);
@@ -95,7 +94,7 @@ LocalClasses Sending::parts_of() const {
         if (const auto sides = cofaces.of(f); free_[f] != 0 && sides.size() == 2 &&
                                               (is_flat(sides[0].cell) || is_flat(sides[1].cell)))
             sets.join(sides[0].cell, sides[1].cell);
-    return {sets.firsts(), std::vector<std::int8_t>(size, 1), std::vector<bool>(size, true)};
+    return LocalClasses(sets.firsts());
 }
 
 /// Whether there is a flat one among those that hang together with each own simplex.
@@ -158,7 +157,7 @@ public:
         : ranks_(ranks),
           layout_(layout),
           corners_(corners_of(arrived)),
-          complex_(tops_of(arrived), names_of(corners_)), // of nothing, too
+          complex_(tops_of(arrived), numbers_below(corners_.numbers().size())), // of nothing, too
           points_(complex_.size(0), layout.N) {
         find_rows(arrived);
         find_surroundings();
@@ -173,7 +172,6 @@ private:
         const double* values;
     };
 
-    static std::vector<Index> names_of(const NumberPlaces& corners);
     NumberPlaces corners_of(const Gathered& arrived) const;
     Simplices tops_of(const Gathered& arrived) const;
     void find_rows(const Gathered& arrived);
@@ -195,12 +193,6 @@ NumberPlaces Deciding::corners_of(const Gathered& arrived) const {
         for (auto row = parcel.begin(); row != parcel.end(); row += layout_.numbers())
             corners.insert(corners.end(), row + Layout::corners, row + layout_.numbers());
     return NumberPlaces(corners);
-}
-
-/// Their places: nothing here is told to anybody.
-std::vector<Index> Deciding::names_of(const NumberPlaces& corners) {
-    std::vector<Index> names = numbers_below(corners.numbers().size());
-    return names;
 }
 
 Simplices Deciding::tops_of(const Gathered& arrived) const {
