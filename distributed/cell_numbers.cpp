@@ -29,12 +29,17 @@ public:
         : ranks_(ranks), local_(local), merged_(merged), k_(k) {}
 
     DistributedCells::Degree run() {
-        find_own();
-        const auto [places, count] =
-            places_in_order(ranks_, numbers_of_first(), 1, local_.degree(k_).count);
-        cells_.count = count;
-        cells_.number = places;
-        cells_.first_row = ranks_.sum_before(std::ssize(places));
+        const auto& degree = local_.degree(k_);
+        std::vector<GlobalIndex> numbers; // of first pieces
+        for (Index s = 0; s < degree.size(); ++s)
+            if (local_.owns(ranks_, k_, s) && merged_.is_first_piece(local_, k_, s)) {
+                cells_.first.push_back(s);
+                numbers.push_back(degree.number[s]);
+            }
+        auto ordered = places_in_order(ranks_, numbers, 1, degree.count);
+        cells_.count = ordered.count;
+        cells_.number = std::move(ordered.places);
+        cells_.first_row = ranks_.sum_before(cells_.own());
         find_others();
         find_cells();
         return std::move(cells_);
@@ -43,19 +48,6 @@ public:
 private:
     const Carrier& carrier(Index s) const { return merged_.carriers[k_][s]; }
     bool is_piece(Index s) const { return carrier(s).dimension == k_; }
-
-    void find_own() {
-        for (Index s = 0; s < local_.degree(k_).size(); ++s)
-            if (local_.owns(ranks_, k_, s) && merged_.is_first_piece(local_, k_, s))
-                cells_.first.push_back(s);
-    }
-
-    std::vector<GlobalIndex> numbers_of_first() const {
-        std::vector<GlobalIndex> numbers;
-        for (const Index s : cells_.first)
-            numbers.push_back(local_.degree(k_).number[s]);
-        return numbers;
-    }
 
     void find_others();
     void find_cells();

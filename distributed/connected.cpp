@@ -17,17 +17,12 @@ struct Connections {
     GlobalIndex first_row = 0;
     std::vector<std::pair<Index, Index>> own;
     std::vector<std::pair<Index, GlobalIndex>> to_others; ///< whose rows these are
-    std::vector<int> owners;                              ///< of these
 };
 
 Connections connections_of(Mat graph) {
     Connections result;
     PetscInt begin = 0, end = 0;
-    const PetscInt* ranges = nullptr;
-    PetscMPIInt size = 0;
     require(MatGetOwnershipRange(graph, &begin, &end), "looking at a matrix");
-    require(MatGetOwnershipRanges(graph, &ranges), "looking at a matrix");
-    MPI_Comm_size(PetscObjectComm(reinterpret_cast<PetscObject>(graph)), &size);
     result.first_row = begin;
     for (PetscInt row = begin; row < end; ++row) {
         PetscInt count = 0;
@@ -38,13 +33,10 @@ Connections connections_of(Mat graph) {
             const PetscInt j = columns[e];
             if (entries[e] == 0 || j == row)
                 continue;
-            if (j >= begin && j < end) {
+            if (j >= begin && j < end)
                 result.own.emplace_back(row - begin, j - begin);
-            } else {
+            else
                 result.to_others.emplace_back(row - begin, j);
-                result.owners.push_back(
-                    static_cast<int>(std::upper_bound(ranges, ranges + size + 1, j) - ranges - 1));
-            }
         }
         require(MatRestoreRow(graph, row, &count, &columns, &entries), "looking at a matrix");
     }
@@ -54,7 +46,7 @@ Connections connections_of(Mat graph) {
 /// Adds the sums of local parts over each component; the owner of its first part does so.
 struct OverAll {
     FreeComponents::Sums operator()(const FreeComponents::Sums& of_parts) const {
-        const auto begins = ranks.of_all(std::vector<GlobalIndex>{first_part});
+        const Stretches stretches(ranks, first_part);
         struct Share {
             GlobalIndex component;
             long double value;
@@ -62,8 +54,7 @@ struct OverAll {
         auto shares = ranks.empty_parcels<Share>();
         std::vector<int> whom;
         for (std::size_t p = 0; p < component.size(); ++p) {
-            whom.push_back(static_cast<int>(
-                std::upper_bound(begins.begin(), begins.end(), component[p]) - begins.begin() - 1));
+            whom.push_back(stretches.rank_of(component[p]));
             shares[whom.back()].push_back({component[p], of_parts[static_cast<Index>(p)]});
         }
         std::vector<long double> totals(component.size(), 0);
@@ -134,14 +125,17 @@ SharedComponents::SharedComponents(const Ranks& ranks, Mat graph, const HeldUnkn
     const GlobalIndex first_part = over_all.first_part;
 
     // and with those of other ranks, whose number is -1 if they are fixed
+    const Stretches rows(ranks, connections.first_row);
     std::vector<GlobalIndex> wanted;
-    for (const auto& [i, row] : connections.to_others)
+    std::vector<int> whom;
+    for (const auto& [i, row] : connections.to_others) {
         wanted.push_back(row);
-    const auto beside =
-        ranks.ask<GlobalIndex>("parts", connections.owners, wanted, [&](GlobalIndex row) {
-            const Index part = part_of[row - connections.first_row];
-            return part < 0 ? -1 : first_part + part;
-        });
+        whom.push_back(rows.rank_of(row));
+    }
+    const auto beside = ranks.ask<GlobalIndex>("parts", whom, wanted, [&](GlobalIndex row) {
+        const Index part = part_of[row - connections.first_row];
+        return part < 0 ? -1 : first_part + part;
+    });
     std::vector<SharedElement> shared;
     for (std::size_t e = 0; e < beside.size(); ++e) {
         const Index i = connections.to_others[e].first;

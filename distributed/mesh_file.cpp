@@ -115,10 +115,6 @@ Bytes own_blocks(const Ranks& ranks, const PdmLayout& layout, const std::vector<
     });
 }
 
-} // namespace
-
-namespace {
-
 /// With cells without volume where these may become pieces of their neighbors.
 Mesh tidied(const std::filesystem::path& path) {
     Mesh mesh = read_mesh(path);

@@ -10,6 +10,7 @@ namespace {
 
 /// d_k^T, whose rows are known where the k-cells are.
 OwnedMat transposed_coboundary(const Ranks& ranks, const DistributedCells& cells, int k) {
+    check_number("a derivative from degree", k, 0, cells.dimension() - 1);
     const auto &lower = cells.degree(k), &upper = cells.degree(k + 1);
     struct Rows {
         std::vector<PetscInt> begins, columns;
@@ -46,26 +47,7 @@ OwnedMat scaled_product(OwnedMat left, Vec weights, Mat right) {
     return multiplied(left.get(), right);
 }
 
-} // namespace
-
-OwnedMat gram_of_columns(const Ranks& ranks, const DistributedCells& cells, int k,
-                         const Vector& weights) {
-    check_number("a derivative from degree", k, 0, cells.dimension() - 1);
-    const OwnedMat B = transposed_coboundary(ranks, cells, k);
-    return scaled_product(copied(B.get()), vector_of(ranks, weights).get(),
-                          transposed(B.get()).get());
-}
-
-OwnedMat gram_of_rows(const Ranks& ranks, const DistributedCells& cells, int k,
-                      const Vector& weights) {
-    check_number("a derivative from degree", k, 0, cells.dimension() - 1);
-    const OwnedMat B = transposed_coboundary(ranks, cells, k);
-    return scaled_product(transposed(B.get()), vector_of(ranks, weights).get(), B.get());
-}
-
-namespace {
-
-/// LaplacianWeights on both sides of both halves of a Laplacian; null stands for 1.
+/// Weights on both sides of both halves of a Laplacian; null stands for 1.
 struct LaplacianWeights {
     Vec upper_left, upper_right, lower_left, lower_right;
 };
@@ -94,8 +76,20 @@ OwnedMat weighted_sum(const Ranks& ranks, const DistributedCells& cells, int k,
 
 } // namespace
 
+OwnedMat gram_of_columns(const Ranks& ranks, const DistributedCells& cells, int k,
+                         const Vector& weights) {
+    const OwnedMat B = transposed_coboundary(ranks, cells, k);
+    return scaled_product(copied(B.get()), vector_of(ranks, weights).get(),
+                          transposed(B.get()).get());
+}
+
+OwnedMat gram_of_rows(const Ranks& ranks, const DistributedCells& cells, int k,
+                      const Vector& weights) {
+    const OwnedMat B = transposed_coboundary(ranks, cells, k);
+    return scaled_product(transposed(B.get()), vector_of(ranks, weights).get(), B.get());
+}
+
 OwnedMat coboundary(const Ranks& ranks, const DistributedCells& cells, int k) {
-    check_number("a derivative from degree", k, 0, cells.dimension() - 1);
     return transposed(transposed_coboundary(ranks, cells, k).get());
 }
 

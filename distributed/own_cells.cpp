@@ -152,7 +152,7 @@ std::optional<OwnCells> own_cells(const Ranks& ranks, const DistributedMesh& mes
     const int n = mesh.dimension();
     const Row row(n, mesh.places.cols(), of_vertices.cols());
     const Points told = ranks.together("cells", [&] { return rows_of(mesh, of_vertices, row); });
-    const Points rows = gather_pieces(ranks, mesh.local, mesh.cells.degree(n), n, told).rows;
+    const Points rows = gather_pieces(ranks, mesh.local, mesh.cells.degree(n), n, told);
     return ranks.together("cells", [&]() -> std::optional<OwnCells> {
         if (rows.rows() == 0)
             return std::nullopt;

@@ -42,11 +42,8 @@ std::vector<int> owners_of(const Ranks& ranks, const MeshSlice& slice,
                            const std::vector<int>& owners,
                            const std::vector<GlobalIndex>& vertices) {
     const EqualStretches stretches(slice.vertices, ranks.size());
-    std::vector<int> whom;
-    for (const GlobalIndex v : vertices)
-        whom.push_back(stretches.rank_of(v));
     const GlobalIndex first = stretches.begin(ranks.rank());
-    return ranks.ask<int>("owners", whom, vertices,
+    return ranks.ask<int>("owners", stretches.ranks_of(vertices), vertices,
                           [&](GlobalIndex v) { return owners[v - first]; });
 }
 

@@ -8,21 +8,6 @@ namespace polydec {
 
 namespace {
 
-/// Which rank a row of matrices belongs to.
-class RowOwners {
-public:
-    RowOwners(const Ranks& ranks, const DistributedCells::Degree& cells)
-        : begins_(ranks.of_all(std::vector<GlobalIndex>{cells.first_row})) {}
-
-    std::size_t operator()(GlobalIndex row) const {
-        return static_cast<std::size_t>(std::upper_bound(begins_.begin(), begins_.end(), row) -
-                                        begins_.begin() - 1);
-    }
-
-private:
-    std::vector<GlobalIndex> begins_;
-};
-
 /// Writes row s of these.
 auto writer(const Points& rows) {
     return [&rows](Index s, double* row) {
@@ -41,7 +26,7 @@ OwnPieces::OwnPieces(const Ranks& ranks, const LocalComplex& local,
     const auto is_own_piece = [&](Index s) {
         return cells.of_simplex[s] >= 0 && local.owns(ranks, k, s);
     };
-    const RowOwners owner(ranks, cells);
+    const Stretches rows(ranks, cells.first_row);
     struct Sent {
         GlobalIndex row, number;
     };
@@ -55,8 +40,8 @@ OwnPieces::OwnPieces(const Ranks& ranks, const LocalComplex& local,
             continue;
         }
         const GlobalIndex row = cells.cell(cell).row;
-        away_[owner(row)].push_back(s);
-        sent[owner(row)].push_back({row, degree.number[s]});
+        away_[rows.rank_of(row)].push_back(s);
+        sent[rows.rank_of(row)].push_back({row, degree.number[s]});
     }
     const auto came = unpacked(ranks.deliver(std::move(sent)));
     const auto cell_of = [&](const Sent& piece) { return piece.row - cells.first_row; };
@@ -84,15 +69,15 @@ OwnPieces::OwnPieces(const Ranks& ranks, const LocalComplex& local,
     }
 }
 
-PieceRows gather_pieces(const Ranks& ranks, const LocalComplex& local,
-                        const DistributedCells::Degree& cells, int k, const Points& of_simplices) {
+Points gather_pieces(const Ranks& ranks, const LocalComplex& local,
+                     const DistributedCells::Degree& cells, int k, const Points& of_simplices) {
     const OwnPieces pieces(ranks, local, cells, k);
     const auto width = of_simplices.cols();
-    PieceRows result{pieces.begins(), Points(pieces.begins().back(), width)};
-    double* next = result.rows.data();
+    Points rows(pieces.begins().back(), width);
+    double* next = rows.data();
     pieces.visit<double>(width, writer(of_simplices),
                          [&](Index, const double* row) { next = std::copy_n(row, width, next); });
-    return result;
+    return rows;
 }
 
 Points add_pieces(const Ranks& ranks, const LocalComplex& local,
@@ -109,21 +94,18 @@ Points add_pieces(const Ranks& ranks, const LocalComplex& local,
 Points spread_to_pieces(const Ranks& ranks, const DistributedCells::Degree& cells,
                         const Points& of_cells) {
     const auto width = of_cells.cols();
-    const RowOwners owner(ranks, cells);
-    auto questions = ranks.empty_parcels<GlobalIndex>();
-    for (const CellNumber& cell : cells.others)
-        questions[owner(cell.row)].push_back(cell.row);
-    auto answers = ranks.empty_parcels<double>();
-    const auto asked = ranks.deliver(std::move(questions));
-    for (std::size_t r = 0; r < asked.size(); ++r)
-        for (const GlobalIndex row : asked[r]) {
-            const double* const begin = of_cells.data() + (row - cells.first_row) * width;
-            answers[r].insert(answers[r].end(), begin, begin + width);
-        }
-    // of others in their order, since rows ascend with ranks
-    const auto came = unpacked(ranks.deliver(std::move(answers)));
-    const Points of_others = Eigen::Map<const Points>(came.data(), std::ssize(cells.others), width);
-
+    const Stretches stretches(ranks, cells.first_row);
+    std::vector<int> whom;
+    std::vector<GlobalIndex> rows;
+    for (const CellNumber& cell : cells.others) {
+        whom.push_back(stretches.rank_of(cell.row));
+        rows.push_back(cell.row);
+    }
+    const auto came = ranks.ask_rows<double>(
+        "rows of cells", width, whom, rows, [&](GlobalIndex row, double* to) {
+            std::copy_n(of_cells.data() + (row - cells.first_row) * width, width, to);
+        });
+    const Points of_others = Eigen::Map<const Points>(came.data(), std::ssize(rows), width);
     Points result = Points::Zero(std::ssize(cells.of_simplex), width);
     for (Eigen::Index s = 0; s < result.rows(); ++s)
         if (const Index cell = cells.of_simplex[s]; cell >= 0)

@@ -44,17 +44,11 @@ private:
     std::vector<Index> pieces_; // simplices here, or -1 - i for received row i
 };
 
-/// Rows of numbers for all pieces of each own k-cell, in ascending order of pieces: the rows of
-/// cell i begin at begins[i].
-struct PieceRows {
-    std::vector<Index> begins;
-    Points rows;
-};
-
-/// Collective: `of_simplices` has a row for every local k-simplex; rows of other ranks' simplices
-/// and of simplices that are not pieces are ignored.
-PieceRows gather_pieces(const Ranks& ranks, const LocalComplex& local,
-                        const DistributedCells::Degree& cells, int k, const Points& of_simplices);
+/// Collective: the rows of the pieces of every own k-cell, in the order of places. `of_simplices`
+/// has a row for every local k-simplex; rows of other ranks' simplices and of simplices that are
+/// not pieces are ignored.
+Points gather_pieces(const Ranks& ranks, const LocalComplex& local,
+                     const DistributedCells::Degree& cells, int k, const Points& of_simplices);
 
 /// Collective: sums the rows of the pieces of every own k-cell, in ascending order of pieces, as in
 /// one process.

@@ -44,6 +44,12 @@ public:
     GlobalIndex begin(int rank) const { return std::min(count_, rank * length_); }
     GlobalIndex end(int rank) const { return begin(rank + 1); }
     int rank_of(GlobalIndex item) const { return static_cast<int>(item / length_); }
+    std::vector<int> ranks_of(const std::vector<GlobalIndex>& items) const {
+        std::vector<int> ranks;
+        for (const GlobalIndex item : items)
+            ranks.push_back(rank_of(item));
+        return ranks;
+    }
 
 private:
     GlobalIndex count_, length_;
@@ -136,28 +142,47 @@ public:
         return result;
     }
 
-    /// Collective: asks rank whom[i] question i. That rank computes answer(question) as local work.
-    /// The answers are in the order of the questions.
-    template <class Answer, class Question, class Work>
-    std::vector<Answer> ask(std::string_view what, const std::vector<int>& whom,
-                            const std::vector<Question>& questions, Work answer) const {
+    /// Collective: asks rank whom[i] question i. That rank answers as local work: write(question,
+    /// row) fills a row of `width` items. The rows are in the order of the questions.
+    template <class Item, class Question, class Write>
+    std::vector<Item> ask_rows(std::string_view what, std::ptrdiff_t width,
+                               const std::vector<int>& whom, const std::vector<Question>& questions,
+                               Write write) const {
         Parcels<Question> asked = empty_parcels<Question>();
         for (std::size_t i = 0; i < whom.size(); ++i)
             asked[whom[i]].push_back(questions[i]);
         const auto to_answer = deliver(std::move(asked));
         const auto given = deliver(together(what, [&] {
-            Parcels<Answer> answers = empty_parcels<Answer>();
-            for (std::size_t r = 0; r < answers.size(); ++r)
-                for (const Question& question : to_answer[r])
-                    answers[r].push_back(answer(question));
+            Parcels<Item> answers = empty_parcels<Item>();
+            for (std::size_t r = 0; r < answers.size(); ++r) {
+                answers[r].resize(to_answer[r].size() * static_cast<std::size_t>(width));
+                Item* row = answers[r].data();
+                for (const Question& question : to_answer[r]) {
+                    write(question, row);
+                    row += width;
+                }
+            }
             return answers;
         }));
-        std::vector<std::size_t> next(given.size(), 0);
-        std::vector<Answer> result;
-        result.reserve(whom.size());
-        for (const int r : whom)
-            result.push_back(given[r][next[r]++]);
+        std::vector<const Item*> next;
+        for (const auto& parcel : given)
+            next.push_back(parcel.data());
+        std::vector<Item> result;
+        result.reserve(whom.size() * static_cast<std::size_t>(width));
+        for (const int r : whom) {
+            result.insert(result.end(), next[r], next[r] + width);
+            next[r] += width;
+        }
         return result;
+    }
+
+    /// The same for one item each: answer(question).
+    template <class Answer, class Question, class Work>
+    std::vector<Answer> ask(std::string_view what, const std::vector<int>& whom,
+                            const std::vector<Question>& questions, Work answer) const {
+        return ask_rows<Answer>(
+            what, 1, whom, questions,
+            [&](const Question& question, Answer* row) { *row = answer(question); });
     }
 
     /// Collective: the items of all ranks, in the order of ranks.
@@ -204,6 +229,21 @@ private:
                   const std::vector<void*>& to) const;
 
     Shared<State> state_;
+};
+
+/// Ranges of items, one per rank, one after the other.
+class Stretches {
+public:
+    /// Collective: the range of this rank begins with item `first`.
+    Stretches(const Ranks& ranks, GlobalIndex first)
+        : begins_(ranks.of_all(std::vector<GlobalIndex>{first})) {}
+    int rank_of(GlobalIndex item) const {
+        return static_cast<int>(std::upper_bound(begins_.begin(), begins_.end(), item) -
+                                begins_.begin() - 1);
+    }
+
+private:
+    std::vector<GlobalIndex> begins_;
 };
 
 } // namespace polydec

@@ -96,37 +96,24 @@ MeanSpheres::Means fetch_means(const Ranks& ranks, const LocalComplex& local,
                                const FacetClasses& classes, const Members& arrived) {
     const int n = local.dimension();
     const auto& tops = local.degree(n);
-    const EqualStretches stretches(tops.count, ranks.size());
     const auto means = ranks.together("centers", [&] { return means_of(arrived, n); });
-    std::vector<Index> order = numbers_below(classes.first.size());
-    std::stable_sort(order.begin(), order.end(), [&](Index s, Index t) {
-        return stretches.rank_of(classes.first[s]) < stretches.rank_of(classes.first[t]);
-    });
-    auto wanted = ranks.empty_parcels<GlobalIndex>();
-    for (const Index t : order)
-        wanted[stretches.rank_of(classes.first[t])].push_back(classes.first[t]);
-    const auto asked = ranks.deliver(std::move(wanted));
-    auto answers = ranks.empty_parcels<double>();
-    ranks.together("centers", [&] {
-        for (std::size_t r = 0; r < asked.size(); ++r)
-            for (const GlobalIndex of : asked[r]) {
-                const Vector& mean = means.at(of);
-                answers[r].insert(answers[r].end(), mean.begin(), mean.end());
-            }
-    });
+    const auto found =
+        ranks.ask_rows<double>("centers", width_of_mean(n),
+                               EqualStretches(tops.count, ranks.size()).ranks_of(classes.first),
+                               classes.first, [&](GlobalIndex of, double* row) {
+                                   std::copy(means.at(of).begin(), means.at(of).end(), row);
+                               });
     const Index size = tops.size();
     MeanSpheres::Means result{Points(size, n), Points(size, n), Points(size, term_count),
                               std::vector<Index>(static_cast<std::size_t>(size)), Vector(size)};
-    const auto found = ranks.deliver(std::move(answers));
-    auto next = order.begin();
-    for (const auto& parcel : found)
-        for (auto mean = parcel.begin(); mean != parcel.end(); mean += width_of_mean(n), ++next) {
-            std::copy_n(mean, n, result.origins.row(*next).begin());
-            std::copy_n(mean + n, n, result.centers.row(*next).begin());
-            std::copy_n(mean + 2 * n, term_count, result.terms.row(*next).begin());
-            result.sides[*next] = mean[2 * n + term_count];
-            result.counts[*next] = static_cast<Index>(mean[2 * n + term_count + 1]);
-        }
+    for (Index t = 0; t < size; ++t) {
+        const double* const mean = found.data() + t * width_of_mean(n);
+        std::copy_n(mean, n, result.origins.row(t).begin());
+        std::copy_n(mean + n, n, result.centers.row(t).begin());
+        std::copy_n(mean + 2 * n, term_count, result.terms.row(t).begin());
+        result.sides[t] = mean[2 * n + term_count];
+        result.counts[t] = static_cast<Index>(mean[2 * n + term_count + 1]);
+    }
     return result;
 }
 

@@ -52,17 +52,15 @@ std::vector<SharedClass> join_shared(const Ranks& ranks, GlobalIndex first, Inde
         ranks.together("shared classes", [&] { return solve(unpacked(at_first)); });
 
     // back to the ranks whose classes they are
-    const auto begins = ranks.of_all(std::vector<GlobalIndex>{first});
+    const Stretches stretches(ranks, first);
     struct Answer {
         GlobalIndex number;
         SharedClass of;
     };
     auto answers = ranks.empty_parcels<Answer>();
-    for (std::size_t i = 0; i < solved.numbers.size(); ++i) {
-        const auto r =
-            std::upper_bound(begins.begin(), begins.end(), solved.numbers[i]) - begins.begin() - 1;
-        answers[r].push_back({solved.numbers[i], solved.classes[i]});
-    }
+    for (std::size_t i = 0; i < solved.numbers.size(); ++i)
+        answers[stretches.rank_of(solved.numbers[i])].push_back(
+            {solved.numbers[i], solved.classes[i]});
     std::vector<SharedClass> result;
     for (Index c = 0; c < count; ++c)
         result.push_back({first + c, 1, false});

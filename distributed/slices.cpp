@@ -128,21 +128,13 @@ MeshSlice scatter(const Ranks& ranks, const std::optional<Mesh>& mesh) {
 Points points_of(const Ranks& ranks, const MeshSlice& slice,
                  const std::vector<GlobalIndex>& vertices) {
     const EqualStretches stretches(slice.vertices, ranks.size());
-    auto wanted = ranks.empty_parcels<GlobalIndex>();
-    for (const GlobalIndex v : vertices)
-        wanted[stretches.rank_of(v)].push_back(v);
-    const auto asked = ranks.deliver(std::move(wanted));
     const GlobalIndex first = stretches.begin(ranks.rank());
-    auto rows = ranks.empty_parcels<double>();
-    for (std::size_t r = 0; r < asked.size(); ++r)
-        for (const GlobalIndex v : asked[r])
-            for (const double x : slice.points.row(v - first))
-                rows[r].push_back(x);
-    Points points(static_cast<Eigen::Index>(vertices.size()), slice.points.cols());
-    double* entry = points.data();
-    for (const auto& parcel : ranks.deliver(std::move(rows)))
-        entry = std::copy(parcel.begin(), parcel.end(), entry);
-    return points;
+    const auto N = slice.points.cols();
+    const auto rows = ranks.ask_rows<double>(
+        "points", N, stretches.ranks_of(vertices), vertices, [&](GlobalIndex v, double* row) {
+            std::copy_n(slice.points.data() + (v - first) * N, N, row);
+        });
+    return Eigen::Map<const Points>(rows.data(), std::ssize(vertices), N);
 }
 
 std::vector<int> vertex_owners(const Ranks& ranks, const MeshSlice& slice, Ownership by) {

@@ -14,10 +14,6 @@ namespace polydec {
 
 namespace {
 
-[[noreturn]] void refuse(const char* why) {
-    throw InvalidInput(why);
-}
-
 using Corners = std::vector<GlobalIndex>;
 
 Corners sorted_corners(const GlobalSimplices& cells, Eigen::Index cell) {
@@ -34,7 +30,7 @@ void check_double_cells(const Ranks& ranks, const MeshSlice& slice) {
         for (Eigen::Index t = 0; t < slice.simplices.rows(); ++t) {
             const Corners corners = sorted_corners(slice.simplices, t);
             if (std::adjacent_find(corners.begin(), corners.end()) != corners.end())
-                refuse("some cells have a repeated corner");
+                throw InvalidInput("some cells have a repeated corner");
             auto& parcel = parcels[vertices.rank_of(corners[0])];
             parcel.insert(parcel.end(), corners.begin(), corners.end());
         }
@@ -53,7 +49,7 @@ void check_double_cells(const Ranks& ranks, const MeshSlice& slice) {
             return std::equal(a, a + width, b);
         };
         if (std::adjacent_find(cells.begin(), cells.end(), is_same) != cells.end())
-            refuse("some cells have the same vertices");
+            throw InvalidInput("some cells have the same vertices");
     });
 }
 
@@ -65,7 +61,7 @@ void check_flat_cells(const Ranks& ranks, const MeshSlice& slice, const NumberPl
         own.simplices = slice.simplices.unaryExpr([&](GlobalIndex vertex) { return here(vertex); });
         const FlatCells flat = find_flat_cells(own);
         if (!flat.removable.empty() || !flat.stuck.empty())
-            refuse("some cells have no volume");
+            throw InvalidInput("some cells have no volume");
     });
 }
 
