@@ -36,6 +36,12 @@ def polar(r, degrees):
     return (r * math.cos(math.radians(degrees)), r * math.sin(math.radians(degrees)))
 
 
+def solid(p):
+    """Where a point of space is seen, from the right, above and in front."""
+    x, y, z = p
+    return (0.95 * x + 0.42 * y, 0.9 * z + 0.28 * y - 0.12 * x)
+
+
 def circumcenter(a, b, c):
     u, v = minus(b, a), minus(c, a)
     double = 2 * cross(u, v)

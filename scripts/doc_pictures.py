@@ -10,6 +10,7 @@ from pathlib import Path
 
 import doc_pictures_cells as cells
 import doc_pictures_overview as overview
+import doc_pictures_solids as solids
 from doc_drawing import (BLACK, BLUE, FAN, GREY, LIGHT_BLUE, LIGHT_GREY, LIGHT_ORANGE, RED,
                          Picture, circumcenter, cross, mean, minus, plus, polar, unit)
 
@@ -183,6 +184,8 @@ PICTURES = {
     "kuhn_cubes": cells.kuhn_cubes,
     "maps": cells.maps,
     "joining": cells.joining,
+    "shared_square": solids.shared_square,
+    "four_dimensions": solids.four_dimensions,
     "integrals": whitney_and_integrals,
     "wedge": wedge,
     "upwind": upwind,

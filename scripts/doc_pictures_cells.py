@@ -1,12 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The pictures of splitting, of merging downwards, of the maps and of joining, for doc_pictures.py."""
-from doc_drawing import BLACK, BLUE, GREY, LIGHT_BLUE, LIGHT_ORANGE, ORANGE, RED, Picture
-
-
-def solid(p):
-    """Where a point of space is seen."""
-    x, y, z = p
-    return (0.95 * x + 0.42 * y, 0.9 * z + 0.28 * y - 0.12 * x)
+from doc_drawing import BLACK, BLUE, GREY, LIGHT_BLUE, LIGHT_ORANGE, ORANGE, RED, Picture, solid
 
 
 def splitting():

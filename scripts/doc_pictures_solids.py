@@ -1,22 +1,12 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws the pictures of docs/cospherical.md that show what cannot be seen from outside of a solid:
-what two cubes share, and cells of four dimensions. The other ones are written by
+"""The pictures of docs/cospherical.md that show what cannot be seen from outside of a solid, for
+doc_pictures.py: what two cubes share, and cells of four dimensions. The other ones are written by
 examples/snippets/cospherical.cpp and the examples 11 to 14.
-
-Usage: doc_pictures_solids.py [FOLDER]; by default docs/images beside the folder of this script.
 """
 import itertools
-import sys
-from pathlib import Path
 
-from doc_drawing import (BLACK, BLUE, GREY, LIGHT_BLUE, LIGHT_GREY, RED, Picture, plus, polar)
-
-
-def solid(p):
-    """Where a point of space is seen, from the right, above and in front."""
-    x, y, z = p
-    return (0.95 * x + 0.42 * y, 0.9 * z + 0.28 * y - 0.12 * x)
+from doc_drawing import (BLACK, BLUE, GREY, LIGHT_BLUE, LIGHT_GREY, RED, Picture, plus, polar,
+                         solid)
 
 
 def cube(picture, left, fills=("#FFFFFF", "#FFFFFF", "#FFFFFF")):
@@ -106,15 +96,3 @@ def four_dimensions():
         picture.text((x, 30), text, size=15)
         picture.text((x, 12), more, GREY, 13)
     return picture.svg("A tesseract and a 16-cell, the cospherical cells of four dimensions")
-
-
-def main():
-    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else \
-        Path(__file__).resolve().parent.parent / "docs" / "images"
-    for name, draw in {"shared_square": shared_square,
-                       "four_dimensions": four_dimensions}.items():
-        (folder / f"{name}.svg").write_text(draw())
-
-
-if __name__ == "__main__":
-    main()
