@@ -7,31 +7,20 @@ Usage: certify_meshes.py PATH/TO/polydec FOLDER.. [--seconds N]     (N each, def
 Exit code: 0 if the zeros of every spectrum are as many as the Betti number says, else 1.
 """
 import argparse
-import json
-import subprocess
 import sys
 import time
 from pathlib import Path
+
+from tables import ask, line
 
 KINDS = {".off", ".obj", ".ply", ".stl", ".mesh", ".msh", ".ele", ".vtk", ".vtu", ".nsc"}
 MOST_HARMONIC = 500
 
 
-def ask(command, seconds):
-    """The answer, None if there is none, and the last line of what was said."""
-    try:
-        done = subprocess.run([*command, "--json"], capture_output=True, text=True,
-                              timeout=seconds, check=False)
-    except subprocess.TimeoutExpired:
-        return None, f"not within {seconds} s"
-    said = done.stderr.strip().splitlines() or [""]
-    return (json.loads(done.stdout) if done.returncode == 0 else None), said[0]
-
-
 def row(polydec, path, seconds):
     """A row of the table, and whether it is as it should be; None for what is no surface or solid."""
-    info, _ = ask([polydec, "info", str(path)], seconds)
-    if info is None or info["dimension"] < 2:
+    info = ask(polydec, "info", path, seconds=seconds)
+    if isinstance(info, str) or info["dimension"] < 2:
         return None
     betti = info["betti"]["merged"][1]
     row_of = [path.name, str(info["dimension"]), str(info["cells"]["merged"][1]),
@@ -40,11 +29,11 @@ def row(polydec, path, seconds):
         return row_of + ["", "", "", "not asked for"], True
     count = min(betti + 3, info["cells"]["merged"][1])
     since = time.monotonic()
-    found, said = ask([polydec, "spectrum", str(path), "--side", "primal", "--degree", "1",
-                       "--count", str(count)], seconds)
+    found = ask(polydec, "spectrum", path, "--side", "primal", "--degree", 1, "--count", count,
+                seconds=seconds)
     took = f"{time.monotonic() - since:.1f}"
-    if found is None:
-        return row_of + ["", "", took, f"no: {said}"], False
+    if isinstance(found, str):
+        return row_of + ["", "", took, f"no: {found}"], False
     values, radii = found["eigenvalues"], found["radii"]
     zeros = sum(abs(value) <= radius for value, radius in zip(values, radii))
     negative = any(value + radius < 0 for value, radius in zip(values, radii))
@@ -70,7 +59,7 @@ def main():
             told = row(options.polydec, path, options.seconds)
             if told is None:
                 continue
-            print("| " + " | ".join(told[0]) + " |", flush=True)
+            print(line(told[0]), end="", flush=True)
             code = code or (0 if told[1] else 1)
     sys.exit(code)
 

@@ -13,15 +13,16 @@ import argparse
 import collections
 import json
 import os
+import pathlib
 import subprocess
 import sys
 import tempfile
 
+from tables import line, put
+
 EXTENSIONS = {".off", ".obj", ".ply", ".stl", ".mesh", ".msh", ".vtk", ".vtu", ".nsc"}
 SECONDS = 60
 GOOD_CODES = {0, 2, 3}
-FIRST = "<!-- table: written by scripts/intrinsic_table.py -->"
-LAST = "<!-- end of table -->"
 COUNT = 25
 OPTIONS = (), ("--delaunay",), ("--delaunay=split-boundary",)
 
@@ -166,10 +167,6 @@ def telling(rows):
     return sorted(chosen, key=lambda row: -row.triangles)
 
 
-def line(cells):
-    return "| " + " | ".join(cells) + " |\n"
-
-
 def heading(first, *more):
     return line((first,) + more) + line(("---",) + ("--:",) * len(more))
 
@@ -218,17 +215,6 @@ def table(rows):
     return text
 
 
-def put_into(page, text):
-    """Replaces what stands between the two lines. Throws ValueError if they are not there."""
-    with open(page, encoding="utf-8") as file:
-        before, first, rest = file.read().partition(FIRST)
-    _, last, after = rest.partition(LAST)
-    if not first or not last:
-        raise ValueError(f"{page} has no lines '{FIRST}' and '{LAST}'")
-    with open(page, "w", encoding="utf-8") as file:
-        file.write(f"{before}{first}\n\n{text}\n{last}{after}")
-
-
 # Files
 
 def surfaces(argument):
@@ -250,7 +236,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("polydec")
     parser.add_argument("place", nargs="+", metavar="[NAME=]FOLDER_OR_FILE")
-    parser.add_argument("--page")
+    parser.add_argument("--page", type=pathlib.Path)
     arguments = parser.parse_args()
     try:
         files = [file for place in arguments.place for file in surfaces(place)]
@@ -271,7 +257,7 @@ def main():
     if not rows:
         sys.exit("No surface was found.")
     if arguments.page:
-        put_into(arguments.page, table(rows))
+        put(arguments.page, "intrinsic_table.py", table(rows))
     else:
         print(table(rows), end="")
     return 2 if broken else 0

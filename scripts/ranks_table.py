@@ -18,10 +18,11 @@ import subprocess
 import sys
 import tempfile
 
+from tables import line, put
+
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "many_machines.md"
 MPIRUN = ["mpirun", "-x", "OMP_NUM_THREADS=1", "--oversubscribe", "--bind-to", "none", "--mca",
           "mpi_yield_when_idle", "1"]
-BEGIN, END = "<!-- ranks_table.py: tables -->", "<!-- ranks_table.py: end -->"
 STAGES = ["read", "owners", "complex", "volumes", "merge", "cells"]
 MEGA = 1e-6
 PATIENCE = 300  # seconds for a run, after which it counts as hanging
@@ -62,13 +63,7 @@ def table(head, columns, baseline):
     lines = [[head] + [f"{run['count']} rank{'s' if run['count'] > 1 else ''}" for run in columns],
              ["---"] * (len(columns) + 1)]
     lines += [[name] + cells for name, cells in rows(columns, baseline)]
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
-
-
-def put(page, text):
-    if BEGIN not in page or END not in page:
-        sys.exit(f"{PAGE} has no place for the tables: `{BEGIN}` and `{END}`, a line each")
-    return f"{page.split(BEGIN)[0]}{BEGIN}\n\n{text}\n\n{END}{page.split(END)[1]}"
+    return "".join(map(line, lines))
 
 
 def maker(binaries, folder):
@@ -113,10 +108,10 @@ def main():
                            for of in (min, max))
             some = f"{least:,.0f}" if least == most else f"{least:,.0f} to {most:,.0f}"
             tables.append(table(f"{some} {name} a rank", parts, baseline))
-    text = "\n\n".join(tables)
-    print(text)
+    text = "\n".join(tables)
+    print(text, end="")
     if options.docs:
-        PAGE.write_text(put(PAGE.read_text(encoding="utf-8"), text), encoding="utf-8")
+        put(PAGE, "ranks_table.py", text)
 
 
 if __name__ == "__main__":

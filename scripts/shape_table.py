@@ -8,25 +8,13 @@ Files of more than 20,000 triangles are left out. The table goes to stdout, or i
 two lines that mark its place there. Files that are refused, and why, are told on stderr.
 """
 import argparse
-import json
 import pathlib
-import subprocess
 import sys
 
+from tables import ask, line, put
+
 EXTENSIONS = {".msh", ".off", ".obj", ".ply", ".stl"}
-FIRST = "<!-- table: written by scripts/shape_table.py -->"
-LAST = "<!-- end of table -->"
 MOST, COUNT, SECONDS = 20_000, 10, 300
-
-
-def ask(command, *arguments):
-    """The object of the answer, or why there is none."""
-    try:
-        done = subprocess.run([command, *map(str, arguments), "--json"], capture_output=True, text=True,
-                              timeout=SECONDS, check=False)
-    except subprocess.TimeoutExpired:
-        return f"takes more than {SECONDS} s"
-    return json.loads(done.stdout) if done.returncode == 0 else done.stderr.strip().splitlines()[-1]
 
 
 def widths(answer):
@@ -39,7 +27,7 @@ def widths(answer):
 
 def row(command, path):
     """Its cells, or why there are none."""
-    info = ask(command, "info", path, "--no-merge")
+    info = ask(command, "info", path, "--no-merge", seconds=SECONDS)
     if isinstance(info, str):
         return info
     if info["dimension"] != 2:
@@ -48,8 +36,9 @@ def row(command, path):
     if triangles > MOST:
         return f"{triangles} triangles"
     shape = "spectrum", path, "--of-shape", "--count", COUNT
-    plain = ask(command, "spectrum", path, "--side", "primal", "--degree", 0, "--count", COUNT)
-    first = ask(command, *shape)
+    plain = ask(command, "spectrum", path, "--side", "primal", "--degree", 0, "--count", COUNT,
+                seconds=SECONDS)
+    first = ask(command, *shape, seconds=SECONDS)
     if isinstance(first, str):
         return first
     if first["shape"]["zeros"] == COUNT:
@@ -62,7 +51,8 @@ def row(command, path):
         cells.append(f"{first['seconds']:.2f} ({first['seconds'] / max(plain['seconds'], 1e-3):.0f}x)")
     refined = first
     if most > 1e-3:
-        refined = ask(command, *shape, "--width", 1e-3, "--max-triangles", max(7000, 2 * triangles))
+        refined = ask(command, *shape, "--width", 1e-3, "--max-triangles", max(7000, 2 * triangles),
+                      seconds=SECONDS)
     if isinstance(refined, str):
         print(f"{path.name}: {refined}", file=sys.stderr)
         return [*cells, "", "refused"]
@@ -72,16 +62,16 @@ def row(command, path):
 def table(command, folders):
     files = sorted(path for folder in folders for path in pathlib.Path(folder).rglob("*")
                    if path.suffix.lower() in EXTENSIONS)
-    lines = ["| | triangles | flips | widths | s (plain) | bisected to | greatest width |",
-             "|---|---|---|---|---|---|---|"]
+    text = ("| | triangles | flips | widths | s (plain) | bisected to | greatest width |\n"
+            "|---|---|---|---|---|---|---|\n")
     for path in files:
         cells = row(command, path)
         if isinstance(cells, str):
             print(f"{path.name}: {cells}", file=sys.stderr)
         else:
-            lines.append("| " + " | ".join(cells) + " |")
-            print(lines[-1], file=sys.stderr)
-    return "\n".join(lines) + "\n"
+            text += line(cells)
+            print(line(cells), end="", file=sys.stderr)
+    return text
 
 
 def main():
@@ -89,16 +79,13 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("polydec")
     parser.add_argument("folders", nargs="+")
-    parser.add_argument("--page")
+    parser.add_argument("--page", type=pathlib.Path)
     arguments = parser.parse_args()
     text = table(arguments.polydec, arguments.folders)
-    if not arguments.page:
+    if arguments.page:
+        put(arguments.page, "shape_table.py", text)
+    else:
         print(text, end="")
-        return
-    page = pathlib.Path(arguments.page)
-    before, rest = page.read_text(encoding="utf-8").split(FIRST + "\n")
-    after = rest.split(LAST)[1]
-    page.write_text(before + FIRST + "\n" + text + LAST + after, encoding="utf-8")
 
 
 if __name__ == "__main__":

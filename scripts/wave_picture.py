@@ -33,9 +33,8 @@ def frames():
     waves = polydec.Waves(torus, bump)
     figure = plt.figure(figsize=(4.2, 2.8), dpi=100)
     axes = figure.add_axes([-0.1, -0.37, 1.2, 1.74], projection="3d")
-    drawn = polydec.plot(torus, bump, ax=axes, cmap=COLORS, edgecolor="#7a828c",
-                         linewidth=0.5, antialiased=False)
-    drawn.set_clim(-0.3, 0.3)
+    drawn = polydec.plot(torus, bump, ax=axes, cmap=COLORS, edgecolor="#7a828c", linewidth=0.5,
+                         antialiased=False, clim=(-0.3, 0.3), bar=None).collections[-1]
     axes.view_init(48, -60)
     axes.set_axis_off()
     corners = torus.cells(2)
