@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "python/bindings/calculus.h"
-
 #include "complex/homology.h"
+#include "dec/boundary/form_space.h"
 #include "dec/forms/cochain.h"
 #include "dec/forms/input_units.h"
 #include "dec/forms/laplacian.h"
@@ -86,19 +85,16 @@ void add_stars(py::class_<Cells>& calculus) {
                 return of.input_stars()[k].solve(values);
             },
             Unlocking())
-        .def("zeros", [](const Cells& of, int k) { return array(of.input_stars()[k].zeros()); })
-        .def("negatives",
-             [](const Cells& of, int k) { return array(of.input_stars()[k].negatives()); })
+        .def("zeros", [](const Cells& of, int k) { return of.input_stars()[k].zeros(); })
+        .def("negatives", [](const Cells& of, int k) { return of.input_stars()[k].negatives(); })
         .def("with_star", [](const Cells& of, int k,
                              const MatrixParts& star) { return of.with_star(k, sparse(star)); })
         .def("volumes",
              [](const py::object& self, int k) {
-                 const Vector& volumes = self.cast<Cells&>().input_volumes().primal(k);
-                 return view(volumes.data(), {volumes.size()}, self);
+                 return shown(self.cast<Cells&>().input_volumes().primal(k), self);
              })
         .def("dual_volumes", [](const py::object& self, int k) {
-            const Vector& volumes = self.cast<Cells&>().input_volumes().dual(k);
-            return view(volumes.data(), {volumes.size()}, self);
+            return shown(self.cast<Cells&>().input_volumes().dual(k), self);
         });
 }
 
@@ -143,14 +139,14 @@ BoundaryConditions conditions_of(const std::vector<bool>& essential, const Vecto
 
 void add_spaces(py::module_& module) {
     py::class_<FormSpace>(module, "FormSpace")
-        .def(py::init(&space_of))
-        .def("cells",
-             [](const FormSpace& space) {
-                 py::list cells;
-                 for (const auto& numbers : space.relative().cells)
-                     cells.append(array(std::vector<Index>(numbers)));
-                 return cells;
-             })
+        .def(py::init([](const Cells& cells, Side side, int degree,
+                         const std::vector<bool>& essential, const Vector& robin,
+                         const std::vector<bool>& fixed) {
+            return unlocked([&] {
+                return FormSpace(cells, side, degree, conditions_of(essential, robin, fixed));
+            });
+        }))
+        .def("cells", [](const FormSpace& space) { return space.relative().cells; })
         .def("inside", &FormSpace::inside, Unlocking())
         .def("stiffness",
              [](const FormSpace& space) {
@@ -161,26 +157,16 @@ void add_spaces(py::module_& module) {
                  });
              })
         .def("require_use",
-             [](const FormSpace& space, const std::string& values, const std::string& flow) {
-                 space.require_use({.values = values, .flow = flow});
+             [](const FormSpace& space, const std::string& values, const std::string& flow,
+                const std::string& robin) {
+                 space.require_use({values, flow, robin});
              })
         .def("in_words", [](const FormSpace& space) { return space.in_words(); });
 }
 
 } // namespace
 
-FormSpace space_of(const Cells& cells, Side side, int degree, const GivenConditions& conditions) {
-    return unlocked([&] {
-        return FormSpace(cells, side, degree, conditions.value_or(built_in_conditions(side)));
-    });
-}
-
 void add_calculus(py::module_& module) {
-    py::class_<BoundaryConditions>(module, "Conditions").def(py::init(&conditions_of));
-    module.def("require_use", [](const Cells& of, const BoundaryConditions& conditions,
-                                 const std::string& values, const std::string& robin) {
-        require_use(boundary_counts(of.complex(), conditions), {.values = values, .robin = robin});
-    });
     py::class_<Cells> calculus(module, "Cells");
     calculus.def(py::init(&own_cells))
         .def_property_readonly("dimension",
@@ -189,7 +175,7 @@ void add_calculus(py::module_& module) {
         .def("coface_counts",
              [](const Cells& of, int k) {
                  const auto& counts = of.complex().coface_counts(k);
-                 return array(std::vector<Index>(counts.begin(), counts.end()));
+                 return std::vector<Index>(counts.begin(), counts.end());
              })
         .def("betti_numbers",
              [](const Cells& of) { return unlocked([&] { return betti_numbers(of.complex()); }); });

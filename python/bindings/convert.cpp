@@ -12,14 +12,6 @@ namespace polydec::python {
 
 namespace {
 
-template <class Matrix>
-py::array array_of(Matrix values, bool by_columns) {
-    auto kept = std::make_unique<Matrix>(std::move(values));
-    const Matrix& numbers = *kept;
-    return writable(view(numbers.data(), {numbers.rows(), numbers.cols()},
-                         owner_of(std::move(kept)), by_columns));
-}
-
 template <class Scalar>
 py::object csr_of(const Eigen::SparseMatrix<Scalar, Eigen::RowMajor, Index>& matrix,
                   py::handle owner) {
@@ -39,24 +31,6 @@ py::object csr_of(const Eigen::SparseMatrix<Scalar, Eigen::RowMajor, Index>& mat
 }
 
 } // namespace
-
-py::array array(Vector values) {
-    auto kept = std::make_unique<Vector>(std::move(values));
-    const Vector& numbers = *kept;
-    return writable(view(numbers.data(), {numbers.size()}, owner_of(std::move(kept))));
-}
-
-py::array array(Points rows) {
-    return array_of(std::move(rows), false);
-}
-
-py::array array(Simplices rows) {
-    return array_of(std::move(rows), false);
-}
-
-py::array array(DenseMatrix columns) {
-    return array_of(std::move(columns), true);
-}
 
 py::object csr(SparseMatrix matrix) {
     auto kept = std::make_unique<SparseMatrix>();
@@ -78,18 +52,6 @@ Vector vector(const Numbers& numbers) {
         throw InvalidInput(fmt::format("an array of {} axes is given: expected a list of numbers",
                                        numbers.ndim()));
     return Eigen::Map<const Eigen::VectorXd>(numbers.data(), numbers.size());
-}
-
-Points rows(const Numbers& numbers) {
-    return Eigen::Map<const Points>(numbers.data(), numbers.shape(0), numbers.shape(1));
-}
-
-DenseMatrix columns(const Numbers& numbers) {
-    return Eigen::Map<const Points>(numbers.data(), numbers.shape(0), numbers.shape(1));
-}
-
-Simplices rows(const Integers& numbers) {
-    return Eigen::Map<const Simplices>(numbers.data(), numbers.shape(0), numbers.shape(1));
 }
 
 std::vector<Index> indices(const Integers& numbers) {

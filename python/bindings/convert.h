@@ -28,8 +28,8 @@ enum class Sampling;
 /// Between numpy's arrays, scipy's matrices and polydec's. What is handed out shares memory and
 /// keeps alive what it belongs to; it is read-only, unless it was made to be handed out. What comes
 /// in has been made contiguous and of the right type and shape in Python, where it has a name, and
-/// is copied. Arguments and results that are vectors, tables, sides, forms and data on the boundary
-/// are converted as the end of this file says.
+/// is copied. Arguments and results that are vectors, lists of whole numbers, tables, sides, forms
+/// and data on the boundary are converted as the end of this file says.
 namespace polydec::python {
 
 namespace py = pybind11;
@@ -56,6 +56,19 @@ py::array view(const Scalar* numbers, std::vector<py::ssize_t> shape, py::handle
     return result;
 }
 
+/// The same for a list or a table.
+template <class Values>
+py::array shown(const Values& numbers, py::handle owner) {
+    std::vector<py::ssize_t> shape{std::ssize(numbers)};
+    bool by_columns = false;
+    if constexpr (requires { numbers.cols(); })
+        if (Values::ColsAtCompileTime != 1) {
+            shape = {numbers.rows(), numbers.cols()};
+            by_columns = !Values::IsRowMajor;
+        }
+    return view(numbers.data(), std::move(shape), owner, by_columns);
+}
+
 /// Lets Python change an array that belongs to nobody else.
 inline py::array writable(py::array numbers) {
     py::detail::array_proxy(numbers.ptr())->flags |= py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
@@ -68,23 +81,19 @@ py::capsule owner_of(std::unique_ptr<Value> value) {
     return py::capsule(value.release(), [](void* kept) { delete static_cast<Value*>(kept); });
 }
 
-/// Arrays that own what they show.
-template <class Scalar>
-py::array array(std::vector<Scalar> values) {
-    auto kept = std::make_unique<std::vector<Scalar>>(std::move(values));
-    const auto& numbers = *kept;
-    return writable(view(numbers.data(), {std::ssize(numbers)}, owner_of(std::move(kept))));
+/// An array that owns what it shows.
+template <class Values>
+py::array array(Values values) {
+    auto kept = std::make_unique<Values>(std::move(values));
+    const Values& numbers = *kept;
+    return writable(shown(numbers, owner_of(std::move(kept))));
 }
+
 /// Warns of each as Python does; throws what that raises where warnings are errors.
 void warn(const std::vector<std::string>& warnings);
 
 /// Warns, once, of engines that `auto` missed; called where a report is returned.
 void warn_of_missed_engines();
-
-py::array array(Vector values);
-py::array array(Points rows);
-py::array array(Simplices rows);
-py::array array(DenseMatrix columns);
 
 /// scipy.sparse.csr_matrix, of this matrix or of one that belongs to the owner. Throws
 /// InvalidInput for one that is not compressed.
@@ -93,11 +102,13 @@ py::object csr(const IncidenceMatrix& matrix, py::handle owner);
 
 /// What comes in.
 Vector vector(const Numbers& numbers);
-Points rows(const Numbers& numbers);
-DenseMatrix columns(const Numbers& numbers);
-Simplices rows(const Integers& numbers);
 std::vector<Index> indices(const Integers& numbers);
 SparseMatrix sparse(const MatrixParts& matrix);
+template <class Table, class Scalar>
+Table table(const py::array_t<Scalar, py::array::c_style>& numbers) {
+    using Rows = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    return Eigen::Map<const Rows>(numbers.data(), numbers.shape(0), numbers.shape(1));
+}
 
 /// The value of an option's name. Throws InvalidInput, listing those there are.
 template <class Value>
@@ -199,7 +210,6 @@ void add_fields(py::module_& module);
 void add_pages(py::module_& module);
 void add_solvers(py::module_& module);
 void add_in_time(py::module_& module);
-void add_sources(py::module_& module);
 void add_flows(py::module_& module);
 void add_shape(py::module_& module);
 void add_spectra(py::module_& module);
@@ -227,29 +237,33 @@ template <>
 struct type_caster<polydec::Side>
     : made_from<polydec::Side, std::string, polydec::python::side_of> {};
 
-template <>
-struct type_caster<polydec::Vector>
-    : made_from<polydec::Vector, polydec::python::Numbers, polydec::python::vector> {
-    static handle cast(polydec::Vector values, return_value_policy, handle) {
-        return polydec::python::array(std::move(values)).release();
+/// The same for results too, which become arrays.
+template <class Value, class Given, Value (*from)(const Given&)>
+struct as_array : made_from<Value, Given, from> {
+    static handle cast(Value value, return_value_policy, handle) {
+        return polydec::python::array(std::move(value)).release();
     }
 };
+
+template <>
+struct type_caster<polydec::Vector>
+    : as_array<polydec::Vector, polydec::python::Numbers, polydec::python::vector> {};
+
+template <>
+struct type_caster<std::vector<polydec::Index>>
+    : as_array<std::vector<polydec::Index>, polydec::python::Integers, polydec::python::indices> {};
+
+template <>
+struct type_caster<polydec::Simplices>
+    : as_array<polydec::Simplices, polydec::python::Integers, polydec::python::table> {};
 
 template <>
 struct type_caster<polydec::Points>
-    : made_from<polydec::Points, polydec::python::Numbers, polydec::python::rows> {
-    static handle cast(polydec::Points rows, return_value_policy, handle) {
-        return polydec::python::array(std::move(rows)).release();
-    }
-};
+    : as_array<polydec::Points, polydec::python::Numbers, polydec::python::table> {};
 
 template <>
 struct type_caster<polydec::DenseMatrix>
-    : made_from<polydec::DenseMatrix, polydec::python::Numbers, polydec::python::columns> {
-    static handle cast(polydec::DenseMatrix columns, return_value_policy, handle) {
-        return polydec::python::array(std::move(columns)).release();
-    }
-};
+    : as_array<polydec::DenseMatrix, polydec::python::Numbers, polydec::python::table> {};
 
 template <>
 struct type_caster<polydec::Cochain>

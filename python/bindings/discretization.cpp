@@ -13,7 +13,6 @@
 #include "dec/forms/input_units.h"
 #include "io/diagnosis_json.h"
 #include "io/pictures/draw_cells.h"
-#include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
 
 namespace polydec::python {
@@ -80,7 +79,7 @@ py::tuple cells(const Discretization& mesh, int k) {
             begins.push_back(static_cast<Index>(corners.size()));
         }
     });
-    return py::make_tuple(array(std::move(begins)), array(std::move(corners)));
+    return py::make_tuple(std::move(begins), std::move(corners));
 }
 
 /// Of each k-simplex the merged cell that it is in: its dimension and number.
@@ -90,7 +89,7 @@ py::tuple carriers(const Discretization& mesh, int k) {
         dimensions.push_back(dimension);
         numbers.push_back(cell);
     }
-    return py::make_tuple(array(std::move(dimensions)), array(std::move(numbers)));
+    return py::make_tuple(std::move(dimensions), std::move(numbers));
 }
 
 /// What the command says of a mesh, as JSON.
@@ -113,8 +112,8 @@ std::string report(const Discretization& mesh) {
 
 py::tuple polygons(const Discretization& mesh) {
     PolygonMesh found = unlocked([&] { return polygon_mesh(mesh); });
-    return py::make_tuple(std::move(found.points), array(std::move(found.offsets)),
-                          array(std::move(found.corners)));
+    return py::make_tuple(std::move(found.points), std::move(found.offsets),
+                          std::move(found.corners));
 }
 
 std::vector<DenseMatrix> matrices(const Numbers& tensors) {
@@ -129,10 +128,8 @@ void add_parts(py::class_<Discretization, Cells>& type) {
     type.def_property_readonly("points",
                                [](const py::object& self) {
                                    const auto& mesh = self.cast<Discretization&>();
-                                   if (mesh.box())
-                                       return array(cell_centers(mesh, 0));
-                                   const Points& points = mesh.points();
-                                   return view(points.data(), {points.rows(), points.cols()}, self);
+                                   return mesh.box() ? array(cell_centers(mesh, 0))
+                                                     : shown(mesh.points(), self);
                                })
         .def_property_readonly("input_cells",
                                [](const Discretization& mesh) {
@@ -146,29 +143,17 @@ void add_parts(py::class_<Discretization, Cells>& type) {
                                })
         .def_property_readonly("warnings",
                                [](const Discretization& mesh) { return mesh.warnings(); })
-        .def_property_readonly("tags",
-                               [](const Discretization& mesh) { return array(mesh.tags()); })
-        .def_property_readonly(
-            "vertices", [](const Discretization& mesh) { return array(vertices_of_cells(mesh)); })
+        .def_property_readonly("tags", [](const Discretization& mesh) { return mesh.tags(); })
+        .def_property_readonly("vertices", &vertices_of_cells)
         .def_property_readonly("vertex_count", &count_vertices)
         .def_property_readonly("isolated",
                                [](const Discretization& mesh) { return mesh.isolated(); })
-        .def("cells_of_vertices",
-             [](const Discretization& mesh, const std::string& what, const Integers& vertices) {
-                 return array(cells_of_vertices(mesh, what, indices(vertices)));
-             })
-        .def("boundary_vertices",
-             [](const Discretization& mesh) { return array(boundary_vertices(mesh)); })
-        .def("vertices_on",
-             [](const Discretization& mesh, const std::vector<std::string>& groups) {
-                 return array(vertices_on(mesh, groups));
-             })
+        .def("cells_of_vertices", &cells_of_vertices)
+        .def("boundary_vertices", &boundary_vertices)
+        .def("vertices_on", &vertices_on)
         .def_property_readonly("facet_tags",
-                               [](const Discretization& mesh) { return array(mesh.facet_tags()); })
-        .def("facets_in",
-             [](const Discretization& mesh, const std::vector<std::string>& groups) {
-                 return facets_in(mesh, groups);
-             })
+                               [](const Discretization& mesh) { return mesh.facet_tags(); })
+        .def("facets_in", &facets_in)
         .def_property_readonly("unit", &Discretization::unit)
         .def_property_readonly(
             "star_kind", [](const Discretization& mesh) { return name(mesh.chosen_stars().kind); })
@@ -178,7 +163,7 @@ void add_parts(py::class_<Discretization, Cells>& type) {
         .def("cells_of_places",
              [](const Discretization& mesh, int k) {
                  check_number("the cells of a box of degree", k, 0, mesh.dimension());
-                 return array(cells_of_places(mesh, k));
+                 return cells_of_places(mesh, k);
              })
         .def("cells", &cells)
         .def("polygons", &polygons)

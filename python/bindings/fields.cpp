@@ -75,14 +75,13 @@ void add_periodic(py::module_& module) {
     module.def("periodic", &periodic, Unlocking());
     module.def("glue", &glue_by_images, Unlocking());
     py::class_<PeriodicMesh>(module, "PeriodicMesh")
-        .def(py::init([](const Mesh& box, const LengthMesh& quotient, const Integers& vertices,
+        .def(py::init([](const Mesh& box, const LengthMesh& quotient, std::vector<Index> vertices,
                          Points points) {
-            return PeriodicMesh{box, quotient, indices(vertices), std::move(points)};
+            return PeriodicMesh{box, quotient, std::move(vertices), std::move(points)};
         }))
         .def_readonly("box", &PeriodicMesh::box)
         .def_readonly("quotient", &PeriodicMesh::quotient)
-        .def_property_readonly("vertices",
-                               [](const PeriodicMesh& self) { return array(self.vertices); })
+        .def_readonly("vertices", &PeriodicMesh::vertices)
         .def_readonly("points", &PeriodicMesh::points);
 }
 

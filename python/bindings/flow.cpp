@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
 #include "python/bindings/guarded.h"
 #include "solvers/flow/advection.h"

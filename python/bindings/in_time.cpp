@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "io/march.h"
-#include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
 #include "python/bindings/guarded.h"
 #include "solvers/flow/flow.h"
@@ -198,8 +197,7 @@ std::optional<AbsorbingLayer> layer_of(const GivenLayer& given) {
 /// Losses of E and of B, and the B that E begins with; of them any may be empty.
 using GivenWave = std::tuple<Vector, Vector, Vector>;
 
-std::unique_ptr<AnyRun> waves_of(const Cells& of, Side side, int degree, const Vector& E,
-                                 double time_step, const GivenConditions& conditions,
+std::unique_ptr<AnyRun> waves_of(const FormSpace& space, const Vector& E, double time_step,
                                  const GivenWave& wave, const GivenLayer& layer,
                                  const py::object& source, const py::object& upper_source,
                                  const std::string& label) {
@@ -212,7 +210,7 @@ std::unique_ptr<AnyRun> waves_of(const Cells& of, Side side, int degree, const V
                               .source = in_time<Vector>(source),
                               .upper_source = in_time<Vector>(upper_source),
                               .label = label};
-    return run_of<Waves>(space_of(of, side, degree, conditions), E, options);
+    return run_of<Waves>(space, E, options);
 }
 
 std::unique_ptr<AnyRun> flow_of(const Guarded<IncompressibleFlow>& of, const Vector& start,
@@ -226,11 +224,6 @@ std::unique_ptr<AnyRun> flow_of(const Guarded<IncompressibleFlow>& of, const Vec
     return run_of<Flow>(of.solver, start, steps);
 }
 
-double stable_step_of(const Cells& of, Side side, int degree, const GivenConditions& conditions) {
-    const FormSpace space = space_of(of, side, degree, conditions);
-    return unlocked([&] { return stable_step(space); });
-}
-
 } // namespace
 
 void add_in_time(py::module_& module) {
@@ -238,7 +231,7 @@ void add_in_time(py::module_& module) {
     module.def("evolution", &evolution_of);
     module.def("waves", &waves_of);
     module.def("flow", &flow_of);
-    module.def("stable_step", &stable_step_of);
+    module.def("stable_step", &stable_step, Unlocking());
 }
 
 } // namespace polydec::python

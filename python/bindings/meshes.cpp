@@ -25,28 +25,27 @@ std::vector<GroupName> groups_of(const std::vector<GivenGroup>& given) {
     return groups;
 }
 
-Mesh mesh_of(Points points, const Integers& simplices, const Integers& tags, const Integers& facets,
-             const Integers& facet_tags, const std::vector<GivenGroup>& groups,
-             const std::vector<std::string>& warnings, const Integers& input_cells,
+Mesh mesh_of(Points points, Simplices simplices, std::vector<Index> tags, Simplices facets,
+             std::vector<Index> facet_tags, const std::vector<GivenGroup>& groups,
+             const std::vector<std::string>& warnings, std::vector<Index> input_cells,
              Index input_count) {
     return {std::move(points),
-            rows(simplices),
+            std::move(simplices),
             warnings,
-            indices(tags),
-            {rows(facets), indices(facet_tags)},
+            std::move(tags),
+            {std::move(facets), std::move(facet_tags)},
             groups_of(groups),
-            {indices(input_cells), input_count}};
+            {std::move(input_cells), input_count}};
 }
 
 /// Cells of one kind: dimension, corners, where those of each end, tags, other nodes of each.
-using CellBlock = std::tuple<int, Integers, Integers, Integers, std::size_t>;
+using CellBlock =
+    std::tuple<int, std::vector<Index>, std::vector<Index>, std::vector<Index>, std::size_t>;
 
 Mesh mesh_of_cells(Points points, const std::vector<CellBlock>& blocks) {
     const SourceFile given{"the given mesh", ""};
     CellLists cells;
-    for (const auto& [dimension, corner_array, end_array, tag_array, nodes] : blocks) {
-        const auto corners = indices(corner_array), ends = indices(end_array),
-                   tags = indices(tag_array);
+    for (const auto& [dimension, corners, ends, tags, nodes] : blocks)
         for (std::size_t cell = 0; cell < ends.size(); ++cell) {
             const Index begin = cell == 0 ? 0 : ends[cell - 1];
             const std::span own(corners.data() + begin,
@@ -63,15 +62,7 @@ Mesh mesh_of_cells(Points points, const std::vector<CellBlock>& blocks) {
             cells.add(dimension, own, tags[cell], given);
             cells.leave_out_nodes(nodes);
         }
-    }
     return std::move(cells).mesh(std::move(points));
-}
-
-/// What a mesh holds is shown as long as the mesh lives.
-template <class Made>
-py::array shown(const py::object& mesh,
-                const Eigen::Matrix<Made, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& rows) {
-    return view(rows.data(), {rows.rows(), rows.cols()}, mesh);
 }
 
 py::list names_of(const std::vector<GroupName>& groups) {
@@ -85,37 +76,35 @@ void add_classes(py::module_& module) {
     py::class_<Mesh>(module, "Mesh")
         .def(py::init(&mesh_of))
         .def_property_readonly(
-            "points", [](const py::object& self) { return shown(self, self.cast<Mesh&>().points); })
+            "points", [](const py::object& self) { return shown(self.cast<Mesh&>().points, self); })
         .def_property_readonly(
             "simplices",
-            [](const py::object& self) { return shown(self, self.cast<Mesh&>().simplices); })
+            [](const py::object& self) { return shown(self.cast<Mesh&>().simplices, self); })
         .def_property_readonly("facets",
                                [](const py::object& self) {
-                                   return shown(self, self.cast<Mesh&>().facet_tags.simplices);
+                                   return shown(self.cast<Mesh&>().facet_tags.simplices, self);
                                })
-        .def_property_readonly("tags", [](const Mesh& mesh) { return array(mesh.tags); })
-        .def_property_readonly("facet_tags",
-                               [](const Mesh& mesh) { return array(mesh.facet_tags.tags); })
+        .def_readonly("tags", &Mesh::tags)
+        .def_property_readonly("facet_tags", [](const Mesh& mesh) { return mesh.facet_tags.tags; })
         .def_property_readonly("groups", [](const Mesh& mesh) { return names_of(mesh.groups); })
-        .def_property_readonly(
-            "input_cells", [](const Mesh& mesh) { return array(mesh.input_cells.of_simplices); })
+        .def_property_readonly("input_cells",
+                               [](const Mesh& mesh) { return mesh.input_cells.of_simplices; })
         .def_property_readonly("input_count",
                                [](const Mesh& mesh) { return mesh.input_cells.count; })
         .def_readonly("warnings", &Mesh::warnings);
     py::class_<LengthMesh>(module, "LengthMesh")
-        .def(py::init(
-            [](const Integers& simplices, Index vertices, const Integers& edges, Vector lengths) {
-                LengthMesh mesh{rows(simplices), vertices, rows(edges), std::move(lengths)};
-                check(mesh);
-                return mesh;
-            }))
+        .def(py::init([](Simplices simplices, Index vertices, Simplices edges, Vector lengths) {
+            LengthMesh mesh{std::move(simplices), vertices, std::move(edges), std::move(lengths)};
+            check(mesh);
+            return mesh;
+        }))
         .def_readonly("vertices", &LengthMesh::vertices)
         .def_property_readonly(
             "simplices",
-            [](const py::object& self) { return shown(self, self.cast<LengthMesh&>().simplices); })
+            [](const py::object& self) { return shown(self.cast<LengthMesh&>().simplices, self); })
         .def_property_readonly(
             "edges",
-            [](const py::object& self) { return shown(self, self.cast<LengthMesh&>().edges); })
+            [](const py::object& self) { return shown(self.cast<LengthMesh&>().edges, self); })
         .def_readonly("lengths", &LengthMesh::lengths);
 }
 
@@ -167,8 +156,8 @@ void add_generators(py::module_& module) {
 }
 
 py::tuple parts_of(Renumbered changed) {
-    return py::make_tuple(std::move(changed.mesh), array(std::move(changed.vertices)),
-                          array(std::move(changed.cells)));
+    return py::make_tuple(std::move(changed.mesh), std::move(changed.vertices),
+                          std::move(changed.cells));
 }
 
 void add_changes(py::module_& module) {
@@ -180,10 +169,10 @@ void add_changes(py::module_& module) {
     module.def("along_morton_curve",
                [](const Mesh& mesh) { return parts_of(along_morton_curve(mesh)); });
     module.def("mesh_of_cells", &mesh_of_cells);
-    module.def("split_polygons", [](Points points, const Integers& corners, const Integers& offsets,
-                                    const Integers& tags) {
+    module.def("split_polygons", [](Points points, std::vector<Index> corners,
+                                    std::vector<Index> offsets, std::vector<Index> tags) {
         return split_polygons(
-            {std::move(points), indices(corners), indices(offsets), indices(tags)});
+            {std::move(points), std::move(corners), std::move(offsets), std::move(tags)});
     });
     module.def("weld", [](const Mesh& mesh, std::optional<double> length) {
         return unlocked([&] { return weld(mesh, length).mesh; });
@@ -193,8 +182,7 @@ void add_changes(py::module_& module) {
     });
     module.def("unjoined_boundary", [](const Mesh& mesh) {
         auto found = unlocked([&] { return unjoined_boundary(mesh); });
-        return py::make_tuple(array(std::move(found.coincident)), array(std::move(found.hanging)),
-                              found.misfits);
+        return py::make_tuple(std::move(found.coincident), std::move(found.hanging), found.misfits);
     });
     module.def("length_mesh", &length_mesh);
     module.def("peeled", [](const Mesh& mesh) { return unlocked([&] { return peeled(mesh); }); });

@@ -13,7 +13,6 @@ PYBIND11_MODULE(_core, module) {
     add_pages(module);
     add_solvers(module);
     add_in_time(module);
-    add_sources(module);
     add_flows(module);
     add_shape(module);
     add_spectra(module);

@@ -24,7 +24,7 @@ std::vector<NamedForm> fields_of(const Given& given) {
     std::vector<NamedForm> fields;
     for (const auto& [name, side, degree, values, about] : given)
         if (values.ndim() == 2)
-            fields.emplace_back(name, side, rows(values), about);
+            fields.emplace_back(name, side, table<Points>(values), about);
         else
             fields.emplace_back(name, Cochain{side, degree, vector(values)}, about);
     return fields;

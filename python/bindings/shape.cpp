@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shape/shape.h"
 
-#include "python/bindings/calculus.h"
+#include "dec/boundary/form_space.h"
 #include "python/bindings/convert.h"
 #include "shape/poisson_error.h"
 #include "shape/shape_spectrum.h"
@@ -10,15 +10,13 @@ namespace polydec::python {
 
 namespace {
 
-FlippedShape shape_from(const Discretization& mesh, const GivenConditions& conditions,
+FlippedShape shape_from(const Discretization& mesh, const FormSpace& space,
                         const CellData& conductivity, const CellData& density, bool flips) {
-    const Shape shape =
-        shape_of(mesh, conditions.value_or(BoundaryConditions{BoundaryCondition::natural}),
-                 conductivity, density);
+    const Shape shape = shape_of(mesh, space.conditions(), conductivity, density);
     return flips ? flipped(shape) : FlippedShape{shape};
 }
 
-py::dict shape_spectrum_of(const Discretization& mesh, const GivenConditions& conditions,
+py::dict shape_spectrum_of(const Discretization& mesh, const FormSpace& space,
                            const CellData& conductivity, const CellData& density, bool flips,
                            int degree, Index count, int level, double width, Index max_triangles,
                            const std::string& linear_solver, const std::string& eigen_solver,
@@ -34,7 +32,7 @@ py::dict shape_spectrum_of(const Discretization& mesh, const GivenConditions& co
     options.progress = listener(progress);
     Index flip_count = 0;
     ShapeSpectrum found = unlocked([&] {
-        const auto shape = shape_from(mesh, conditions, conductivity, density, flips);
+        const auto shape = shape_from(mesh, space, conductivity, density, flips);
         flip_count = shape.flips;
         return shape_spectrum(shape.shape, options);
     });
@@ -47,11 +45,11 @@ py::dict shape_spectrum_of(const Discretization& mesh, const GivenConditions& co
         py::arg("flips") = flip_count, py::arg("factorizations") = found.factorizations);
 }
 
-py::tuple count_of(const Discretization& mesh, const GivenConditions& conditions,
-                   const CellData& conductivity, const CellData& density, bool flips, double s,
-                   int degree, int level, const std::string& linear_solver) {
+py::tuple count_of(const Discretization& mesh, const FormSpace& space, const CellData& conductivity,
+                   const CellData& density, bool flips, double s, int degree, int level,
+                   const std::string& linear_solver) {
     const CountBelow count = unlocked([&] {
-        const auto shape = shape_from(mesh, conditions, conductivity, density, flips);
+        const auto shape = shape_from(mesh, space, conductivity, density, flips);
         return count_below(shape.shape, s,
                            {.degree = degree, .level = level, .linear_solver = linear_solver});
     });
@@ -59,11 +57,11 @@ py::tuple count_of(const Discretization& mesh, const GivenConditions& conditions
     return py::make_tuple(count.at_least, count.at_most);
 }
 
-py::dict error_of(const Discretization& mesh, const BoundaryConditions& conditions,
-                  const CellData& conductivity, const Vector& f, const Vector& flux,
-                  const Vector& u, bool l2, const std::string& linear_solver) {
+py::dict error_of(const Discretization& mesh, const FormSpace& space, const CellData& conductivity,
+                  const Vector& f, const Vector& flux, const Vector& u, bool l2,
+                  const std::string& linear_solver) {
     PoissonError error = unlocked([&] {
-        return poisson_error(poisson_problem(mesh, conditions, conductivity, f, flux), u,
+        return poisson_error(poisson_problem(mesh, space.conditions(), conductivity, f, flux), u,
                              {.l2 = l2, .linear_solver = linear_solver});
     });
     warn(error.warnings);
@@ -73,12 +71,13 @@ py::dict error_of(const Discretization& mesh, const BoundaryConditions& conditio
                     py::arg("l2") = error.l2, py::arg("shares") = std::move(error.shares));
 }
 
-py::tuple goal_of(const Discretization& mesh, const BoundaryConditions& conditions,
-                  const CellData& conductivity, const Vector& f, const Vector& flux,
-                  const Vector& u, const Vector& goal, const std::string& linear_solver) {
+py::tuple goal_of(const Discretization& mesh, const FormSpace& space, const CellData& conductivity,
+                  const Vector& f, const Vector& flux, const Vector& u, const Vector& goal,
+                  const std::string& linear_solver) {
     const Enclosed found = unlocked([&] {
-        const auto problem = poisson_problem(mesh, conditions, conductivity, f, flux);
-        const auto as_source = poisson_problem(mesh, conditions, conductivity, goal, {}).source;
+        const auto problem = poisson_problem(mesh, space.conditions(), conductivity, f, flux);
+        const auto as_source =
+            poisson_problem(mesh, space.conditions(), conductivity, goal, {}).source;
         return goal_interval(problem, u, as_source, {.linear_solver = linear_solver});
     });
     return py::make_tuple(found.lower, found.value, found.upper);

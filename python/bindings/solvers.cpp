@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
 #include "python/bindings/guarded.h"
 #include "solvers/sources/hodge.h"
@@ -14,9 +13,8 @@ namespace {
 void add_hodge(py::module_& module) {
     using Solver = Guarded<HodgeSolver>;
     py::class_<Solver>(module, "HodgeSolver")
-        .def(py::init([](const Cells& of, Side side, int degree, const GivenConditions& conditions,
-                         const std::string& engine) {
-            return guarded<HodgeSolver>(space_of(of, side, degree, conditions), engine);
+        .def(py::init([](const FormSpace& space, const std::string& engine) {
+            return guarded<HodgeSolver>(space, engine);
         }))
         .def("decompose",
              [](Solver& self, const Cochain& form) {
@@ -31,6 +29,41 @@ void add_hodge(py::module_& module) {
         });
 }
 
+py::dict in_words(const SolveReport& report, const Compatibility& compatibility) {
+    py::dict result = report_of(report);
+    result["free_components"] = compatibility.free_components;
+    result["incompatible"] = compatibility.worst;
+    return result;
+}
+
+void add_poisson(py::module_& module) {
+    using Solver = Guarded<PoissonSolver>;
+    py::class_<Solver>(module, "PoissonSolver")
+        .def(py::init([](const FormSpace& space, const std::string& engine) {
+            return guarded<PoissonSolver>(space, engine);
+        }))
+        .def("solve",
+             [](Solver& self, const Cochain& f, const BoundaryForms& data, const Vector& harmonic) {
+                 PoissonSolution found = self.use(
+                     [&](const PoissonSolver& solver) { return solver.solve(f, data, harmonic); });
+                 warn(found.warnings);
+                 return py::make_tuple(std::move(found.form), std::move(found.flux),
+                                       std::move(found.removed),
+                                       in_words(found.report, found.compatibility));
+             })
+        .def("solve_curl_curl",
+             [](Solver& self, const Cochain& current, const BoundaryForms& data) {
+                 CurlCurlSolution found = self.use([&](const PoissonSolver& solver) {
+                     return solve_curl_curl(solver, current, data);
+                 });
+                 return py::make_tuple(std::move(found.potential), std::move(found.removed),
+                                       report_of(found.report));
+             })
+        .def("harmonic_forms", [](Solver& self) {
+            return self.use([](const PoissonSolver& solver) { return solver.harmonic_forms(); });
+        });
+}
+
 void add_distance(py::module_& module) {
     using Solver = Guarded<GeodesicDistance>;
     py::class_<Solver>(module, "GeodesicDistance")
@@ -42,11 +75,9 @@ void add_distance(py::module_& module) {
                                         {name(DistanceMethod::heat), DistanceMethod::heat}});
             return guarded<GeodesicDistance>(mesh, GeodesicOptions{by, time_scale, engine});
         }))
-        .def("to", [](Solver& self, const Integers& sources) {
+        .def("to", [](Solver& self, const std::vector<Index>& sources) {
             Distance found =
-                self.use([&, given = indices(sources)](const GeodesicDistance& distance) {
-                    return distance.to(given);
-                });
+                self.use([&](const GeodesicDistance& distance) { return distance.to(sources); });
             warn(found.warnings);
             return std::move(found.values);
         });
@@ -63,8 +94,8 @@ std::pair<Points, Points> ends_of(const Mesh& lines) {
 void add_paths(py::module_& module) {
     using Paths = Guarded<SurfacePaths>;
     py::class_<Paths>(module, "SurfacePaths")
-        .def(py::init([](const Discretization& mesh, const Integers& sources) {
-            return guarded<SurfacePaths>(mesh, indices(sources));
+        .def(py::init([](const Discretization& mesh, const std::vector<Index>& sources) {
+            return guarded<SurfacePaths>(mesh, sources);
         }))
         .def("path",
              [](Paths& self, Index vertex) {
@@ -75,7 +106,7 @@ void add_paths(py::module_& module) {
         .def("isolines", [](Paths& self, const Vector& levels, Index divisions) {
             const auto lines = self.use(
                 [&](const SurfacePaths& paths) { return paths.isolines(levels, divisions); });
-            return py::make_tuple(ends_of(lines.mesh), array(lines.levels));
+            return py::make_tuple(ends_of(lines.mesh), lines.levels);
         });
 }
 
@@ -97,17 +128,16 @@ void add_transport(py::module_& module) {
         }))
         .def("reference",
              [](const Solver& self, const Discretization& mesh) {
-                 return array(reference_edges(GluedSurface(mesh.pieces()), self.solver.frames()));
+                 return reference_edges(GluedSurface(mesh.pieces()), self.solver.frames());
              })
-        .def("extend", [](Solver& self, const Integers& sources, const Vector& real,
+        .def("extend", [](Solver& self, const std::vector<Index>& sources, const Vector& real,
                           const Vector& imaginary) {
             TangentVectors given(real.size());
             given.real() = real;
             given.imag() = imaginary;
-            const TangentVectors found =
-                self.use([&, from = indices(sources)](const ParallelTransport& transport) {
-                    return transport.extend(from, given);
-                });
+            const TangentVectors found = self.use([&](const ParallelTransport& transport) {
+                return transport.extend(sources, given);
+            });
             return std::pair(Vector(found.real()), Vector(found.imag()));
         });
 }
@@ -116,9 +146,11 @@ void add_transport(py::module_& module) {
 
 void add_solvers(py::module_& module) {
     add_hodge(module);
+    add_poisson(module);
     add_distance(module);
     add_paths(module);
     add_transport(module);
+    module.def("outward_flow", &outward_flow, Unlocking());
 }
 
 } // namespace polydec::python

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "backends/spectra/certified_eigensolver.h"
-#include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
 #include "solvers/spectra/spectrum.h"
 
@@ -34,14 +33,12 @@ Certification certification_of(bool certified) {
     return certified ? Certification::required : Certification::waived;
 }
 
-/// Under conditions, if marks are given, modes have values on all cells, 0 where these fix them.
-py::dict spectrum_of(const Cells& of, Side side, int degree, Index count,
-                     const GivenConditions& conditions, bool coexact, bool certified,
+/// Modes have values on all cells, 0 where the conditions of the space fix them.
+py::dict spectrum_of(const FormSpace& space, Index count, bool coexact, bool certified,
                      const std::string& linear_solver, const std::string& eigen_solver,
                      const py::object& progress) {
     const SpectrumOptions options{count, linear_solver, eigen_solver, certification_of(certified),
                                   listener(progress)};
-    const FormSpace space = space_of(of, side, degree, conditions);
     Spectrum found = unlocked(
         [&] { return coexact ? coexact_spectrum(space, options) : spectrum(space, options); });
     warn(found.warnings);

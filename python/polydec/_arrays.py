@@ -137,18 +137,3 @@ def _checked(matrix: Any, name: str) -> Any:
         raise InvalidInput(f"{name} has wrong indices: {error}; expected row and column numbers "
                            f"within its shape {matrix.shape}") from None
     return matrix
-
-
-def marks(essential: Any, places: Floats, count: int, name: str = "essential") -> list[bool]:
-    """Facet marks for C++: one mark for all facets, or one per facet."""
-    array = as_array(called(essential, places, f"marks of {name}"), name)
-    if array.dtype != bool:
-        raise InvalidInput(f"{name} is of the type {array.dtype}: expected True, False, or one of "
-                           "them for each facet; select vertices with fixed")
-    if array.ndim == 0:
-        return [bool(array)]
-    if array.shape != (count,):
-        raise InvalidInput(f"{name} has the shape {array.shape}: expected one mark for each of "
-                           f"{count} facets")
-    marked: list[bool] = array.tolist()
-    return marked

@@ -24,7 +24,7 @@ def boundary_data(*, values: npt.ArrayLike | None = None,
             or_none(derivative_flow, "values of the flow of the derivative"))
 
 
-def check_use(require_use: Callable[[str, str], None], degree: int,
+def check_use(require_use: Callable[[str, str, str], None], degree: int,
               data: Mapping[str, Any]) -> None:
     """Raises InvalidInput, naming them, for boundary data that apply nowhere. `require_use` belongs
     to the `FormSpace` of the forms."""
@@ -35,7 +35,7 @@ def check_use(require_use: Callable[[str, str], None], degree: int,
         raise InvalidInput(f"{given('codifferential', 'flow')} is given for 0-forms, which have none "
                            "on the boundary: expected values of u, or of its derivative")
     require_use(given("boundary", "values", "codifferential"),
-                given("flux", "flow", "derivative_flow"))
+                given("flux", "flow", "derivative_flow"), "")
 
 
 def outward_flow(complex: Complex, derivatives: Values, side: str = "primal") -> Floats:

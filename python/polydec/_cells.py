@@ -115,7 +115,7 @@ class Cells:
 
     def betti_numbers(self) -> list[int]:
         """Betti numbers b_0 .. b_n."""
-        return self._cells.betti_numbers()
+        return list(map(int, self._cells.betti_numbers()))
 
     def homology_generators(self, k: int) -> Any:
         """A basis of the k-th homology: b_k integer columns, each a cycle."""

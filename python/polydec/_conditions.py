@@ -7,7 +7,7 @@ from typing import Any, Mapping
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, Integers, as_array, called, floats, integers, marks
+from ._arrays import Floats, Integers, as_array, at_places, called, integers
 from ._cells import Cells
 from ._complex import Complex
 from ._errors import InvalidInput
@@ -19,13 +19,25 @@ def facet_marks(cells: Cells, essential: Any) -> list[bool]:
     position or by groups of the file."""
     names = [essential] if isinstance(essential, str) else essential
     if isinstance(names, (list, tuple)) and names and all(isinstance(name, str) for name in names):
-        groups: list[bool] = _whole(cells).facets_in(*names).tolist()
-        return groups
-    return marks(essential, _facet_sites(cells), cells.size(cells.dim - 1))
+        essential = _whole(cells).facets_in(*names)
+    if callable(essential):
+        essential = called(essential, facet_places(cells), "marks of essential")
+    array = as_array(essential, "essential")
+    if array.dtype != bool:
+        raise InvalidInput(f"essential is of the type {array.dtype}: expected True, False, or one "
+                           "of them for each facet; select vertices with fixed")
+    count = cells.size(cells.dim - 1)
+    if array.shape not in ((), (count,)):
+        raise InvalidInput(f"essential has the shape {array.shape}: expected one mark for each of "
+                           f"{count} facets")
+    marked: list[bool] = array.ravel().tolist()
+    return marked
 
 
-def _facet_sites(cells: Cells) -> Floats:
-    return cells.facet_sites() if isinstance(cells, Complex) else np.zeros((0, 0))
+def facet_places(cells: Cells) -> Floats:
+    """A point on each facet. User-defined cells have no positions; their points have no columns."""
+    return cells.facet_sites() if isinstance(cells, Complex) else np.zeros(
+        (cells.size(cells.dim - 1), 0))
 
 
 def by_groups(cells: Cells, values: Any, on_vertices: bool = False) -> Any:
@@ -38,20 +50,6 @@ def by_groups(cells: Cells, values: Any, on_vertices: bool = False) -> Any:
     for group, value in values.items():
         result[complex.vertices_in(group) if on_vertices else complex.facets_in(group)] = value
     return result
-
-
-def facet_coefficients(cells: Cells, robin: Any) -> Floats:
-    """Coefficients of Robin's condition, one per facet; empty without the condition."""
-    if robin is None:
-        return np.zeros(0)
-    robin = called(by_groups(cells, robin), _facet_sites(cells), "Robin coefficients")
-    facets = cells.size(cells.dim - 1)
-    given = floats(np.full(facets, robin) if np.ndim(robin) == 0 else robin,
-                   "coefficients of Robin's condition")
-    if len(given) != facets:
-        raise InvalidInput(f"{len(given)} Robin coefficients are given: expected one, "
-                           f"or one for each of {facets} facets")
-    return given
 
 
 def vertex_numbers(cells: Cells, chosen: Any, name: str) -> Integers:
@@ -95,19 +93,16 @@ def vertex_marks(cells: Cells, fixed: Any) -> list[bool]:
     return result
 
 
-def conditions_of(cells: Cells, essential: Any, robin: Any = None,
-                  fixed: Any = None) -> _core.Conditions:
-    """Conditions for C++ from user input; by default Robin's where they are given, else essential."""
-    marked = facet_marks(cells, robin is None if essential is None else essential)
-    made = _core.Conditions(marked, facet_coefficients(cells, robin), vertex_marks(cells, fixed))
-    _core.require_use(cells._cells, made, "essential" if len(marked) > 1 else "",
-                      "" if robin is None else "robin")
-    return made
-
-
-def conditions_or_none(cells: Cells, essential: Any, robin: Any = None,
-                       fixed: Any = None) -> _core.Conditions | None:
-    """Conditions for C++; None, for the default conditions, if nothing is given."""
-    if essential is None and robin is None and fixed is None:
-        return None
-    return conditions_of(cells, False if essential is None else essential, robin, fixed)
+def space_of(cells: Cells, side: str, degree: int, essential: Any, robin: Any = None,
+             fixed: Any = None, *, otherwise: bool | None = None) -> _core.FormSpace:
+    """The forms of a side and degree under conditions from user input. Where none say whether facets
+    are essential, they are so for dual forms, or as `otherwise` says; but not beside Robin's."""
+    if essential is None:
+        essential = robin is None and (side == "dual" if otherwise is None else otherwise)
+    marked = facet_marks(cells, essential)
+    coefficients = np.zeros(0) if robin is None else at_places(
+        by_groups(cells, robin), facet_places(cells), "Robin coefficients")
+    space = _core.FormSpace(cells._cells, side, degree, marked, coefficients,
+                            vertex_marks(cells, fixed))
+    space.require_use("essential" if len(marked) > 1 else "", "", "" if robin is None else "robin")
+    return space

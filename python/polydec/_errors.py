@@ -76,8 +76,8 @@ class Error(Exception):
                  line: int | None = None) -> None:
         super().__init__(told(text))
         self.degree = degree
-        self.cells = tuple(cells)
-        self.vertices = tuple(vertices)
+        self.cells = tuple(map(int, cells))
+        self.vertices = tuple(map(int, vertices))
         self.path = path
         self.line = line
 

@@ -13,7 +13,7 @@ from ._boundary_data import boundary_data, check_use
 from ._cells import Cells
 from ._cochain import Cochain, Form, as_form, of_kind, values_of
 from ._complex import CellsLike, as_cells
-from ._conditions import conditions_or_none
+from ._conditions import space_of
 from ._errors import InvalidInput
 from ._run import Run
 from ._vertices import form_at_cells
@@ -117,11 +117,11 @@ class Evolution(Run):
         if len(coefficients) != len(unknowns):
             raise InvalidInput(f"{len(coefficients)} coefficients of diffusion are given: expected "
                                f"one, or one for each of {len(unknowns)} unknowns")
-        conditions = conditions_or_none(complex, essential, robin, fixed)
-        if conditions is not None and not coefficients.any():
+        conditions = essential, robin, fixed
+        if not coefficients.any() and any(given is not None for given in conditions):
             raise InvalidInput("essential, robin or fixed are given, but the diffusion that obeys "
                                "them is 0: give a diffusion, or none of these conditions")
-        spaces = [_core.FormSpace(complex._cells, *kind, conditions) for kind in self._kinds]
+        spaces = [space_of(complex, *kind, *conditions) for kind in self._kinds]
         given = [(space, form[2], float(nu), _at_boundary(each, complex, space, *form[:2]))
                  for space, form, nu, each in zip(spaces, unknowns, coefficients,
                                                   _each(boundary, len(unknowns)))]

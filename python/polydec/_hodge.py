@@ -9,7 +9,7 @@ from . import _core
 from ._arrays import Floats
 from ._cochain import Cochain, Form, as_form, made
 from ._complex import CellsLike, as_cells
-from ._conditions import conditions_or_none
+from ._conditions import space_of
 
 
 @dataclass(frozen=True)
@@ -46,15 +46,12 @@ class HodgeSolver:
     def __init__(self, complex: CellsLike, *, degree: int, side: str = "primal",
                  essential: Any = None, engine: str = "auto") -> None:
         self._complex = complex = as_cells(complex, in_units=True)
-        self._kind = side, degree
-        self._solver = _core.HodgeSolver(complex._cells, side, degree,
-                                         conditions_or_none(complex, essential), engine)
+        self._kind = degree, side
+        self._solver = _core.HodgeSolver(space_of(complex, side, degree, essential), engine)
 
     def decompose(self, form: Form) -> HodgeParts:
         """Decomposes a form."""
-        side, degree = self._kind
-
-        parts = self._solver.decompose(as_form(self._complex, form, degree, side))
+        parts = self._solver.decompose(as_form(self._complex, form, *self._kind))
         return HodgeParts(*(made(part, self._complex) for part in parts))
 
     def harmonic_forms(self) -> Floats:
@@ -77,9 +74,9 @@ def hodge_decomposition(complex: CellsLike, form: Form, *, degree: int | None = 
     True
     """
     complex = as_cells(complex)
-    given_side, k, values = as_form(complex, form, degree, side)
-    solver = HodgeSolver(complex, degree=k, side=given_side, essential=essential, engine=engine)
-    return solver.decompose(Cochain(values, k, given_side, complex))
+    side, k, values = as_form(complex, form, degree, side)
+    solver = HodgeSolver(complex, degree=k, side=side, essential=essential, engine=engine)
+    return solver.decompose(values)
 
 
 def harmonic_forms(complex: CellsLike, degree: int, *, side: str = "primal",

@@ -11,16 +11,16 @@ from . import _core
 from ._arrays import Floats, Values, at_places
 from ._boundary_data import check_use
 from ._cell_data import CellNumbers, cell_data
+from ._cells import Cells
 from ._cochain import Form, function_values
 from ._complex import CellsLike, Complex, Progress, as_complex, discretize
-from ._cells import Cells
-from ._conditions import conditions_of, conditions_or_none
+from ._conditions import space_of
 from ._vertices import at_vertices
 
 
 class CountBelow(NamedTuple):
-    """Bounds `at_least` and `at_most` of the number of eigenvalues below a number; `at_most` is None on
-    coarse meshes."""
+    """Bounds `at_least` and `at_most` of the number of eigenvalues below a number; `at_most` is
+    None on coarse meshes."""
 
     at_least: int
     at_most: int | None
@@ -41,7 +41,7 @@ class ShapeSpectrum:
     count : CountBelow
         Number of eigenvalues below `count_at`.
     modes : numpy.ndarray
-        Columns: approximate eigenfunctions at the vertices; nan at unused ones. No columns for 1-forms.
+        Columns: approximate eigenfunctions at the vertices; nan at unused ones. None for 1-forms.
     simplices, flips, factorizations : int
         Number of simplices, of edges flipped beforehand, and of inertia counts in the proof.
     """
@@ -65,27 +65,28 @@ class ShapeSpectrum:
         return widths
 
     def __repr__(self) -> str:
-        shown = ", ".join(f"[{low:.6g}, {high:.6g}]" for low, high in zip(self.lower[:4], self.upper[:4]))
-        return f"ShapeSpectrum({len(self.upper)} values {shown}{', ..' if len(self.upper) > 4 else ''})"
+        pairs = [f"[{low:.6g}, {high:.6g}]" for low, high in zip(self.lower, self.upper)]
+        shown = ", ".join(pairs[:4] + [".."] * (len(pairs) > 4))
+        return f"ShapeSpectrum({len(pairs)} values {shown})"
 
 
-def _unmerged(mesh: CellsLike) -> Complex:
-    complex = as_complex(mesh) if isinstance(mesh, Cells) else discretize(mesh, merge=False, star="galerkin")
-    assert isinstance(complex, Complex)
-    return complex
+def _shape(mesh: CellsLike, essential: Any, robin: Any, conductivity: Any,
+           density: Any) -> tuple[Complex, tuple[_core.Discretization, _core.FormSpace,
+                                                 _core.CellData, _core.CellData]]:
+    """A mesh without merging, and what C++ takes of its shape."""
+    complex = as_complex(mesh) if isinstance(mesh, Cells) else discretize(mesh, merge=False,
+                                                                          star="galerkin")
+    return complex, (complex._mesh, space_of(complex, "primal", 0, essential, robin),
+                     cell_data(complex, conductivity, "conductivities"),
+                     cell_data(complex, density, "densities"))
 
 
-def _parts(complex: Complex, essential: Any, robin: Any, conductivity: Any, density: Any,
-           flips: bool) -> tuple[_core.Discretization, _core.Conditions | None, _core.CellData, _core.CellData, bool]:
-    return (complex._mesh, conditions_or_none(complex, essential, robin),
-            cell_data(complex, conductivity, "conductivities"), cell_data(complex, density, "densities"), flips)
-
-
-def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: int = 2, width: float = 0.0,
-                   max_triangles: int = 0,
-                   essential: Any = None, robin: Values | None = None, conductivity: CellNumbers | None = None,
-                   density: CellNumbers | None = None, flips: bool = True, linear_solver: str = "auto",
-                   eigen_solver: str = "auto", progress: Progress | None = None) -> ShapeSpectrum:
+def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: int = 2,
+                   width: float = 0.0, max_triangles: int = 0, essential: Any = None,
+                   robin: Values | None = None, conductivity: CellNumbers | None = None,
+                   density: CellNumbers | None = None, flips: bool = True,
+                   linear_solver: str = "auto", eigen_solver: str = "auto",
+                   progress: Progress | None = None) -> ShapeSpectrum:
     """Encloses the smallest eigenvalues of the Laplacian on the shape (the continuous problem).
 
     The shape is a plane domain, a solid, or a polyhedral surface, which may branch and need not be
@@ -130,17 +131,18 @@ def shape_spectrum(mesh: CellsLike, *, degree: int = 0, count: int = 10, level: 
     >>> bool(found.lower[0] <= 2 * np.pi ** 2 <= found.upper[0] and found.widths[0] < 1e-3)
     True
     """
-    complex = _unmerged(mesh)
-    given = _parts(complex, essential, robin, conductivity, density, flips)
-    found = _core.shape_spectrum(*given, degree, count, level, width, max_triangles, linear_solver, eigen_solver, progress)
+    complex, shape = _shape(mesh, essential, robin, conductivity, density)
+    found = _core.shape_spectrum(*shape, flips, degree, count, level, width, max_triangles,
+                                 linear_solver, eigen_solver, progress)
     found["count"] = CountBelow(*found["count"])
     found["modes"] = at_vertices(complex, found["modes"])
     return ShapeSpectrum(**found)
 
 
-def count_below(mesh: CellsLike, s: float, *, degree: int = 0, level: int = 2, essential: Any = None,
-                robin: Values | None = None, conductivity: CellNumbers | None = None,
-                density: CellNumbers | None = None, flips: bool = True, linear_solver: str = "auto") -> CountBelow:
+def count_below(mesh: CellsLike, s: float, *, degree: int = 0, level: int = 2,
+                essential: Any = None, robin: Values | None = None,
+                conductivity: CellNumbers | None = None, density: CellNumbers | None = None,
+                flips: bool = True, linear_solver: str = "auto") -> CountBelow:
     """Two bounds of the number of eigenvalues of the shape below s, proved by inertia counts.
 
     Parameters
@@ -155,8 +157,8 @@ def count_below(mesh: CellsLike, s: float, *, degree: int = 0, level: int = 2, e
     >>> polydec.count_below(polydec.meshes.grid(8, 8), 25, essential=True)    # 2 pi^2, then 5 pi^2
     CountBelow(at_least=1, at_most=1)
     """
-    given = _parts(_unmerged(mesh), essential, robin, conductivity, density, flips)
-    return CountBelow(*_core.count_below(*given, s, degree, level, linear_solver))
+    _, shape = _shape(mesh, essential, robin, conductivity, density)
+    return CountBelow(*_core.count_below(*shape, flips, s, degree, level, linear_solver))
 
 
 @dataclass(frozen=True)
@@ -190,16 +192,18 @@ class PoissonError:
 
 
 def _problem(complex: CellsLike, f: Form | Values, flux: Values, essential: Any, robin: Any,
-             conductivity: Any) -> tuple[Complex, tuple[_core.Discretization, _core.Conditions,
-                                                    _core.CellData, Floats, Floats]]:
+             conductivity: Any, **others: Form | Values
+             ) -> tuple[tuple[_core.Discretization, _core.FormSpace, _core.CellData, Floats, Floats],
+                        list[Floats]]:
+    """What C++ takes of a problem, and values at vertices of other functions, by their names."""
     mesh = as_complex(complex, in_units=True)
-    conditions = conditions_of(mesh, essential, robin)
-    problem = (mesh._mesh, conditions, cell_data(mesh, conductivity, "conductivities"),
-               function_values(mesh, f, mesh.points, "values of f"),
-               at_places(flux, mesh.facet_sites(), "normal derivatives"))
-    space = _core.FormSpace(mesh._cells, "primal", 0, conditions)
+    space = space_of(mesh, "primal", 0, essential, robin, otherwise=True)
+    kappa = cell_data(mesh, conductivity, "conductivities")
+    source, *functions = (function_values(mesh, given, mesh.points, f"values of {name}")
+                          for name, given in {"f": f, **others}.items())
+    through = at_places(flux, mesh.facet_sites(), "normal derivatives")
     check_use(space.require_use, 0, {"flux": flux})
-    return mesh, problem
+    return (mesh._mesh, space, kappa, source, through), functions
 
 
 def poisson_error(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,
@@ -230,9 +234,8 @@ def poisson_error(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,
     >>> (torsion - error.size ** 2) ** 0.5 < error.energy < 0.04
     True
     """
-    mesh, problem = _problem(complex, f, flux, essential, robin, conductivity)
-    return PoissonError(**_core.poisson_error(
-        *problem, function_values(mesh, u, mesh.points, "values of u"), l2, engine))
+    problem, (given,) = _problem(complex, f, flux, essential, robin, conductivity, u=u)
+    return PoissonError(**_core.poisson_error(*problem, given, l2, engine))
 
 
 def goal_interval(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,
@@ -256,8 +259,6 @@ def goal_interval(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,
     >>> low < 0.0351442537 < high < low + 1e-3
     True
     """
-    mesh, problem = _problem(complex, f, flux, essential, robin, conductivity)
-    found: tuple[float, float, float] = _core.goal_interval(
-        *problem, function_values(mesh, u, mesh.points, "values of u"),
-        function_values(mesh, goal, mesh.points, "values of the goal"), engine)
-    return found
+    problem, (given, weights) = _problem(complex, f, flux, essential, robin, conductivity, u=u,
+                                         goal=goal)
+    return _core.goal_interval(*problem, given, weights, engine)

@@ -16,7 +16,7 @@ from ._cell_data import CellNumbers
 from ._cells import Cells
 from ._cochain import Cochain, Form, as_form, function_values, made, of_kind, values_of
 from ._complex import CellsLike, Complex, as_cells
-from ._conditions import by_groups, conditions_of, facet_marks
+from ._conditions import by_groups, facet_marks, facet_places, space_of
 from ._errors import InvalidInput
 from ._vertices import form_at_vertices
 
@@ -115,8 +115,7 @@ class PoissonSolver:
             complex = _with_conductivity(complex, side, degree, conductivity)
         self._complex = complex
         self._kind = side, degree
-        space = _core.FormSpace(complex._cells, side, degree,
-                                conditions_of(complex, essential, robin, fixed))
+        space = space_of(complex, side, degree, essential, robin, fixed, otherwise=True)
         self._require_use = functools.lru_cache(space.require_use)
         self._solver = _core.PoissonSolver(space, engine)
         self.sites, self.boundary_sites, self.flux_sites = _places(complex, side)
@@ -186,11 +185,9 @@ class PoissonSolver:
         trace of u, as for `solve`.
         """
         side, degree = self._kind
-        none = np.zeros(0)
         check_use(self._require_use, degree, {"boundary": boundary})
         potential, removed, report = self._solver.solve_curl_curl(
-            as_form(self._complex, current, degree, side),
-            (or_none(boundary, "values on the boundary"), none, none, none))
+            as_form(self._complex, current, degree, side), boundary_data(values=boundary))
         return CurlCurlSolution(made(potential, self._complex), made(removed, self._complex),
                                 report)
 
@@ -210,16 +207,13 @@ def _with_conductivity(cells: Cells, side: str, degree: int, kappa: CellNumbers)
 
 
 def _places(cells: Cells, side: str) -> tuple[Floats, Floats, Floats]:
-    """Positions of values, boundary values and fluxes of 0-forms. User-defined cells have no
-    positions; their arrays have no columns."""
+    """Positions of values, boundary values and fluxes of 0-forms."""
+    facets = facet_places(cells)
     if not isinstance(cells, Complex):
-        facets = np.zeros((cells.size(cells.dim - 1), 0))
-        at = np.zeros((cells.size(0, side), 0))
-        return at, at if side == "primal" else facets, facets
-    facets = cells.facet_sites()
-    if side == "primal":
-        return cells.points, cells.points, facets
-    return cells.dual_sites(), facets, facets
+        sites = np.zeros((cells.size(0, side), 0))
+    else:
+        sites = cells.points if side == "primal" else cells.dual_sites()
+    return sites, sites if side == "primal" else facets, facets
 
 
 def _form_of(cells: Cells, f: Form | Values, side: str, degree: int,

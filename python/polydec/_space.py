@@ -8,11 +8,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
 from ._arrays import Floats, Integers, Values, floats
 from ._cells import Cells
 from ._cochain import Form, of_kind
-from ._conditions import conditions_or_none
+from ._conditions import space_of
 from ._complex import CellsLike, as_cells
 from ._errors import InvalidInput
 from ._vertices import form_at_cells
@@ -60,8 +59,7 @@ class FormSpace:
     def __init__(self, complex: CellsLike, degree: int = 0, *, side: str = "primal",
                  essential: Any = None, robin: Values | None = None, fixed: Any = None) -> None:
         self._complex = complex = as_cells(complex)
-        self._space = _core.FormSpace(complex._cells, side, degree,
-                                      conditions_or_none(complex, essential, robin, fixed))
+        self._space = space_of(complex, side, degree, essential, robin, fixed)
         self.cells: list[Integers] = self._space.cells()
         self._cell_degree = degree if side == "primal" else complex.dim - degree
         self.free = self.cells[self._cell_degree]

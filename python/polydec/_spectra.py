@@ -11,7 +11,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, MatrixParts, Values, floats, matrix_parts
 from ._complex import CellsLike, Progress, as_cells
-from ._conditions import conditions_or_none
+from ._conditions import space_of
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,8 @@ class Spectrum(Eigenpairs):
 
 
 def _eigenpairs(parts: dict[str, Any]) -> dict[str, Any]:
-    return {**parts, "certificate": Certificate(**parts["certificate"])}
+    return {**parts, "certificate": Certificate(**parts["certificate"]),
+            "rough": parts["rough"].tolist()}
 
 
 def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str = "primal",
@@ -134,9 +135,8 @@ def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str 
     True
     """
     complex = as_cells(complex, in_units=True)
-    conditions = conditions_or_none(complex, essential, robin, fixed)
-    parts = _core.spectrum(complex._cells, side, degree, count, conditions, coexact, certified,
-                           linear_solver, eigen_solver, progress)
+    space = space_of(complex, side, degree, essential, robin, fixed)
+    parts = _core.spectrum(space, count, coexact, certified, linear_solver, eigen_solver, progress)
     return Spectrum(**_eigenpairs(parts), side=side, degree=degree)
 
 

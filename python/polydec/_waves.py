@@ -12,7 +12,7 @@ from . import _core
 from ._arrays import Floats
 from ._cochain import Form, as_form, values_of
 from ._complex import CellsLike, Complex, as_cells
-from ._conditions import conditions_or_none
+from ._conditions import space_of
 from ._errors import InvalidInput, warn
 from ._run import Run
 from ._vertices import mesh_of
@@ -116,8 +116,7 @@ class Waves(Run):
                          [(bool(a), bool(b)) for a, b in given.sides],
                          given.reflection, given.power)
         self._run = _core.waves(
-            complex._cells, side, degree, values, time_step or 0.0,
-            conditions_or_none(complex, essential),
+            space_of(complex, side, degree, essential), values, time_step or 0.0,
             (self._values(loss, 0), self._values(upper_loss, 1), self._values(B, 1)),
             absorbing, self._called(source, 0), self._called(upper_source, 1), label)
         warn(self._run.warnings())
@@ -163,8 +162,7 @@ def stable_step(complex: CellsLike, degree: int = 0, *, side: str = "primal",
     0.1
     """
     complex = as_cells(complex, in_units=True)
-    return _core.stable_step(complex._cells, side, degree,
-                             conditions_or_none(complex, essential))
+    return _core.stable_step(space_of(complex, side, degree, essential))
 
 
 def wave(complex: CellsLike, E: Form, time: float, B: npt.ArrayLike | None = None, *,

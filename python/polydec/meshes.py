@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Integers, floats
+from ._arrays import Integers, floats, integers
 from ._mesh import (LengthMesh, Mesh, read_lengths, read_mesh, write_lengths,
                     write_mesh)
 
@@ -148,7 +148,7 @@ def kuhn(cells: Sequence[int], lengths: Sequence[float] = ()) -> Mesh:
     >>> meshes.kuhn([2, 2, 2])
     Mesh(27 points in R^3, 48 simplices of dimension 3)
     """
-    return Mesh._of(_core.kuhn(list(cells), list(lengths)))
+    return Mesh._of(_core.kuhn(integers(cells, "cells"), list(lengths)))
 
 
 def split_boxes(cells: Sequence[int], lengths: Sequence[float] = (), seed: int = 1) -> Mesh:
@@ -158,7 +158,7 @@ def split_boxes(cells: Sequence[int], lengths: Sequence[float] = (), seed: int =
     >>> meshes.split_boxes([2, 1], seed=3)
     Mesh(6 points in R^2, 4 simplices of dimension 2)
     """
-    return Mesh._of(_core.split_boxes(list(cells), list(lengths), seed))
+    return Mesh._of(_core.split_boxes(integers(cells, "cells"), list(lengths), seed))
 
 
 def bcc(cells: int | Sequence[int], edge: float | None = None) -> Mesh:
@@ -195,8 +195,10 @@ def d4(cells: int | Sequence[int], edge: float | None = None) -> Mesh:
 
 def _lattice(make: Any, cells: int | Sequence[int], edge: float | None, dimension: int) -> Mesh:
     if isinstance(cells, int):
-        return Mesh._of(make(cells) if edge is None else make([cells] * dimension, edge))
-    return Mesh._of(make(list(cells), 1.0 if edge is None else edge))
+        if edge is None:
+            return Mesh._of(make(cells))
+        cells = [cells] * dimension
+    return Mesh._of(make(integers(cells, "cells"), 1.0 if edge is None else edge))
 
 
 def sphere_clusters(dimension: int = 3, cells_per_side: int = 6, spheres: int = 1,
