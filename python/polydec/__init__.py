@@ -24,7 +24,7 @@ if _is_asked:
 from ._core import __version__
 from ._cells import Cells
 from ._cochain import Cochain
-from ._complex import Complex, discretize
+from ._complex import CellList, Complex, Polygons, discretize
 from ._boundary_data import outward_flow
 from ._distance import (GeodesicDistance, ParallelTransport, ShortestPath, SurfacePaths,
                         geodesic_distance)
@@ -33,22 +33,21 @@ from ._engines import (Backend, Solution, backends, load_engine, register_eigen_
 from ._errors import (BackendUnavailable, Error, InvalidInput, IoError, PolydecWarning,
                       SolverFailure)
 from ._evolution import Evolution, heat
-from ._fields import (LieDerivative, boundary_de_rham, de_rham, flat, flux_form, flux_sharp, gradient, inflow, interior_product,
-                      lie_derivative, primal_dual_wedge, sharp_pd, sharp_pp, wedge,
-                      whitney_at_centroids, whitney_form)
+from ._fields import (LieDerivative, boundary_de_rham, de_rham, flat, flux_form, flux_sharp,
+                      gradient, inflow, interior_product, lie_derivative, primal_dual_wedge,
+                      sharp_pd, sharp_pp, wedge, whitney_at_centroids, whitney_form)
 from ._draw import Drawing, draw
 from ._flow import (Flow, FluxTransport, IncompressibleFlow, ShallowWater, flow_of_velocity,
                     flow_of_vorticity, flux_through_boundary)
 from ._given import as_mesh, split_polygons
-from ._lists import CellList, Polygons
 from ._hodge import HodgeParts, HodgeSolver, harmonic_forms, hodge_decomposition
 from ._merging import Merging
 from ._mesh import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, write_mesh
 from ._periodic import PeriodicMesh, glue, periodic
 from ._plot import plot, to_meshio, to_pyvista
 from ._run import Run
-from ._shape import (CountBelow, PoissonError, ShapeSpectrum, count_below, goal_interval, poisson_error,
-                     shape_spectrum)
+from ._shape import (CountBelow, PoissonError, ShapeSpectrum, count_below, goal_interval,
+                     poisson_error, shape_spectrum)
 from ._sources import (CurlCurlSolution, PoissonSolution, PoissonSolver, StokesFlow, StokesSolver,
                        poisson)
 from ._space import FormSpace
@@ -58,21 +57,20 @@ from ._waves import AbsorbingLayer, Waves, stable_step, wave
 
 __all__ = [
     "__version__", "meshes", "AbsorbingLayer", "Backend", "BackendUnavailable", "CellList",
-    "Cells", "Certificate", "Cochain", "Complex", "CountBelow",
-    "CurlCurlSolution", "Drawing", "Eigenpairs", "Error", "Evolution",
-    "Flow", "FluxTransport", "FormSpace", "GeodesicDistance",
-    "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
-    "IoError", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page",
-    "ParallelTransport", "PeriodicMesh", "PoissonError", "PoissonSolution",
-    "PoissonSolver", "PolydecWarning", "Polygons", "Run", "Series", "ShallowWater",
-    "ShapeSpectrum", "ShortestPath", "SurfacePaths",
-    "Solution", "SolverFailure", "Spectrum", "StokesFlow", "StokesSolver", "Waves", "as_mesh",
-    "backends", "boundary_de_rham", "count_below", "de_rham", "discretize", "draw", "flat",
-    "flow_of_velocity", "flow_of_vorticity", "flux_form", "flux_sharp", "flux_through_boundary",
-    "geodesic_distance", "glue", "goal_interval", "gradient", "harmonic_forms", "heat", "hodge_decomposition",
-    "inflow", "interior_product", "lie_derivative", "load_engine", "outward_flow",
-    "periodic", "plot", "poisson", "poisson_error", "primal_dual_wedge", "read_lengths", "read_mesh",
-    "register_eigen_solver", "register_linear_solver", "set_memory_limit", "shape_spectrum", "sharp_pd", "sharp_pp",
+    "Cells", "Certificate", "Cochain", "Complex", "CountBelow", "CurlCurlSolution", "Drawing",
+    "Eigenpairs", "Error", "Evolution", "Flow", "FluxTransport", "FormSpace",
+    "GeodesicDistance", "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
+    "IoError", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page", "ParallelTransport",
+    "PeriodicMesh", "PoissonError", "PoissonSolution", "PoissonSolver", "PolydecWarning",
+    "Polygons", "Run", "Series", "ShallowWater", "ShapeSpectrum", "ShortestPath",
+    "SurfacePaths", "Solution", "SolverFailure", "Spectrum", "StokesFlow", "StokesSolver",
+    "Waves", "as_mesh", "backends", "boundary_de_rham", "count_below", "de_rham", "discretize",
+    "draw", "flat", "flow_of_velocity", "flow_of_vorticity", "flux_form", "flux_sharp",
+    "flux_through_boundary", "geodesic_distance", "glue", "goal_interval", "gradient",
+    "harmonic_forms", "heat", "hodge_decomposition", "inflow", "interior_product",
+    "lie_derivative", "load_engine", "outward_flow", "periodic", "plot", "poisson",
+    "poisson_error", "primal_dual_wedge", "read_lengths", "read_mesh", "register_eigen_solver",
+    "register_linear_solver", "set_memory_limit", "shape_spectrum", "sharp_pd", "sharp_pp",
     "smallest_eigenpairs", "solve", "spectrum", "split_polygons", "stable_step", "to_meshio",
     "to_pyvista", "view", "wave", "wedge", "whitney_at_centroids", "whitney_form",
     "write_lengths", "write_mesh", "write_vtu",

@@ -89,9 +89,8 @@ class Cochain:
 
     def wedge(self, other: Cochain) -> Cochain:
         """Exterior product with another form of the same side."""
-        side, degree, values = product(self.complex, as_form(self.complex, self),
-                                       as_form(self.complex, other))
-        return Cochain(values, degree, side, self.complex)
+        left, right = as_form(self.complex, self), as_form(self.complex, other)
+        return made(product(self.complex, left, right), self.complex)
 
     def norm(self) -> float:
         """L2 norm."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import warnings
-from typing import Any, Callable, Union
+from typing import Any, Callable, NamedTuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -16,7 +16,6 @@ from ._cells import Cells
 from ._cochain import Cochain
 from ._errors import InvalidInput, PolydecWarning, told, warn
 from ._given import MeshLike, as_mesh
-from ._lists import CellList, Polygons
 from ._merging import Merging
 from ._mesh import LengthMesh, Mesh
 from ._periodic import PeriodicMesh
@@ -25,6 +24,28 @@ from ._vertices import points_of
 Progress = Callable[[str], object]
 #: Cells, or a mesh to make them from.
 CellsLike = Union[Cells, MeshLike]
+
+
+class CellList(NamedTuple):
+    """The cells of one degree: cell i has ``corners[offsets[i]:offsets[i + 1]]``."""
+
+    offsets: Integers
+    corners: Integers
+
+    def __len__(self) -> int:
+        return len(self.offsets) - 1
+
+    def cell(self, i: int) -> Integers:
+        """The corners of cell i."""
+        return self.corners[self.offsets[i]:self.offsets[i + 1]]
+
+
+class Polygons(NamedTuple):
+    """Polygons: ``corners[offsets[i]:offsets[i + 1]]`` are rows of `points` around polygon i."""
+
+    points: Floats
+    offsets: Integers
+    corners: Integers
 
 
 class Complex(Cells):

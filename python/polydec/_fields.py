@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, as_array, floats
-from ._cochain import Cochain, Form, as_form, product, values_of
+from ._cochain import Cochain, Form, as_form, made, product, values_of
 from ._complex import Complex
 from ._errors import InvalidInput
 from ._vertices import at_cells, at_vertices, mesh_of
@@ -21,12 +21,9 @@ def _vectors(complex: Complex, field: npt.ArrayLike) -> Floats:
     return np.ascontiguousarray(at_cells(complex, floats(field, "vectors", 2)))
 
 
-def _given_back(complex: Complex, parts: tuple[str, int, Floats], *given: Form) -> Any:
+def _given_back(complex: Complex, form: tuple[str, int, Floats], *given: Form) -> Any:
     """A Cochain if one was given, else an array of values."""
-    side, degree, values = parts
-    if any(isinstance(form, Cochain) for form in given):
-        return Cochain(values, degree, side, complex)
-    return values
+    return made(form, complex) if any(isinstance(each, Cochain) for each in given) else form[2]
 
 
 def de_rham(complex: Complex, k: int, form: Callable[[Floats], Any], *,
@@ -175,8 +172,7 @@ def flat(complex: Complex, kind: str, field: npt.ArrayLike) -> Cochain:
     >>> np.allclose(polydec.sharp_pp(square, form), 1.0)
     True
     """
-    side, degree, values = _core.flat(mesh_of(complex), kind, _vectors(complex, field))
-    return Cochain(values, degree, side, complex)
+    return made(_core.flat(mesh_of(complex), kind, _vectors(complex, field)), complex)
 
 
 def sharp_pp(complex: Complex, form: Form) -> Floats:

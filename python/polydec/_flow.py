@@ -330,16 +330,12 @@ class FluxTransport:
     def mass_flux(self, flux: npt.ArrayLike, density: npt.ArrayLike,
                   outside: npt.ArrayLike | None = None) -> Floats:
         """Mass flux through each facet. `outside` has the densities at inflow facets."""
-        return self._transport.mass_flux(
-            _fluxes(self._complex, flux), _densities(self._complex, density),
-            or_none(outside, "densities outside"))
+        return self._transport.mass_flux(*self._given(flux, density, outside))
 
     def rate(self, flux: npt.ArrayLike, density: npt.ArrayLike,
              outside: npt.ArrayLike | None = None) -> Floats:
         """d rho/dt in each n-cell."""
-        return self._transport.rate(
-            _fluxes(self._complex, flux), _densities(self._complex, density),
-            or_none(outside, "densities outside"))
+        return self._transport.rate(*self._given(flux, density, outside))
 
     def stable_step(self, flux: npt.ArrayLike) -> float:
         """Time step in which the outflow of some cell equals its content."""
@@ -352,3 +348,8 @@ class FluxTransport:
     def outflow(self, mass_flux: npt.ArrayLike) -> float:
         """Rate of mass loss through the boundary."""
         return self._transport.outflow(_fluxes(self._complex, mass_flux))
+
+    def _given(self, flux: npt.ArrayLike, density: npt.ArrayLike,
+               outside: npt.ArrayLike | None) -> tuple[Floats, Floats, Floats]:
+        return (_fluxes(self._complex, flux), _densities(self._complex, density),
+                or_none(outside, "densities outside"))

@@ -100,10 +100,9 @@ def split_polygons(points: npt.ArrayLike, polygons: Sequence[npt.ArrayLike],
     """
     corners = [integers(polygon, f"corners of polygon {i}") for i, polygon in enumerate(polygons)]
     offsets = np.cumsum([0] + [len(each) for each in corners], dtype=np.int32)
-    none = np.zeros(0, dtype=np.int32)
     return Mesh._of(_core.split_polygons(
-        floats(points, "points", 2), np.concatenate([none, *corners]), offsets,
-        none if tags is None else integers(tags, "tags")))
+        floats(points, "points", 2), np.concatenate([integers((), "corners"), *corners]), offsets,
+        integers(() if tags is None else tags, "tags")))
 
 
 #: Dimension and number of corners of meshio cells. Corners are the first nodes of a cell.

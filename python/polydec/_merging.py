@@ -7,7 +7,7 @@ from typing import Any
 from . import _core
 from ._arrays import Floats, Integers
 from ._cells import Cells
-from ._cochain import Cochain, Form, as_form
+from ._cochain import Cochain, Form, as_form, made
 
 
 class Merging:
@@ -69,5 +69,4 @@ class Merging:
         return _core.consistency(self._mesh, as_form(self._complex, form, degree, side))
 
     def _form(self, transfer: str, form: tuple[str, int, Floats], cells: Cells) -> Cochain:
-        side, degree, values = _core.transfer(self._mesh, transfer, form)
-        return Cochain(values, degree, side, cells)
+        return made(_core.transfer(self._mesh, transfer, form), cells)

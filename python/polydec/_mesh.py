@@ -57,14 +57,13 @@ class Mesh:
     def __init__(self, points: npt.ArrayLike, simplices: npt.ArrayLike,
                  tags: npt.ArrayLike | None = None, *, facets: npt.ArrayLike | None = None,
                  facet_tags: npt.ArrayLike | None = None) -> None:
-        none = np.zeros(0, dtype=np.int32)
+        def given(numbers: npt.ArrayLike | None, name: str, dimensions: int = 1) -> Integers:
+            return integers(() if numbers is None else numbers, name, dimensions)
+
         self._file = "" # that it was read from
         self._mesh = _core.Mesh(
-            floats(points, "points", 2), integers(simplices, "simplices", 2),
-            none if tags is None else integers(tags, "tags"),
-            none.reshape(0, 0) if facets is None else integers(facets, "facets", 2),
-            none if facet_tags is None else integers(facet_tags, "facet_tags"), [], [], none,
-            0)
+            floats(points, "points", 2), integers(simplices, "simplices", 2), given(tags, "tags"),
+            given(facets, "facets", 2), given(facet_tags, "facet_tags"), [], [], given(None, ""), 0)
 
     @classmethod
     def _of(cls, mesh: _core.Mesh, file: str = "") -> Mesh:

@@ -11,9 +11,8 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, Integers, as_array, floats
 from ._cochain import Cochain, Form, as_form
-from ._complex import CellsLike, Complex, as_complex
+from ._complex import CellList, CellsLike, Complex, Polygons, as_complex
 from ._errors import InvalidInput
-from ._lists import CellList, Polygons
 from ._spectra import Spectrum
 from ._vertices import at_cells, at_vertices
 from ._view import Fields, by_name, file_and_up
