@@ -3,7 +3,9 @@
 import faulthandler
 import os
 import signal
+import subprocess
 import sys
+import threading
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +15,7 @@ import polydec
 from polydec import meshes
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "support"))
-from words import pattern as said  # noqa: E402, F401
+from words import pattern as said  # noqa: E402
 
 MAKERS = {
     "segments": lambda: meshes.kuhn([5]),
@@ -57,6 +59,44 @@ def near(a, b, tolerance=1e-12):
     difference = a - b
     size = max(abs(a).max() if a.size else 0, abs(b).max() if b.size else 0, 1e-300)
     return (abs(difference).max() if difference.size else 0) <= tolerance * size
+
+
+def refused(ask, *words, error=polydec.InvalidInput):
+    """The error that this raises, whose message has the words."""
+    with pytest.raises(error, match=said(*words)) as caught:
+        ask()
+    return caught.value
+
+
+def together(*works):
+    """Runs these, each in a thread of its own."""
+    threads = [threading.Thread(target=work) for work in works]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+
+
+def is_interrupted(work, after=0.2):
+    """Whether a Ctrl-C after so many seconds ends the work, which takes far longer."""
+    timer = threading.Timer(after, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    try:
+        work()
+    except KeyboardInterrupt:
+        return True
+    finally:
+        timer.cancel()
+        timer.join()
+    return False
+
+
+def python(*words, **environment):
+    """What Python prints; it must not fail."""
+    done = subprocess.run([sys.executable, *map(str, words)], capture_output=True, text=True,
+                          timeout=120, env={**os.environ, **environment})
+    assert done.returncode == 0, done.stderr
+    return done
 
 
 def pytest_configure(config):

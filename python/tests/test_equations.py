@@ -6,18 +6,12 @@ import sys
 
 import pytest
 
-from test_examples import COMPILED, ROOT, run, same
+from test_examples import COMPILED, ROOT, expectations, run, same
 
 FOLDER = ROOT / "examples" / "python" / "equations"
 EQUATIONS = sorted(FOLDER.glob("*.py"))
+EXPECTED = expectations("examples/equations")
 PAGE = (ROOT / "docs" / "equations.md").read_text()
-
-
-def expectations():
-    """Of each equation the regular expression that CMake tests it by."""
-    text = (ROOT / "examples" / "equations" / "CMakeLists.txt").read_text()
-    return {name: regex.replace("\\\\", "\\")
-            for name, regex in re.findall(r'polydec_equation\((\w+) "(.*)"\)', text)}
 
 
 def code_of_cpp(text):
@@ -42,7 +36,7 @@ def shown(name, lines):
 
 def test_there_are_fifteen_in_both_languages():
     names = {path.stem for path in EQUATIONS}
-    assert len(names) >= 15 and names == set(expectations())
+    assert len(names) >= 15 and names == set(EXPECTED)
     assert names == {path.stem for path in (ROOT / "examples" / "equations").glob("*.cpp")}
 
 
@@ -61,7 +55,7 @@ def test_lines_are_counted():
 @pytest.mark.parametrize("path", EQUATIONS, ids=lambda path: path.stem)
 def test_equation(path, tmp_path):
     said = run(sys.executable, "-B", path, cwd=tmp_path)
-    assert re.search(expectations()[path.stem], said, re.DOTALL), said
+    assert re.search(EXPECTED[path.stem], said, re.DOTALL), said
     assert same(said, shown(path.stem, len(said.splitlines()))), said
     theirs = COMPILED / "equations" / path.stem
     if theirs.is_file():

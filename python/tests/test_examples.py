@@ -25,11 +25,11 @@ def run(*words, cwd):
     return done.stdout
 
 
-def expectations():
+def expectations(folder="examples"):
     """Of each example the regular expression that CMake tests it by."""
-    text = (ROOT / "examples" / "CMakeLists.txt").read_text()
+    text = (ROOT / folder / "CMakeLists.txt").read_text()
     return {name: regex.replace("\\\\", "\\")
-            for name, regex in re.findall(r'polydec_example\((\w+) "(.*)"\)', text)}
+            for name, regex in re.findall(r'polydec_\w+\((\w+) "(.*)"\)', text)}
 
 
 def same(ours, theirs):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import polydec
-from conftest import complex_of, said
+from conftest import complex_of, refused
 
 FLAT = ["grid", "hexagons", "well_centered", "kuhn", "bcc", "tesseract"]
 
@@ -41,8 +41,7 @@ def test_functions_are_called_once(square):
     assert len(calls) == 1 and calls[0][1] == 2
     with pytest.raises(ZeroDivisionError): # what they raise passes through
         polydec.de_rham(square, 1, lambda x: 1 / 0)
-    with pytest.raises(polydec.InvalidInput, match="finite"):
-        polydec.de_rham(square, 0, lambda x: np.full(len(x), np.nan))
+    refused(lambda: polydec.de_rham(square, 0, lambda x: np.full(len(x), np.nan)), "finite")
 
 
 @pytest.mark.parametrize("name", FLAT + ["goldberg", "torus"])
@@ -67,8 +66,7 @@ def test_products_of_duals(square):
     assert np.isclose(pairs.sum(), a.norm() ** 2)
     dx, dy = (square.cochain(x, 0).d().star() for x in square.points.T)
     assert np.allclose(polydec.wedge(square, dx, dy), -polydec.wedge(square, dy, dx).values)
-    with pytest.raises(polydec.InvalidInput):
-        a.wedge(a).wedge(a)
+    refused(lambda: a.wedge(a).wedge(a))
 
 
 @pytest.mark.parametrize("kind, places", [("ppp", "p"), ("pdp", "p"), ("dpp", "d"), ("ppd", "p"),
@@ -131,5 +129,4 @@ def test_arithmetic_of_cochains(square):
     assert np.isclose(square.inner_product(a.delta(), square.cochain(square.points[:, 0], 0)),
                       square.inner_product(a, square.cochain(square.points[:, 0], 0).d()))
     assert np.allclose(a.star().star(), -a)
-    with pytest.raises(polydec.InvalidInput, match=said("complex")):
-        polydec.Cochain([1.0], 0).d()
+    refused(lambda: polydec.Cochain([1.0], 0).d(), "complex")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import polydec
-from conftest import complex_of, near, said
+from conftest import complex_of, near, refused, said
 
 SURFACES = ["goldberg", "torus", "hexagons", "well_centered", "kuhn"]
 
@@ -64,9 +64,9 @@ def test_open_boundary_lets_through(square):
     flow = polydec.IncompressibleFlow(square, open=right, boundary_flux=through)
     assert near(flow.project(0 * through), through)
     assert abs(flow.pressure(through)).max() < 1 and left(square.facet_sites()).any()
-    with pytest.raises(polydec.InvalidInput, match=said("net outflow", "boundary", "expected 0")):
-        polydec.IncompressibleFlow(square, boundary_flux=np.where(
-            left(square.facet_sites()), through, 0))
+    refused(lambda: polydec.IncompressibleFlow(square, boundary_flux=np.where(
+                        left(square.facet_sites()), through, 0)),
+            "net outflow", "boundary", "expected 0")
 
 
 def test_what_no_wall_lets_through_is_at_rest_with_a_warning(square):
@@ -84,13 +84,12 @@ def test_conditions_and_data_that_apply_nowhere_are_refused(square):
     for marks in (far, inside):
         for name, make in (("no_slip", polydec.IncompressibleFlow), ("open", polydec.IncompressibleFlow),
                            ("no_slip", polydec.StokesSolver), ("pressure_on", polydec.StokesSolver)):
-            with pytest.raises(polydec.InvalidInput, match=said(name, "none of the", "facet")):
-                make(square, **{name: marks})
+            refused(lambda: make(square, **{name: marks}), name, "none of the", "facet")
     ones = np.ones((square.size(1), 2))
     for given, conditions in (({"wall_velocity": ones}, {}), ({"wall_velocity": ones}, {"open": True}),
                               ({"boundary_flux": 0 * ones[:, 0]}, {"open": True})):
-        with pytest.raises(polydec.InvalidInput, match=said(*given, "none of the", "facet")):
-            polydec.IncompressibleFlow(square, **given, **conditions)
+        refused(lambda: polydec.IncompressibleFlow(square, **given, **conditions),
+                *given, "none of the", "facet")
     closed = complex_of("goldberg")
     polydec.IncompressibleFlow(closed, no_slip=True, boundary_flux=np.zeros(closed.size(1)),
                                wall_velocity=[0, 0, 0])
@@ -98,12 +97,9 @@ def test_conditions_and_data_that_apply_nowhere_are_refused(square):
 
 def test_wrong_use_is_refused(square):
     flow = polydec.IncompressibleFlow(square)
-    with pytest.raises(polydec.InvalidInput, match="fluxes"):
-        flow.energy([1.0])
-    with pytest.raises(polydec.InvalidInput):
-        moved(flow, np.zeros(square.size(1)), -1.0)
-    with pytest.raises(polydec.InvalidInput, match="scheme"):
-        moved(flow, np.zeros(square.size(1)), 1.0, scheme="euler")
+    refused(lambda: flow.energy([1.0]), "fluxes")
+    refused(lambda: moved(flow, np.zeros(square.size(1)), -1.0))
+    refused(lambda: moved(flow, np.zeros(square.size(1)), 1.0, scheme="euler"), "scheme")
     with pytest.raises(polydec.InvalidInput, match="tetra|orient|branch|simplices|cells"):
         polydec.IncompressibleFlow(complex_of("moebius"))
 
@@ -136,8 +132,7 @@ def test_lie_derivatives_are_those_of_matrices(name, k, sampling):
         assert near(L.interior_product(X, form), i @ form)
     assert isinstance(L(X, c.cochain(form, k)), polydec.Cochain)
     assert near(L.inflow(X, form), polydec.inflow(c, X, k) @ form) or sampling == "centered"
-    with pytest.raises(polydec.InvalidInput):
-        L(X[:2], form)
+    refused(lambda: L(X[:2], form))
 
 
 @pytest.mark.parametrize("name", ["goldberg", "torus", "well_centered"])
@@ -160,5 +155,4 @@ def test_shallow_water_keeps_mass_and_energy(name):
     assert np.isnan(water(0, -depth, flux)[0]).all() # so that a step is taken again, shorter
     assert len(water.potential_vorticity(depth, flux)) == c.size(0)
     assert water.potential_enstrophy(depth, flux) > 0
-    with pytest.raises(polydec.InvalidInput):
-        water.rate(0 * depth, flux)
+    refused(lambda: water.rate(0 * depth, flux))

@@ -5,14 +5,13 @@ import json
 import os
 import pathlib
 import subprocess
-import sys
 import warnings
 
 import numpy as np
 import pytest
 
 import polydec
-from conftest import near, said
+from conftest import near, python, said
 from polydec import meshes
 
 OBTUSE = ([[0, 0, 0], [4, 0, 0], [2, .6, .2], [2, .3, -.5]], # a tetrahedron's surface
@@ -216,6 +215,4 @@ def test_certified_values_are_those_of_the_matrix(height):
     ids=["daemon_threads", "forked_children"])
 def test_the_interpreter_ends_with_its_own_code(code, printed):
     code = f"import multiprocessing, threading, time, polydec\n{code}"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60,
-                          check=False, env={**os.environ, "OMP_NUM_THREADS": "2"})
-    assert (done.returncode, done.stdout.strip()) == (0, printed), done.stderr
+    assert python("-c", code, OMP_NUM_THREADS="2").stdout.strip() == printed

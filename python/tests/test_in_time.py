@@ -1,14 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Evolutions, waves and what long runs keep."""
-import os
-import signal
-import threading
-
 import numpy as np
 import pytest
 
 import polydec
-from conftest import complex_of, near, said
+from conftest import complex_of, is_interrupted, near, refused, said, together
 
 INTEGRATORS = [engine.name for engine in polydec.backends()
                if engine.kind == "integrator" and engine.available
@@ -104,8 +100,8 @@ def test_data_and_conditions_that_apply_nowhere_are_refused(square, side):
         with pytest.raises(polydec.InvalidInput, match=said(names, "none of the", "facet")):
             polydec.Evolution(square, u, side=side, diffusion=1.0, boundary=given, **conditions)
     for conditions in ({"essential": True}, {"robin": 1.0}, {"essential": False}):
-        with pytest.raises(polydec.InvalidInput, match=said("diffusion", "0", "conditions")):
-            polydec.Evolution(square, u, side=side, **conditions)
+        refused(lambda: polydec.Evolution(square, u, side=side, **conditions),
+                "diffusion", "0", "conditions")
     polydec.Evolution(square, [u, u], side=side, diffusion=[1.0, 0.0], essential=True)
     polydec.Evolution(square, u, side=side, diffusion=1.0, essential=False, boundary=0.0)
 
@@ -114,8 +110,7 @@ def test_heat_takes_whole_steps(square):
     u = square.points[:, 0]
     assert np.array_equal(polydec.heat(square, u, .1, np.int64(2)), polydec.heat(square, u, .1, 2))
     for steps in (2.5, 2.0, "2"):
-        with pytest.raises(polydec.InvalidInput, match=said("steps", steps, "whole number")):
-            polydec.heat(square, u, .1, steps)
+        refused(lambda: polydec.heat(square, u, .1, steps), "steps", steps, "whole number")
 
 
 @pytest.mark.parametrize("side", ["primal", "dual"])
@@ -151,36 +146,31 @@ def test_errors_of_functions_come_through(square):
                                                           "essential": True}):
         with pytest.raises(KeyError, match="mine"):
             polydec.Evolution(square, ones, **words).march(1.0)
-    with pytest.raises(polydec.InvalidInput, match=said("3 rates", "unknown 0")):
-        polydec.Evolution(square, ones, reaction=lambda t, u: np.zeros(3)).march(1.0)
-    with pytest.raises(polydec.InvalidInput, match=said("rates", "3 unknowns", "expected 2")):
-        polydec.Evolution(square, [ones, ones],
-                          reaction=lambda t, u, v: (u, v, u)).march(1.0)
+    refused(lambda: polydec.Evolution(square, ones, reaction=lambda t, u: np.zeros(3)).march(1.0),
+            "3 rates", "unknown 0")
+    refused(lambda: polydec.Evolution(square, [ones, ones],
+                                      reaction=lambda t, u, v: (u, v, u)).march(1.0),
+            "rates", "3 unknowns", "expected 2")
     with pytest.raises(polydec.SolverFailure, match=said("time 0.5")):
         polydec.Evolution(square, ones,
                           reaction=lambda t, u: np.nan * u if t > 0.5 else u).march(1.0)
-    with pytest.raises(polydec.InvalidInput, match="runge-kutta"):
-        polydec.Evolution(square, ones, integrator="nonsense")
-    with pytest.raises(polydec.InvalidInput, match=said("2 coefficients", "diffusion")):
-        polydec.Evolution(square, ones, diffusion=[1.0, 2.0])
+    refused(lambda: polydec.Evolution(square, ones, integrator="nonsense"), "runge-kutta")
+    refused(lambda: polydec.Evolution(square, ones, diffusion=[1.0, 2.0]),
+            "2 coefficients", "diffusion")
 
 
-def test_ctrl_c_ends_a_march(square):
-    run = polydec.Evolution(square, np.ones(square.size(0)), reaction=lambda t, u: np.cos(t) * u,
-                            fixed_step=1e-4, most_steps=1_000_000_000)
-    timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        run.march(1e4)
-    timer.join()
-    assert np.isfinite(run.forms[0]).all() # and the run can continue
-    assert not run.march(run.time + 0.01)
+@pytest.mark.parametrize("equation", [{"diffusion": 1.0}, {"reaction": lambda t, u: np.cos(t) * u}])
+def test_ctrl_c_ends_a_march_which_may_go_on(square, equation):
+    run = polydec.Evolution(square, square.points[:, 0], fixed_step=1e-6, most_steps=10 ** 9,
+                            **equation)
+    assert is_interrupted(lambda: run.march(100.0))
+    assert 0 < run.time < 100 and np.isfinite(run.forms[0]).all()
+    assert not run.march(run.time + 1e-4)
 
 
 def test_a_reaction_cannot_use_the_run_itself(square):
     run = polydec.Evolution(square, np.ones(square.size(0)), reaction=lambda t, u: run.time * u)
-    with pytest.raises(polydec.InvalidInput, match=said("same solver")):
-        run.march(1.0)
+    refused(lambda: run.march(1.0), "same solver")
     assert run.time == 0.0
 
 
@@ -206,10 +196,9 @@ def test_runs_go_on_in_the_same_bits(sphere, tmp_path):
         resumed.resume(again.time, again.state())
         assert np.array_equal(resumed.forms[0], again.forms[0])
         assert list(made().frames(times, checkpoint=tmp_path / name)) == []
-        with pytest.raises(polydec.InvalidInput, match=said("times")):
-            list(made().frames([0.1, 0.3, 0.5], checkpoint=tmp_path / name))
-        with pytest.raises(polydec.IoError):
-            list(made().frames(times, checkpoint=tmp_path / "none" / "such"))
+        refused(lambda: list(made().frames([0.1, 0.3, 0.5], checkpoint=tmp_path / name)), "times")
+        refused(lambda: list(made().frames(times, checkpoint=tmp_path / "none" / "such")),
+                error=polydec.IoError)
 
 
 def test_checkpoints_of_other_runs_are_refused(sphere, tmp_path):
@@ -222,10 +211,8 @@ def test_checkpoints_of_other_runs_are_refused(sphere, tmp_path):
     frames(z, label="sine")
     for start, words in ((2 * z, {}), (z, {"diffusion": 0.1}), (z, {"label": "cosine"}),
                          (z, {"boundary": None, "relative_tolerance": 1e-3})):
-        with pytest.raises(polydec.InvalidInput, match=said("another")):
-            frames(start, **{"label": "sine", **words})
-    with pytest.raises(polydec.InvalidInput, match=said("label")):
-        frames(z)
+        refused(lambda: frames(start, **{"label": "sine", **words}), "another")
+    refused(lambda: frames(z), "label")
 
 
 def test_frames_stop_at_an_event(sphere, tmp_path):
@@ -247,28 +234,28 @@ def test_two_runs_in_two_threads(sphere):
         run.march(1.0)
         found[rate] = run.forms[0][0]
 
-    threads = [threading.Thread(target=work, args=(rate,)) for rate in (1.0, 2.0)]
-    for each in threads:
-        each.start()
-    for each in threads:
-        each.join()
+    together(lambda: work(1.0), lambda: work(2.0))
     assert all(abs(found[rate] / np.exp(rate) - 1) < 1e-5 for rate in found) and len(found) == 2
 
 
 @pytest.mark.parametrize("name, k", [("kuhn", 0), ("kuhn", 1), ("hexagons", 0), ("torus", 1)])
 @pytest.mark.parametrize("side", ["primal", "dual"])
 def test_waves_of_either_side_keep_their_energy(name, k, side):
-    c = complex_of(name)
-    E, B = np.cos(np.arange(c.size(k, side))), np.zeros(c.size(k + 1, side))
-    waves = polydec.Waves(c, E, B, degree=k, side=side, essential=side == "dual")
+    c, words = complex_of(name), {"degree": k, "side": side, "essential": side == "dual"}
+    E = np.cos(np.arange(c.size(k, side)))
+    waves = polydec.Waves(c, E, np.zeros(c.size(k + 1, side)), **words)
     step = waves.time_step
+    assert np.isclose(step, 0.9 * polydec.stable_step(c, **words))
     waves.march(step)
-    E, B = waves.forms
-    energy = waves.energy
+    (E1, B1), energy = waves.forms, waves.energy
+    if side == "primal":
+        assert near(B1, -step * (c.d(k) @ E))
+        assert near(c.star(k) * (E1 - E), step * (c.d(k).T @ (c.star(k + 1) * B1)))
     waves.march(2 * step)
-    assert near(waves.forms[1] - B, -step * (c.d(k, side) @ E))
+    assert near(waves.forms[1] - B1, -step * (c.d(k, side) @ E1))
     waves.march(200 * step)
     assert np.isclose(waves.energy, energy)
+    refused(lambda: polydec.Waves(c, E, time_step=2 * step, **words), "below")
 
 
 def test_essential_waves_are_those_of_conditioned_cells():
@@ -293,8 +280,7 @@ def test_sources_and_losses(square):
     assert near(lossy.forms[0], np.full(n, np.exp(-2)), 1e-3)
     with pytest.raises(ZeroDivisionError):
         polydec.wave(square, ones, 1.0, source=lambda t: 1 / 0)
-    with pytest.raises(polydec.InvalidInput):
-        polydec.wave(square, ones, 1.0, source=lambda t: [1.0, 2.0])
+    refused(lambda: polydec.wave(square, ones, 1.0, source=lambda t: [1.0, 2.0]))
 
 
 def test_absorbing_layers():
@@ -322,10 +308,8 @@ def test_no_march_goes_back_before_the_start(square, until):
     for run in (polydec.Evolution(square, np.ones(square.size(0)), diffusion=1.0),
                 polydec.Waves(square, np.ones(square.size(0))),
                 polydec.Flow(flow, np.zeros(square.size(1)), 0.1)):
-        with pytest.raises(polydec.InvalidInput, match="time"):
-            run.march(until)
-        with pytest.raises(polydec.InvalidInput, match="time"):
-            next(run.frames([until]))
+        refused(lambda: run.march(until), "time")
+        refused(lambda: next(run.frames([until])), "time")
         assert run.time == 0
 
 
@@ -347,11 +331,9 @@ def test_series(sphere, tmp_path):
     with polydec.Series(tmp_path / "film.pvd", sphere) as film:
         for t in (0.0, 1.0):
             film.add(t, {"z": t * sphere.points[:, 2]})
-        with pytest.raises(polydec.InvalidInput, match="after"):
-            film.add(0.5, {"z": sphere.points[:, 2]})
+        refused(lambda: film.add(0.5, {"z": sphere.points[:, 2]}), "after")
     assert (tmp_path / "film.pvd").read_text().count("DataSet timestep") == 2
     with polydec.Series(tmp_path / "film.html", sphere, title="A film") as page:
         page.add(0.0, sphere.points[:, 2])
     assert "A film" in (tmp_path / "film.html").read_text()
-    with pytest.raises(polydec.InvalidInput):
-        polydec.Series(tmp_path / "film.txt", sphere)
+    refused(lambda: polydec.Series(tmp_path / "film.txt", sphere))

@@ -5,7 +5,7 @@ import pytest
 import scipy.sparse as sp
 
 import polydec
-from conftest import said
+from conftest import refused
 
 
 def test_matrices_of_any_format():
@@ -20,12 +20,9 @@ def test_matrices_of_any_format():
     assert np.allclose(polydec.solve(doubled, np.ones(30)), expected)
     unsorted = A.tocsr()[:, ::-1].tocsr()
     assert np.allclose(polydec.solve(unsorted, unsorted @ np.ones(30)), np.ones(30))
-    with pytest.raises(polydec.InvalidInput, match="complex128"):
-        polydec.solve(A * 1j, np.ones(30))
-    with pytest.raises(polydec.InvalidInput):
-        polydec.solve(A, np.ones(29))
-    with pytest.raises(polydec.InvalidInput):
-        polydec.solve(A.tocsr()[:20], np.ones(20))
+    refused(lambda: polydec.solve(A * 1j, np.ones(30)), "complex128")
+    refused(lambda: polydec.solve(A, np.ones(29)))
+    refused(lambda: polydec.solve(A.tocsr()[:20], np.ones(20)))
     with pytest.raises(polydec.InvalidInput, match=r"\(3, 4\)|NaN|nan"):
         B = A.tolil()
         B[3, 4] = np.nan
@@ -51,5 +48,4 @@ def test_indices_of_matrices_are_looked_at(kind, indices, indptr):
                       ("M", lambda: polydec.smallest_eigenpairs(sp.eye(2), matrix, count=1)),
                       ("d_0", lambda: polydec.Cells.of([matrix], 2 * [ones], 2 * [ones])),
                       ("star of degree 0", lambda: square.with_star(0, matrix))):
-        with pytest.raises(polydec.InvalidInput, match=said(name, "indices", "expected", "(2, 2)")):
-            ask()
+        refused(ask, name, "indices", "expected", "(2, 2)")

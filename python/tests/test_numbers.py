@@ -5,7 +5,7 @@ import pytest
 import scipy.sparse as sp
 
 import polydec
-from conftest import near, said
+from conftest import near, refused, said
 
 
 def test_vertices_keep_the_numbers_of_the_arrays():
@@ -57,8 +57,7 @@ def test_vertices_keep_the_numbers_of_the_arrays():
                 polydec.sharp_pp(plain, polydec.flat(plain, "ppp", np.ones((20, 2))))[:, 0])
     for ask in (lambda: polydec.geodesic_distance(c, 5),
                 lambda: polydec.poisson(c, 1.0, fixed=[0])):
-        with pytest.raises(polydec.InvalidInput, match=said("no cell", "vertex")):
-            ask()
+        refused(ask, "no cell", "vertex")
 
 
 @pytest.mark.parametrize("exponent", [-300, 200])
@@ -89,8 +88,7 @@ def test_all_is_in_the_units_of_the_input(exponent):
         assert near((c.stiffness(degree) * size ** (2 * degree - 1)).toarray(),
                     usual.stiffness(degree).toarray())
     if exponent < 0:
-        with pytest.raises(polydec.InvalidInput, match=said("stiffness", "range")):
-            c.stiffness(3)
+        refused(lambda: c.stiffness(3), "stiffness", "range")
     own = c.with_star(1, sp.diags(np.asarray(usual.star(1)) * size))
     assert near(own.star(1).diagonal() / size, usual.star(1))
     assert near(c.material_star(1, 2.0) / size, usual.material_star(1, 2.0))

@@ -5,7 +5,7 @@ import pytest
 import scipy.sparse as sp
 
 import polydec
-from conftest import MAKERS, complex_of, degrees, near, said
+from conftest import MAKERS, complex_of, degrees, near, refused
 
 
 def has_inverse(c, k):
@@ -37,9 +37,8 @@ def test_stars_are_ratios_of_volumes(name, k):
     assert np.array_equal(c.star(k), c.dual_volumes(k) / c.volumes(k))
     zeros = c.zeros(k)
     if len(zeros):
-        with pytest.raises(polydec.InvalidInput) as caught:
-            c.inverse_star(k)
-        assert caught.value.degree == k and list(caught.value.cells) == list(zeros)
+        error = refused(lambda: c.inverse_star(k))
+        assert error.degree == k and list(error.cells) == list(zeros)
     else:
         assert near(c.inverse_star(k) * c.star(k), np.ones(c.size(k)), 1e-15)
 
@@ -53,8 +52,7 @@ def test_codifferential_is_the_adjoint_of_d(name, k):
         expected = sp.diags(1 / c.star(k - 1)) @ c.d(k - 1).T @ sp.diags(c.star(k))
         assert near(c.codifferential(k), expected, 4e-16)
     else:
-        with pytest.raises(polydec.InvalidInput):
-            c.codifferential(k)
+        refused(lambda: c.codifferential(k))
 
 
 @pytest.mark.parametrize("name, k", degrees())
@@ -71,8 +69,7 @@ def test_laplacian_is_d_delta_and_delta_d(name, k):
     c = complex_of(name)
     needed = ([k - 1] if k > 0 else []) + ([k] if k < c.dim else [])
     if not all(has_inverse(c, i) for i in needed):
-        with pytest.raises(polydec.InvalidInput):
-            c.laplacian(k)
+        refused(lambda: c.laplacian(k))
         return
     expected = sp.csr_matrix((c.size(k), c.size(k)))
     if k > 0:
@@ -150,8 +147,7 @@ def test_own_stars():
     assert near(doubled.stiffness(0), 2 * c.stiffness(0), 1e-15)
     assert doubled.star_kind == "own" and isinstance(doubled, polydec.Complex)
     assert near(polydec.Cells.with_star(c, 1, 2 * c[1].star).stiffness(0), doubled.stiffness(0), 0)
-    with pytest.raises(polydec.InvalidInput, match=said("20 rows", "1-cells", "expected 31")):
-        c.with_star(1, np.eye(20))
+    refused(lambda: c.with_star(1, np.eye(20)), "20 rows", "1-cells", "expected 31")
 
 
 def test_material_stars():
@@ -181,8 +177,7 @@ def test_own_cells():
     assert np.allclose(values, [0, 0, *[4 * np.sin(np.pi / n) ** 2] * 2], atol=1e-9)
     u = polydec.poisson(torus, np.eye(64)[0])
     assert np.allclose(torus.laplacian(0) @ u, np.eye(64)[0] - 1 / 64)
-    with pytest.raises(polydec.InvalidInput, match=said("0-cell 0", "2-cell 0", "faces")):
-        polydec.Cells.of([d0, abs(d1)], ones, ones)
+    refused(lambda: polydec.Cells.of([d0, abs(d1)], ones, ones), "0-cell 0", "2-cell 0", "faces")
 
 
 def test_conditions_leave_cells_out(square):
@@ -203,13 +198,10 @@ def test_conditions_leave_cells_out(square):
     assert np.isclose(around, 2.0 * square.volumes(1)[on_boundary].sum())
     assert "essential" in repr(space) or "Dirichlet" in repr(space)
     for wrong in (values[:1], np.append(values, 0), values[0]):
-        with pytest.raises(polydec.InvalidInput, match=said("expected")):
-            space.extend(wrong)
+        refused(lambda: space.extend(wrong), "expected")
     for act, size in ((space.extend, len(kept)), (space.restrict, square.size(0))):
-        with pytest.raises(polydec.InvalidInput, match=said("complex128", "real numbers")):
-            act(np.full(size, 1j))
-    with pytest.raises(polydec.InvalidInput, match=said("degree", "7")):
-        polydec.FormSpace(square, 7)
+        refused(lambda: act(np.full(size, 1j)), "complex128", "real numbers")
+    refused(lambda: polydec.FormSpace(square, 7), "degree", "7")
 
 
 @pytest.mark.parametrize("star", ["circumcentric", "galerkin", "barycentric"])
@@ -227,10 +219,8 @@ def test_operators_are_linear_over_the_complex_numbers(star):
 def test_degrees_that_there_are_not(square):
     for call in [square.volumes, square.star, square.d, square.laplacian, square.centers,
                  square.cells, square.merging.diamond, square.merging.lift]:
-        with pytest.raises(polydec.InvalidInput):
-            call(4)
-    with pytest.raises(polydec.InvalidInput, match=said("side", '"left"', "expected")):
-        square.laplacian(0, "left")
+        refused(lambda: call(4))
+    refused(lambda: square.laplacian(0, "left"), "side", '"left"', "expected")
     with pytest.raises(IndexError):
         square[3]
     assert square.size(7) == 0 and len(square) == 3

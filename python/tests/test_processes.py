@@ -4,11 +4,7 @@ import _thread
 import copy
 import gc
 import multiprocessing
-import os
 import pickle
-import signal
-import subprocess
-import sys
 import threading
 import time
 
@@ -16,7 +12,7 @@ import numpy as np
 import pytest
 
 import polydec
-from conftest import complex_of, said
+from conftest import complex_of, is_interrupted, python, refused, together
 
 
 @pytest.mark.parametrize("protocol", [2, pickle.HIGHEST_PROTOCOL])
@@ -58,18 +54,16 @@ def test_complexes_are_pickled_to_the_last_bit(options):
 def test_what_cannot_be_pickled(square):
     glued = polydec.discretize(polydec.periodic(polydec.meshes.grid(4, 4), [[1, 0], [0, 1]]))
     for made in (square.with_star(1, square[1].star), square.with_material(0, 2.0), glued.box):
-        with pytest.raises(polydec.InvalidInput, match=said("box", "with_star", "material")):
-            pickle.dumps(made)
+        refused(lambda: pickle.dumps(made), "box", "with_star", "material")
 
 
 def test_results_and_errors_are_pickled(square):
     modes = polydec.spectrum(square, count=3)
     again = pickle.loads(pickle.dumps(modes))
     assert np.array_equal(again.modes, modes.modes) and again.certificate == modes.certificate
-    with pytest.raises(polydec.InvalidInput) as caught:
-        complex_of("hexagons").inverse_star(1)
-    error = pickle.loads(pickle.dumps(caught.value))
-    assert str(error) == str(caught.value) and error.cells == caught.value.cells
+    error = refused(lambda: complex_of("hexagons").inverse_star(1))
+    again = pickle.loads(pickle.dumps(error))
+    assert str(again) == str(error) and again.cells == error.cells
 
 
 def test_listeners_are_told():
@@ -108,11 +102,7 @@ def test_two_threads_with_a_listener_each():
                                         progress=lambda what: told[i].append(what))
             gc.collect()
 
-    threads = [threading.Thread(target=work, args=(i,)) for i in range(2)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    together(lambda: work(0), lambda: work(1))
     for i in range(2):
         assert np.array_equal(found[i].eigenvalues, expected) and told[i]
 
@@ -141,27 +131,8 @@ def test_solvers_may_be_shared(square):
     solver = polydec.PoissonSolver(square)
     expected = solver.solve(1.0).values
     found = []
-    threads = [threading.Thread(target=lambda: found.append(solver.solve(1.0).values))
-               for _ in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    together(*8 * [lambda: found.append(solver.solve(1.0).values)])
     assert len(found) == 8 and all(np.array_equal(u, expected) for u in found)
-
-
-def is_interrupted(work, after):
-    """Whether a Ctrl-C after so many seconds ends the work, which takes far longer."""
-    timer = threading.Timer(after, lambda: os.kill(os.getpid(), signal.SIGINT))
-    timer.start()
-    try:
-        work()
-    except KeyboardInterrupt:
-        return True
-    finally:
-        timer.cancel()
-        timer.join()
-    return False
 
 
 @pytest.mark.parametrize("listen", [None, lambda what: None])
@@ -172,16 +143,9 @@ def test_interrupted_spectrum(listen):
 
 
 def test_interrupted_steps(square):
-    assert is_interrupted(lambda: polydec.heat(square, square.points[:, 0], 1e-3, 10 ** 8), 0.2)
+    assert is_interrupted(lambda: polydec.heat(square, square.points[:, 0], 1e-3, 10 ** 8))
     waves = polydec.Waves(square, square.points[:, 0])
-    assert is_interrupted(lambda: waves.march(1e9 * waves.time_step), 0.2)
-
-
-def test_interrupted_march(square):
-    run = polydec.Evolution(square, square.points[:, 0], diffusion=1.0, fixed_step=1e-6,
-                            most_steps=10 ** 9)
-    assert is_interrupted(lambda: run.march(100.0), 0.2)
-    assert 0 < run.time < 100
+    assert is_interrupted(lambda: waves.march(1e9 * waves.time_step))
 
 
 def test_interrupted_stage():
@@ -208,5 +172,4 @@ def test_spawned_processes():
 def test_import_is_light():
     code = ("import sys, polydec; print(sorted(m for m in sys.modules if m in ("
             "'matplotlib', 'meshio', 'pyvista', 'IPython')))")
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
-                          check=True, timeout=60).stdout == "[]\n"
+    assert python("-c", code).stdout == "[]\n"

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import polydec
-from conftest import complex_of, said
+from conftest import complex_of, refused
 
 
 def plane(x):
@@ -99,22 +99,6 @@ def test_heat_follows_the_matrix(square):
             polydec.heat(square, u, bad)
 
 
-def test_waves_conserve_energy():
-    box = polydec.FormSpace(complex_of("kuhn"), 1, essential=True).inside
-    E, B = np.cos(np.arange(box.size(1))), np.zeros(box.size(2))
-    waves = polydec.Waves(box, E, B, degree=1)
-    step, energy = waves.time_step, waves.energy
-    assert np.isclose(step, 0.9 * polydec.stable_step(box, 1))
-    waves.march(step)
-    E1, B1 = waves.forms
-    assert np.allclose(B1, -step * (box.d(1) @ E))
-    assert np.allclose(E1, E + step * (box.d(1).T @ (box.star(2) * B1)) / box.star(1))
-    waves.march(200 * step)
-    assert np.isclose(waves.energy, energy)
-    with pytest.raises(polydec.InvalidInput, match="below"):
-        polydec.Waves(box, E, degree=1, time_step=2 * step)
-
-
 def test_distances(sphere):
     north = int(sphere.points[:, 2].argmax())
     distance = polydec.geodesic_distance(sphere, north)
@@ -127,8 +111,7 @@ def test_distances(sphere):
     for heat_alone in ({"time_scale": 2}, {"engine": "eigen.ldlt"}):
         with pytest.raises(polydec.InvalidInput, match="time_scale and engine.*method=\"heat\""):
             polydec.geodesic_distance(sphere, north, **heat_alone)
-    with pytest.raises(polydec.InvalidInput, match="exact"):
-        polydec.geodesic_distance(sphere, north, method="fast")
+    refused(lambda: polydec.geodesic_distance(sphere, north, method="fast"), "exact")
     paths = polydec.SurfacePaths(sphere, north)
     far = int(distance.argmax())
     path = paths.path(far)
@@ -143,8 +126,7 @@ def test_distances(sphere):
     exact = np.arccos(np.clip(sphere.points @ sphere.points[[north, south]].T, -1, 1)).min(axis=1)
     assert abs(solver.to([north, south]) - exact).max() < 0.25
     for sources in ([], [-1], [sphere.size(0)], [0.5]):
-        with pytest.raises(polydec.InvalidInput):
-            solver.to(sources)
+        refused(lambda: solver.to(sources))
 
 
 def test_parallel_transport():
@@ -184,12 +166,11 @@ def test_edges_without_place_have_no_direction():
     edges = ball.input.d(0).indices.reshape(-1, 2).tolist()
     reference = polydec.ParallelTransport(ball).reference
     flipped = [edge[0] for edge in reference if sorted(edge) not in edges]
-    with pytest.raises(polydec.InvalidInput, match=said("flip", "vertex", "direction")) as refused:
-        polydec.ParallelTransport(ball).directions
-    assert list(refused.value.vertices) == flipped
+    error = refused(lambda: polydec.ParallelTransport(ball).directions,
+                      "flip", "vertex", "direction")
+    assert list(error.vertices) == flipped
     lengths = polydec.meshes.length_mesh(polydec.meshes.icosphere(2))
-    with pytest.raises(polydec.InvalidInput, match=said("lengths", "direction", "points")):
-        polydec.ParallelTransport(lengths).directions
+    refused(lambda: polydec.ParallelTransport(lengths).directions, "lengths", "direction", "points")
 
 
 def test_flips_make_stars_positive():

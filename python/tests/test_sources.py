@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import polydec
-from conftest import complex_of, near, said
+from conftest import complex_of, near, refused, said
 
 
 @pytest.mark.parametrize("name, k", [("torus", 0), ("torus", 1), ("torus", 2), ("goldberg", 1),
@@ -31,8 +31,7 @@ def test_sources_of_forms(name, k, side):
     if len(expected):
         given = found.flux if side == "primal" else (-1.0) ** (c.dim - k) * found.flux.star()
         assert near(given.values, expected.values, 1e-7)
-    with pytest.raises(polydec.InvalidInput):
-        solver.solve(np.ones(3))
+    refused(lambda: solver.solve(np.ones(3)))
 
 
 def test_magnets():
@@ -59,8 +58,7 @@ def test_robin_of_a_rod(side):
     none = polydec.poisson(rod, 1.0, side=side, essential=lambda at: at[:, 0] < 0.5)
     assert not near(none.values, u.values, 0.1)
     for robin in (-1.0, np.ones(3)):
-        with pytest.raises(polydec.InvalidInput):
-            polydec.PoissonSolver(rod, side=side, essential=False, robin=robin)
+        refused(lambda: polydec.PoissonSolver(rod, side=side, essential=False, robin=robin))
 
 
 @pytest.mark.parametrize("mesh, n", [(polydec.meshes.kuhn([8]), 1), (polydec.meshes.grid(6, 6), 2),
@@ -77,8 +75,7 @@ def test_boxes_without_walls(mesh, n):
     assert near(form, c.d(0) @ potential, 1e-3)
     again = polydec.discretize(pickle.loads(pickle.dumps(box)))
     assert near(again.centers(n), c.centers(n))
-    with pytest.raises(polydec.InvalidInput):
-        polydec.periodic(mesh, [np.full(n, 0.3)])
+    refused(lambda: polydec.periodic(mesh, [np.full(n, 0.3)]))
 
 
 @pytest.mark.parametrize("side", ["primal", "dual"])
@@ -163,10 +160,8 @@ def test_numbers_of_cells_are_in_the_order_of_the_input():
     means = by_place.cell_means(2, lambda x: 1 + x[:, 0])
     assert near(means, 1 + by_place.centroids(2)[:, 0])
     assert near(by_place.cell_means(2, by_place.cochain(means, 0, "dual")), means)
-    with pytest.raises(polydec.InvalidInput, match=said("4 values", "8")):
-        by_place.cell_means(2, means)
-    with pytest.raises(polydec.InvalidInput, match=said("differ", "merged", "keep_apart")):
-        by_place.with_material(1, np.arange(1.0, 9))
+    refused(lambda: by_place.cell_means(2, means), "4 values", "8")
+    refused(lambda: by_place.with_material(1, np.arange(1.0, 9)), "differ", "merged", "keep_apart")
 
 
 @pytest.mark.parametrize("name", ["grid", "well_centered"])
@@ -191,8 +186,8 @@ def test_slow_flows_between_open_ends(mesh):
     flow = polydec.StokesSolver(c, pressure_on=ends).solve(pressure=2 * (1 - x))
     assert abs(abs(flow.flux.values[ends]).sum() - 1 / 3) < 0.03
     assert abs(flow.pressure.values.mean() - 1) < 0.01
-    with pytest.raises(polydec.InvalidInput, match=said(1, "flows", "meet no resistance")):
-        polydec.StokesSolver(c, no_slip=False, pressure_on=ends)
+    refused(lambda: polydec.StokesSolver(c, no_slip=False, pressure_on=ends),
+            1, "flows", "meet no resistance")
 
 
 def test_numbers_for_groups_of_the_file(grouped_square):
@@ -205,12 +200,10 @@ def test_numbers_for_groups_of_the_file(grouped_square):
                                 robin={7: 2.0})
         assert np.allclose(robin.values, 1.5)
     for given in [{"boundary": {"the wall": 1.0}}, {"flux": {"the wall": 1.0}}, {"flux": 2.0}]:
-        with pytest.raises(polydec.InvalidInput, match=said("for 1-forms", "boundary_de_rham")):
-            polydec.poisson(square, 0.0, degree=1, **given)
-    with pytest.raises(polydec.InvalidInput, match=said("lid", "the wall")):
-        polydec.poisson(square, 0.0, {"lid": 1.0})
-    with pytest.raises(polydec.InvalidInput, match=said("one for each 2-cell", "dual 0-form")):
-        square.with_conductivity(np.ones(1))
+        refused(lambda: polydec.poisson(square, 0.0, degree=1, **given),
+                "for 1-forms", "boundary_de_rham")
+    refused(lambda: polydec.poisson(square, 0.0, {"lid": 1.0}), "lid", "the wall")
+    refused(lambda: square.with_conductivity(np.ones(1)), "one for each 2-cell", "dual 0-form")
 
 
 @pytest.mark.parametrize("side", ["primal", "dual"])
@@ -222,8 +215,7 @@ def test_data_that_apply_nowhere_are_refused(square, side):
                               ({"essential": False}, {"boundary": 5.0}), (robin, {"boundary": 5.0}),
                               ({"essential": False}, {"boundary": lambda at: at[:, 0]})]:
         solver = polydec.PoissonSolver(square, side=side, **conditions)
-        with pytest.raises(polydec.InvalidInput, match=said(*given, "none of the", "facet")):
-            solver.solve(1.0, **given)
+        refused(lambda: solver.solve(1.0, **given), *given, "none of the", "facet")
         solver.solve(1.0, **dict.fromkeys(given, 0.0))
         if "boundary" in given:
             kind = polydec.PoissonSolver(polydec.discretize(polydec.meshes.torus(8, 6)), side=side)
@@ -231,21 +223,20 @@ def test_data_that_apply_nowhere_are_refused(square, side):
     for data in ({"derivative_flow": np.ones(square.size(0))},
                  {"derivative_flow": np.ones(n_facets)}):
         solver = polydec.PoissonSolver(square, side=side, essential=lambda at: at[:, 0] < .01)
-        with pytest.raises(polydec.InvalidInput, match=said("flux", "derivative_flow", "one of them")):
-            solver.solve(0.0, flux=1.0, **data)
-    with pytest.raises(polydec.InvalidInput, match=said("flux", "none of the", "facet")):
-        polydec.poisson_error(square, np.zeros(square.size(0)), flux=7.0)
-    with pytest.raises(polydec.InvalidInput, match=said("boundary", "none of the", "facet")):
-        polydec.PoissonSolver(square, degree=1, essential=False).solve_curl_curl(
-            np.zeros(n_facets), boundary=np.ones(n_facets))
+        refused(lambda: solver.solve(0.0, flux=1.0, **data),
+                "flux", "derivative_flow", "one of them")
+    refused(lambda: polydec.poisson_error(square, np.zeros(square.size(0)), flux=7.0),
+            "flux", "none of the", "facet")
+    refused(lambda: polydec.PoissonSolver(square, degree=1, essential=False).solve_curl_curl(
+                        np.zeros(n_facets), boundary=np.ones(n_facets)),
+            "boundary", "none of the", "facet")
 
 
 @pytest.mark.parametrize("flux", [1.0, np.nan, np.ones(3), lambda at: at[:, 0], {}])
 @pytest.mark.parametrize("k", [1, 2])
 def test_a_flux_of_forms_is_refused(square, flux, k):
     solver = polydec.PoissonSolver(square, degree=k, essential=False)
-    with pytest.raises(polydec.InvalidInput, match=said("flux", f"for {k}-forms", "derivative_flow")):
-        solver.solve(0.0, flux=flux)
+    refused(lambda: solver.solve(0.0, flux=flux), "flux", f"for {k}-forms", "derivative_flow")
 
 
 @pytest.mark.parametrize("name", ["codifferential", "flow"])
@@ -254,8 +245,7 @@ def test_functions_have_no_codifferential_and_no_flow(square, name):
         solver = polydec.PoissonSolver(square, side=side, essential=lambda at: at[:, 0] < .01)
         for k in range(3):
             data = {name: np.full(square.size(k), 5.0)}
-            with pytest.raises(polydec.InvalidInput, match=said(name, "0-forms", "expected")):
-                solver.solve(1.0, **data)
+            refused(lambda: solver.solve(1.0, **data), name, "0-forms", "expected")
             with pytest.raises(polydec.InvalidInput, match=said(name, "0-forms", "expected")):
                 polydec.Evolution(square, np.ones(square.size(0, side)), side=side, diffusion=1.0,
                                   boundary=data)
@@ -268,5 +258,4 @@ def test_robins_condition_alone_holds_on_the_whole_boundary_as_in_the_command():
     assert alone.values.min() > .3
     for ask in (lambda: polydec.poisson(square, 1.0, robin=.7, essential=True),
                 lambda: polydec.spectrum(square, robin=.7, essential=True)):
-        with pytest.raises(polydec.InvalidInput, match=said("robin", "none of the 16")):
-            ask()
+        refused(ask, "robin", "none of the 16")

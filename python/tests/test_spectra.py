@@ -6,7 +6,7 @@ import scipy.sparse as sp
 import scipy.sparse.linalg
 
 import polydec
-from conftest import complex_of, near, said
+from conftest import complex_of, near, refused
 
 
 @pytest.mark.parametrize("name", ["well_centered", "goldberg", "flange", "kuhn"])
@@ -91,16 +91,13 @@ def test_smallest_eigenpairs():
     (np.eye(4) * np.nan, None, ("finite",)),
 ])
 def test_matrices_that_are_refused(A, M, words):
-    with pytest.raises(polydec.InvalidInput, match=said(*words)):
-        polydec.smallest_eigenpairs(A, M, 2)
+    refused(lambda: polydec.smallest_eigenpairs(A, M, 2), *words)
 
 
 def test_counts_that_are_refused(square):
     for count in (0, -1, square.size(0) + 1):
-        with pytest.raises(polydec.InvalidInput):
-            polydec.spectrum(square, count=count)
-    with pytest.raises(polydec.InvalidInput, match=said("nonsense")):
-        polydec.spectrum(square, linear_solver="nonsense")
+        refused(lambda: polydec.spectrum(square, count=count))
+    refused(lambda: polydec.spectrum(square, linear_solver="nonsense"), "nonsense")
 
 
 @pytest.mark.parametrize("side", ["primal", "dual"])
@@ -112,8 +109,8 @@ def test_robins_condition(square, side):
     assert (some.eigenvalues > free + 0.1).all() and (some.eigenvalues < held).all()
     hardly = polydec.spectrum(square, side=side, count=3, robin=1e-9)
     assert abs(hardly.eigenvalues - free).max() < 1e-6
-    with pytest.raises(polydec.InvalidInput, match=said("facet 0", "Robin")):
-        polydec.spectrum(square, side=side, count=3, robin=2.0, coexact=True)
+    refused(lambda: polydec.spectrum(square, side=side, count=3, robin=2.0, coexact=True),
+            "facet 0", "Robin")
 
 
 def test_shapes_are_enclosed():
@@ -140,8 +137,7 @@ def test_shapes_are_enclosed():
         assert polydec.count_below(grid, 1e4, essential=True).at_most is None
     with pytest.warns(polydec.PolydecWarning, match="wider"):
         polydec.shape_spectrum(grid, count=2, width=1e-9)
-    with pytest.raises(polydec.InvalidInput, match=said("level 3")):
-        polydec.count_below(grid, 1, level=3)
+    refused(lambda: polydec.count_below(grid, 1, level=3), "level 3")
     merged = polydec.discretize(grid)
     twice = polydec.shape_spectrum(merged, conductivity=2.0, count=3)
     assert np.allclose(twice.upper, 2 * polydec.shape_spectrum(grid, count=3).upper, rtol=1e-9)
@@ -155,5 +151,4 @@ def test_materials_divide_eigenvalues():
     filled = box.with_electric_material(4, lambda x: 2 + 0 * x[:, 0])
     assert near(curl(filled), curl(box) / 8, 1e-8)
     assert near(curl(box.with_electric_material(4)), curl(box) / 4, 1e-8)
-    with pytest.raises(polydec.InvalidInput, match="permittivity"):
-        box.with_electric_material(np.ones(3))
+    refused(lambda: box.with_electric_material(np.ones(3)), "permittivity")
