@@ -246,6 +246,10 @@ struct as_array : made_from<Value, Given, from> {
 };
 
 template <>
+struct type_caster<polydec::Sampling>
+    : made_from<polydec::Sampling, std::string, polydec::python::sampling_of> {};
+
+template <>
 struct type_caster<polydec::Vector>
     : as_array<polydec::Vector, polydec::python::Numbers, polydec::python::vector> {};
 

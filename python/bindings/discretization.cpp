@@ -32,25 +32,23 @@ DiscretizeOptions options_of(const std::string& criterion, double tolerance,
                              const std::string& delaunay, const std::string& materials,
                              const std::string& star, const std::string& centers,
                              std::optional<double> refine) {
-    DiscretizeOptions options;
-    options.refine = refine;
-    options.criterion = chosen<MergeCriterion>("criterion", criterion,
-                                               {{"dual_length", MergeCriterion::dual_length},
-                                                {"angle", MergeCriterion::angle},
-                                                {"none", MergeCriterion::none}});
-    options.tolerance = tolerance;
-    options.delaunay = chosen<Delaunay>("delaunay", delaunay,
-                                        {{"off", Delaunay::off},
-                                         {"flips", Delaunay::flips},
-                                         {"flips_and_splits", Delaunay::flips_and_splits}});
-    options.materials = chosen<Materials>(
-        "materials", materials, {{"join", Materials::join}, {"keep_apart", Materials::keep_apart}});
-    options.star = star_kind(star);
-    const bool are_centroids =
-        chosen<bool>("centers", centers, {{"circumcenters", false}, {"centroids", true}});
-    if (are_centroids)
-        options.centers = Centers::centroids();
-    return options;
+    return {.criterion = chosen<MergeCriterion>("criterion", criterion,
+                                                {{"dual_length", MergeCriterion::dual_length},
+                                                 {"angle", MergeCriterion::angle},
+                                                 {"none", MergeCriterion::none}}),
+            .tolerance = tolerance,
+            .delaunay = chosen<Delaunay>("delaunay", delaunay,
+                                         {{"off", Delaunay::off},
+                                          {"flips", Delaunay::flips},
+                                          {"flips_and_splits", Delaunay::flips_and_splits}}),
+            .materials = chosen<Materials>(
+                "materials", materials,
+                {{"join", Materials::join}, {"keep_apart", Materials::keep_apart}}),
+            .centers = chosen<Centers>(
+                "centers", centers,
+                {{"circumcenters", Centers()}, {"centroids", Centers::centroids()}}),
+            .star = star_kind(star),
+            .refine = refine};
 }
 
 template <class Given>

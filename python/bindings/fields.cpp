@@ -136,13 +136,11 @@ void add_fields_of_vectors(py::module_& module) {
                          }}});
                    return unlocked([&] { return sharp(mesh, form); });
                });
-    module.def("whitney_form", [](const Discretization& mesh, const Cochain& form, Index top,
-                                  const Vector& barycentric) {
-        return whitney_form(mesh, form, top, barycentric);
-    });
+    module.def("whitney_form",
+               py::overload_cast<const Discretization&, const Cochain&, Index, const Vector&>(
+                   &whitney_form));
     module.def("contraction", [](const Discretization& mesh, const std::string& what,
-                                 const Points& field, int k, const std::string& sampling) {
-        const Sampling how = sampling_of(sampling);
+                                 const Points& field, int k, Sampling sampling) {
         using Make = SparseMatrix (*)(const Discretization&, const Points&, int, Sampling);
         const auto make =
             chosen<Make>("an operator", what,
@@ -150,18 +148,14 @@ void add_fields_of_vectors(py::module_& module) {
                           {"lie_derivative", &lie_derivative},
                           {"inflow", [](const Discretization& on, const Points& along, int degree,
                                         Sampling) { return inflow(on, along, degree); }}});
-        return csr(unlocked([&] { return make(mesh, field, k, how); }));
+        return csr(unlocked([&] { return make(mesh, field, k, sampling); }));
     });
 }
 
 void add_lie_derivative(py::module_& module) {
     using Apply = Cochain (*)(const LieDerivative&, const Points&, const Cochain&);
     py::class_<LieDerivative>(module, "LieDerivative")
-        .def(py::init([](const Discretization& mesh, int k, const std::string& sampling) {
-            return unlocked([&, how = sampling_of(sampling)] {
-                return std::make_unique<LieDerivative>(mesh, k, how);
-            });
-        }))
+        .def(py::init<const Discretization&, int, Sampling>(), Unlocking())
         .def("apply", [](const LieDerivative& self, const std::string& what, const Points& field,
                          const Cochain& form) {
             const auto apply = chosen<Apply>(

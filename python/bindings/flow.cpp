@@ -63,9 +63,7 @@ void add_flow(py::module_& module) {
 
 void add_flux_transport(py::module_& module) {
     py::class_<FluxTransport>(module, "FluxTransport")
-        .def(py::init([](const Discretization& mesh, const std::string& sampling) {
-            return std::make_unique<FluxTransport>(mesh, sampling_of(sampling));
-        }))
+        .def(py::init<const Cells&, Sampling>())
         .def("mass_flux", &FluxTransport::mass_flux)
         .def("rate", &FluxTransport::rate)
         .def("stable_step", &FluxTransport::stable_step)

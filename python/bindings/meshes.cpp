@@ -121,7 +121,7 @@ void add_files(py::module_& module) {
         unlocked([&] { write_lengths(path, mesh); });
     });
     module.def("is_length_file", [](const Path& path) { return is_length_file(path); });
-    module.def("is_tag_name", [](const std::string& name) { return is_tag_name(name); });
+    module.def("is_tag_name", &is_tag_name);
 }
 
 void add_generators(py::module_& module) {
@@ -161,9 +161,7 @@ py::tuple parts_of(Renumbered changed) {
 }
 
 void add_changes(py::module_& module) {
-    module.def("perturbed", [](const Mesh& mesh, double amplitude, std::uint64_t seed) {
-        return perturbed(mesh, amplitude, seed);
-    });
+    module.def("perturbed", &perturbed);
     module.def("shuffled",
                [](const Mesh& mesh, std::uint64_t seed) { return parts_of(shuffled(mesh, seed)); });
     module.def("along_morton_curve",
@@ -185,14 +183,12 @@ void add_changes(py::module_& module) {
         return py::make_tuple(std::move(found.coincident), std::move(found.hanging), found.misfits);
     });
     module.def("length_mesh", &length_mesh);
-    module.def("peeled", [](const Mesh& mesh) { return unlocked([&] { return peeled(mesh); }); });
-    module.def("tetrahedralize",
-               [](const Mesh& surface, double largest_volume, double quality, const Points& holes) {
-                   MesherOptions options;
-                   options.largest_volume = largest_volume;
-                   options.quality = quality;
-                   return unlocked([&] { return tetrahedralize(surface, options, holes); });
-               });
+    module.def("peeled", &peeled, Unlocking());
+    module.def("tetrahedralize", [](const Mesh& surface, double largest_volume, double quality,
+                                    const Points& holes) {
+        const MesherOptions options{.quality = quality, .largest_volume = largest_volume};
+        return unlocked([&] { return tetrahedralize(surface, options, holes); });
+    });
 }
 
 } // namespace

@@ -21,15 +21,9 @@ py::dict shape_spectrum_of(const Discretization& mesh, const FormSpace& space,
                            int degree, Index count, int level, double width, Index max_triangles,
                            const std::string& linear_solver, const std::string& eigen_solver,
                            const py::object& progress) {
-    ShapeSpectrumOptions options;
-    options.degree = degree;
-    options.count = count;
-    options.level = level;
-    options.width = width;
-    options.max_triangles = max_triangles;
-    options.linear_solver = linear_solver;
-    options.eigen_solver = eigen_solver;
-    options.progress = listener(progress);
+    const ShapeSpectrumOptions options{
+        degree,        count,         level,        width,
+        max_triangles, linear_solver, eigen_solver, listener(progress)};
     Index flip_count = 0;
     ShapeSpectrum found = unlocked([&] {
         const auto shape = shape_from(mesh, space, conductivity, density, flips);

@@ -50,11 +50,10 @@ py::dict spectrum_of(const FormSpace& space, Index count, bool coexact, bool cer
 py::dict smallest_eigenpairs(const MatrixParts& A, const std::variant<Vector, MatrixParts>& M,
                              Index count, bool certified, const std::string& linear_solver,
                              const std::string& eigen_solver, const py::object& progress) {
-    EigensolverOptions options;
-    options.linear_solver = linear_solver;
-    options.eigen_solver = eigen_solver;
-    options.certification = certification_of(certified);
-    options.progress = listener(progress);
+    const EigensolverOptions options{.linear_solver = linear_solver,
+                                     .eigen_solver = eigen_solver,
+                                     .certification = certification_of(certified),
+                                     .progress = listener(progress)};
     Pencil pencil;
     pencil.C = sparse(A);
     if (const auto* masses = std::get_if<Vector>(&M))
