@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Meshes of the laws, assertions about errors, and the time limit of a test."""
 import faulthandler
+import functools
 import os
 import signal
 import subprocess
@@ -32,26 +33,18 @@ MAKERS = {
     "clusters": lambda: meshes.sphere_clusters(cells_per_side=4, points_on_sphere=12),
     "tesseract": lambda: meshes.kuhn([1, 1, 1, 1]),
 }
-_made = {}
 
 
+@functools.cache
 def complex_of(name):
     """The merged complex of a mesh, made once, with circumcentric stars."""
-    if name not in _made:
-        _made[name] = polydec.discretize(MAKERS[name](), star="circumcentric")
-    return _made[name]
+    return polydec.discretize(MAKERS[name](), star="circumcentric")
 
 
 def degrees(names=MAKERS, more=0):
     """Pairs of a name and a degree 0..n."""
     dims = {"segments": 1, "kuhn": 3, "bcc": 3, "fcc": 3, "clusters": 3, "tesseract": 4}
     return [(name, k) for name in names for k in range(dims.get(name, 2) + 1 + more)]
-
-
-def inverted(star):
-    """The inverse of a diagonal star, and whether there is one."""
-    with np.errstate(divide="ignore"):
-        return 1 / star
 
 
 def near(a, b, tolerance=1e-12):
@@ -91,12 +84,16 @@ def is_interrupted(work, after=0.2):
     return False
 
 
-def python(*words, **environment):
-    """What Python prints; it must not fail."""
-    done = subprocess.run([sys.executable, *map(str, words)], capture_output=True, text=True,
-                          timeout=120, env={**os.environ, **environment})
+def run(*words, cwd=None, **environment):
+    """The end of a program, which must not fail."""
+    home = str(Path(polydec.__file__).parents[1])
+    done = subprocess.run([*map(str, words)], cwd=cwd, capture_output=True, text=True, timeout=200,
+                          env={**os.environ, "PYTHONPATH": home, **environment})
     assert done.returncode == 0, done.stderr
     return done
+
+
+python = functools.partial(run, sys.executable)
 
 
 def pytest_configure(config):

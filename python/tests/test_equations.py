@@ -2,11 +2,11 @@
 """The equations of docs/equations.md: every one in C++ and in Python, in 5 to 15 lines, with the same
 numbers, which are those that the page shows."""
 import re
-import sys
 
 import pytest
 
-from test_examples import COMPILED, ROOT, expectations, run, same
+from conftest import python, run
+from test_examples import COMPILED, ROOT, expectations, same
 
 FOLDER = ROOT / "examples" / "python" / "equations"
 EQUATIONS = sorted(FOLDER.glob("*.py"))
@@ -54,11 +54,11 @@ def test_lines_are_counted():
 
 @pytest.mark.parametrize("path", EQUATIONS, ids=lambda path: path.stem)
 def test_equation(path, tmp_path):
-    said = run(sys.executable, "-B", path, cwd=tmp_path)
+    said = python("-B", path, cwd=tmp_path).stdout
     assert re.search(EXPECTED[path.stem], said, re.DOTALL), said
     assert same(said, shown(path.stem, len(said.splitlines()))), said
     theirs = COMPILED / "equations" / path.stem
     if theirs.is_file():
         (tmp_path / "cpp").mkdir()
-        expected = run(theirs, cwd=tmp_path / "cpp")
+        expected = run(theirs, cwd=tmp_path / "cpp").stdout
         assert same(said, expected), said + expected

@@ -3,26 +3,17 @@
 import os
 import pathlib
 import re
-import subprocess
-import sys
 
 import pytest
 
 import polydec
+from conftest import python, run
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "examples" / "python").glob("*.py"))
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 COMPILED = pathlib.Path(os.environ.get("POLYDEC_EXAMPLES",
                                        pathlib.Path(polydec.__file__).parents[2] / "examples"))
-
-
-def run(*words, cwd):
-    home = str(pathlib.Path(polydec.__file__).parents[1])
-    done = subprocess.run([str(word) for word in words], cwd=cwd, text=True, capture_output=True,
-                          env={**os.environ, "PYTHONPATH": home}, timeout=200)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
 
 
 def expectations(folder="examples"):
@@ -46,13 +37,13 @@ def test_every_example_is_there_twice():
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_example(path, tmp_path):
-    said = run(sys.executable, "-B", path, cwd=tmp_path)
+    said = python("-B", path, cwd=tmp_path).stdout
     if path.stem != "09_your_own_solver":
         assert re.search(expectations()[path.stem], said, re.DOTALL), said
     assert "they agree to 1e-9: yes" in said or path.stem != "09_your_own_solver"
     theirs = COMPILED / path.stem
     if theirs.is_file() and path.stem != "09_your_own_solver": # whose sweeps only C++ counts
-        expected = run(theirs, cwd=tmp_path)
+        expected = run(theirs, cwd=tmp_path).stdout
         assert same(said, expected), said + expected
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Numbers of an independent program on small meshes, through Python: those of POLYDEC_TEST_DATA."""
+import functools
 import json
 import os
 import pathlib
@@ -21,14 +22,12 @@ def golden(name):
 EXPECTED = golden("expected.json")
 CALCULUS = golden("expected_calculus.json")
 pytestmark = pytest.mark.skipif(not EXPECTED, reason="POLYDEC_TEST_DATA has no golden/expected.json")
-_made = {}
 
 
+@functools.cache
 def complex_of(name):
-    if name not in _made:
-        folder = DATA if name.startswith("meshes/") else DATA / "golden"
-        _made[name] = polydec.discretize(folder / name, tolerance=1e-8, star="circumcentric")
-    return _made[name]
+    folder = DATA if name.startswith("meshes/") else DATA / "golden"
+    return polydec.discretize(folder / name, tolerance=1e-8, star="circumcentric")
 
 
 def near(value, expected, scale=0.0, tolerance=1e-8):
@@ -70,11 +69,11 @@ def test_cells_and_stars(name):
         assert np.count_nonzero(entries.data) == summary[f"d{k}"]["nnz"]
 
 
-def listed_stars():
-    return [(name, k) for name, each in EXPECTED.items() for k in range(5) if f"star{k}" in each]
+def listed(what):
+    return [(name, k) for name, each in EXPECTED.items() for k in range(5) if f"{what}{k}" in each]
 
 
-@pytest.mark.parametrize("name, k", listed_stars())
+@pytest.mark.parametrize("name, k", listed("star"))
 def test_stars_cell_by_cell(name, k):
     c = complex_of(name)
     lists, star = c.cells(k), c.star(k)
@@ -85,11 +84,7 @@ def test_stars_cell_by_cell(name, k):
         near(value, wanted, abs(star).max())
 
 
-def listed_operators():
-    return [(name, k) for name, each in EXPECTED.items() for k in range(5) if f"L{k}" in each]
-
-
-@pytest.mark.parametrize("name, k", listed_operators())
+@pytest.mark.parametrize("name, k", listed("L"))
 def test_laplacians_and_spectra(name, k):
     c, expected = complex_of(name), EXPECTED[name][f"L{k}"]
     L = c.laplacian(k).toarray()
@@ -148,11 +143,8 @@ def test_forms(name):
         near(np.linalg.norm(f.wedge(forms["alpha"])), expected["wedge_f_alpha"]["norm"])
 
 
-def parts():
-    return [name for name, each in CALCULUS.items() if "hodge1_absolute" in each]
-
-
-@pytest.mark.parametrize("name", parts())
+@pytest.mark.parametrize("name", [name for name, each in CALCULUS.items()
+                                  if "hodge1_absolute" in each])
 def test_hodge_decompositions(name):
     c, wanted = complex_of(name), CALCULUS[name]["hodge1_absolute"]
     form = c.cochain(polydec.de_rham(c, 1, alpha), 1)

@@ -4,14 +4,13 @@ ways, defaults, warnings, units, certificates, and how processes end."""
 import json
 import os
 import pathlib
-import subprocess
 import warnings
 
 import numpy as np
 import pytest
 
 import polydec
-from conftest import near, python, said
+from conftest import near, python, run, said
 from polydec import meshes
 
 OBTUSE = ([[0, 0, 0], [4, 0, 0], [2, .6, .2], [2, .3, -.5]], # a tetrahedron's surface
@@ -20,6 +19,8 @@ FOLDED = ([[0, 0], [1, 0], [.5, 1], [.4, .6]], [[0, 1, 2], [1, 0, 3]])
 SQUARES = ([[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1]],
            [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]])
 COMMAND = pathlib.Path(os.path.abspath(polydec.__file__)).parents[2] / "tools" / "polydec"
+with_command = pytest.mark.skipif(not COMMAND.exists(),
+                                  reason="the command is not beside the package")
 
 
 def shaken(mesh, amount):
@@ -130,7 +131,7 @@ def test_stars_are_positive_by_default():
         assert polydec.spectrum(other, side="dual", count=3).eigenvalues[0] < -.1
 
 
-@pytest.mark.skipif(not COMMAND.exists(), reason="the command is not beside the package")
+@with_command
 @pytest.mark.parametrize("mesh", [OBTUSE, FOLDED, SQUARES], ids=["obtuse", "folded", "squares"])
 def test_the_command_says_the_same(tmp_path, mesh):
     points, simplices = mesh
@@ -138,9 +139,8 @@ def test_the_command_says_the_same(tmp_path, mesh):
             *(" ".join(map(repr, p)) for p in points), *(" ".join(map(str, s)) for s in simplices)]
     (tmp_path / "m.nsc").write_text("\n".join(rows) + "\n")
     for side, degree in (("primal", 0), ("primal", 1), ("dual", 0)):
-        line = [COMMAND, "spectrum", tmp_path / "m.nsc", "--side", side, "--degree", str(degree),
-                "--count", "2", "--json"]
-        told = json.loads(subprocess.run(line, capture_output=True, timeout=60, check=True).stdout)
+        told = json.loads(run(COMMAND, "spectrum", tmp_path / "m.nsc", "--side", side, "--degree",
+                              degree, "--count", 2, "--json").stdout)
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             found = polydec.spectrum((points, simplices), side=side, degree=degree, count=2)
@@ -149,13 +149,12 @@ def test_the_command_says_the_same(tmp_path, mesh):
         assert len({str(w.message) for w in caught}) == len(told["warnings"])
 
 
-@pytest.mark.skipif(not COMMAND.exists(), reason="the command is not beside the package")
+@with_command
 @pytest.mark.parametrize("mesh", [OBTUSE, FOLDED], ids=["obtuse", "folded"])
 def test_reports_are_those_of_the_command(tmp_path, mesh):
     path = tmp_path / "m.nsc"
     polydec.write_mesh(path, polydec.Mesh(*mesh))
-    line = [COMMAND, "info", path, "--json"]
-    told = json.loads(subprocess.run(line, capture_output=True, timeout=60, check=True).stdout)
+    told = json.loads(run(COMMAND, "info", path, "--json").stdout)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         report = polydec.discretize(path, star="circumcentric").report()
