@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "backends/linear/adapt.h"
-
-#include "base/errors.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/test.h"
 
 #include <Eigen/IterativeLinearSolvers>
-#include <gtest/gtest.h>
 
 namespace polydec::test::in_adapt {
 namespace {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/integrators/additive_table.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_additive_table {
 namespace {

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "backends/linear/auto_solver.h"
 
-#include "backends/registry.h"
-#include "base/errors.h"
-#include "system/memory.h"
 #include "tests/backends/matrices.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_auto_solver {
 namespace {

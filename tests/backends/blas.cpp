@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "backends/blas.h"
 
-#include "backends/registry.h"
 #include "tests/backends/matrices.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_blas {
 namespace {

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
 #include "tests/backends/matrices.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_block_lanczos {
 namespace {

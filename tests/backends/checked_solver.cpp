@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "backends/linear/checked_solver.h"
-
-#include "base/decompositions.h"
-#include "system/memory.h"
 #include "tests/backends/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <new>

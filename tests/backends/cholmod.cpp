@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "backends/registry.h"
-#include "system/memory.h"
 #include "tests/backends/matrices.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_cholmod {
 namespace {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
-#include "base/errors.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <cmath>
 
 namespace polydec::test::in_eigen_contract {
 namespace {

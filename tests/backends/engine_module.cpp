@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "backends/engine_module.h"
-
-#include "base/errors.h"
 #include "tests/backends/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <optional>
-#include <string>
 #include <sys/resource.h>
 #include <unistd.h>
 

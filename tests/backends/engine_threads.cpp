@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/linear/engine_threads.h"
 
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_engine_threads {
 namespace {

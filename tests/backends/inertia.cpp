@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
-#include "base/errors.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 namespace polydec::test::in_inertia {

@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "backends/registry.h"
-#include "base/errors.h"
 #include "tests/backends/matrices.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 /// Problems that integrators are tested on, and what is asked of each.
 namespace polydec::test::in_integrator_contract {

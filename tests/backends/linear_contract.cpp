@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
 #include "tests/backends/matrices.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_linear_contract {
 namespace {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/backends/matrices.h"
 
-#include "base/decompositions.h"
-
-#include <algorithm>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

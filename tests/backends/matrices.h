@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "backends/linear_solver.h"
-#include "backends/registry.h"
-#include "base/decompositions.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 /// What the tests of the backends share: matrices, facts, and the check that a solution is one.
 namespace polydec::test {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "backends/eigen/orthonormal_basis.h"
 
-#include "base/errors.h"
 #include "tests/backends/matrices.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_orthonormal_basis {
 namespace {

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "backends/registry.h"
-#include "base/errors.h"
 #include "tests/backends/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
-
-#include <csignal>
 #include <thread>
 
 namespace polydec::test::in_petsc {

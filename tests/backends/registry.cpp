@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "backends/registry.h"
-
-#include "backends/linear/adapt.h"
-#include "base/errors.h"
 #include "tests/backends/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <thread>
-#include <tuple>
 
 namespace polydec::test::in_registry {
 namespace {

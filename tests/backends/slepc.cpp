@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "backends/registry.h"
-#include "base/decompositions.h"
-#include "base/errors.h"
 #include "tests/backends/matrices.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_slepc {
 namespace {

@@ -2,13 +2,8 @@
 #include "system/atomic_file.h"
 
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
-
-#include <csignal>
-#include <memory>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>

@@ -2,11 +2,7 @@
 #include "system/atomic_folder.h"
 
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <fstream>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_atomic_folder {
 

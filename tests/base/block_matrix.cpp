@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/block_matrix.h"
 
-#include "base/random.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_block_matrix {
 namespace {

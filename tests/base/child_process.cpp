@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "system/child_process.h"
 
-#include "base/errors.h"
 #include "system/held_signals.h"
 #include "system/temporary_folder.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <csignal>
-#include <fstream>
 #include <pthread.h>
 #include <thread>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/did_you_mean.h"
 
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec {
 namespace {

@@ -1,19 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "system/memory.h"
-
-#include "base/errors.h"
 #include "system/control_group.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <limits>
-#include <string>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_memory {
 

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_parallel {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/printable.h"
 
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_printable {
 

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/random.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_random {
 

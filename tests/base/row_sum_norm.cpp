@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/row_sum_norm.h"
 
-#include "base/random.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_row_sum_norm {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_says {
 

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/types.h"
-
-#include "base/checks.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 #include <complex>
-#include <functional>
-#include <type_traits>
 
 namespace polydec::test::in_types {
 namespace {

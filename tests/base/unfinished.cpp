@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "system/unfinished.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 #include <cerrno>
-#include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <memory>
-#include <string>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <vector>
 
 namespace polydec::test::in_unfinished {
 namespace {

@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "complex/blocks.h"
 
-#include "complex/homology.h"
-#include "complex/merging.h"
-#include "complex/simplicial_complex.h"
-#include "meshes/generate.h"
 #include "tests/complex/labels.h"
-#include "tests/support/families.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <random>
 
 namespace polydec::test::in_blocks {
 namespace {

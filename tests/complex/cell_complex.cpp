@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex/cell_complex.h"
-
-#include "complex/simplicial_complex.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_cell_complex {
 namespace {

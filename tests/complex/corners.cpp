@@ -1,16 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex/merging.h"
-#include "complex/surfaces/glued_surface.h"
-#include "tests/support/glued.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <map>
-#include <optional>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_corners {
 namespace {

@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/blocks.h"
-#include "complex/merging.h"
-#include "meshes/generate.h"
 #include "tests/complex/labels.h"
-#include "tests/support/matrices.h"
-#include "tests/support/merged.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <map>
-#include <set>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_cubes {
 namespace {

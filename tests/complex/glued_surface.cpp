@@ -1,18 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex/surfaces/glued_surface.h"
-
-#include "complex/homology.h"
-#include "complex/surfaces/normal_coordinates.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-#include "tests/support/merged.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_glued_surface {
 namespace {

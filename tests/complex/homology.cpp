@@ -1,17 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex/homology.h"
-
-#include "base/decompositions.h"
-#include "complex/relative.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_homology {
 namespace {

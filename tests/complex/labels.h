@@ -2,8 +2,7 @@
 #pragma once
 
 #include "complex/sides.h"
-
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

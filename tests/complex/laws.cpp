@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex/homology.h"
-#include "complex/simplicial_complex.h"
-#include "tests/support/counted.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_laws {
 namespace {

@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex/simplicial_complex.h"
-#include "meshes/rearrange.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <map>
-#include <numeric>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_order_file {
 namespace {

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "complex/simplicial_complex.h"
-#include "meshes/generate.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/over_meshes.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <utility>
 
 namespace polydec::test::in_orientation {
 namespace {

@@ -1,19 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "complex/pieces.h"
-
-#include "complex/homology.h"
 #include "complex/surfaces/ordered_surface.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-#include "tests/support/merged.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <numeric>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_pieces {
 namespace {

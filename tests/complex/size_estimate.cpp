@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/size_estimate.h"
 
-#include "base/errors.h"
-#include "complex/simplicial_complex.h"
-#include "meshes/generate.h"
-#include "system/memory.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_size_estimate {
 

@@ -1,16 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex/components.h"
-#include "complex/homology.h"
-#include "complex/relative.h"
-#include "tests/support/glued.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/merged.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <ostream>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_topology {
 namespace {

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/advice.h"
-
-#include "dec/discretization/diagnosis.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_advice {
 namespace {

@@ -1,23 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/boundary/boundary_conditions.h"
-
-#include "dec/boundary/form_space.h"
-#include "dec/discretization/discretization.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
-#include "dec/forms/cochain.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/families.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_boundary_conditions {
 namespace {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/cell_centers.h"
-
 #include "tests/dec/discretized.h"
-#include "tests/support/over_meshes.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_cell_centers {
 namespace {

@@ -1,22 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/cell_data.h"
-
-#include "dec/discretization/material_stars.h"
-#include "meshes/generate.h"
-#include "meshes/polygons.h"
-#include "meshes/rearrange.h"
-#include "meshes/split_cells.h"
-#include "meshes/tidy.h"
-#include "meshes/weld.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <map>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_cell_data {
 namespace {

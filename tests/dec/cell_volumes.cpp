@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/metric/cell_volumes.h"
-
-#include "complex/simplicial_complex.h"
 #include "dec/metric/angle_sums.h"
 #include "dec/metric/pack.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_cell_volumes {
 namespace {

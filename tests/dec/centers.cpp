@@ -1,23 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/metric/centers.h"
-
-#include "dec/discretization/discretization.h"
-#include "dec/forms/laplacian.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/dual_parts.h"
-#include "dec/metric/geometry.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "tests/support/counted.h"
-#include "tests/support/families.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_centers {
 namespace {

@@ -1,25 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-#include "base/decompositions.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/forms/laplacian.h"
-#include "dec/metric/geometry.h"
-#include "meshes/generate.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/dense_laplacian.h"
-#include "tests/support/families.h"
-#include "tests/support/forms.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
 #include "tests/support/slivers.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_choose_stars {
 namespace {

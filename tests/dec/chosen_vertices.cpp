@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/chosen_cells.h"
-#include "meshes/generate.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_chosen_vertices {
 namespace {

@@ -1,17 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/cochain.h"
-
-#include "dec/forms/laplacian.h"
 #include "dec/metric/dual_parts.h"
-#include "dec/stars/star.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_cochain {
 namespace {

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex/components.h"
-#include "dec/forms/cochain.h"
-#include "dec/stars/star.h"
-#include "tests/support/forms.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_constants {
 namespace {

@@ -1,20 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/de_rham.h"
-
-#include "dec/forms/cochain.h"
 #include "dec/metric/circumsphere.h"
-#include "dec/metric/simplex_metric.h"
 #include "dec/metric/subsets.h"
-#include "dec/stars/star.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/forms.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_de_rham {
 namespace {

@@ -1,26 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/diagnosis.h"
-
-#include "base/decompositions.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/branches.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/counted.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/says.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <numeric>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_diagnosis {
 namespace {

@@ -1,19 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/discretization.h"
-
-#include "meshes/generate.h"
-#include "meshes/length_mesh.h"
-#include "meshes/rearrange.h"
-#include "meshes/tidy.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <set>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_discretization {
 namespace {

@@ -1,22 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/decompositions.h"
-#include "dec/discretization/discretization.h"
-#include "dec/fields/de_rham.h"
-#include "dec/fields/flat_and_sharp.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/families.h"
-#include "tests/support/forms.h"
-#include "tests/support/matrices.h"
-#include "tests/support/merged.h"
-
-#include <gtest/gtest.h>
-
-#include <map>
-#include <memory>
-#include <string>
-#include <utility>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

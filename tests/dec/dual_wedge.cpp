@@ -1,22 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/de_rham.h"
-#include "dec/fields/wedge.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "tests/dec/discretized.h"
 #include "tests/dec/products.h"
-#include "tests/support/forms.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_dual_wedge {
 namespace {

@@ -1,19 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/discretization.h"
-#include "dec/fields/chosen_cells.h"
 #include "dec/merging/merged_tags.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "tests/support/families.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <limits>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_facet_tags {
 namespace {

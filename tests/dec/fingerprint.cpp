@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/fingerprint.h"
-
-#include "dec/discretization/discretization.h"
-#include "dec/discretization/material_stars.h"
-#include "meshes/generate.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_fingerprint {
 

@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
-#include "dec/fields/flat_and_sharp.h"
 #include "dec/metric/dual_parts.h"
-#include "dec/stars/star.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/forms.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_flat {
 namespace {

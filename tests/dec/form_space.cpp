@@ -1,18 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/boundary/form_space.h"
-
-#include "dec/discretization/discretization.h"
-#include "dec/discretization/fingerprint.h"
-#include "dec/forms/laplacian.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/families.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <set>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_form_space {
 namespace {

@@ -1,27 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/glued_box.h"
-
-#include "dec/boundary/boundary_conditions.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
-#include "dec/fields/flat_and_sharp.h"
-#include "dec/fields/lie_derivative.h"
-#include "dec/fields/transfer.h"
-#include "dec/fields/whitney_interpolation.h"
 #include "dec/metric/simplex_geometry.h"
-#include "meshes/generate.h"
-#include "meshes/periodic.h"
-#include "tests/support/circumcentric.h"
 #include "tests/support/diamond.h"
-#include "tests/support/matrices.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_glued_box {
 namespace {

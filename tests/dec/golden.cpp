@@ -1,16 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex/homology.h"
-#include "dec/forms/laplacian.h"
-#include "dec/stars/star.h"
-#include "tests/support/counted.h"
-#include "tests/support/golden_numbers.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <map>
-#include <set>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_golden {
 namespace {

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "complex/homology.h"
-#include "complex/relative.h"
-#include "dec/forms/cochain.h"
 #include "dec/merging/lift.h"
-#include "dec/stars/star.h"
-#include "tests/support/golden_forms.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_golden_calculus {
 namespace {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/wedge.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/golden_forms.h"
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_golden_products {
 namespace {

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/blocks.h"
-#include "complex/homology.h"
 #include "dec/merging/facet_defects.h"
-#include "dec/metric/geometry.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/over_meshes.h"
-
-#include <gtest/gtest.h>
-
-#include <ostream>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_guards {
 namespace {

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
-#include "complex/homology.h"
-#include "dec/forms/laplacian.h"
-#include "dec/stars/star.h"
-#include "tests/support/over_meshes.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_harmonic {
 namespace {

@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
-#include "complex/components.h"
-#include "dec/fields/lie_derivative.h"
-#include "dec/forms/cochain.h"
 #include "dec/metric/subsets.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_inflow {
 namespace {

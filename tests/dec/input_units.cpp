@@ -1,21 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/input_units.h"
-
-#include "dec/discretization/material_stars.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
-#include "dec/fields/flat_and_sharp.h"
-#include "dec/fields/lie_derivative.h"
-#include "dec/fields/streamlines.h"
-#include "dec/fields/whitney_interpolation.h"
-#include "dec/forms/laplacian.h"
 #include "tests/support/all_sizes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_input_units {
 namespace {

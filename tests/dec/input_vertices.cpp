@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/cell_data.h"
-#include "meshes/length_mesh.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <numeric>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_input_vertices {
 namespace {

@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "complex/components.h"
-#include "dec/fields/lie_derivative.h"
-#include "dec/fields/wedge.h"
-#include "dec/forms/cochain.h"
 #include "tests/dec/discretized.h"
 #include "tests/dec/products.h"
-#include "tests/support/forms.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_interior_product {
 namespace {

@@ -1,18 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "complex/components.h"
-#include "dec/fields/lie_derivative.h"
-#include "dec/fields/transfer.h"
-#include "meshes/generate.h"
 #include "tests/dec/products.h"
-#include "tests/support/forms.h"
-#include "tests/support/matrices.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_interior_product_convergence {
 namespace {

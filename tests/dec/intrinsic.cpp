@@ -1,27 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "complex/homology.h"
 #include "complex/surfaces/ordered_surface.h"
-#include "dec/discretization/discretization.h"
-#include "dec/fields/transfer.h"
-#include "dec/forms/laplacian.h"
-#include "dec/metric/geometry.h"
 #include "dec/metric/side_lengths.h"
-#include "dec/stars/star.h"
-#include "dec/surfaces/intrinsic_delaunay.h"
-#include "meshes/generate.h"
-#include "tests/support/families.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <limits>
-#include <numeric>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_intrinsic {
 namespace {

@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/merging/merge.h"
 #include "dec/metric/plane.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "tests/support/hand_made.h"
 #include "tests/support/slivers.h"
-
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_invariance {
 namespace {

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/discretization.h"
 #include "dec/merging/facet_defects.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "meshes/length_mesh.h"
-#include "meshes/rearrange.h"
-#include "tests/support/counted.h"
-#include "tests/support/hand_made.h"
 #include "tests/support/scales.h"
-
-#include <gtest/gtest.h>
-
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_layers {
 namespace {

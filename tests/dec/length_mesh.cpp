@@ -1,22 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/length_mesh.h"
-
-#include "dec/discretization/diagnosis.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
-#include "dec/fields/flat_and_sharp.h"
-#include "dec/fields/lie_derivative.h"
-#include "dec/fields/wedge.h"
-#include "dec/fields/whitney_interpolation.h"
-#include "dec/merging/merge.h"
-#include "dec/metric/simplex_metric.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_length_mesh {
 namespace {

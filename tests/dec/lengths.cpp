@@ -1,30 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
-#include "dec/discretization/discretization.h"
-#include "dec/fields/wedge.h"
-#include "dec/forms/laplacian.h"
 #include "dec/merging/lift.h"
-#include "dec/merging/merge.h"
-#include "dec/merging/merged_cells.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/dual_parts.h"
-#include "dec/metric/geometry.h"
-#include "dec/metric/simplex_metric.h"
-#include "dec/stars/star.h"
-#include "tests/support/counted.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <numeric>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_lengths {
 namespace {

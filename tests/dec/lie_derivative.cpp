@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/lie_derivative.h"
-
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "tests/dec/discretized.h"
 #include "tests/dec/products.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_lie_derivative {
 namespace {

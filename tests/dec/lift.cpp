@@ -1,21 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/lift.h"
 
-#include "base/decompositions.h"
-#include "dec/forms/cochain.h"
-#include "system/memory.h"
 #include "tests/dec/products.h"
-#include "tests/support/forms.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-#include <set>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_lift {
 namespace {

@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/material_stars.h"
-
-#include "meshes/generate.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/families.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_material_stars {
 namespace {

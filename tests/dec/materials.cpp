@@ -1,17 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex/components.h"
-#include "complex/homology.h"
-#include "dec/discretization/discretization.h"
-#include "dec/metric/geometry.h"
-#include "meshes/generate.h"
-#include "tests/support/families.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_materials {
 namespace {

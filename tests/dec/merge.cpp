@@ -1,21 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/merging/merge.h"
-
-#include "complex/homology.h"
 #include "dec/merging/facet_defects.h"
-#include "dec/metric/simplex_metric.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_merge {
 namespace {

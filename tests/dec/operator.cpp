@@ -1,20 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/operator.h"
-
-#include "dec/forms/cochain.h"
-#include "dec/forms/laplacian.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <functional>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_operator {
 namespace {

@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
-#include "dec/forms/cochain.h"
-#include "dec/forms/laplacian.h"
-#include "dec/stars/star.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_operators {
 namespace {

@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/overlaps.h"
 
-#include "base/decompositions.h"
-#include "dec/discretization/discretization.h"
-#include "meshes/generate.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_overlaps {
 namespace {

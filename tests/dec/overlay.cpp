@@ -1,20 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/transfer.h"
-#include "dec/surfaces/intrinsic_delaunay.h"
-#include "dec/surfaces/passage.h"
 #include "dec/surfaces/strand_places.h"
-#include "meshes/generate.h"
-#include "tests/support/families.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <random>
-#include <utility>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_overlay {
 namespace {

@@ -1,24 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/discretization.h"
-#include "dec/fields/de_rham.h"
-#include "dec/fields/flat_and_sharp.h"
-#include "dec/fields/lie_derivative.h"
-#include "dec/fields/transfer.h"
-#include "dec/fields/wedge.h"
 #include "dec/metric/dual_parts.h"
-#include "dec/metric/geometry.h"
-#include "dec/stars/star.h"
-#include "dec/surfaces/intrinsic_delaunay.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "tests/support/families.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_passage {
 namespace {

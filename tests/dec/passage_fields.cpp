@@ -1,26 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/discretization.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
-#include "dec/fields/flat_and_sharp.h"
-#include "dec/metric/centers.h"
 #include "dec/metric/overlaps.h"
-#include "dec/stars/star.h"
-#include "dec/surfaces/intrinsic_delaunay.h"
-#include "meshes/generate.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/families.h"
-#include "tests/support/forms.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <tuple>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_passage_fields {
 namespace {

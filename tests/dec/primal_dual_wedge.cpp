@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/wedge.h"
-#include "dec/stars/star.h"
 #include "tests/dec/products.h"
-#include "tests/support/forms.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_primal_dual_wedge {
 namespace {

@@ -3,11 +3,7 @@
 
 #include "dec/merging/lift.h"
 #include "dec/metric/subsets.h"
-#include "tests/support/forms.h"
-#include "tests/support/matrices.h"
-
-#include <algorithm>
-#include <map>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

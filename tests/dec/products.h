@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/forms/cochain.h"
-#include "tests/support/over_meshes.h"
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/de_rham.h"
-#include "dec/fields/flat_and_sharp.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "tests/support/matrices.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_proxy_vectors {
 

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/de_rham.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_quadrature {
 namespace {

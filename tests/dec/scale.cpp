@@ -1,19 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/boundary/form_space.h"
-#include "dec/discretization/diagnosis.h"
-#include "dec/discretization/discretization.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "tests/support/glued.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_scale {
 namespace {

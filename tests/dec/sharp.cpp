@@ -1,21 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
-#include "dec/fields/flat_and_sharp.h"
-#include "dec/fields/whitney_interpolation.h"
 #include "dec/metric/dual_parts.h"
-#include "dec/stars/star.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/forms.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_sharp {
 namespace {

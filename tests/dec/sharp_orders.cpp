@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
-#include "dec/fields/flat_and_sharp.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_sharp_orders {
 namespace {

@@ -2,16 +2,8 @@
 //
 // Laplacians of every degree on cubes that slivers are pieces of: those of a grid whose eigenvalues
 // are known.
-#include "dec/discretization/discretization.h"
-#include "tests/support/dense_laplacian.h"
 #include "tests/support/slivers.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_sliver_spectra {
 namespace {

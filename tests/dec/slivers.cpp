@@ -1,30 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/slivers.h"
 
-#include "base/random.h"
-#include "complex/relative.h"
-#include "dec/discretization/material_stars.h"
-#include "dec/fields/flat_and_sharp.h"
-#include "dec/fields/whitney_interpolation.h"
-#include "dec/forms/cochain.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/merging/flat_simplices.h"
 #include "dec/merging/lift.h"
-#include "dec/metric/geometry.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "tests/support/counted.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/refusal.h"
-
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_slivers {
 namespace {

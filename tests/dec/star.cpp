@@ -1,17 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/stars/star.h"
-
-#include "base/errors.h"
-#include "dec/forms/cochain.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_star {
 namespace {

@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex/components.h"
-#include "dec/forms/laplacian.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "tests/support/merged.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_stencils {
 namespace {

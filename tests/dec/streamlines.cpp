@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/streamlines.h"
-
-#include "dec/fields/cell_centers.h"
-#include "meshes/generate.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_streamlines {
 

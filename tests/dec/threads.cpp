@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Results are the same to the last bit for any number of threads.
-#include "complex/simplicial_complex.h"
-#include "dec/forms/laplacian.h"
-#include "dec/merging/merge.h"
-#include "dec/merging/merged_cells.h"
-#include "dec/metric/geometry.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
-
-#include <cstring>
 #include <dlfcn.h>
-#include <stdexcept>
 
 namespace polydec::test::in_threads {
 namespace {

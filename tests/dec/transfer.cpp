@@ -1,16 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/transfer.h"
-
-#include "dec/forms/cochain.h"
-#include "dec/forms/laplacian.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_transfer {
 namespace {

@@ -1,27 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/metric/cell_volumes.h"
 #include "dec/metric/circumsphere.h"
-#include "dec/metric/geometry.h"
 #include "dec/metric/rounding.h"
-#include "dec/metric/simplex_metric.h"
-#include "tests/support/counted.h"
-#include "tests/support/extended.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <random>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_volumes {
 namespace {

@@ -1,25 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/wedge.h"
-
-#include "complex/merging.h"
 #include "dec/merging/lift.h"
-#include "dec/metric/geometry.h"
-#include "meshes/generate.h"
 #include "tests/dec/discretized.h"
 #include "tests/dec/products.h"
-#include "tests/support/forms.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <functional>
-#include <numeric>
-#include <set>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_wedge {
 namespace {

@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/whitney.h"
 
-#include "base/decompositions.h"
 #include "dec/metric/subsets.h"
-#include "tests/support/forms.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numeric>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_whitney {
 namespace {

@@ -1,18 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/whitney_interpolation.h"
-
-#include "base/decompositions.h"
-#include "dec/fields/de_rham.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/forms.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_whitney_interpolation {
 namespace {

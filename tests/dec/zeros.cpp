@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/discretization.h"
 #include "dec/metric/circumsphere.h"
-#include "dec/metric/simplex_metric.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "meshes/length_mesh.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
 #include "tests/support/scales.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_zeros {
 namespace {

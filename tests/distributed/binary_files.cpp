@@ -2,11 +2,7 @@
 #include "tests/distributed/binary_files.h"
 
 #include "tests/io/bytes.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstdint>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/checkpoint.h"
 
-#include "base/errors.h"
 #include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
 #include "tests/io/support.h"
-
-#include <cmath>
-#include <fstream>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_checkpoint {
 

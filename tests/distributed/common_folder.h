@@ -2,10 +2,7 @@
 #pragma once
 
 #include "distributed/ranks.h"
-
-#include <filesystem>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

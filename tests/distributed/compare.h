@@ -3,13 +3,7 @@
 
 #include "distributed/discretize.h"
 #include "tests/distributed/swept.h"
-#include "tests/support/circumcentric.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

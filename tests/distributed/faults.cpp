@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
-#include "dec/metric/geometry.h"
 #include "distributed/mesh_file.h"
 #include "distributed/operator_files.h"
 #include "distributed/petsc.h"
 #include "distributed/poisson.h"
 #include "distributed/shared_picture.h"
 #include "distributed/spectrum.h"
-#include "io/meshes/mesh_files.h"
-#include "meshes/generate.h"
 #include "tests/distributed/binary_files.h"
 #include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <csignal>
-#include <fstream>
-#include <functional>
-#include <numeric>
 #include <sys/resource.h>
 
 namespace polydec::test::in_faults {

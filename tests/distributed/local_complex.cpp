@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/local_complex.h"
 
-#include "base/errors.h"
-#include "dec/metric/geometry.h"
-#include "meshes/generate.h"
 #include "tests/distributed/compare.h"
+#include "tests/support/test.h"
 
 #include <algorithm>
 

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/ranks.h"
+#include "tests/support/test.h"
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <csignal>
-#include <cstdlib>
 #include <iostream>
-#include <string>
 #include <unistd.h>
 
 namespace {

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/merging.h"
 
-#include "dec/discretization/discretization.h"
-#include "dec/merging/merged_cells.h"
-#include "dec/metric/geometry.h"
 #include "distributed/cell_numbers.h"
 #include "distributed/facet_classes.h"
 #include "distributed/poisson.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "tests/distributed/compare.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/merged.h"
-#include "tests/support/refusal.h"
 #include "tests/support/slivers.h"
-
-#include <algorithm>
-#include <cstdlib>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_merged_cells {
 

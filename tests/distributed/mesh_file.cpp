@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/mesh_file.h"
 
-#include "base/errors.h"
-#include "io/meshes/mesh_files.h"
 #include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
 #include "tests/io/support.h"
-
-#include <fstream>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_mesh_file {
 

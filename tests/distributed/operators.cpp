@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
-#include "dec/discretization/discretization.h"
-#include "dec/forms/laplacian.h"
-#include "dec/merging/merged_cells.h"
-#include "dec/metric/geometry.h"
 #include "distributed/operator_files.h"
 #include "distributed/petsc.h"
 #include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
-#include "tests/support/merged.h"
+#include "tests/support/test.h"
 
-#include <fstream>
-#include <functional>
 #include <petscviewer.h>
 
 namespace polydec::test::in_operators {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/own_cells.h"
 
-#include "dec/discretization/discretization.h"
 #include "tests/distributed/compare.h"
-
-#include <algorithm>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_own_cells {
 

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/poisson.h"
 
-#include "base/errors.h"
-#include "complex/components.h"
-#include "dec/fields/cell_centers.h"
-#include "solvers/sources/poisson.h"
 #include "tests/distributed/compare.h"
-#include "tests/support/families.h"
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_poisson {
 

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/read_parts.h"
 
-#include "base/errors.h"
 #include "distributed/mesh_file.h"
-#include "io/meshes/mesh_files.h"
-#include "meshes/generate.h"
-#include "meshes/tidy.h"
 #include "tests/distributed/binary_files.h"
 #include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
-#include "tests/support/says.h"
-
-#include <fstream>
-#include <optional>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_read_parts {
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/spectrum.h"
 
-#include "base/errors.h"
 #include "tests/distributed/compare.h"
-
-#include <cmath>
-#include <optional>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_spectrum {
 

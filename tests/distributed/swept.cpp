@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/distributed/swept.h"
 
-#include "base/errors.h"
-#include "dec/discretization/discretization.h"
-#include "io/meshes/mesh_files.h"
-#include "meshes/tidy.h"
 #include "tests/io/support.h"
-
-#include <cstdlib>
-#include <optional>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

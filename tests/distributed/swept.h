@@ -2,9 +2,7 @@
 #pragma once
 
 #include "distributed/ranks.h"
-#include "tests/support/families.h"
-
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -2,12 +2,8 @@
 //
 // What would be wrong if one of the rules that results rest on were another, and that this is seen.
 #include "dec/merging/facet_links.h"
-#include "dec/merging/merged_cells.h"
 #include "tests/distributed/compare.h"
-#include "tests/support/merged.h"
-
-#include <cmath>
-#include <numbers>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_twins {
 

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/targets.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <set>
-#include <sstream>
+#include "tests/support/test.h"
 
 namespace polydec::fuzz {
 

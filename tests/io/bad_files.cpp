@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <map>
-#include <stdexcept>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_bad_files {
 

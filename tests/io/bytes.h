@@ -2,12 +2,7 @@
 #pragma once
 
 #include "io/base64.h"
-
-#include <algorithm>
-#include <bit>
-#include <cstring>
-#include <string>
-#include <string_view>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

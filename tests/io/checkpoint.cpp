@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/checkpoint.h"
-
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <bit>
-#include <fstream>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_checkpoint {
 

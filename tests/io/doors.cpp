@@ -4,12 +4,7 @@
 // not answer, not throw something else.
 #include "tests/io/doors.h"
 
-#include "dec/metric/simplex_metric.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <memory>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_doors {
 namespace {

@@ -2,11 +2,8 @@
 //
 // Every function of fields, products, solvers and pictures, asked of every kind of sample with
 // right inputs and with flawed ones: see Asking.
-#include "dec/metric/simplex_metric.h"
 #include "tests/io/doors.h"
-#include "tests/support/counted.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 namespace {

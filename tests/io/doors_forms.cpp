@@ -5,8 +5,7 @@
 #include "complex/blocks.h"
 #include "dec/merging/merged_tags.h"
 #include "tests/io/doors.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 namespace {

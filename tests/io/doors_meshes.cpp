@@ -5,11 +5,7 @@
 #include "dec/merging/merged_tags.h"
 #include "tests/io/doors.h"
 #include "tests/io/support.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <numeric>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 namespace {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/doors.h"
-#include "tests/support/hand_made.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <new>
-#include <stdexcept>
 
 namespace polydec::test {
 

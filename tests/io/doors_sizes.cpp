@@ -3,14 +3,10 @@
 // Cells that there are not, values for another number of cells, volumes of another mesh, matrices
 // for vectors and references to temporaries: each is refused, or does not compile.
 #include "complex/blocks.h"
-#include "dec/metric/simplex_metric.h"
 #include "dec/metric/subsets.h"
 #include "tests/io/doors.h"
 #include "tests/io/support.h"
-
-#include <gtest/gtest.h>
-
-#include <type_traits>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 namespace {

@@ -3,8 +3,7 @@
 // Every solver, surface function and picture, asked of every kind of sample with right inputs and
 // with flawed ones: see Asking.
 #include "tests/io/doors.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 namespace {

@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Pictures of several fields: each value is found where it belongs, in files, pages and series.
-#include "io/pictures/draw_fields.h"
-
-#include "dec/fields/de_rham.h"
-#include "io/pages/page.h"
 #include "io/pages/page_fields.h"
-#include "io/pages/series.h"
-#include "io/pictures/draw_cells.h"
-#include "meshes/generate.h"
 #include "tests/io/support.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_draw_fields {
 

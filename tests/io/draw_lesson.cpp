@@ -1,22 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/cell_centers.h"
-#include "dec/forms/cochain.h"
-#include "io/pictures/draw_structure.h"
 #include "io/pictures/svg_canvas.h"
 #include "io/pictures/svg_layout.h"
-#include "meshes/generate.h"
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <regex>
-#include <set>
 
 namespace polydec::test::in_draw_lesson {
 

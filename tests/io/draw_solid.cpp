@@ -1,19 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/pictures/draw_solid.h"
-
-#include "dec/fields/cell_centers.h"
 #include "io/pictures/upright_view.h"
-#include "meshes/generate.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_draw_solid {
 namespace {

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/pictures/draw_structure.h"
-
-#include "dec/fields/cell_centers.h"
-#include "meshes/generate.h"
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_draw_structure {
 

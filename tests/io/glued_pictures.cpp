@@ -1,18 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/glued_box.h"
-#include "dec/fields/de_rham.h"
-#include "io/pages/page.h"
-#include "io/pictures/draw_cells.h"
-#include "io/pictures/draw_solid.h"
-#include "io/pictures/draw_structure.h"
-#include "meshes/generate.h"
-#include "tests/support/matrices.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-#include <variant>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_glued_pictures {
 namespace {

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
 #include "io/meshes/readers.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
-#include "tests/support/counted.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_gmsh {
 

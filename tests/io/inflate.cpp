@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/deflate.h"
 #include "tests/io/bytes.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_inflate {
 

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/json_writer.h"
 
-#include "base/errors.h"
-#include "base/types.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include <cmath>
-#include <cstring>
-#include <limits>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_json_writer {
 

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/meshes/mesh_files.h"
-#include "io/pictures/draw_cells.h"
 #include "tests/io/support.h"
-#include "tests/support/families.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_length_file {
 

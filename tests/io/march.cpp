@@ -1,22 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/march.h"
-
-#include "dec/discretization/material_stars.h"
-#include "io/checkpoint.h"
-#include "meshes/generate.h"
-#include "solvers/flow/flow.h"
-#include "solvers/time/evolution.h"
-#include "solvers/time/waves.h"
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <cmath>
-#include <memory>
-#include <stdexcept>
 #include <thread>
 
 namespace polydec::test::in_march {

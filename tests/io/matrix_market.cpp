@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "io/matrices/matrix_market.h"
-
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
-
-#include <cmath>
-#include <limits>
 
 namespace polydec::test::in_matrix_market {
 

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
-#include "dec/discretization/discretization.h"
-#include "io/pictures/draw_cells.h"
-#include "meshes/generate.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/over_meshes.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_merged_polygons {
 namespace {

@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/matrices/parse_matrix_market.h"
-#include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
-#include "io/pictures/vtu.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <fstream>
-#include <random>
-#include <span>
 #include <sys/resource.h>
 
 namespace polydec::test::in_mutations {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/meshes/mesh_files.h"
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_nsc_and_medit {
 

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_odd_files {
 

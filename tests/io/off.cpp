@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_off {
 

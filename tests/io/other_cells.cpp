@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
-#include "tests/support/counted.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_other_cells {
 

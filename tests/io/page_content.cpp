@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/page_content.h"
 
-#include "dec/fields/cell_centers.h"
-#include "dec/forms/cochain.h"
-#include "io/pages/page.h"
 #include "io/pages/still_scene.h"
-#include "meshes/generate.h"
-#include "tests/support/circumcentric.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <functional>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_page_content {
 

@@ -2,22 +2,12 @@
 //
 // Pages without a browser: which triangles and lines they show, what they refuse, and that they
 // hold what they were given. What a browser makes of them is tested in tests/pages.
-#include "io/pages/page.h"
 #include "io/pages/page_content.h"
 #include "io/pages/page_faces.h"
 #include "io/pages/page_text.h"
-#include "io/pictures/draw_cells.h"
 #include "io/xml_text.h"
-#include "polydec.h"
 #include "tests/io/support.h"
-#include "tests/support/families.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_pages {
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/pdm.h"
 
-#include "io/meshes/mesh_files.h"
 #include "tests/io/support.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 namespace polydec::test::in_pdm {

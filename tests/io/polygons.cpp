@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/polygons.h"
-
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
 
 namespace polydec::test::in_polygons {
 

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "io/meshes/mesh_files.h"
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
-
-#include <cmath>
-#include <cstdlib>
 
 namespace polydec::test::in_round_trip {
 

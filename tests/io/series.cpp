@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/pages/series.h"
-
-#include "io/pages/page.h"
-#include "meshes/generate.h"
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
+#include "tests/support/test.h"
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <csignal>
-#include <limits>
 #include <sys/wait.h>
 #include <unistd.h>
 

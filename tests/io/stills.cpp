@@ -4,12 +4,7 @@
 #include "io/deflate.h"
 #include "io/pages/surface_painter.h"
 #include "io/pictures/stroke_font.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <limits>
-#include <set>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_stills {
 

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstring>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_stl {
 

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
 
-#include "base/errors.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 #include <unistd.h>
 
 namespace polydec::test {

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/meshes/mesh_files.h"
-#include "tests/support/says.h"
-
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/pictures/svg_drawing.h"
 #include "tests/io/support.h"
 #include "tests/io/svg_text.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_svg {
 

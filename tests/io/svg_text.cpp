@@ -6,12 +6,9 @@
 
 #include "tests/io/svg_text.h"
 
-#include <fmt/format.h>
+#include "tests/support/test.h"
 
-#include <algorithm>
-#include <iterator>
 #include <regex>
-#include <sstream>
 
 namespace polydec::test {
 

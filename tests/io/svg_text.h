@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/readers.h"
 #include "tests/io/support.h"
-#include "tests/support/counted.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_tetgen {
 

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/pictures/vtu.h"
-
 #include "tests/io/support.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstring>
-#include <map>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_vtu {
 

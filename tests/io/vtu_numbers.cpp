@@ -1,17 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/cochain.h"
-#include "io/pages/page.h"
-#include "io/pictures/draw_cells.h"
-#include "io/pictures/draw_fields.h"
-#include "meshes/generate.h"
 #include "tests/io/support.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_vtu_numbers {
 

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/readers.h"
-#include "io/pictures/vtu.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstdint>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_vtu_reading {
 

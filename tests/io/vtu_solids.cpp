@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/pictures/vtu_solids.h"
 
-#include "io/pages/page.h"
 #include "tests/io/support.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_vtu_solids {
 

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
-#include "io/pictures/svg_drawing.h"
 #include "system/child_process.h"
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_write_drawing {
 

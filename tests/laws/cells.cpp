@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "complex/homology.h"
-#include "dec/stars/star.h"
-#include "meshes/rearrange.h"
 #include "tests/laws/over_hostile_meshes.h"
-#include "tests/support/counted.h"
-#include "tests/support/families.h"
-#include "tests/support/matrices.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_cells {
 namespace {

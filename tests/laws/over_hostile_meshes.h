@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/errors.h"
-#include "dec/discretization/discretization.h"
 #include "tests/support/hostile.h"
+#include "tests/support/test.h"
 
 #include <rapidcheck.h>
-
-#include <concepts>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace polydec::test {
 

@@ -1,17 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/stars/star.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/spectra/spectrum.h"
 #include "tests/laws/over_hostile_meshes.h"
-#include "tests/support/extended.h"
-#include "tests/support/families.h"
-#include "tests/support/matrices.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_solutions {
 namespace {

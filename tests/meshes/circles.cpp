@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
-#include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
-
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_circles {
 

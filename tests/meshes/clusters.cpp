@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "complex/homology.h"
-#include "dec/discretization/discretization.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_clusters {
 

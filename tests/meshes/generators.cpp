@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_generators {
 

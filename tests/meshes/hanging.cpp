@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "meshes/weld.h"
 #include "tests/meshes/propositions.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_hanging {
 

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "meshes/tidy.h"
-#include "meshes/weld.h"
-#include "tests/support/hand_made.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_input_cells {
 namespace {

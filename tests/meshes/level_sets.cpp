@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/level_sets.h"
-
-#include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
-
-#include <Eigen/LU>
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_level_sets {
 

@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/discretization.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "meshes/tidy.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_peel {
 namespace {

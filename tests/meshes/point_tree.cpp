@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/point_tree.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <iterator>
-#include <random>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_point_tree {
 namespace {

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/meshes/propositions.h"
 
-#include "base/decompositions.h"
-
-#include <Eigen/Geometry>
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <map>
-#include <numeric>
+#include "tests/support/test.h"
 
 namespace polydec {
 

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "meshes/mesh.h"
-#include "meshes/polygons.h"
-#include "tests/support/counted.h"
 #include "tests/support/read_golden.h"
-#include "tests/support/refusal.h"
-
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec {
 

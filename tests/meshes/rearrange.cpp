@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/rearrange.h"
-
-#include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <limits>
-#include <numeric>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_rearrange {
 

@@ -1,22 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/refine.h"
-
-#include "complex/homology.h"
-#include "complex/simplicial_complex.h"
 #include "meshes/distance.h"
 #include "meshes/edges.h"
-#include "meshes/generate.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/refusal.h"
-
-#include <Eigen/LU>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <map>
-#include <random>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_refine {
 namespace {

@@ -2,13 +2,7 @@
 #include "meshes/tetgen/run_tetgen.h"
 
 #include "tests/meshes/tetgen_support.h"
-#include "tests/support/counted.h"
-
-#include <Eigen/Geometry>
-
-#include <cmath>
-#include <filesystem>
-#include <fstream>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_run_tetgen {
 namespace {

@@ -1,19 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/split_cells.h"
-
-#include "base/random.h"
-#include "dec/discretization/discretization.h"
-#include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <map>
-#include <numeric>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_split_cells {
 

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/random.h"
 #include "meshes/polygon_splitter.h"
-#include "meshes/polygons.h"
 #include "tests/meshes/propositions.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <numeric>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_split_polygons {
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/tetgen/tetgen_input.h"
 
-#include "meshes/generate.h"
 #include "tests/meshes/tetgen_support.h"
-
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_tetgen_input {
 namespace {

@@ -3,13 +3,7 @@
 
 #include "meshes/tetgen/tetrahedron_sign.h"
 #include "tests/meshes/tetgen_support.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <utility>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_tetgen_output {
 namespace {

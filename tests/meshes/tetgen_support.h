@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "backends/registry.h"
-#include "base/errors.h"
-#include "meshes/tetrahedralize.h"
 #include "system/temporary_folder.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <string>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/tetrahedralize.h"
-
-#include "base/decompositions.h"
-#include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
 #include "tests/meshes/tetgen_support.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_tetrahedralize {
 namespace {

@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/tidy.h"
-
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_tidy {
 

@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/unit_of_length.h"
-
-#include "meshes/generate.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_unit_of_length {
 namespace {

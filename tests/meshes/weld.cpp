@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/weld.h"
-
-#include "base/random.h"
-#include "meshes/generate.h"
 #include "meshes/point_tree.h"
-#include "meshes/rearrange.h"
-#include "meshes/tidy.h"
 #include "tests/meshes/propositions.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_weld {
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "examples/paper/problems.h"
 #include "examples/paper/reproductions.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <map>
+#include "tests/support/test.h"
 
 namespace polydec::paper::in_figures {
 namespace {

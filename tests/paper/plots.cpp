@@ -6,13 +6,7 @@
 #include "io/xml_text.h"
 #include "tests/io/support.h"
 #include "tests/io/svg_text.h"
-#include "tests/support/says.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_plots {
 

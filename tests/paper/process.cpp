@@ -2,10 +2,8 @@
 #include "examples/paper/process.h"
 
 #include "system/held_signals.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
-
-#include <csignal>
 #include <pthread.h>
 #include <thread>
 #include <unistd.h>

@@ -5,20 +5,7 @@
 #include "examples/paper/program.h"
 #include "examples/paper/reproductions.h"
 #include "tests/io/support.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <limits>
-#include <set>
-#include <sstream>
-#include <variant>
+#include "tests/support/test.h"
 
 namespace polydec::paper::in_report {
 namespace {

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate.h"
 #include "tests/paper/rival_surfaces.h"
+#include "tests/support/test.h"
 
 #include <Eigen/SparseCholesky>
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace polydec::paper::in_rival_convergence {
 namespace {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tests/paper/rival_surfaces.h"
 
-#include "dec/discretization/discretization.h"
 #include "examples/paper/rivals/alexa_wardetzky.h"
 #include "examples/paper/rivals/bunge_diamond.h"
 #include "examples/paper/rivals/bunge_virtual_vertex.h"
 #include "examples/paper/rivals/de_goes.h"
-#include "io/pictures/draw_cells.h"
-#include "meshes/generate.h"
-#include "tests/support/matrices.h"
+#include "tests/support/test.h"
 
 namespace polydec::paper {
 

@@ -2,11 +2,7 @@
 #pragma once
 
 #include "examples/paper/rivals/polygon_laplacian.h"
-#include "meshes/polygons.h"
-
-#include <functional>
-#include <map>
-#include <string>
+#include "tests/support/test.h"
 
 namespace polydec::paper {
 

@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
-#include "dec/discretization/discretization.h"
-#include "dec/forms/laplacian.h"
 #include "examples/paper/rivals/alexa_wardetzky.h"
 #include "examples/paper/rivals/bunge_diamond.h"
 #include "examples/paper/rivals/bunge_virtual_vertex.h"
 #include "examples/paper/rivals/de_goes.h"
-#include "meshes/generate.h"
 #include "tests/paper/rival_surfaces.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::paper::in_rivals {
 namespace {

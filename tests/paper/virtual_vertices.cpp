@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
 #include "examples/paper/rivals/bunge_virtual_vertex.h"
 #include "tests/paper/rival_surfaces.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
+#include "tests/support/test.h"
 
 namespace polydec::paper::in_virtual_vertices {
 namespace {

@@ -3,23 +3,9 @@
 // Automatic stars on meshes that are made with negative duals, and on every one below the folder of
 // test data that is not large: spectra, Hodge decomposition and heat of 1-forms, which
 // circumcentric stars refuse on most of them.
-#include "base/errors.h"
-#include "complex/homology.h"
-#include "dec/discretization/diagnosis.h"
-#include "io/meshes/mesh_files.h"
-#include "solvers/sources/hodge.h"
-#include "solvers/spectra/spectrum.h"
-#include "solvers/time/evolution.h"
 #include "tests/io/support.h"
 #include "tests/real/samples.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <filesystem>
-#include <optional>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_any_mesh {
 namespace {

@@ -3,17 +3,8 @@
 // The laws of products, vector fields and decompositions on surfaces as they are found. How far a
 // law is from holding is told cell by cell, over the sum of all that is added up there in size
 // (worst_share): so the bound is one of rounding, wherever cells are thin and lifts are large.
-#include "dec/fields/lie_derivative.h"
-#include "dec/forms/cochain.h"
-#include "dec/stars/star.h"
-#include "solvers/sources/hodge.h"
 #include "tests/real/surfaces.h"
-#include "tests/support/refusal.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_calculus {
 namespace {

@@ -2,18 +2,9 @@
 //
 // Duals between centroids on meshes that are made with negative duals between circumcenters, and on
 // every one below the folder of test data.
-#include "dec/discretization/discretization.h"
-#include "dec/metric/geometry.h"
-#include "dec/stars/star.h"
 #include "tests/io/support.h"
 #include "tests/real/samples.h"
-#include "tests/support/counted.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <filesystem>
-#include <optional>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_centroids {
 namespace {

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Delta u = 1 with u = 0 on the boundary, on tetrahedra with negative duals: u is nowhere negative.
-#include "solvers/sources/hodge.h"
-#include "solvers/sources/poisson.h"
 #include "tests/real/samples.h"
-#include "tests/support/matrices.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_poisson_tets {
 namespace {

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/real/samples.h"
 
-#include "meshes/generate.h"
 #include "tests/io/support.h"
-#include "tests/support/families.h"
-#include "tests/support/glued.h"
-#include "tests/support/hand_made.h"
-
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-#include <stdexcept>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

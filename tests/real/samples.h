@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "meshes/mesh.h"
-
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

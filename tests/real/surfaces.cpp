@@ -6,12 +6,7 @@
 #include "dec/metric/subsets.h"
 #include "tests/io/support.h"
 #include "tests/real/samples.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/matrices.h"
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

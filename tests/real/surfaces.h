@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization/discretization.h"
-#include "dec/fields/wedge.h"
-#include "dec/forms/cochain.h"
-
-#include <gtest/gtest.h>
-
-#include <string>
-#include <tuple>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

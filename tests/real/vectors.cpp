@@ -2,16 +2,9 @@
 //
 // Flats, sharps and interior products on surfaces as they are found, against what they mean for
 // gradients: those of a function on each triangle of the input, by elementary geometry.
-#include "dec/fields/flat_and_sharp.h"
-#include "dec/fields/lie_derivative.h"
 #include "dec/metric/dual_parts.h"
-#include "dec/stars/star.h"
 #include "tests/real/surfaces.h"
-#include "tests/support/refusal.h"
-
-#include <Eigen/Geometry>
-
-#include <optional>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_vectors {
 namespace {

@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate.h"
 #include "shape/family_counter.h"
-#include "shape/shape_spectrum.h"
 #include "tests/shape/known_shapes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <random>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_counts {
 namespace {

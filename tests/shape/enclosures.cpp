@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "shape/shape_spectrum.h"
 #include "tests/shape/known_shapes.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_enclosures {
 namespace {

@@ -1,19 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/surfaces/intrinsic_delaunay.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "shape/geodesics.h"
 #include "tests/shape/known_shapes.h"
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_exact_distance {
 namespace {

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Exact distances against the exact paths of CGAL, where its headers are.
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "shape/geodesics.h"
 #include "tests/shape/shapes.h"
-#include "tests/support/families.h"
-
-#include <gtest/gtest.h>
-
-#include <stdexcept>
+#include "tests/support/test.h"
 
 #ifdef POLYDEC_HAS_CGAL
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

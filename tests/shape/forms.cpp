@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate.h"
-#include "shape/shape.h"
-#include "shape/shape_spectrum.h"
 #include "tests/shape/known_shapes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_forms_of_shapes {
 namespace {

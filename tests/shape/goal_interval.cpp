@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "tests/shape/poisson_samples.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_goal_interval {
 namespace {

@@ -3,21 +3,11 @@
 // Small random surfaces, many of them bad: distances, counts, spectra and errors of each are had or
 // refused, and agree with those of the same surface in 64 times as many triangles.
 // POLYDEC_HOSTILE_SHAPES=100000 takes so many.
-#include "base/errors.h"
-#include "shape/geodesics.h"
-#include "shape/poisson_error.h"
 #include "shape/poisson_pair.h"
-#include "shape/shape_spectrum.h"
 #include "tests/shape/known_shapes.h"
 #include "tests/shape/shapes.h"
 #include "tests/support/hostile.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <optional>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_hostile_shapes {
 namespace {

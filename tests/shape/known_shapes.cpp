@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/shape/known_shapes.h"
 
-#include "dec/discretization/discretization.h"
-#include "meshes/generate.h"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <utility>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "meshes/mesh.h"
-#include "meshes/periodic.h"
-#include "shape/shape.h"
-
-#include <functional>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shape/lehmann_bounds.h"
 
-#include "base/decompositions.h"
-#include "meshes/generate.h"
 #include "shape/forms.h"
 #include "tests/shape/known_shapes.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstdlib>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_lehmann_bounds {
 namespace {

@@ -1,17 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
-#include "dec/fields/cell_centers.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "solvers/sources/poisson.h"
 #include "tests/shape/poisson_samples.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_poisson_error {
 namespace {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "shape/poisson_error.h"
 #include "shape/poisson_pair.h"
 #include "tests/shape/known_shapes.h"
-
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

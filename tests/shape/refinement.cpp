@@ -1,28 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "complex/homology.h"
 #include "complex/surfaces/ordered_surface.h"
-#include "meshes/generate.h"
-#include "meshes/length_mesh.h"
-#include "meshes/rearrange.h"
 #include "shape/measured_simplex.h"
-#include "shape/shape.h"
-#include "shape/shape_spectrum.h"
 #include "tests/shape/known_shapes.h"
-#include "tests/support/glued.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <map>
-#include <numeric>
-#include <random>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_refinement {
 namespace {

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shape/ritz_pairs.h"
 
-#include "base/decompositions.h"
 #include "tests/shape/known_shapes.h"
-
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <string>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_ritz_pairs {
 namespace {

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/simplicial_complex.h"
-#include "complex/surfaces/glued_surface.h"
-#include "meshes/mesh.h"
-
-#include <Eigen/Geometry>
-
-#include <array>
-#include <cmath>
-#include <map>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "shape/geodesics.h"
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_shortest_paths {
 namespace {

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Exact distances against all chains of straight lines, found without windows and without pruning.
-#include "base/random.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "shape/geodesics.h"
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"
-#include "tests/support/families.h"
+#include "tests/support/test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <complex>
 
 namespace polydec::test::in_straight_lines {

@@ -3,13 +3,8 @@
 // That windows do not grow too many, and that distances are refused where they do.
 #include "shape/windows.h"
 
-#include "base/errors.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "tests/shape/shapes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_windows {
 namespace {

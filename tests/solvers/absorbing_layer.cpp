@@ -1,16 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/boundary/boundary_conditions.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
-#include "meshes/generate.h"
-#include "solvers/time/waves.h"
-#include "tests/support/circumcentric.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_absorbing_layer {
 namespace {

@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/flow/advection.h"
-
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
-#include "dec/forms/cochain.h"
 #include "dec/metric/exterior_product.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/forms.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <optional>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_advection {
 namespace {

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Forms that change in time with what is known of them on the boundary.
-#include "dec/forms/laplacian.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/time/evolution.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_boundary_in_time {
 namespace {

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Distances on surfaces where more than two triangles meet at edges.
-#include "base/random.h"
-#include "solvers/surfaces/geodesic_distance.h"
 #include "tests/solvers/heat_distance.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/families.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_branching_geodesics {
 namespace {

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/solvers/cases.h"
 
-#include "dec/fields/cell_centers.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "solvers/time/evolution.h"
-#include "tests/support/circumcentric.h"
-
-#include <cmath>
-#include <map>
-#include <memory>
-#include <tuple>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

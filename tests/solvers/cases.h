@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/boundary/boundary_conditions.h"
-#include "dec/stars/star.h"
 #include "tests/solvers/smooth_waves.h"
-
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <ostream>
-#include <string>
+#include "tests/support/test.h"
 
 /// The cases that solvers are tested on: meshes, stars, sides, degrees and conditions.
 namespace polydec::test {

@@ -1,28 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "backends/spectra/certified_eigensolver.h"
-
-#include "backends/registry.h"
-#include "backends/spectra/certified_eigensolver.h"
-#include "base/errors.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "solvers/spectra/spectrum.h"
 #include "tests/solvers/dense_spectrum.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/merged.h"
 #include "tests/support/read_golden.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <memory>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_certified_eigensolver {
 namespace {

@@ -1,28 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/boundary/form_space.h"
-#include "dec/discretization/diagnosis.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "solvers/sources/hodge.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/spectra/spectrum.h"
-#include "solvers/time/waves.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/families.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_conditions {
 namespace {

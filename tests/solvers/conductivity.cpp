@@ -1,27 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/random.h"
-#include "dec/discretization/material_stars.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/forms/cochain.h"
-#include "dec/metric/cell_volumes.h"
-#include "dec/metric/geometry.h"
-#include "dec/stars/star.h"
 #include "meshes/delaunay.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "solvers/sources/poisson.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/families.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_conductivity {
 namespace {

@@ -1,17 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/sources/constrained_system.h"
-
-#include "base/errors.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <utility>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_constrained_system {
 namespace {

@@ -1,24 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
-#include "dec/discretization/material_stars.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
-#include "dec/forms/cochain.h"
-#include "meshes/generate.h"
-#include "solvers/sources/poisson.h"
 #include "tests/solvers/cases.h"
 #include "tests/solvers/star_samples.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <string>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_darcy {
 namespace {

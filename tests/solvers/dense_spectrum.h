@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization/discretization.h"
-#include "dec/forms/laplacian.h"
-#include "tests/support/dense_laplacian.h"
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,25 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/time/evolution.h"
-
-#include "backends/registry.h"
-#include "base/errors.h"
-#include "dec/fields/de_rham.h"
-#include "dec/forms/cochain.h"
-#include "dec/forms/laplacian.h"
 #include "dec/metric/subsets.h"
-#include "io/march.h"
-#include "meshes/generate.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/families.h"
-#include "tests/support/forms.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_evolution {
 namespace {

@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate.h"
-#include "solvers/flow/flow.h"
-#include "solvers/time/waves.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <memory>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_fixed_steps {
 namespace {

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/laplacian.h"
-#include "meshes/generate.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/spectra/spectrum.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_fixed_values {
 namespace {

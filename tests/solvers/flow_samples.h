@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization/discretization.h"
-#include "dec/forms/cochain.h"
-#include "meshes/generate.h"
-
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <string>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/cell_centers.h"
-#include "solvers/flow/advection.h"
-#include "solvers/sources/poisson.h"
 #include "tests/solvers/cases.h"
 #include "tests/solvers/flow_samples.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_flux_transport {
 namespace {

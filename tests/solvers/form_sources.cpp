@@ -1,20 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "complex/relative.h"
-#include "dec/discretization/material_stars.h"
-#include "dec/forms/laplacian.h"
-#include "meshes/generate.h"
-#include "solvers/sources/poisson.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/families.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_form_sources {
 namespace {

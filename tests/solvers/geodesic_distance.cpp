@@ -1,23 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/surfaces/geodesic_distance.h"
-
-#include "base/errors.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "solvers/surfaces/heat_step.h"
 #include "solvers/surfaces/surface_metric.h"
 #include "tests/solvers/glued_samples.h"
 #include "tests/solvers/heat_distance.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <map>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_geodesic_distance {
 namespace {

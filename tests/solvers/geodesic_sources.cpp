@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "shape/geodesics.h"
-#include "solvers/surfaces/geodesic_distance.h"
 #include "tests/solvers/glued_samples.h"
 #include "tests/solvers/heat_distance.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_geodesic_sources {
 namespace {

@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/boundary/boundary_conditions.h"
-#include "solvers/sources/hodge.h"
-#include "solvers/spectra/spectrum.h"
-#include "tests/support/golden_forms.h"
-#include "tests/support/golden_numbers.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_golden_hodge {
 namespace {

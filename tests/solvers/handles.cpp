@@ -1,24 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/spectra/certified_eigensolver.h"
-#include "dec/discretization/glued_box.h"
-#include "dec/fields/lie_derivative.h"
-#include "dec/metric/simplex_metric.h"
-#include "meshes/generate.h"
-#include "shape/geodesics.h"
-#include "solvers/flow/flow.h"
-#include "solvers/flow/shallow_water.h"
-#include "solvers/flow/stokes.h"
-#include "solvers/sources/hodge.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/surfaces/geodesic_distance.h"
-#include "solvers/surfaces/parallel_transport.h"
-#include "tests/support/circumcentric.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <type_traits>
-#include <utility>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_handles {
 namespace {

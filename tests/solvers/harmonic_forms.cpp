@@ -1,26 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/boundary/form_space.h"
-#include "dec/fields/flat_and_sharp.h"
-#include "meshes/generate.h"
-#include "meshes/length_mesh.h"
-#include "meshes/rearrange.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/time/diffusion.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/families.h"
-#include "tests/support/forms.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
 #include "tests/support/slivers.h"
-
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_harmonic_forms {
 namespace {

@@ -1,29 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/decompositions.h"
-#include "base/errors.h"
-#include "dec/boundary/form_space.h"
-#include "dec/forms/laplacian.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "solvers/sources/hodge.h"
-#include "solvers/spectra/spectrum.h"
-#include "solvers/time/evolution.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/branches.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/dense_laplacian.h"
-#include "tests/support/families.h"
-#include "tests/support/glued.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_heat {
 namespace {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solvers/surfaces/geodesic_distance.h"
-
-#include <span>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

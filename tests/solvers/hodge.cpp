@@ -1,26 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/sources/hodge.h"
-
-#include "base/decompositions.h"
-#include "complex/homology.h"
-#include "dec/boundary/boundary_conditions.h"
-#include "dec/discretization/discretization.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/forms/cochain.h"
-#include "dec/forms/laplacian.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
 #include "tests/solvers/star_samples.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/glued.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_hodge {
 namespace {

@@ -1,18 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
-#include "complex/components.h"
-#include "dec/boundary/boundary_conditions.h"
-#include "dec/fields/cell_centers.h"
-#include "solvers/sources/hodge.h"
 #include "tests/solvers/flow_samples.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_incompressible_flow {
 namespace {

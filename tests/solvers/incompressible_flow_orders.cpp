@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
 #include "tests/solvers/flow_samples.h"
-#include "tests/support/circumcentric.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_incompressible_flow_orders {
 namespace {

@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "backends/spectra/inertia.h"
 
-#include "backends/spectra/certified_eigensolver.h"
 #include "backends/spectra/shifted_solver.h"
 #include "base/block_matrix.h"
-#include "dec/discretization/discretization.h"
-#include "meshes/generate.h"
 #include "solvers/spectra/laplacian_pencil.h"
-#include "solvers/spectra/spectrum.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_inertia {
 namespace {

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/sources/hodge.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/spectra/spectrum.h"
-#include "solvers/time/evolution.h"
-#include "solvers/time/waves.h"
 #include "tests/solvers/cases.h"
 #include "tests/support/all_sizes.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_input_units {
 namespace {

@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/flow/advection.h"
-#include "solvers/flow/flow.h"
-#include "solvers/flow/flow_data.h"
-#include "solvers/flow/shallow_water.h"
-#include "solvers/flow/stokes.h"
-#include "solvers/sources/poisson.h"
 #include "tests/solvers/cases.h"
 #include "tests/support/all_sizes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_input_units_of_flows {
 namespace {

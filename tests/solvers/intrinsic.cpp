@@ -1,25 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
-#include "complex/homology.h"
-#include "dec/discretization/material_stars.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/forms/cochain.h"
-#include "dec/stars/star.h"
-#include "dec/surfaces/intrinsic_delaunay.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "solvers/sources/hodge.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/spectra/spectrum.h"
-#include "solvers/surfaces/geodesic_distance.h"
 #include "tests/solvers/cases.h"
 #include "tests/solvers/heat_distance.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/families.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_intrinsic {
 namespace {

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Kelvin's theorem: without viscosity the circulation around a loop that the flow carries is kept.
-#include "base/decompositions.h"
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/flat_and_sharp.h"
 #include "tests/solvers/flow_samples.h"
-#include "tests/support/circumcentric.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_kelvin {
 namespace {

@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/generate.h"
-#include "solvers/spectra/spectrum.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <string_view>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_kept_spectra {
 namespace {

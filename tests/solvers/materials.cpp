@@ -1,17 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/material_stars.h"
-#include "dec/fields/cell_centers.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/time/waves.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/circumcentric.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_materials {
 namespace {

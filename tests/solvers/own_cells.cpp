@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/fields/cell_centers.h"
-#include "meshes/generate.h"
-#include "solvers/sources/hodge.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/time/waves.h"
 #include "tests/dec/discretized.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_own_cells {
 namespace {

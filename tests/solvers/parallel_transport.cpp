@@ -1,17 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/surfaces/parallel_transport.h"
-
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
 #include "tests/solvers/glued_samples.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <Eigen/Geometry> // cross products
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_parallel_transport {
 namespace {

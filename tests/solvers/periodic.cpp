@@ -1,20 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/periodic.h"
-
-#include "complex/homology.h"
-#include "dec/fields/de_rham.h"
-#include "meshes/generate.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/spectra/spectrum.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/counted.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_periodic {
 namespace {

@@ -7,32 +7,11 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#include "backends/registry.h"
-#include "dec/discretization/material_stars.h"
 #include "dec/discretization/positive_mass.h"
-#include "dec/metric/geometry.h"
-#include "dec/metric/simplex_metric.h"
-#include "dec/stars/star.h"
-#include "io/meshes/mesh_files.h"
-#include "meshes/generate.h"
-#include "meshes/tidy.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/surfaces/geodesic_distance.h"
-#include "solvers/time/waves.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/hand_made.h"
+#include "tests/support/test.h"
 #include "tools/messages.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <fstream>
-#include <functional>
-#include <limits>
 #include <regex>
-#include <type_traits>
 #include <unistd.h>
 
 namespace polydec::test::in_places {

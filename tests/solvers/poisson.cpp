@@ -1,28 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/sources/poisson.h"
-
-#include "base/errors.h"
-#include "complex/components.h"
-#include "dec/discretization/material_stars.h"
-#include "dec/fields/cell_centers.h"
-#include "meshes/generate.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/glued.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
 #include "tests/support/read_golden.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
 #include "tests/support/scales.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_poisson {
 namespace {

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One equation in several ways: functions by values, densities or fluxes, and as all forms.
-#include "solvers/sources/poisson.h"
 #include "solvers/sources/poisson_system.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <memory>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_poisson_systems {
 namespace {

@@ -1,22 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/spectra/certified_eigensolver.h"
-#include "base/errors.h"
-#include "complex/simplicial_complex.h"
-#include "dec/metric/geometry.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "solvers/spectra/spectrum.h"
-#include "tests/support/branches.h"
-#include "tests/support/dense_laplacian.h"
-#include "tests/support/hand_made.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <string_view>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_radii {
 namespace {

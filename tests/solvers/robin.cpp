@@ -1,25 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/boundary/form_space.h"
-#include "dec/fields/cell_centers.h"
-#include "meshes/generate.h"
-#include "solvers/sources/hodge.h"
-#include "solvers/sources/poisson.h"
-#include "solvers/spectra/spectrum.h"
-#include "solvers/time/diffusion.h"
 #include "tests/solvers/cases.h"
 #include "tests/solvers/flow_samples.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/families.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-
-#include <Eigen/LU>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_robin {
 namespace {

@@ -1,17 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/flow/shallow_water.h"
-
-#include "dec/fields/cell_centers.h"
-#include "solvers/time/evolution.h"
 #include "tests/solvers/flow_samples.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_shallow_water {
 namespace {

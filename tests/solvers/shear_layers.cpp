@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/periodic.h"
 #include "tests/solvers/flow_samples.h"
-#include "tests/support/circumcentric.h"
-
-#include <gtest/gtest.h>
-
-#include <map>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_shear_layers {
 namespace {

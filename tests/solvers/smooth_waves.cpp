@@ -2,14 +2,7 @@
 #include "tests/solvers/smooth_waves.h"
 
 #include "dec/metric/subsets.h"
-#include "tests/support/forms.h"
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <numeric>
-#include <utility>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

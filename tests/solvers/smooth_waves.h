@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization/discretization.h"
-#include "dec/fields/de_rham.h"
-#include "dec/forms/cochain.h"
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

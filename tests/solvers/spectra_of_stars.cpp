@@ -3,24 +3,8 @@
 // Certified spectra whose inner products are matrices.
 #include "backends/spectra/inertia.h"
 #include "backends/spectra/scaled_pencil.h"
-#include "complex/homology.h"
-#include "dec/boundary/form_space.h"
-#include "meshes/generate.h"
 #include "solvers/spectra/laplacian_pencil.h"
-#include "solvers/spectra/spectrum.h"
-#include "tests/support/branches.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/dense_laplacian.h"
-#include "tests/support/families.h"
-#include "tests/support/glued.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <numbers>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_spectra_of_stars {
 namespace {

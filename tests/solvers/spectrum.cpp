@@ -1,23 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectra/spectrum.h"
-
-#include "complex/homology.h"
-#include "meshes/generate.h"
 #include "tests/solvers/dense_spectrum.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/says.h"
 #include "tests/support/scales.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <functional>
-#include <numbers>
-#include <ostream>
-#include <string>
-#include <utility>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_spectrum {
 namespace {

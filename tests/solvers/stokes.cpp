@@ -1,21 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/flow/stokes.h"
-
-#include "dec/fields/cell_centers.h"
-#include "dec/fields/de_rham.h"
-#include "meshes/generate.h"
-#include "solvers/flow/incompressible_flow.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_stokes {
 namespace {

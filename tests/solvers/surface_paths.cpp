@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/discretization/discretization.h"
-#include "meshes/generate.h"
-#include "meshes/periodic.h"
-#include "solvers/surfaces/geodesic_distance.h"
-#include "tests/support/circumcentric.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_surface_paths {
 namespace {

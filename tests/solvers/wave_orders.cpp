@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
-#include "dec/fields/de_rham.h"
-#include "dec/forms/cochain.h"
-#include "solvers/time/waves.h"
 #include "tests/solvers/cases.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_wave_orders {
 namespace {

@@ -1,19 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/time/waves.h"
-
-#include "dec/boundary/boundary_conditions.h"
-#include "dec/discretization/material_stars.h"
-#include "dec/fields/de_rham.h"
-#include "meshes/generate.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_waves {
 namespace {

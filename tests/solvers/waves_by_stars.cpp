@@ -1,22 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Waves by stars that are no diagonal.
-#include "base/decompositions.h"
-#include "dec/boundary/boundary_conditions.h"
-#include "dec/fields/de_rham.h"
-#include "meshes/generate.h"
-#include "solvers/time/waves.h"
 #include "tests/solvers/star_samples.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/dense_laplacian.h"
-#include "tests/support/glued.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_waves_by_stars {
 namespace {

@@ -1,23 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "complex/relative.h"
-#include "dec/boundary/boundary_conditions.h"
-#include "dec/discretization/discretization.h"
-#include "dec/stars/star.h"
-#include "meshes/generate.h"
-#include "solvers/sources/hodge.h"
-#include "solvers/spectra/spectrum.h"
-#include "solvers/time/waves.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/branches.h"
-#include "tests/support/circumcentric.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
-#include "tests/support/refusal.h"
-#include "tests/support/says.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test::in_waves_in_cavities {
 namespace {
