@@ -3,7 +3,6 @@
 does by mouse, finger and keys."""
 import json
 import os
-import sys
 import time
 
 try:
@@ -15,16 +14,9 @@ try:
 except ImportError:
     MISSING = "python3-selenium"
 
-SKIPPED = 77 # what ctest takes for skipped
 SECONDS = 60 # after which a page or a script counts as hanging
 FLAGS = ("--headless=new", "--no-sandbox", "--hide-scrollbars", "--use-angle=swiftshader",
          "--enable-unsafe-swiftshader", "--force-color-profile=srgb", "--disable-dev-shm-usage")
-
-
-def skip_if_missing():
-    if MISSING:
-        print(f"skipped: {MISSING} is not installed, so that no browser can be asked")
-        sys.exit(SKIPPED)
 
 
 class Browser:
@@ -122,6 +114,12 @@ class Browser:
     def size(self):
         return self.run("const c = document.getElementById('canvas'); "
                         "return [c.clientWidth, c.clientHeight]")
+
+    def spots(self, count=5):
+        """Places all over the canvas."""
+        width, height = self.size()
+        return [(width * (i + 1) // (count + 1), height * (j + 1) // (count + 1))
+                for i in range(count) for j in range(count)]
 
     def click(self, x, y):
         """On the canvas; what is picked then, by name, or None."""

@@ -3,21 +3,10 @@
 colors, heights and the picture as a file. All by numbers."""
 import json
 import math
-import os
-import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "tools"))
-
-import browser  # noqa: E402
-
-browser.skip_if_missing()
-
-import command  # noqa: E402
-from browser import Browser  # noqa: E402
-from command import TestCase, golden  # noqa: E402
-from page_file import PageFile, map_color  # noqa: E402
-
-ROUNDING = 2.5 # of 255, of a color
+from browser_test import ROUNDING, BrowserTest, distance
+from command import golden
+from page_file import map_color
 
 # All pixels of the canvas, from the row at the bottom; then how a second picture differs: patches of
 # neighbors that changed, and changed pixels that were ground before.
@@ -65,30 +54,14 @@ HTMLAnchorElement.prototype.click = () => {};
 document.getElementById("save").click();"""
 
 
-def distance(first, second):
-    return max(abs(a - b) for a, b in zip(first, second))
-
-
-class Look(TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = Browser()
-        cls.addClassCleanup(cls.browser.driver.quit)
-
-    def page(self, *arguments):
-        self.succeed(*arguments, "-o", "a.html")
-        self.browser.open(self.path("a.html"))
-        return PageFile(self.path("a.html"))
-
+class Look(BrowserTest):
     def is_checked(self, identity):
         return self.browser.run("return document.getElementById(arguments[0]).checked", identity)
 
     def picks(self, count=7):
         """Places of the canvas that hit a cell, their colors and those one pixel on before a click,
         and what it reports."""
-        width, height = self.browser.size()
-        spots = [(width * (i + 1) // (count + 1), height * (j + 1) // (count + 1))
-                 for i in range(count) for j in range(count)]
+        spots = self.browser.spots(count)
         colors = [[self.browser.pixel(x + i, y + j) for i, j in ((0, 0), (1, 1), (-1, -1))]
                   for x, y in spots]
         found = [(spot, color, self.browser.click(*spot)) for spot, color in zip(spots, colors)]
@@ -365,7 +338,3 @@ class Look(TestCase):
         for color, end in zip(found["bar"], ends):
             self.assertLess(distance(color, end), 8)
         self.assertEqual(tab.complaints(), [])
-
-
-if __name__ == "__main__":
-    command.main()

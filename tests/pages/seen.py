@@ -1,45 +1,13 @@
 # SPDX-License-Identifier: MIT
 """What a page shows in a browser: colors are those of values, values those of files."""
 import math
-import os
-import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "tools"))
-
-import browser  # noqa: E402
-
-browser.skip_if_missing()
-
-import command  # noqa: E402
-from browser import Browser  # noqa: E402
-from command import TestCase, golden  # noqa: E402
-from page_file import PageFile, map_color  # noqa: E402
-
-ROUNDING = 2.5 # of 255, of a color
+from browser_test import ROUNDING, BrowserTest, distance
+from command import golden
+from page_file import PageFile, map_color
 
 
-def spots(size, count=5):
-    """Places all over a canvas."""
-    width, height = size
-    return [(width * (i + 1) // (count + 1), height * (j + 1) // (count + 1))
-            for i in range(count) for j in range(count)]
-
-
-def distance(first, second):
-    return max(abs(a - b) for a, b in zip(first, second))
-
-
-class Seen(TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = Browser()
-        cls.addClassCleanup(cls.browser.driver.quit)
-
-    def page(self, *arguments, out="a.html"):
-        self.succeed(*arguments, "-o", out)
-        self.browser.open(self.path(out))
-        return PageFile(self.path(out))
-
+class Seen(BrowserTest):
     def check_colors(self, page, name, choice, colors, ends):
         """At places where a cell is hit, the color is that of the value there."""
         tab, field = self.browser, page.fields[name]
@@ -48,7 +16,7 @@ class Seen(TestCase):
         tab.set(field=list(page.fields).index(name), map=choice,
                 values=field["place"] in ("edge", "face"))
         hits = 0
-        seen = {place: tab.pixel(*place) for place in spots(tab.size())} # before one is marked
+        seen = {place: tab.pixel(*place) for place in tab.spots()} # before one is marked
         for (x, y), color in seen.items():
             found = tab.click(x, y)
             if not found:
@@ -144,13 +112,12 @@ class Seen(TestCase):
     def test_a_cut_takes_cells_away_and_shows_those_behind(self):
         page = self.page("view", golden("kuhn3.nsc"))
         tab = self.browser
-        width, height = tab.size()
         tab.plain()
-        before = [tab.click(*spot) for spot in spots((width, height))]
+        before = [tab.click(*spot) for spot in tab.spots()]
         tab.set(axis=2, cut=100)
-        self.assertEqual([tab.click(*spot) for spot in spots((width, height))], before)
+        self.assertEqual([tab.click(*spot) for spot in tab.spots()], before)
         tab.set(axis=2, cut=40)
-        cells = {found["cell"] for found in map(lambda s: tab.click(*s), spots((width, height)))
+        cells = {found["cell"] for found in map(lambda s: tab.click(*s), tab.spots())
                  if found}
         points, corners = page.points(), page.arrays["corners"]
         owners = page.arrays["owners"]
@@ -335,7 +302,3 @@ class Seen(TestCase):
         tab.wait(lambda: tab.state() == "ready")
         tab.driver.switch_to.default_content()
         self.assertEqual(tab.complaints(), [])
-
-
-if __name__ == "__main__":
-    command.main()

@@ -2,20 +2,11 @@
 """Pages by other ways than a mouse on a desk: keys alone, fingers, a narrow screen, paper, and
 browsers that cannot do all."""
 import base64
-import os
 import re
-import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "tools"))
-
-import browser  # noqa: E402
-
-browser.skip_if_missing()
-
-import command  # noqa: E402
-from browser import Browser  # noqa: E402
-from command import TestCase, golden  # noqa: E402
-from selenium.webdriver.common.keys import Keys  # noqa: E402
+from browser_test import Browser, BrowserTest
+from command import golden
+from selenium.webdriver.common.keys import Keys
 
 HOSTILE = "</script><script>document.title='bad'</script><img src=x onerror=document.title='bad'>"
 FOCUS = "const e = document.activeElement; return e.id || e.dataset.field || e.tagName"
@@ -42,13 +33,8 @@ return [...document.querySelectorAll("body *")].filter(e => e.offsetHeight && ha
 """
 
 
-class Users(TestCase):
+class Users(BrowserTest):
     """Each test opens one page, in a browser that all share unless it needs one of its own."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.shared = Browser()
-        cls.addClassCleanup(cls.shared.driver.quit)
 
     def modes(self, mesh="uv8.off", side="primal", degree=0):
         self.succeed("spectrum", golden(mesh), "--side", side, "--degree", degree, "--count", 3,
@@ -76,28 +62,28 @@ class Users(TestCase):
     # Keys
 
     def test_everything_is_reached_by_tab(self):
-        self.shared.open(self.modes("kuhn3.nsc"))
-        wanted = set(self.shared.run("""
+        self.browser.open(self.modes("kuhn3.nsc"))
+        wanted = set(self.browser.run("""
             return [...document.querySelectorAll("button, select, input, #canvas, tr[data-field]")]
                 .filter(e => e.offsetHeight).map(e => e.id || e.dataset.field)"""))
         self.assertLessEqual({"theme", "canvas", "field", "map", "edges", "axis", "cut", "0", "2"},
                              wanted)
         reached = set()
         for _ in range(len(wanted) + 3):
-            self.shared.keys(Keys.TAB)
-            reached.add(self.shared.run(FOCUS))
-            self.assertGreaterEqual(self.shared.run("""
+            self.browser.keys(Keys.TAB)
+            reached.add(self.browser.run(FOCUS))
+            self.assertGreaterEqual(self.browser.run("""
                 const e = document.activeElement, s = getComputedStyle(e);
                 return e === document.body ? 9 : parseFloat(s.outlineWidth) *
                     (s.outlineStyle !== "none")"""), 2, "the focus is seen")
         self.assertEqual(wanted - reached, set())
-        self.shared.run("document.getElementById('map').tabIndex = -1; document.body.focus()")
+        self.browser.run("document.getElementById('map').tabIndex = -1; document.body.focus()")
         for _ in range(len(wanted) + 3):
-            self.shared.keys(Keys.TAB)
-            self.assertNotEqual(self.shared.run(FOCUS), "map")
+            self.browser.keys(Keys.TAB)
+            self.assertNotEqual(self.browser.run(FOCUS), "map")
 
     def test_keys_do_what_they_say(self):
-        tab = self.shared
+        tab = self.browser
         tab.open(self.modes("kuhn3.nsc"))
         checked = "return document.getElementById(arguments[0]).checked"
         for key, switch in (("e", "edges"), ("d", "dual"), ("l", "levels"), ("s", "shade")):
@@ -116,7 +102,7 @@ class Users(TestCase):
         self.assertEqual(tab.text("cut-at"), "99 %")
 
     def test_arrows_turn_and_enter_picks(self):
-        tab = self.shared
+        tab = self.browser
         tab.open(self.modes())
         tab.run("document.getElementById('canvas').focus()")
         seen = {tab.picture()}
@@ -135,7 +121,7 @@ class Users(TestCase):
         self.assertIsNone(tab.picked())
 
     def test_rows_of_the_table_choose_fields(self):
-        tab = self.shared
+        tab = self.browser
         tab.open(self.modes())
         tab.run("document.querySelector('tr[data-field=\"1\"]').focus()")
         tab.keys(Keys.ARROW_DOWN, Keys.ENTER)
@@ -143,7 +129,7 @@ class Users(TestCase):
         self.assertEqual(tab.text("legend-name"), "mode_2")
 
     def test_what_is_seen_is_said(self):
-        tab = self.shared
+        tab = self.browser
         tab.open(self.modes())
         self.assertEqual(tab.run("""
             return [...document.querySelectorAll("#canvas, select, input, button, tr[data-field]")]
@@ -158,7 +144,7 @@ class Users(TestCase):
     # Time
 
     def test_space_plays_and_pauses(self):
-        tab = self.shared
+        tab = self.browser
         tab.open(self.series())
         step = "return document.getElementById('step').value"
         tab.run("document.getElementById('speed').value = 20")
@@ -178,7 +164,7 @@ class Users(TestCase):
         self.assertEqual(tab.run(step), kept)
 
     def test_nothing_moves_by_itself_where_that_is_not_wanted(self):
-        tab = self.shared
+        tab = self.browser
         tab.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [
             {"name": "prefers-reduced-motion", "value": "reduce"}]})
         self.addCleanup(tab.driver.execute_cdp_cmd, "Emulation.setEmulatedMedia", {"features": []})
@@ -207,16 +193,16 @@ class Users(TestCase):
         for mesh in (name, "a.obj", "n.vtu"):
             with self.subTest(mesh):
                 self.succeed("view", mesh, "-o", "h.html")
-                self.shared.open(self.path("h.html"))
-                self.assertEqual(self.shared.run("return document.querySelectorAll('img:not(#still img)').length"), 0)
-                self.assertEqual(self.shared.run("return document.scripts.length"), 3)
-                self.assertNotEqual(self.shared.run("return document.title"), "bad")
-                self.assertEqual(self.shared.complaints(), [])
-        self.assertEqual(self.shared.run("return document.getElementById('field').options[1].text"),
+                self.browser.open(self.path("h.html"))
+                self.assertEqual(self.browser.run("return document.querySelectorAll('img:not(#still img)').length"), 0)
+                self.assertEqual(self.browser.run("return document.scripts.length"), 3)
+                self.assertNotEqual(self.browser.run("return document.title"), "bad")
+                self.assertEqual(self.browser.complaints(), [])
+        self.assertEqual(self.browser.run("return document.getElementById('field').options[1].text"),
                          HOSTILE + "\\u202e\\u200f\"'&<b> (vertex)")
-        self.shared.open(self.path("s.html"))
-        self.shared.run("document.body.insertAdjacentHTML('beforeend', arguments[0])", HOSTILE)
-        self.assertEqual(self.shared.run("return document.querySelectorAll('img:not(#still img)').length"), 1)
+        self.browser.open(self.path("s.html"))
+        self.browser.run("document.body.insertAdjacentHTML('beforeend', arguments[0])", HOSTILE)
+        self.assertEqual(self.browser.run("return document.querySelectorAll('img:not(#still img)').length"), 1)
 
     def golden_text(self, name):
         with open(golden(name), encoding="ascii") as file:
@@ -262,20 +248,20 @@ class Users(TestCase):
     def test_text_stands_out_in_both_themes(self):
         for theme in ("light", "dark"):
             for page in (self.modes("kuhn3.nsc"), self.series()):
-                self.shared.open(page)
-                self.shared.run("document.documentElement.dataset.theme = arguments[0]", theme)
-                self.shared.frames()
-                self.shared.click(*(n // 2 for n in self.shared.size()))
-                contrasts = self.shared.run(CONTRASTS)
+                self.browser.open(page)
+                self.browser.run("document.documentElement.dataset.theme = arguments[0]", theme)
+                self.browser.frames()
+                self.browser.click(*(n // 2 for n in self.browser.size()))
+                contrasts = self.browser.run(CONTRASTS)
                 self.assertGreater(len(contrasts), 15)
                 self.assertEqual([each for each in contrasts if each[0] < 4.5], [], theme)
-        self.shared.run("document.body.style.color = '#888'; document.body.style.background = '#999'")
-        self.assertLess(min(self.shared.run(CONTRASTS))[0], 4.5)
+        self.browser.run("document.body.style.color = '#888'; document.body.style.background = '#999'")
+        self.assertLess(min(self.browser.run(CONTRASTS))[0], 4.5)
 
     # What may fail
 
     def test_a_lost_picture_comes_back(self):
-        tab = self.shared
+        tab = self.browser
         tab.open(self.modes("kuhn3.nsc", "dual"))
         before = tab.picture()
         tab.run("window.lost = document.getElementById('canvas').getContext('webgl2')"
@@ -317,11 +303,11 @@ class Users(TestCase):
             self.assertIn("Scripts are off", tab.driver.find_element("tag name", "body").text)
             self.check_still(tab, path)
         with self.assertRaises(AssertionError):
-            self.shared.open(path)
-            self.check_still(self.shared, path)
+            self.browser.open(path)
+            self.check_still(self.browser, path)
 
     def test_paper_shows_the_last_picture(self):
-        tab = self.shared
+        tab = self.browser
         tab.open(self.modes())
         pages = []
         for field in (1, 2):
@@ -335,7 +321,3 @@ class Users(TestCase):
         streams = [re.findall(rb"/Width \d+\s*/Height \d+.*?endstream", page, re.DOTALL)
                    for page in pages]
         self.assertNotEqual(*streams)
-
-
-if __name__ == "__main__":
-    command.main()

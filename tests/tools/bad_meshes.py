@@ -114,7 +114,3 @@ class BadMeshes(TestCase):
         for length in range(len(text) - 1):
             code, message = self.answer(self.write("cut.nsc", text[:length]))
             self.assertEqual(code, 2, (text[:length], message))
-
-
-if __name__ == "__main__":
-    command.main()

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """The command with dual cells between centroids."""
-import command
 from command import TestCase
 
 
@@ -35,7 +34,3 @@ class Centroids(TestCase):
     def test_other_words_are_refused(self):
         self.assertSays(self.fail_with(1, "info", self.sphere, "--centers", "incenters"),
                         "--centers: ", "circumcenters", "incenters")
-
-
-if __name__ == "__main__":
-    command.main()

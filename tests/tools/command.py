@@ -251,10 +251,17 @@ class TestCase(unittest.TestCase):
 
 
 def main():
-    """python3 TEST COMMAND GOLDEN_FOLDER"""
+    """python3 command.py TEST COMMAND GOLDEN_FOLDER [NAME ..] runs the tests of a file, or those named."""
     global COMMAND, GOLDEN, limited
-    COMMAND, GOLDEN = map(os.path.abspath, sys.argv[1:3])
+    test, *asked = sys.argv[1:]
+    COMMAND, GOLDEN = map(os.path.abspath, asked[:2])
     stop_ignoring_signals()
     # programs under a sanitizer reserve more addresses than any limit allows
     limited = run("--version", limit=True).code == 0
-    unittest.main(module="__main__", argv=sys.argv[:1] + sys.argv[3:])
+    sys.path.insert(0, os.path.dirname(os.path.abspath(test)))
+    unittest.main(module=Path(test).stem, argv=[test, *asked[2:]])
+
+
+if __name__ == "__main__":
+    import command  # the module of which the tests know
+    command.main()

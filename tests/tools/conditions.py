@@ -3,7 +3,6 @@
 import itertools
 import math
 
-import command
 from command import TestCase, golden
 from motions import medit, squares
 
@@ -237,7 +236,3 @@ class Conditions(TestCase):
         self.assertLess(some["eigenvalues"][0], 19) # of held values 2 pi^2
         for bad in (0, -1, "nan"):
             self.fail_with(1, "poisson", self.square, "--rhs", "0", "--side", "dual", "--robin", bad)
-
-
-if __name__ == "__main__":
-    command.main()

@@ -355,7 +355,3 @@ class Usage(TestCase):
             self.assertLessEqual(set(os.listdir(folder)), whole)
             for name in os.listdir(folder):
                 self.assertEqual(self.read(f"out{i}/{name}"), self.read(f"whole/{name}"))
-
-
-if __name__ == "__main__":
-    command.main()

@@ -2,7 +2,6 @@
 """What programs may rely on in the files that are written and read."""
 import xml.etree.ElementTree
 
-import command
 from command import TestCase, golden
 
 
@@ -77,7 +76,3 @@ class Files(TestCase):
         self.assertNotEqual(merged, plain["cells"]["input"])
         wide = self.ask("info", mesh, "--tolerance", "0")
         self.assertEqual(len(wide["cells"]["merged"]), 3)
-
-
-if __name__ == "__main__":
-    command.main()

@@ -143,7 +143,3 @@ class Cost(TestCase):
                         self.assertLess(used.ru_maxrss * 1024, (20 + most + late) * 10**6)
             for name in set(os.listdir(self.folder)) - {"grid.nsc"}:
                 (shutil.rmtree if name == "out" else os.remove)(os.path.join(self.folder, name))
-
-
-if __name__ == "__main__":
-    command.main()

@@ -151,7 +151,3 @@ class Distance(TestCase):
                 (golden("uv8.off"), 99999, ("--from 99999: ", "vertex"))):
             self.assertSays(self.fail_with(2, "distance", path, "--from", vertex), *words)
         self.assertEqual(run("distance", golden("uv8.off")).code, 1)
-
-
-if __name__ == "__main__":
-    command.main()

@@ -2,7 +2,6 @@
 """Expressions mean what they say, or are refused before any work is done."""
 import os
 
-import command
 from command import TestCase, golden
 
 # What the parser would take for something else: what is said of it, and the position.
@@ -111,7 +110,3 @@ class Expressions(TestCase):
         self.assertSays(self.fail_with(2, *self.arguments("--rhs", "f.txt", "no-such.off")),
                         "polydec: f.txt: ", "entry 2", "number", "expected")
         self.assertEqual(os.listdir(self.folder), ["f.txt"])
-
-
-if __name__ == "__main__":
-    command.main()

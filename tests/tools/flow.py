@@ -2,7 +2,6 @@
 """The subcommand flow: what it keeps, conditions, series, and runs that are killed and resumed."""
 import math
 
-import command
 from command import TestCase, golden
 from kills import ended_runs, kills, timed
 from motions import Mesh
@@ -127,7 +126,3 @@ class Flow(TestCase):
         self.succeed(*line)
         for more in (("--viscosity", 0.1), ("--scheme", "imex"), ("--rotation", "z")):
             self.assertSays(self.fail_with(2, *line, *more, "--resume"), "a.checkpoint", "another")
-
-
-if __name__ == "__main__":
-    command.main()

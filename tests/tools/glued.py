@@ -3,7 +3,6 @@
 import math
 import os
 
-import command
 from command import TestCase
 
 TORUS = ("--periodic", "1,0", "--periodic", "0,1")
@@ -97,7 +96,3 @@ class Glued(TestCase):
         answer = self.ask("info", self.square, "--delaunay", *TORUS)
         self.assertIsNone(answer["ambient_dimension"])
         self.assertTrue(any("no positions" in text for text in answer["warnings"]))
-
-
-if __name__ == "__main__":
-    command.main()

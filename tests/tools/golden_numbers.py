@@ -5,7 +5,6 @@ import json
 import math
 import os
 
-import command
 from command import TestCase, golden
 
 # the numbers were computed with it
@@ -199,7 +198,3 @@ class BrokenTwins(TestCase):
         self.assertTrue(compare_spectrum(twin["spectrum1"], answer["eigenvalues"]))
         short = answer["eigenvalues"][:-1]
         self.assertTrue(compare_spectrum(self.wanted["spectrum1"], short))
-
-
-if __name__ == "__main__":
-    command.main()

@@ -134,7 +134,3 @@ class GroupSweep(TestCase):
 
         differ = sum(bool(self.before_and_after(number, stretched)[1]) for number in range(20))
         self.assertGreater(differ, 10)
-
-
-if __name__ == "__main__":
-    command.main()

@@ -2,7 +2,6 @@
 """The subcommand hodge: parts of forms that are known."""
 import math
 
-import command
 from command import TestCase, golden
 from motions import Mesh
 
@@ -83,7 +82,3 @@ class Hodge(TestCase):
         self.assertSays(self.fail_with(2, *ask, "--degree", 3, "--form", "x"), "degree 3",
                         "expected", 0, 2)
         self.fail_with(1, *ask, "--form", "x; ; y")
-
-
-if __name__ == "__main__":
-    command.main()

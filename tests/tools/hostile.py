@@ -4,7 +4,6 @@ import itertools
 import os
 import signal
 
-import command
 from command import TestCase, wait_until
 from motions import nsc
 
@@ -101,7 +100,3 @@ class Moments(TestCase):
             with self.subTest(materials):
                 self.assertSays(self.fail_with(2, *light, "--resume", *materials), "c.checkpoint",
                                 "another")
-
-
-if __name__ == "__main__":
-    command.main()

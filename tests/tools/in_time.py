@@ -340,7 +340,3 @@ class InTime(TestCase):
                 answer["resumed_at"] = whole["resumed_at"]
                 self.assertEqual(answer, whole)
                 self.assertEqual(self.contents("part.pvd"), wanted)
-
-
-if __name__ == "__main__":
-    command.main()

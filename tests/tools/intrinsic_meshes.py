@@ -361,7 +361,3 @@ class Twins(unittest.TestCase):
         self.assertEqual(len(flaws([-1e-12, 1, 2], False)), 1)
         self.assertEqual(len(flaws([0, 0, 2])), 1)
         self.assertEqual(len(flaws([-3, 0, 2])), 1)
-
-
-if __name__ == "__main__":
-    command.main()

@@ -6,7 +6,6 @@ import json
 import math
 import os
 
-import command
 from command import TestCase, golden
 from golden_numbers import Matrix, differs
 from intrinsic_laws import (compare_numbers, count_below, natural_dual_rows, sides_of_edges,
@@ -118,7 +117,3 @@ class GoldenNumbers(TestCase):
         self.assertEqual(spectrum_of_rows_differs(rows, [0, 1, 3]), [])
         self.assertEqual(spectrum_of_rows_differs(rows, [0, 1, 1]), [1])
         self.assertEqual(spectrum_of_rows_differs(rows, [0, 3]), [3])
-
-
-if __name__ == "__main__":
-    command.main()

@@ -140,7 +140,3 @@ class Stl(TestCase):
                 info = self.ask("info", path)
                 self.assertEqual(info["boundary_components"], 0, path)
                 self.assertEqual(info["betti"]["input"][2], 1)
-
-
-if __name__ == "__main__":
-    command.main()

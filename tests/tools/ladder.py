@@ -6,7 +6,6 @@ import os
 import random
 import resource
 
-import command
 from command import TestCase
 from motions import nsc, off, squares
 
@@ -184,7 +183,3 @@ class Ladder(TestCase):
         self.assertGreater(growth, GROWTH)
         self.assertEqual(len(least), 3)
         self.assertLess(worst_growth(lambda n: 1e-3 * n * math.log(n), 100)[0], GROWTH)
-
-
-if __name__ == "__main__":
-    command.main()

@@ -3,7 +3,6 @@
 import math
 import os
 
-import command
 from command import TestCase
 from motions import nsc, squares
 
@@ -123,7 +122,3 @@ class Lengths(TestCase):
         bad = self.write("bad.nsl", "2 3 1 3\n0 1 2\n0 1 1\n0 2 1\n1 2 2.5\n")
         self.assertSays(self.fail_with(2, "info", bad), f"polydec: {bad}: ", "lengths", "2-simplex 0",
                         "0, 1, 2", "inequality", 2.5, "1 + 1")
-
-
-if __name__ == "__main__":
-    command.main()

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """Materials: physical groups that are kept apart, and a conductivity for each of them."""
-import command
 from command import TestCase
 from motions import medit, squares
 
@@ -97,7 +96,3 @@ class Materials(TestCase):
         self.assertSays(said, "conductivity")
         self.fail_with(1, "info", self.halves, "--keep-groups", "--delaunay")
         self.fail_with(1, "poisson", self.halves, "--side", "primal", "--rhs", "group")
-
-
-if __name__ == "__main__":
-    command.main()

@@ -134,7 +134,3 @@ class Mesher(TestCase):
             except OSError:
                 pass
         return found
-
-
-if __name__ == "__main__":
-    command.main()

@@ -2,7 +2,6 @@
 """Messages name the file, can be printed, end soon, and say what was expected."""
 import os
 
-import command
 from command import TestCase, golden
 
 FLAT = "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n"
@@ -110,7 +109,3 @@ class Messages(TestCase):
             self.assertNotIn("\x1b", text)
             if arguments[0] in ("generate", "merge", "operators"):
                 self.assertEqual(self.ask(*arguments)["out"], arguments[-1])
-
-
-if __name__ == "__main__":
-    command.main()

@@ -311,7 +311,3 @@ class OneAnswer(TestCase):
                 if found is not expected:
                     with self.assertRaises(AssertionError):
                         self.compare(found, expected, path)
-
-
-if __name__ == "__main__":
-    command.main()

@@ -198,7 +198,3 @@ class OperatorFiles(TestCase):
         wanted = command.parse(self.succeed("info", golden("uv8.off"), "--json").out)
         self.assertEqual(min(self.vector("star", 1)), wanted["stars"][1]["min"])
         self.assertEqual(max(self.vector("star", 2)), wanted["stars"][2]["max"])
-
-
-if __name__ == "__main__":
-    command.main()

@@ -326,7 +326,3 @@ class Readme(TestCase):
         commands = re.findall(r"^ {1,4}([a-z-]+) ", help_text, re.MULTILINE)
         self.assertGreater(len(commands), 10)
         self.assertEqual(sorted(listed), sorted([*commands, "polydec-mpi"]))
-
-
-if __name__ == "__main__":
-    command.main()

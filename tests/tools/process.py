@@ -144,7 +144,3 @@ class Signals(TestCase):
                            folder=self.folder, preexec_fn=limit)
         self.assertEqual(done.code, -signal.SIGXFSZ)
         self.check_nothing_left()
-
-
-if __name__ == "__main__":
-    command.main()

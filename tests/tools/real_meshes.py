@@ -61,7 +61,3 @@ class RealMeshes(TestCase):
         self.assertIs(answer["certificate"]["complete"], True)
         self.assertTrue(all(value >= -radius for value, radius in
                             zip(answer["eigenvalues"], answer["radii"])))
-
-
-if __name__ == "__main__":
-    command.main()

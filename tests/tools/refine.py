@@ -2,7 +2,6 @@
 """Meshes refined before anything else: the same shape, groups and vertices, shorter edges."""
 import math
 
-import command
 from command import TestCase, golden
 from lengths import flat_torus
 from materials import EXACT, KAPPA, plate
@@ -62,7 +61,3 @@ class Refine(TestCase):
             self.assertSays(self.fail_with(2, "info", golden("grid4.nsc"), "--refine", length), "above 0")
         self.assertSays(self.fail_with(2, "info", golden("grid4.nsc"), "--refine", 1e-9),
                         "would give", "simplices", "1e+08")
-
-
-if __name__ == "__main__":
-    command.main()

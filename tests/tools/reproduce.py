@@ -85,7 +85,3 @@ class Reproduce(TestCase):
         self.assertEqual(outcome.code, 4)
         self.assertTrue(outcome.err.startswith("polydec: "), outcome.err)
         self.assertSays(outcome.err, "create", "folder file: ")
-
-
-if __name__ == "__main__":
-    command.main()

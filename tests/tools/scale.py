@@ -202,7 +202,3 @@ class Scale(TestCase):
                     self.assertLess(parse(info.out)["cells"]["merged"][2], 2000)
                 else:
                     self.assertEqual(info.err, poisson.err)
-
-
-if __name__ == "__main__":
-    command.main()

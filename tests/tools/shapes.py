@@ -3,7 +3,6 @@
 import math
 import os
 
-import command
 from command import TestCase, golden, run
 
 
@@ -109,7 +108,3 @@ class Shapes(TestCase):
             ended = run("spectrum", golden("grid4.nsc"), *words)
             self.assertEqual(ended.code, code, ended.err)
             self.assertSays(ended.err, *said)
-
-
-if __name__ == "__main__":
-    command.main()

@@ -269,7 +269,3 @@ class Flat(Tetrahedra):
             info = self.check_info("a.nsc")
             self.assertAlmostEqual(info["volume"], 2 / 3 + height / 3, delta=1e-13)
             self.assertLess(self.error_of_linear("a.nsc", "primal"), 1e-12)
-
-
-if __name__ == "__main__":
-    command.main()

@@ -121,7 +121,3 @@ class Stars(TestCase):
         advice = self.ask("info", "bcc.nsc")["advice"]
         self.assertEqual([text.rsplit(": ", 1)[1] for text in advice], ["add --star automatic"])
         self.assertGreater(self.ask("spectrum", "bcc.nsc", *ONE_FORMS)["eigenvalues"][0], 0)
-
-
-if __name__ == "__main__":
-    command.main()

@@ -9,7 +9,6 @@ import xml.etree.ElementTree
 import zlib
 from collections import Counter
 
-import command
 from command import TestCase, golden
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -274,7 +273,3 @@ class Films(TestCase):
         self.fake("exit 1")
         self.assertSays(self.fail_with(2, "view", golden("uv8.off"), "-o", "h.mp4", env=self.tools),
                         "h.mp4", "series", ".pvd", ".png")
-
-
-if __name__ == "__main__":
-    command.main()

@@ -380,7 +380,3 @@ class Twins(unittest.TestCase):
         self.assertEqual(differences(first, {"a": [1, {"b": 2.0 + 1e-13}], "c": "x"}), [])
         self.assertEqual(differences(first, {"a": [1, {"b": 2.1}], "c": "x"}), ["/a/1/b"])
         self.assertEqual(differences(first, {"a": [1], "c": "x"}), ["/a"])
-
-
-if __name__ == "__main__":
-    command.main()

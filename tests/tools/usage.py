@@ -2,7 +2,6 @@
 """--help, and what is said of mistyped and missing words."""
 import re
 
-import command
 from command import TestCase, golden
 
 GROUPS = ["Options", "Mesh", "Star", "Boundary", "Time", "Output", "Commands", "Meshes",
@@ -129,7 +128,3 @@ class Misuse(TestCase):
                                   (("hodge", mesh, "--form", "y; x"), 1)):
             answer = self.ask(*arguments)
             self.assertEqual((answer["side"], answer.get("degree")), ("primal", degree))
-
-
-if __name__ == "__main__":
-    command.main()

@@ -237,8 +237,7 @@ class Others(TestCase):
         self.assertEqual(os.listdir(self.folder), [])
 
 
-if __name__ == "__main__":
+def setUpModule():
     if INTERPRETER is None:
         print("no meshio here (Debian: python3-meshio); the laws are checked with the reader of "
               "this test alone", file=sys.stderr)
-    command.main()

@@ -212,7 +212,3 @@ class Twins(TestCase):
         self.write("b.vtu", self.read("a.vtu").replace('NumberOfTuples="1"', 'NumberOfTuples="2"'))
         with self.assertRaises(Broken):
             read_alone(self.path("b.vtu"))
-
-
-if __name__ == "__main__":
-    command.main()

@@ -4,7 +4,6 @@ resumed."""
 import math
 import signal
 
-import command
 from command import TestCase, golden
 from kills import ended_runs, kills, timed
 
@@ -164,7 +163,3 @@ class Waves(TestCase):
             self.assertSays(self.fail_with(2, *wrong, *kept), "a.checkpoint", "another")
         self.fail_with(1, *line, "--degree", 0, "--resume")
         self.fail_with(2, *line, "--degree", 0, "--checkpoint", "a.txt")
-
-
-if __name__ == "__main__":
-    command.main()

@@ -1,15 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Pages without a browser: their numbers are those of the files that the same commands write."""
 import os
-import sys
 import xml.etree.ElementTree
 
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "tools"))
-
-import command  # noqa: E402
-from command import TestCase, golden  # noqa: E402
-from page_file import PageFile  # noqa: E402
-from polyhedra import array_of  # noqa: E402
+from command import TestCase, golden
+from page_file import PageFile
+from polyhedra import array_of
 
 # mesh, side, degree
 SPECTRA = (("uv8.off", "primal", 0), ("uv8.off", "dual", 0), ("torus8x6.off", "primal", 1),
@@ -110,7 +106,3 @@ class Numbers(TestCase):
         begin = begin if begin >= 0 else text.find("</Piece>")
         self.write("b.vtu", f"{text[:begin]}<PointData>{fields}</PointData>{text[begin:]}")
         self.assertLess(self.ask("view", "b.vtu", "-o", "b.html", seconds=200)["bytes"], 12e6)
-
-
-if __name__ == "__main__":
-    command.main()
