@@ -5,7 +5,6 @@
 #include <Eigen/IterativeLinearSolvers>
 
 namespace polydec::test::in_adapt {
-namespace {
 
 /// The broken twin: every solution is wrong in the fourth digit.
 struct WrongLu : DenseLu {
@@ -69,5 +68,4 @@ TEST(adapt, adapted_engines_can_be_registered) {
     EXPECT_EQ(make_linear_solver("mine.registered")->name(), "mine.registered");
 }
 
-} // namespace
 } // namespace polydec::test::in_adapt

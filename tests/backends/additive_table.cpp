@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_additive_table {
-namespace {
 
 /// The largest defect of the conditions of order 1 .. 4 for weights, with each of the parts in
 /// every place: b.1 = 1, b.c = 1/2, b.c^2 = 1/3, b.Ac = 1/6, b.c^3 = 1/4, b.cAc = 1/8, b.Ac^2 =
@@ -64,5 +63,4 @@ TEST(additive_table, a_wrong_coefficient_is_seen) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_additive_table

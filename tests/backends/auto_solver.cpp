@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_auto_solver {
-namespace {
 
 using Names = std::vector<std::string>;
 
@@ -196,5 +195,4 @@ TEST(auto_solver, it_counts_negative_eigenvalues_where_asked) {
     EXPECT_EQ(solver->negative_pivots(), negative_eigenvalues(A));
 }
 
-} // namespace
 } // namespace polydec::test::in_auto_solver

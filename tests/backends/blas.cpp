@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_blas {
-namespace {
 
 TEST(blas, products_are_those_of_eigen_also_of_blocks_and_of_nothing) {
     has_linear_solver("cholmod"); // brings a BLAS where it is there
@@ -67,5 +66,4 @@ TEST(blas, one_that_is_loaded_says_what_it_is) {
     EXPECT_TRUE(blas->integer_bits == 32 || blas->integer_bits == 64);
 }
 
-} // namespace
 } // namespace polydec::test::in_blas

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_block_lanczos {
-namespace {
 
 constexpr Index copies = 7;
 
@@ -113,5 +112,4 @@ TEST(BlockLanczos, refuses_columns_that_are_no_numbers_and_lets_errors_pass) {
     EXPECT_EQ(message_of<InvalidInput>([&] { largest(bad, 3); }), "no");
 }
 
-} // namespace
 } // namespace polydec::test::in_block_lanczos

@@ -7,7 +7,6 @@
 #include <new>
 
 namespace polydec::test::in_checked_solver {
-namespace {
 
 /// Tells whether it was told that the pattern is the same; and leaves a trace of what it was given.
 class Spy final : public CheckedSolver {
@@ -159,5 +158,4 @@ RC_GTEST_PROP(checked_solver, regular_symmetric_systems_are_solved_by_every_engi
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_checked_solver

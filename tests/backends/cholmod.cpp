@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_cholmod {
-namespace {
 
 TEST(cholmod, factors_of_both_kinds_are_held_against_memory_before_they_are_made) {
     const SparseMatrix A = grid_laplacian(100);
@@ -17,5 +16,4 @@ TEST(cholmod, factors_of_both_kinds_are_held_against_memory_before_they_are_made
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_cholmod

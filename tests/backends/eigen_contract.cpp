@@ -5,7 +5,6 @@
 #include <rapidcheck/gtest.h>
 
 namespace polydec::test::in_eigen_contract {
-namespace {
 
 SymmetricOperator by_matrix(const SparseMatrix& A) {
     return {static_cast<Index>(A.rows()), [A](const Vector& x, Vector& y) { y = A * x; }};
@@ -192,5 +191,4 @@ RC_GTEST_PROP(eigen_solver, diagonal_operators_with_repeated_values_give_true_pa
         RC_ASSERT(are_eigenpairs(A, make_eigen_solver(engine)->largest(by_matrix(A), count)));
 }
 
-} // namespace
 } // namespace polydec::test::in_eigen_contract

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 namespace polydec::test::in_engine_module {
-namespace {
 
 TEST(engine_module, a_module_registers_its_engines_once) {
     EXPECT_FALSE(has_linear_solver("module.llt"));
@@ -103,5 +102,4 @@ TEST(engine_module, no_module_is_loaded_where_address_space_is_short) {
     EXPECT_EXIT(load_in_little_space(), testing::ExitedWithCode(0), "");
 }
 
-} // namespace
 } // namespace polydec::test::in_engine_module

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_engine_threads {
-namespace {
 
 int level_limit() {
     const auto get = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "omp_get_max_active_levels"));
@@ -24,5 +23,4 @@ TEST(EngineThreads, one_is_one_for_openmp_too_and_what_was_comes_back) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_engine_threads

@@ -5,7 +5,6 @@
 #include <rapidcheck/gtest.h>
 
 namespace polydec::test::in_inertia {
-namespace {
 
 MatrixFacts counted() {
     MatrixFacts facts = indefinite();
@@ -113,5 +112,4 @@ RC_GTEST_PROP(inertia, sylvester_counts_what_a_dense_eigensolver_counts, ()) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_inertia

@@ -2,7 +2,6 @@
 #include "tests/backends/integrator_contract.h"
 
 namespace polydec::test::in_integrator_contract {
-namespace {
 
 TEST_P(IntegratorContract, fixed_steps_have_the_order_of_the_engine) {
     const auto traits = make()->traits();
@@ -345,5 +344,4 @@ INSTANTIATE_TEST_SUITE_P(engines, IntegratorContract,
                          testing::ValuesIn(names_of_those_that_choose()),
                          [](const auto& engine) { return test_name(engine.param); });
 
-} // namespace
 } // namespace polydec::test::in_integrator_contract

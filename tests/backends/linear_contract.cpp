@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_linear_contract {
-namespace {
 
 /// What every linear engine promises, whichever it is.
 class LinearContract : public testing::TestWithParam<std::string> {
@@ -326,5 +325,4 @@ TEST_P(LinearContract, uncompressed_matrices_are_taken) {
 INSTANTIATE_TEST_SUITE_P(engines, LinearContract, testing::ValuesIn(linear_engine_names()),
                          [](const auto& test) { return test_name(test.param); });
 
-} // namespace
 } // namespace polydec::test::in_linear_contract

@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_orthonormal_basis {
-namespace {
 
 double defect(const DenseMatrix& Q) {
     const DenseMatrix gram = Q.transpose() * Q;
@@ -106,5 +105,4 @@ TEST(OrthonormalBasis, refuses_what_has_no_room_or_is_no_number) {
     EXPECT_THROW(basis.append(nan, 0.0), SolverFailure);
 }
 
-} // namespace
 } // namespace polydec::test::in_orthonormal_basis

@@ -5,7 +5,6 @@
 #include <thread>
 
 namespace polydec::test::in_petsc {
-namespace {
 
 /// What the engines of PETSc promise beyond the contract of all linear engines.
 class Petsc : public testing::TestWithParam<std::string> {
@@ -157,5 +156,4 @@ std::vector<std::string> petsc_engine_names() {
 INSTANTIATE_TEST_SUITE_P(engines, Petsc, testing::ValuesIn(petsc_engine_names()),
                          [](const auto& test) { return test_name(test.param); });
 
-} // namespace
 } // namespace polydec::test::in_petsc

@@ -5,7 +5,6 @@
 #include <thread>
 
 namespace polydec::test::in_registry {
-namespace {
 
 EngineInfo info_of(const std::string& name) {
     for (const auto& engine : engines())
@@ -108,5 +107,4 @@ TEST(registry, threads_may_register_and_make_at_once) {
         4);
 }
 
-} // namespace
 } // namespace polydec::test::in_registry

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_slepc {
-namespace {
 
 /// The smallest eigenvalues of A: the largest of the inverse, which is a solve with that engine.
 Vector smallest_by(const std::string& engine, const SparseMatrix& A, Index count) {
@@ -42,5 +41,4 @@ TEST(slepc, an_engine_that_fails_within_is_heard_and_leaves_slepc_usable) {
                 4.0 * (1.0 - std::cos(EIGEN_PI / 5.0)), 1e-12);
 }
 
-} // namespace
 } // namespace polydec::test::in_slepc

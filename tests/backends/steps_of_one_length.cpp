@@ -2,7 +2,6 @@
 #include "tests/backends/integrator_contract.h"
 
 namespace polydec::test::in_integrator_contract {
-namespace {
 
 /// What engines promise of steps of one length.
 class StepsOfOneLength : public IntegratorContract {};
@@ -63,5 +62,4 @@ INSTANTIATE_TEST_SUITE_P(engines, StepsOfOneLength,
                          testing::Values("runge-kutta", "backward-euler", "implicit-midpoint"),
                          [](const auto& engine) { return test_name(engine.param); });
 
-} // namespace
 } // namespace polydec::test::in_integrator_contract

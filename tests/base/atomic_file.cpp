@@ -10,8 +10,6 @@
 
 namespace polydec::test::in_atomic_file {
 
-namespace {
-
 using Names = std::vector<std::string>;
 
 /// While it lives, no file may grow beyond this size: the same as a full disk.
@@ -35,8 +33,6 @@ private:
     rlimit before_{};
     void (*handler_)(int) = nullptr;
 };
-
-} // namespace
 
 TEST(AtomicFile, AppearsWholeWithItsCommit) {
     const TemporaryFolder folder;

@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_atomic_folder {
 
-namespace {
-
 using Names = std::vector<std::string>;
 
 bool is_ours(std::string_view name) {
@@ -24,8 +22,6 @@ void make(const std::filesystem::path& target, const std::string& name, const st
     write(folder.path() / name, text);
     folder.commit();
 }
-
-} // namespace
 
 TEST(AtomicFolder, AppearsWholeWithItsCommit) {
     const TemporaryFolder place;

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_block_matrix {
-namespace {
 
 /// A matrix with about half of its entries 0.
 SparseMatrix half_full(Index rows, Index cols, unsigned seed) {
@@ -40,5 +39,4 @@ TEST(block_matrix, has_its_blocks_with_the_entries_of_rows_in_order) {
     EXPECT_NE(DenseMatrix(block_matrix(A, -B, D)), dense(A, B, D));
 }
 
-} // namespace
 } // namespace polydec::test::in_block_matrix

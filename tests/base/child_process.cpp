@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 namespace polydec::test::in_child_process {
-namespace {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
@@ -190,5 +189,4 @@ TEST(TemporaryFolder, it_is_private_and_goes_with_all_that_is_in_it) {
     EXPECT_FALSE(fs::exists(path));
 }
 
-} // namespace
 } // namespace polydec::test::in_child_process

@@ -4,15 +4,11 @@
 
 namespace polydec::test::in_memory {
 
-namespace {
-
 namespace fs = std::filesystem;
 
 std::string refusal(double bytes) {
     return message_of<IoError>([&] { check_memory(bytes, "a thing"); });
 }
-
-} // namespace
 
 TEST(MemoryLimit, is_the_least_of_the_control_groups_around_the_process) {
     std::string name = (fs::temp_directory_path() / "groups-XXXXXX").string();

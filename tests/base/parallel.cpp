@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_parallel {
-namespace {
 
 TEST(parallel, parts_make_up_the_whole_once) {
     for (const Index count : {0, 1, 6, 7, 8, 1000})
@@ -48,5 +47,4 @@ TEST(parallel, parts_may_have_parts) {
     EXPECT_EQ(visits, std::vector<int>(1000, 1));
 }
 
-} // namespace
 } // namespace polydec::test::in_parallel

@@ -3,8 +3,6 @@
 
 namespace polydec::test::in_random {
 
-namespace {
-
 // The 10000th number of either engine with its usual seed: C++20, [rand.predef].
 TEST(random, numbers_are_those_of_the_standard_on_every_machine) {
     Vector noise(10000);
@@ -26,7 +24,5 @@ TEST(random, columns_are_filled_one_behind_the_other) {
     Noise(2).fill(together);
     EXPECT_NE(Vector(columns.reshaped()), together);
 }
-
-} // namespace
 
 } // namespace polydec::test::in_random

@@ -5,8 +5,6 @@
 
 namespace polydec::test::in_row_sum_norm {
 
-namespace {
-
 SparseMatrix example(std::uint32_t seed) {
     DenseMatrix A(5, 7);
     Noise(seed).fill(A.reshaped());
@@ -37,7 +35,5 @@ TEST(row_sum_norm, is_the_most_that_a_vector_of_size_one_grows) {
 TEST(row_sum_norm, of_the_transposed_matrix_is_another_one) {
     EXPECT_NE(row_sum_norm(example(1)), row_sum_norm(example(1).transpose()));
 }
-
-} // namespace
 
 } // namespace polydec::test::in_row_sum_norm

@@ -4,7 +4,6 @@
 #include <complex>
 
 namespace polydec::test::in_types {
-namespace {
 
 double sum(const Vector& values) {
     return values.sum();
@@ -93,5 +92,4 @@ TEST(checks, say_what_is_asked_for_and_what_there_is) {
     EXPECT_REFUSED(check_as_many("labels", 3, 4), "3 labels", "4");
 }
 
-} // namespace
 } // namespace polydec::test::in_types

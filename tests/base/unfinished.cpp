@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 namespace polydec::test::in_unfinished {
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -146,5 +145,4 @@ TEST_F(unfinished, a_path_that_is_too_long_is_not_noted) {
     EXPECT_EQ(errno, ENAMETOOLONG);
 }
 
-} // namespace
 } // namespace polydec::test::in_unfinished

@@ -7,7 +7,6 @@
 #include <rapidcheck.h>
 
 namespace polydec::test::in_blocks {
-namespace {
 
 const Straightness always = [](int, Index, Index, Index) { return true; };
 
@@ -225,5 +224,4 @@ TEST(Unmerged, leaves_every_simplex_a_cell) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_blocks

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_cell_complex {
-namespace {
 
 IncidenceMatrix incidences(const std::vector<std::vector<int>>& rows, Index columns) {
     IncidenceMatrix D(static_cast<Index>(rows.size()), columns);
@@ -90,5 +89,4 @@ TEST(SimplicialComplex, counts_used_vertices_alone) {
     EXPECT_EQ(K.vertex_numbers(2, 0), (std::vector<Index>{2, 7, 100}));
 }
 
-} // namespace
 } // namespace polydec::test::in_cell_complex

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_corners {
-namespace {
 
 class Polygons : public OverMeshes {};
 
@@ -182,5 +181,4 @@ TEST(Spike, has_an_edge_with_two_cofaces_and_no_coefficient) {
     EXPECT_EQ(found, 1);
 }
 
-} // namespace
 } // namespace polydec::test::in_corners

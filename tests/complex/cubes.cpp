@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_cubes {
-namespace {
 
 using Box = std::vector<std::pair<Index, Index>>; // by axis: least and largest coordinate
 
@@ -152,5 +151,4 @@ TEST(CubicalTori, have_as_many_cubes_of_each_degree_as_binomials_say) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_cubes

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_glued_surface {
-namespace {
 
 using Betti = std::vector<Index>;
 using Triangles = std::vector<std::array<GluedSurface::SignedEdge, 3>>;
@@ -174,5 +173,4 @@ TEST(GluedTriangles, are_refused_by_number) {
     EXPECT_REFUSED(GluedSurface(merged("branching").K()), "3 triangles", "edge", "vertex 0", "1");
 }
 
-} // namespace
 } // namespace polydec::test::in_glued_surface

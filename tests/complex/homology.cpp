@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_homology {
-namespace {
 
 /// K, P and P relative to its boundary.
 std::vector<CellComplex> complexes(const Merged& mesh) {
@@ -192,5 +191,4 @@ TEST(RelativeComplexes, refuse_a_set_that_is_not_open) {
     EXPECT_REFUSED(relative_complex(P, closed, marks), "1-cell", "open set");
 }
 
-} // namespace
 } // namespace polydec::test::in_homology

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_laws {
-namespace {
 
 class Complexes : public OverMeshes {};
 
@@ -191,5 +190,4 @@ TEST_P(Complexes, boundary_is_the_transposed_coboundary) {
 
 POLYDEC_OVER_MESHES(Complexes);
 
-} // namespace
 } // namespace polydec::test::in_laws

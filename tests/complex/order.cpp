@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_order_file {
-namespace {
 
 class Orders : public testing::TestWithParam<std::string> {
 protected:
@@ -97,5 +96,4 @@ TEST_P(Orders, of_vertices_rename_the_simplices_and_change_nothing_else) {
 
 POLYDEC_OVER_MESHES(Orders);
 
-} // namespace
 } // namespace polydec::test::in_order_file

@@ -4,7 +4,6 @@
 #include <rapidcheck.h>
 
 namespace polydec::test::in_orientation {
-namespace {
 
 /// Turns cell s.
 void turn(Mesh& mesh, Index s) {
@@ -119,5 +118,4 @@ TEST(Orientation, knows_the_rows_of_the_input) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_orientation

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_pieces {
-namespace {
 
 std::vector<Index> ascending(Index size) {
     std::vector<Index> numbers(static_cast<std::size_t>(size));
@@ -139,5 +138,4 @@ TEST(PiecesAre, refused_by_name_where_their_tables_do_not_fit) {
     EXPECT_SAYS(glue(ends, Simplices{{1, 2, 0}}, {}), "0 orientations", "1");
 }
 
-} // namespace
 } // namespace polydec::test::in_pieces

@@ -5,8 +5,6 @@
 
 namespace polydec::test::in_size_estimate {
 
-namespace {
-
 SizeEstimate size_of(const SimplicialComplex& complex) {
     SizeEstimate size;
     for (int k = 0; k <= complex.dimension(); ++k) {
@@ -24,8 +22,6 @@ Simplices apart(int n, Index count) {
             tops(i, j) = i * (n + 1) + j;
     return tops;
 }
-
-} // namespace
 
 TEST(SizeEstimate, is_exact_for_simplices_that_meet_nowhere) {
     for (int n = 1; n <= 10; ++n)

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_topology {
-namespace {
 
 struct Shape {
     std::string name;
@@ -195,5 +194,4 @@ TEST(Loops, can_be_told_by_hand) {
                    "0-cell 0");
 }
 
-} // namespace
 } // namespace polydec::test::in_topology

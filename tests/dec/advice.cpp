@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_advice {
-namespace {
 
 std::vector<std::string> advice(const Mesh& mesh, DiscretizeOptions options = {},
                                 StarKind star = StarKind::circumcentric) {
@@ -74,5 +73,4 @@ TEST(Advice, gives_options_that_discretize_takes) {
         }
 }
 
-} // namespace
 } // namespace polydec::test::in_advice

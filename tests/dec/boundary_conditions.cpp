@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_boundary_conditions {
-namespace {
 
 class RobinCoefficients : public OverMeshes {};
 
@@ -228,5 +227,4 @@ TEST(BranchingCells, have_no_dual_functions) {
     EXPECT_EQ(ask(Side::primal, 2), "accepted");
 }
 
-} // namespace
 } // namespace polydec::test::in_boundary_conditions

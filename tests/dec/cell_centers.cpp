@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_cell_centers {
-namespace {
 
 class CellCenters : public OverMeshes {
 protected:
@@ -80,5 +79,4 @@ TEST(CellCentersBroken, means_of_vertices_are_no_circumcenters) {
     EXPECT_GT(most, 0.1);
 }
 
-} // namespace
 } // namespace polydec::test::in_cell_centers

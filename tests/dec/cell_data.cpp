@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_cell_data {
-namespace {
 
 /// What each n-cell has, by the names of its vertices.
 using ByCorners = std::map<std::vector<Index>, double>;
@@ -150,5 +149,4 @@ TEST(DataOfCells, that_differ_within_a_cell_are_refused_by_both) {
     EXPECT_REFUSED(material_star(mesh, tensors), "cells 0 and 1", "merged");
 }
 
-} // namespace
 } // namespace polydec::test::in_cell_data

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_cell_volumes {
-namespace {
 
 std::vector<Vector> three_degrees(Index size) {
     return std::vector<Vector>(3, Vector::Ones(size));
@@ -127,5 +126,4 @@ TEST(TermsBroken, are_larger_where_something_cancels) {
               1e-2 * volumes.terms(1).vector().maxCoeff());
 }
 
-} // namespace
 } // namespace polydec::test::in_cell_volumes

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_centers {
-namespace {
 
 /// The circumcenters' coordinates, as one's own.
 Centers given_circumcenters(const Pieces& K, const Points& points) {
@@ -132,5 +131,4 @@ TEST(CentersOfOnesOwn, are_refused_by_name_where_they_are_none) {
     EXPECT_SAYS(refused({vertices, triangles}), "3 coordinates", "center", "1-simplex", "2");
 }
 
-} // namespace
 } // namespace polydec::test::in_centers

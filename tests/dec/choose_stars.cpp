@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_choose_stars {
-namespace {
 
 constexpr double rounding = 1e-10;
 constexpr std::array consistent{StarKind::galerkin, StarKind::hybrid, StarKind::automatic};
@@ -340,5 +339,4 @@ TEST(ChosenStars, automatic_ones_are_circumcentric_where_these_are_positive) {
     EXPECT_THROW(tets.with_stars(StarKind::hybrid).chosen_stars(), InvalidInput);
 }
 
-} // namespace
 } // namespace polydec::test::in_choose_stars

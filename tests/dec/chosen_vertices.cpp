@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_chosen_vertices {
-namespace {
 
 /// A square of four triangles with facets of two groups, of which one lies inside.
 Mesh grouped_square() {
@@ -31,5 +30,4 @@ TEST(ChosenVertices, are_those_of_a_group_and_the_boundary) {
     EXPECT_REFUSED(boundary_vertices(discretize(icosphere(1))), "boundary");
 }
 
-} // namespace
 } // namespace polydec::test::in_chosen_vertices

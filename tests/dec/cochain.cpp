@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_cochain {
-namespace {
 
 class Cochains : public OverMeshes {
 protected:
@@ -221,5 +220,4 @@ TEST(Cochains, of_the_ends_of_the_tower_are_empty) {
     EXPECT_EQ(boundary(P, {Side::primal, 0, Vector::Zero(25)}).degree, -1);
 }
 
-} // namespace
 } // namespace polydec::test::in_cochain

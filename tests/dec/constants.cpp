@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_constants {
-namespace {
 
 /// Constant forms on flat meshes, obtuse ones included: the star takes the exact integrals over
 /// primal cells to the exact integrals over dual cells, so the codifferential vanishes inside.
@@ -68,5 +67,4 @@ TEST(ConstantFormsBroken, stars_without_sign_give_them_a_codifferential) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_constants

@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_de_rham {
-namespace {
 
 /// A random k-form on R^N whose coefficients are c + b.x + (l.x)^2 + (m.x)^3, and its derivative.
 class CubicForm {
@@ -347,5 +346,4 @@ TEST(DeRhamRefuses, what_is_no_form) {
     EXPECT_REFUSED(de_rham(mesh.input(), Points::Zero(3, 2), 1, two), "3 points", "25 vertices");
 }
 
-} // namespace
 } // namespace polydec::test::in_de_rham

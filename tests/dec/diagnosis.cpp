@@ -3,7 +3,7 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_diagnosis {
-namespace {
+
 FacetKinds kinds(const Mesh& mesh) {
     const auto bundle = circumcentric(mesh);
     return facet_kinds(bundle.input_geometry(), bundle.options());
@@ -301,5 +301,4 @@ TEST_P(DiagnosisOf, finds_nothing_spoiled_by_stars_that_are_positive) {
 
 POLYDEC_OVER_MESHES(DiagnosisOf);
 
-} // namespace
 } // namespace polydec::test::in_diagnosis

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_discretization {
-namespace {
 
 class Discretizations : public OverMeshes {};
 
@@ -174,5 +173,4 @@ TEST(DiscretizationOfParts, refuses_points_and_lengths_of_another_mesh) {
                 "9 volumes", "0-cells", "12");
 }
 
-} // namespace
 } // namespace polydec::test::in_discretization

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_dual_wedge {
-namespace {
 
 constexpr double rounding = 1e-11;
 
@@ -188,5 +187,4 @@ TEST(DualWedgeErrors, name_the_forms_and_the_zeros_of_the_star) {
                 "2, 5, 8, 11, 15");
 }
 
-} // namespace
 } // namespace polydec::test::in_dual_wedge

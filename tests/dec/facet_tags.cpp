@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_facet_tags {
-namespace {
 
 const DiscretizeOptions apart{.tolerance = tolerance, .materials = Materials::keep_apart};
 const DiscretizeOptions unmerged_cells{.criterion = MergeCriterion::none};
@@ -262,5 +261,4 @@ TEST(FacetTags, are_one_for_each_simplex) {
     EXPECT_REFUSED(merged_tags(mesh.merging(), 1, {1, 2}, warnings), "2 tags", "5");
 }
 
-} // namespace
 } // namespace polydec::test::in_facet_tags

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_flat {
-namespace {
 
 constexpr double rounding = 1e-12;
 const std::vector<Flat> primal_kinds = {Flat::ppp, Flat::pdp, Flat::dpp};
@@ -195,5 +194,4 @@ TEST(FlatsRefuse, fields_of_the_wrong_shape_and_what_is_not_finite) {
     EXPECT_THROW(flat(sparse, Flat::ppp, DenseMatrix::Ones(rows + unused, 2)), InvalidInput);
 }
 
-} // namespace
 } // namespace polydec::test::in_flat

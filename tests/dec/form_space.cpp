@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_form_space {
-namespace {
 
 /// Essential, natural, and both: on every second facet.
 std::vector<BoundaryConditions> conditions_on(const CellComplex& complex) {
@@ -138,5 +137,4 @@ TEST(FormSpace, refuses_forms_and_conditions_of_others) {
     EXPECT_REFUSED(FormSpace::vanishing_on(mesh, Side::primal, 0, open).size(), "1-cell", "0-cell");
 }
 
-} // namespace
 } // namespace polydec::test::in_form_space

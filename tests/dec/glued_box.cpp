@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_glued_box {
-namespace {
 
 using std::numbers::pi;
 
@@ -312,5 +311,4 @@ TEST(GluedBox, is_not_known_after_flips) {
     EXPECT_SAYS(mesh.warnings().front(), "glued", "flipped", "no positions");
 }
 
-} // namespace
 } // namespace polydec::test::in_glued_box

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_golden {
-namespace {
 
 const Json& expected() {
     static const Json numbers = golden_numbers("expected.json");
@@ -125,5 +124,4 @@ TEST(GoldenNumbers, tell_an_error_of_1e_7) {
     EXPECT_FALSE(is_golden(1, std::numeric_limits<double>::quiet_NaN()));
 }
 
-} // namespace
 } // namespace polydec::test::in_golden

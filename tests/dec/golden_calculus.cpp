@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_golden_calculus {
-namespace {
 
 class GoldenCalculus : public OverGoldenForms {
 protected:
@@ -58,5 +57,4 @@ TEST_P(GoldenCalculus, stars_by_vertices) {
 
 POLYDEC_OVER_GOLDEN_FORMS(GoldenCalculus);
 
-} // namespace
 } // namespace polydec::test::in_golden_calculus

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_golden_products {
-namespace {
 
 class GoldenProducts : public OverGoldenForms {
 protected:
@@ -42,5 +41,4 @@ TEST_P(GoldenProducts, of_the_test_forms) {
 
 POLYDEC_OVER_GOLDEN_FORMS(GoldenProducts);
 
-} // namespace
 } // namespace polydec::test::in_golden_products

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_guards {
-namespace {
 
 /// Fine meshes under tolerances of angles so large that chains of almost concyclic pairs close
 /// around a pole or a tube. By dual length, heights forbid it.
@@ -99,5 +98,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Accident{"thin_torus", torus(100, 6), 0.4, {1, 2, 1}}),
     [](const auto& instance) { return instance.param.name; });
 
-} // namespace
 } // namespace polydec::test::in_guards

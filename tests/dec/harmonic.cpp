@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_harmonic {
-namespace {
 
 class HarmonicForms : public OverMeshes {};
 
@@ -51,5 +50,4 @@ TEST(HarmonicFormsBroken, one_coefficient_of_d_less_changes_their_number) {
     EXPECT_NE((lambda.array() <= 1e-9 * lambda.maxCoeff()).count(), 2);
 }
 
-} // namespace
 } // namespace polydec::test::in_harmonic

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_inflow {
-namespace {
 
 /// Of functions, by a field that flows in and out wherever it likes.
 class Inflow : public OverMeshes {
@@ -188,5 +187,4 @@ TEST(InflowBroken, by_the_nearest_simplex_grows) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_inflow

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_input_units {
-namespace {
 
 /// One whose coefficients change over a length.
 SmoothForm any_smooth_form(const Discretization& mesh, double size, int k) {
@@ -169,5 +168,4 @@ TEST(InputUnits, are_those_of_the_stiffness_wherever_double_precision_holds_it) 
     EXPECT_GT(refused, 8);
 }
 
-} // namespace
 } // namespace polydec::test::in_input_units

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_input_vertices {
-namespace {
 
 /// The mesh with a vertex that no cell uses in front of each third one, and behind the last.
 Mesh with_unused_vertices(const Mesh& mesh) {
@@ -55,5 +54,4 @@ TEST(Vertices, that_splits_make_are_behind_those_of_the_input) {
     EXPECT_EQ(vertices.back() + 1, count_vertices(mesh));
 }
 
-} // namespace
 } // namespace polydec::test::in_input_vertices

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_interior_product {
-namespace {
 
 constexpr double rounding = 1e-11;
 
@@ -356,5 +355,4 @@ TEST(InteriorProductErrors, name_the_shape_the_vertex_and_the_degree) {
     EXPECT_SAYS(call(1), "vector field", "7 x 2", "25 x 2", "point");
 }
 
-} // namespace
 } // namespace polydec::test::in_interior_product

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_interior_product_convergence {
-namespace {
 
 /// A smooth k-form and a smooth vector field of R^N.
 Vector smooth_form(const Vector& x, int k) {
@@ -79,5 +78,4 @@ TEST(InteriorProductConvergence, is_of_first_order_and_centered_of_second_where_
             }
 }
 
-} // namespace
 } // namespace polydec::test::in_interior_product_convergence

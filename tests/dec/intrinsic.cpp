@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_intrinsic {
-namespace {
 
 constexpr double rounding = 1e-12;
 
@@ -295,5 +294,4 @@ TEST(IntrinsicDelaunay, forms_of_another_size_or_degree_are_refused) {
                    "delaunay");
 }
 
-} // namespace
 } // namespace polydec::test::in_intrinsic

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_invariance {
-namespace {
 
 /// The cells of each degree by their vertices, sorted.
 std::vector<std::vector<std::vector<Index>>> shape(const Discretization& mesh) {
@@ -175,5 +174,4 @@ TEST(HybridStars, do_not_depend_on_the_side_to_which_a_right_angle_is_rounded) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_invariance

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_layers {
-namespace {
 
 /// Cells of a grid of m boxes along each of n axes.
 std::vector<Index> sizes_of_boxes(int n, Index m) {
@@ -106,5 +105,4 @@ TEST(BoundaryFacets, have_no_dual_opposite_to_a_right_angle) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_layers

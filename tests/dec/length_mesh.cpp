@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_length_mesh {
-namespace {
 
 class LengthMeshes : public OverMeshes {
 protected:
@@ -134,5 +133,4 @@ TEST(LengthMesh, says_what_needs_points) {
     EXPECT_EQ(cell_centers(mesh, 2).cols(), 0);
 }
 
-} // namespace
 } // namespace polydec::test::in_length_mesh

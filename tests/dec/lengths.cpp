@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_lengths {
-namespace {
 
 class Lengths : public OverMeshes {
 protected:
@@ -324,5 +323,4 @@ TEST(LengthsOf, another_complex_are_refused) {
                    std::to_string(other.K().size(1)), "edges");
 }
 
-} // namespace
 } // namespace polydec::test::in_lengths

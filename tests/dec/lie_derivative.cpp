@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_lie_derivative {
-namespace {
 
 constexpr double rounding = 1e-11;
 
@@ -105,5 +104,4 @@ TEST(LieDerivativeErrors, name_the_kind_of_form_and_the_degree) {
                    "point");
 }
 
-} // namespace
 } // namespace polydec::test::in_lie_derivative

@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_lift {
-namespace {
 
 class Lifts : public OverMeshes {
 protected:
@@ -182,5 +181,4 @@ TEST(LiftsOfGiants, are_refused_where_they_would_take_minutes) {
     mesh.with_stars(StarKind::circumcentric).chosen_stars(); // which lifts nothing
 }
 
-} // namespace
 } // namespace polydec::test::in_lift

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_material_stars {
-namespace {
 
 TEST(MaterialStars, of_1_are_those_of_galerkin) {
     for (const char* title : {"obtuse_planar", "hex4", "kuhn3", "split_cubes", "segments4"}) {
@@ -108,5 +107,4 @@ TEST(Materials, multiply_diagonal_stars_of_ones_own_and_refuse_matrices) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_material_stars

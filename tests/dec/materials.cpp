@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_materials {
-namespace {
 
 const DiscretizeOptions apart{.tolerance = tolerance, .materials = Materials::keep_apart};
 
@@ -99,5 +98,4 @@ TEST(KeptFacets, are_given_by_as_many_entries_as_facets) {
                    "facets", "16");
 }
 
-} // namespace
 } // namespace polydec::test::in_materials

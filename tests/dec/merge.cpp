@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_merge {
-namespace {
 
 class Merges : public OverMeshes {};
 
@@ -191,5 +190,4 @@ TEST(MergeTolerance, of_zero_still_merges_what_is_exact_to_rounding) {
     EXPECT_EQ(make_merged(kuhn(3, 3), {MergeCriterion::dual_length, 0}).P().size(3), 27);
 }
 
-} // namespace
 } // namespace polydec::test::in_merge

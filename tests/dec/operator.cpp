@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_operator {
-namespace {
 
 /// That what an operator does to values is the product with its matrix, and so is its diagonal, and
 /// that this can be told from another one.
@@ -119,5 +118,4 @@ TEST(OperatorsByStars, have_a_matrix_and_a_diagonal_where_no_matrix_is_inverted)
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_operator

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_operators {
-namespace {
 
 class Operators : public OverMeshes {};
 
@@ -203,5 +202,4 @@ TEST(OperatorErrors, come_where_a_star_must_be_inverted_that_is_zero) {
     EXPECT_NO_THROW(laplacian({mesh.P(), mesh.volumes}, 0));
 }
 
-} // namespace
 } // namespace polydec::test::in_operators

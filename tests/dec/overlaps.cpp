@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_overlaps {
-namespace {
 
 using Cells = std::vector<Index>;
 
@@ -173,5 +172,4 @@ TEST(Discretize, tells_of_folds_and_windings) {
                      {"folded", "1 of 2 cells", "vertices 1 2"});
 }
 
-} // namespace
 } // namespace polydec::test::in_overlaps

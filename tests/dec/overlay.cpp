@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_overlay {
-namespace {
 
 class Overlays : public testing::TestWithParam<std::string> {
 protected:
@@ -96,5 +95,4 @@ TEST(Overlay, is_refused_without_flips) {
     EXPECT_REFUSED(overlay(mesh.passage(), mesh.points()), "overlay", "flipped", "delaunay");
 }
 
-} // namespace
 } // namespace polydec::test::in_overlay

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_passage {
-namespace {
 
 constexpr double rounding = 1e-11;
 
@@ -220,5 +219,4 @@ INSTANTIATE_TEST_SUITE_P(Family, AfterFlips,
                                                           Delaunay::flips_and_splits)),
                          with_delaunay);
 
-} // namespace
 } // namespace polydec::test::in_passage

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_passage_fields {
-namespace {
 
 constexpr double rounding = 1e-9;
 constexpr std::array primal_kinds{Flat::ppp, Flat::pdp, Flat::dpp};
@@ -314,5 +313,4 @@ TEST(OnATwistedSphereBroken, with_the_other_sign_nothing_converges) {
     EXPECT_LT(order([](const auto& mesh) { return error_of_star(mesh, 1); }), 0.1);
 }
 
-} // namespace
 } // namespace polydec::test::in_passage_fields

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_primal_dual_wedge {
-namespace {
 
 constexpr double rounding = 1e-12;
 
@@ -82,5 +81,4 @@ TEST(PrimalDualWedgeErrors, name_both_forms) {
     EXPECT_REFUSED(primal_dual_wedge(P, dual, one), "primal-dual", "dual 1-form", "primal 1-form");
 }
 
-} // namespace
 } // namespace polydec::test::in_primal_dual_wedge

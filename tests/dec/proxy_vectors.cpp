@@ -3,8 +3,6 @@
 
 namespace polydec::test::in_proxy_vectors {
 
-namespace {
-
 Discretization scaled(Mesh mesh, double scale) {
     mesh.points *= scale;
     return discretize(std::move(mesh));
@@ -14,8 +12,6 @@ std::vector<Discretization> flat_meshes(double scale) {
     return {scaled(grid(3, 2), scale), scaled(well_centered(3), scale),
             scaled(kuhn({2, 2, 1}), scale), scaled(kuhn(4, 1), scale)};
 }
-
-} // namespace
 
 TEST(ProxyVectors, OfConstantFieldsAreThatFieldForFormsOfAllKinds) {
     for (const double scale : {1.0, std::ldexp(1.0, -60)})

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_quadrature {
-namespace {
 
 /// Largest error of the rule among the monomials of this total degree in barycentric coordinates,
 /// which span all polynomials up to it. Their means are k! prod a_i! / (k + sum a_i)!.
@@ -75,5 +74,4 @@ TEST(Quadrature, refuses_negative_numbers) {
     EXPECT_THROW(grundmann_moeller(2, -1), InvalidInput);
 }
 
-} // namespace
 } // namespace polydec::test::in_quadrature

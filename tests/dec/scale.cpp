@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_scale {
-namespace {
 
 /// 1e-150 .. 1e150 as even powers of two, and two that need no other unit.
 constexpr int exponents[] = {-500, -332, -26, 26, 332, 500};
@@ -147,5 +146,4 @@ TEST(MixedSizes, are_right_or_refused_by_name) {
                    "volume", "1e-150");
 }
 
-} // namespace
 } // namespace polydec::test::in_scale

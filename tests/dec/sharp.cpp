@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_sharp {
-namespace {
 
 constexpr double rounding = 1e-12;
 
@@ -324,5 +323,4 @@ TEST(SharpsRefuse, other_forms) {
     EXPECT_THROW(flux_sharp(mesh, {Side::primal, 1, Vector::Ones(3)}), InvalidInput);
 }
 
-} // namespace
 } // namespace polydec::test::in_sharp

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_sharp_orders {
-namespace {
 
 double f(const Vector& x) {
     return std::sin(3 * x[0] + x[1]) * std::cos(2 * x[1]) + x[0] * x[0] * x[1];
@@ -79,5 +78,4 @@ TEST(SharpsBroken, attached_to_circumcenters_have_larger_errors) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_sharp_orders

@@ -6,7 +6,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_sliver_spectra {
-namespace {
 
 constexpr int m = 3;
 constexpr std::array jitters{0.0, 1e-12, 1e-8, 1e-5, 3e-5};
@@ -72,5 +71,4 @@ TEST(SpectraOfSliversBroken, by_jitter_above_the_tolerance_are_others) {
     EXPECT_GT(relative_error(exact_eigenvalues(1).array() + 1e-2, exact_eigenvalues(1)), 1e-3);
 }
 
-} // namespace
 } // namespace polydec::test::in_sliver_spectra

@@ -7,7 +7,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_slivers {
-namespace {
 
 using Sizes = std::vector<Index>;
 
@@ -251,5 +250,4 @@ TEST(FlatSimplices, near_the_tolerance_are_told) {
     EXPECT_TRUE(told);
 }
 
-} // namespace
 } // namespace polydec::test::in_slivers

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_star {
-namespace {
 
 class Stars : public OverMeshes {};
 
@@ -177,5 +176,4 @@ TEST(StarErrors, negative_stars_are_counted_where_they_are) {
     EXPECT_FALSE(star(merged("obtuse_planar").volumes, 1).negatives().empty());
 }
 
-} // namespace
 } // namespace polydec::test::in_star

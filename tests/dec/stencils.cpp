@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_stencils {
-namespace {
 
 /// Kuhn grids of 4^n cubes.
 class Stencils : public testing::TestWithParam<int> {
@@ -66,5 +65,4 @@ TEST(StencilsOfCubes, have_positive_stars_in_five_dimensions) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_stencils

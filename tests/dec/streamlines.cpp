@@ -3,8 +3,6 @@
 
 namespace polydec::test::in_streamlines {
 
-namespace {
-
 std::vector<Mesh> flat_meshes() {
     return {grid(9, 7), hexagons(6), well_centered(4), kuhn(3, 4), bcc(3), fcc(2)};
 }
@@ -58,8 +56,6 @@ double drift(int cells) {
     EXPECT_GT(worst, 0);
     return worst;
 }
-
-} // namespace
 
 TEST(Streamlines, DoNotDependOnTheUnitOfTheVectors) {
     for (const Mesh& input : flat_meshes()) {

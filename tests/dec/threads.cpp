@@ -5,7 +5,6 @@
 #include <dlfcn.h>
 
 namespace polydec::test::in_threads {
-namespace {
 
 /// All that several threads work on, for one mesh.
 struct Results {
@@ -88,5 +87,4 @@ TEST(threads, another_mesh_has_other_bits) {
     EXPECT_FALSE(same_bits(a.applied, b.applied));
 }
 
-} // namespace
 } // namespace polydec::test::in_threads

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_transfer {
-namespace {
 
 class Transfers : public OverMeshes {
 protected:
@@ -178,5 +177,4 @@ TEST(TransferErrors, name_what_does_not_fit) {
                    "dual 0-forms", "dual 1-forms", "4 x 1", "3 x 3");
 }
 
-} // namespace
 } // namespace polydec::test::in_transfer

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_volumes {
-namespace {
 
 class Volumes : public OverMeshes {};
 
@@ -227,5 +226,4 @@ TEST(VolumesOf, cells_without_place_are_refused) {
                 "coordinate", "finite");
 }
 
-} // namespace
 } // namespace polydec::test::in_volumes

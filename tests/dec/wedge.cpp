@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_wedge {
-namespace {
 
 constexpr double rounding = 1e-12;
 
@@ -308,5 +307,4 @@ TEST(WedgeErrors, name_the_degrees_and_the_product_to_take) {
     EXPECT_REFUSED(wedge(mesh.K(), one, one), "primal 1-form", "40 values", "56 1-cells");
 }
 
-} // namespace
 } // namespace polydec::test::in_wedge

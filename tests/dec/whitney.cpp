@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_whitney {
-namespace {
 
 /// One m-simplex at random in R^N, and its mass matrix of Whitney j-forms.
 struct Simplex {
@@ -114,5 +113,4 @@ TEST(Subsets, are_all_and_in_lexicographic_order) {
     EXPECT_TRUE(subsets(2, 3).empty());
 }
 
-} // namespace
 } // namespace polydec::test::in_whitney

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_whitney_interpolation {
-namespace {
 
 class WhitneyInterpolation : public OverMeshes {
 protected:
@@ -180,5 +179,4 @@ TEST(WhitneyInterpolationRefuses, what_it_cannot_place) {
                  InvalidInput);
 }
 
-} // namespace
 } // namespace polydec::test::in_whitney_interpolation

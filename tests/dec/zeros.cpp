@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_zeros {
-namespace {
 
 /// The facets that merging removes: in these meshes, those whose dual is zero.
 std::vector<Index> removed_facets(const Discretization& mesh) {
@@ -108,5 +107,4 @@ TEST(Circumspheres, answer_for_no_other_simplex) {
     EXPECT_REFUSED(Circumsphere().radius(), expected);
 }
 
-} // namespace
 } // namespace polydec::test::in_zeros

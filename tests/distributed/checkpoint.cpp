@@ -8,8 +8,6 @@
 
 namespace polydec::test::in_checkpoint {
 
-namespace {
-
 /// A number that tells of which cell it is, to the last bit.
 double value_of(int degree, GlobalIndex number) {
     return std::sin(1.0 + 10 * degree + static_cast<double>(number));
@@ -25,8 +23,6 @@ SharedCheckpoint state_of(const DistributedCells& cells) {
     }
     return checkpoint;
 }
-
-} // namespace
 
 TEST(SharedCheckpoints, have_the_bytes_of_one_process_and_come_back_on_any_ranks) {
     const auto ranks = Ranks::all();

@@ -14,8 +14,6 @@
 
 namespace polydec::test::in_faults {
 
-namespace {
-
 /// What a way ends with: an error's text, or nothing.
 template <class Way>
 std::string text_of_error(Way way) {
@@ -254,7 +252,5 @@ TEST(Faults, of_the_mesh_are_named_by_the_numbers_of_the_file) {
     mesh.points(21, 1) = std::nan("");
     expect_everywhere(ranks, {"vertex 21", "coordinate", "finite"}, refused(mesh));
 }
-
-} // namespace
 
 } // namespace polydec::test::in_faults

@@ -8,8 +8,6 @@
 
 namespace polydec::test::in_local_complex {
 
-namespace {
-
 /// Owners and what is held fit together: each simplex has one owner, who has it.
 GlobalIndex owned(const Ranks& ranks, const LocalComplex& local, int k) {
     const auto& owners = local.degree(k).owner;
@@ -136,7 +134,5 @@ TEST(Scattering, gives_the_slices_of_the_mesh_of_rank_0) {
     EXPECT_EQ(scattered.points, cut.points);
     EXPECT_EQ(scattered.simplices, cut.simplices);
 }
-
-} // namespace
 
 } // namespace polydec::test::in_local_complex

@@ -10,8 +10,6 @@
 
 namespace polydec::test::in_merged_cells {
 
-namespace {
-
 DistributedMerging merged_on(const Ranks& ranks, const LocalComplex& local,
                              const MergeOptions& options) {
     const auto volumes = dual_volumes(local.complex, local.points, {}, FlatSimplices::passed_over);
@@ -308,7 +306,5 @@ TEST(BrokenTwin, a_sign_or_a_first_piece_that_is_another_is_seen) {
         EXPECT_NE(difference(local, renamed, whole.result), "");
     }
 }
-
-} // namespace
 
 } // namespace polydec::test::in_merged_cells

@@ -8,8 +8,6 @@
 
 namespace polydec::test::in_mesh_file {
 
-namespace {
-
 bool same(const MeshSlice& a, const MeshSlice& b) {
     return a.vertices == b.vertices && a.cells == b.cells && a.points == b.points &&
            a.simplices == b.simplices;
@@ -23,8 +21,6 @@ std::string refusal_of(const Ranks& ranks, const std::filesystem::path& path) {
     }
     return "";
 }
-
-} // namespace
 
 TEST(MeshFiles, ranks_write_the_bytes_of_one_process_and_read_their_own) {
     const auto ranks = Ranks::all();

@@ -9,8 +9,6 @@
 
 namespace polydec::test::in_operators {
 
-namespace {
-
 /// Largest difference of own rows from those of one process, in parts of its largest entry.
 double difference(const Ranks& ranks, const DistributedCells& cells, int k, Mat matrix,
                   const SparseMatrix& whole) {
@@ -141,7 +139,5 @@ TEST(OperatorFiles, stand_in_the_order_of_numbers_for_any_number_of_ranks) {
     const DistributedMesh mesh = discretized(ranks, mesh_named("grid4"), Ownership::file);
     EXPECT_THROW(write_operators(ranks, mesh, folder / "other"), InvalidInput);
 }
-
-} // namespace
 
 } // namespace polydec::test::in_operators

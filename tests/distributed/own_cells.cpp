@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_own_cells {
 
-namespace {
-
 /// A face of a cell by its vertices, and with which sign it has it.
 using Face = std::pair<std::vector<Index>, int>;
 
@@ -41,8 +39,6 @@ std::string difference(const DistributedMesh& mesh, const OwnCells& own,
     }
     return "";
 }
-
-} // namespace
 
 TEST(OwnCells, have_the_faces_of_one_process_wherever_their_pieces_are) {
     const auto ranks = Ranks::all();

@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_poisson {
 
-namespace {
-
 constexpr Index most_cells = 20000;
 constexpr const char* cases[] = {"dirichlet", "neumann", "mixed"};
 
@@ -150,7 +148,5 @@ TEST(DistributedPoisson, every_engine_gives_the_same_and_options_that_nobody_rea
     EXPECT_THROW(with({"cholmod"}), InvalidInput);
     EXPECT_NO_THROW(with({"petsc.cg-gamg", "-ksp_type fcg"}));
 }
-
-} // namespace
 
 } // namespace polydec::test::in_poisson

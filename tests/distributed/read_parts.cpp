@@ -9,8 +9,6 @@
 
 namespace polydec::test::in_read_parts {
 
-namespace {
-
 /// What reading ends with: a slice or an error's text.
 struct Outcome {
     std::optional<MeshSlice> slice;
@@ -217,7 +215,5 @@ TEST(ReadParts, of_files_that_differ_between_ranks_are_refused_by_all) {
         outcome([&] { return read_slice(ranks, folder / (is_last ? "none.ply" : "a.ply")); });
     EXPECT_SAYS(missing.error, "none.ply", "No such file");
 }
-
-} // namespace
 
 } // namespace polydec::test::in_read_parts

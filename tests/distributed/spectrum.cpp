@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_spectrum {
 
-namespace {
-
 constexpr Index most_values = 12;
 
 Index most_cells() {
@@ -41,8 +39,6 @@ void expect_equal(const Spectrum& found, const Spectrum& expected, const std::st
 
 /// By degree, so that none takes long where many ranks share a core.
 class DistributedSpectra : public testing::TestWithParam<int> {};
-
-} // namespace
 
 TEST_P(DistributedSpectra, are_those_of_one_process_with_their_certificates) {
     const auto ranks = Ranks::all();

@@ -7,8 +7,6 @@
 
 namespace polydec::test::in_twins {
 
-namespace {
-
 TEST(BrokenTwin, owners_by_the_last_vertex_are_seen) {
     const auto ranks = Ranks::all();
     for (const char* name : {"kuhn3", "uv8", "grid4", "torus8x6"}) {
@@ -106,7 +104,5 @@ TEST(BrokenTwin, volumes_added_in_the_order_of_ranks_are_seen) {
     }
     EXPECT_EQ(is_seen, ranks.size() > 1);
 }
-
-} // namespace
 
 } // namespace polydec::test::in_twins

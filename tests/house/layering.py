@@ -42,6 +42,8 @@ BRANCH = re.compile(
     r"|\bn\s*==\s*[1-9]|\bswitch\s*\(\s*n\s*\)")
 COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.S)
 
+# A function of a test's file. It is in a named namespace, so that no compiler warns of an unused one.
+HELPER = re.compile(r"^\w[\w:<>,&* ]*[ &*](?!PrintTo\b)(\w+)\([^;{}]*\) \{", re.M)
 COMMENT = re.compile(r'("(?:\\.|[^"\\\n])*")|//[^\n]*|/\*.*?\*/', re.S)
 STRING = re.compile(r'"((?:\\.|[^"\\\n])*)"')
 OPTION = re.compile(r"(?<![\w}-])(?:--[a-z][a-z-]*|-[a-z](?![\w-]))")
@@ -107,6 +109,12 @@ def check_cpp(path, code, public):
         for number, line in enumerate(without_comments(code).splitlines(), 1):
             if BRANCH.search(line):
                 yield f"{path}:{number}: a branch on the dimension; write it for every dimension"
+    if path.match("tests/**/*.cpp") and "::in_" in code:
+        bare = without_comments(code)
+        for helper in HELPER.finditer(bare):
+            if len(re.findall(rf"\b{helper[1]}\b", bare)) == 1:
+                number = bare.count("\n", 0, helper.start()) + 1
+                yield f"{path}:{number}: {helper[1]} is never called"
 
 
 def check_texts(path, code):

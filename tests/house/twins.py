@@ -71,6 +71,8 @@ FLAWS = [
     ("complex/cells.cpp", "/* why\n */ if (n == 2)", "branch on the dimension"),
     ("dec/star.cpp", 'throw Error("give --side dual");', "an option of the command"),
     ("dec/star.cpp", 'throw Error("leave out -o");', "an option of the command"),
+    ("tests/dec/star.cpp", "namespace polydec::test::in_star {}\nint one(int k) { return k; }",
+     "never called"),
     ("dec/star.cpp", "\n" * 400, "longer than 400 lines"),
 ]
 

@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_bad_files {
 
-namespace {
-
 /// A file and the expected result: words of the error message, or the number of cells.
 struct Sample {
     std::string name;
@@ -93,8 +91,6 @@ void expect(const Sample& sample, const std::string& text) {
         EXPECT_EQ(read_from(sample.name, text).simplices.rows(), sample.cells) << sample.name;
     }
 }
-
-} // namespace
 
 TEST(BadFiles, AreReadOrRefusedByPlace) {
     for (const auto& sample : samples)

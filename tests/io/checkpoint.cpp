@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_checkpoint {
 
-namespace {
-
 Checkpoint sample() {
     Checkpoint result{.problem = 7, .step = 12, .time = 0.1, .state = {}};
     result.state.push_back(Vector::LinSpaced(1000, -1, 1));
@@ -17,8 +15,6 @@ Checkpoint sample() {
 void write_bytes(const std::filesystem::path& path, const std::string& text) {
     std::ofstream(path, std::ios::binary) << text;
 }
-
-} // namespace
 
 TEST(Checkpoint, IsReadToTheSameBits) {
     const TemporaryFolder folder;

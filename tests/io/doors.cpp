@@ -7,7 +7,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_doors {
-namespace {
 
 /// A function of a degree, and the degrees that there are.
 struct Door {
@@ -191,5 +190,4 @@ TEST(doors, degrees_that_there_are_are_taken_where_stars_are_positive) {
                     << door.name << '(' << k << ')';
 }
 
-} // namespace
 } // namespace polydec::test::in_doors

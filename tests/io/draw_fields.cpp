@@ -7,8 +7,6 @@
 
 namespace polydec::test::in_draw_fields {
 
-namespace {
-
 std::vector<Discretization> flat_meshes() {
     return {discretize(grid(3, 2)), discretize(well_centered(3)), discretize(kuhn({2, 2, 1}))};
 }
@@ -59,8 +57,6 @@ void expect_in(const std::vector<VtuArray>& list, const NamedForm& field) {
                       c < field.vectors.cols() ? field.vectors(i, c) : 0)
                 << field.name;
 }
-
-} // namespace
 
 TEST(DrawFields, HasEveryFieldOfAllDegreesTogether) {
     const TemporaryFolder folder;

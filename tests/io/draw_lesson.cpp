@@ -8,8 +8,6 @@
 
 namespace polydec::test::in_draw_lesson {
 
-namespace {
-
 const DiscretizeOptions unmerged_cells{.criterion = MergeCriterion::none};
 
 /// A chain of edges of several lengths, in two coordinates.
@@ -90,8 +88,6 @@ void expect_disjoint(const std::vector<SvgBox>& boxes, const std::string& about)
         for (std::size_t j = 0; j < i; ++j)
             EXPECT_FALSE(boxes[i].meets(boxes[j])) << about << ", numbers " << j << " and " << i;
 }
-
-} // namespace
 
 TEST(DrawLesson, TheFilledAreaIsTheDualVolume) {
     for (const auto& mesh : plane_meshes())

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_draw_solid {
-namespace {
 
 using Place = Eigen::Vector3d;
 using Keep = std::function<bool(const Vector&)>;
@@ -369,5 +368,4 @@ TEST(DrawSolidErrors, say_what_is_no_solid) {
     EXPECT_REFUSED(seen_at({}, Vector::Ones(2)), "point", "three", "coordinates");
 }
 
-} // namespace
 } // namespace polydec::test::in_draw_solid

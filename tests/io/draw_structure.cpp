@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_draw_structure {
 
-namespace {
-
 /// In the plane: squares, hexagons, and triangles of which some have their circumcenter outside.
 std::vector<Mesh> plane_meshes() {
     Mesh few{Points(5, 2), Simplices(4, 3), {}};
@@ -60,8 +58,6 @@ double worst_angle(const Discretization& mesh) {
     EXPECT_EQ(halves.size(), i + (any_negative ? 2 : 1)) << "and samples beside the words";
     return worst;
 }
-
-} // namespace
 
 TEST(DrawStructure, CirclesPassThroughAllCornersOfTheirCells) {
     for (const Mesh& input : plane_meshes())

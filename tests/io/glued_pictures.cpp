@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_glued_pictures {
-namespace {
 
 using std::numbers::pi;
 
@@ -102,5 +101,4 @@ TEST(GluedPictures, show_solids_and_pages) {
     EXPECT_EQ(page.grid.points.rows(), 64);
 }
 
-} // namespace
 } // namespace polydec::test::in_glued_pictures

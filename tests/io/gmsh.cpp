@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_gmsh {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 
 /// How a file is written: version 2.2 or 4.1, as text or as bytes.
@@ -136,8 +134,6 @@ std::string file_of(const Variant& variant) {
 const std::string old_start = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
 const std::string new_start = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
 const std::string square = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n";
-
-} // namespace
 
 TEST(Gmsh, TextAndBytesOfBothVersionsAndOrdersAreTheSame) {
     for (const auto& variant : variants) {

@@ -5,8 +5,6 @@
 
 namespace polydec::test::in_inflate {
 
-namespace {
-
 /// What zlib 1.2.13 makes of these contents: stored, with its fixed code, with codes of their own.
 struct Sample {
     std::string content;
@@ -37,8 +35,6 @@ std::vector<Sample> samples() {
          from_hex("78daedc13101000000c2a0da8b6f0d0fa" + std::string(193, '0') + "8057037e2a25ba")},
     };
 }
-
-} // namespace
 
 TEST(Inflate, GivesBackWhatZlibCompressed) {
     for (const auto& sample : samples())

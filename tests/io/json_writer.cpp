@@ -5,16 +5,12 @@
 
 namespace polydec::test::in_json_writer {
 
-namespace {
-
 template <class Value>
 std::string text_of(const Value& value) {
     JsonWriter json;
     json.value(value);
     return std::string(json.view());
 }
-
-} // namespace
 
 TEST(JsonWriter, WritesEveryKindOfValue) {
     JsonWriter json;

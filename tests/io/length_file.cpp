@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_length_file {
 
-namespace {
-
 LengthMesh lengths_from(const std::string& text) {
     const TemporaryFolder folder;
     return read_lengths(folder.write("a.nsl", text));
@@ -21,8 +19,6 @@ std::string lengths_error(const std::string& text) {
 }
 
 const std::string triangle = "0 1 2\n0 1 3\n0 2 4\n1 2 5\n";
-
-} // namespace
 
 TEST(LengthFile, HoldsSimplicesAndLengthsWithComments) {
     const auto mesh = lengths_from("# flat\n2 4 2 5 # n V S E\n\n0 1 2\n0 2 3\n"

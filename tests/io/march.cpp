@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_march {
 
-namespace {
-
 const std::vector<double> times{0, 0.1, 0.2, 0.4, 0.5};
 
 /// What a run may have otherwise than another one.
@@ -98,8 +96,6 @@ bool are_same(const Run& one, const Run& other) {
 struct Killed : std::runtime_error {
     Killed() : std::runtime_error("killed") {}
 };
-
-} // namespace
 
 // The twin: without the memory of the integrator the bits are others.
 TEST(March, ends_in_the_same_bits_wherever_it_was_killed) {

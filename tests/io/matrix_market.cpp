@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_matrix_market {
 
-namespace {
-
 const std::string banner = "%%MatrixMarket matrix coordinate real general\n";
 
 SparseMatrix matrix_from(const std::string& text) {
@@ -31,8 +29,6 @@ double any_double() {
     const double mantissa = *rc::gen::inRange<std::int64_t>(-(1LL << 53), 1LL << 53);
     return std::ldexp(mantissa, *rc::gen::inRange(-1100, 960));
 }
-
-} // namespace
 
 TEST(MatrixMarket, SparseMatricesAreTheSame) {
     EXPECT_TRUE(rc::check([] {

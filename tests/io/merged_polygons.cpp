@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_merged_polygons {
-namespace {
 
 class MergedPolygons : public testing::TestWithParam<std::string> {};
 
@@ -70,5 +69,4 @@ TEST(PicturesOfOtherCells, differ_or_are_refused) {
     EXPECT_THROW(draw_cells(squares.complex(), squares.points().topRows(8), 2), InvalidInput);
 }
 
-} // namespace
 } // namespace polydec::test::in_merged_polygons

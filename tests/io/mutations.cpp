@@ -9,8 +9,6 @@
 
 namespace polydec::test::in_mutations {
 
-namespace {
-
 /// A small valid file of every format, to be damaged.
 struct Seed {
     std::string name;
@@ -267,8 +265,6 @@ const std::array<std::string, 12> evil_words{
 bool is_space(char c) {
     return c == ' ' || c == '\n';
 }
-
-} // namespace
 
 TEST(Mutations, SeedsAreValid) {
     const MemoryLimit limit;

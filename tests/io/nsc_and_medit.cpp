@@ -4,14 +4,10 @@
 
 namespace polydec::test::in_nsc_and_medit {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 
 const std::string medit = "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 1\n"
                           "0 1 0 2\n0 0 1 0\n1 1 1 0\n";
-
-} // namespace
 
 TEST(Nsc, ReadsEveryDimension) {
     const auto line = read_from("a.nsc", "1 1 2 1\n0\n1\n0 1\n");

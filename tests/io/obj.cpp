@@ -4,14 +4,10 @@
 
 namespace polydec::test::in_obj {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 
 const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 const Cells two_triangles{{0, 1, 2}, {0, 2, 3}};
-
-} // namespace
 
 TEST(Obj, CornersMayHaveTextureAndNormal) {
     for (const std::string faces :

@@ -5,8 +5,6 @@
 
 namespace polydec::test::in_odd_files {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 using Places = std::vector<std::vector<double>>;
 
@@ -90,8 +88,6 @@ std::string stl_binary(std::uint32_t promised, const std::string& behind) {
             std::string(2, '\0');
     return text + behind;
 }
-
-} // namespace
 
 TEST(OddFiles, TheLastLineOfAHeaderOfPlyMayEndInAnotherWay) {
     const Mesh mesh = read_from("a.ply", ply("\n", "\n"));

@@ -4,15 +4,11 @@
 
 namespace polydec::test::in_off {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 
 const std::string vertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 const std::string faces = "3 0 1 2\n3 0 2 3\n";
 const Cells two_triangles{{0, 1, 2}, {0, 2, 3}};
-
-} // namespace
 
 TEST(Off, ReadsVerticesAndFaces) {
     const auto mesh = read_from("a.off", "OFF\n4 2 0\n" + vertices + faces);

@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_other_cells {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 
 struct Solid {
@@ -69,8 +67,6 @@ bool tells_of_higher_order(const Mesh& mesh) {
         return warning.find("1 cell of second or higher order") != std::string::npos;
     });
 }
-
-} // namespace
 
 TEST(OtherCells, EveryFormatHasTheSameSolids) {
     for (const auto& solid : solids) {

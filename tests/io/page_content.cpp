@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_page_content {
 
-namespace {
-
 using Place = Eigen::Vector3d;
 
 /// A page of a function at vertices or at cells, and how it opens.
@@ -36,8 +34,6 @@ Cochain x_of_vertices(const Discretization& mesh) {
 std::function<double(const Place&)> hump(const Place& middle) {
     return [middle](const Place& x) { return std::exp(-20 * (x - middle).squaredNorm()); };
 }
-
-} // namespace
 
 TEST(Openings, AreFromASideWhereTheLargestValueIsSeen) {
     const auto sphere = circumcentric(icosphere(3));

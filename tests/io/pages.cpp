@@ -11,8 +11,6 @@
 
 namespace polydec::test::in_pages {
 
-namespace {
-
 using Side2 = std::pair<Index, Index>;
 
 /// Of how many sides, each counted once, a kind of line is.
@@ -73,8 +71,6 @@ std::size_t count_of(const std::string& text, const std::string& part) {
         ++count;
     return count;
 }
-
-} // namespace
 
 TEST(Pages, ShowEveryEdgeOfTheMergedCellsAndEveryOneThatWasMergedAway) {
     int seen = 0, merged_away = 0;

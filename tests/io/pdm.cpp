@@ -8,8 +8,6 @@
 
 namespace polydec::test::in_pdm {
 
-namespace {
-
 Mesh any_tagged_mesh() {
     const int ambient = *rc::gen::inRange(1, 6), dimension = *rc::gen::inRange(1, ambient + 1);
     const int vertices = *rc::gen::inRange(dimension + 1, 40), cells = *rc::gen::inRange(1, 40);
@@ -35,8 +33,6 @@ Mesh large_mesh() {
     });
     return mesh;
 }
-
-} // namespace
 
 TEST(Pdm, EveryMeshReadsBackExactlyWithItsTags) {
     EXPECT_TRUE(rc::check([] {

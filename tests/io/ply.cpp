@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_ply {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 const Cells two_triangles{{0, 1, 2}, {0, 2, 3}};
 
@@ -50,8 +48,6 @@ std::string small_binary(const std::string& order, const std::string& line_break
         bytes.add(std::uint8_t{3}).add(triangle[0]).add(triangle[1]).add(triangle[2]);
     return bytes.text();
 }
-
-} // namespace
 
 TEST(Ply, AsciiAndBothBinariesAreTheSame) {
     const auto ascii = read_from("a.ply", "ply\nformat ascii 1.0\ncomment x\n" + header_end + body);

@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_polygons {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 
 /// One polygon with its corners in this order, in the plane of the first and the last axis of R^N.
@@ -41,8 +39,6 @@ std::vector<double> areas(const Mesh& mesh) {
 double sum(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
-
-} // namespace
 
 TEST(Polygons, TrianglesHaveTheTagOfTheirPolygon) {
     auto square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});

@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_round_trip {
 
-namespace {
-
 /// Every file is synced to the disk: fewer random cases, unless the caller wants another number.
 [[maybe_unused]] const int few_cases = ::setenv("RC_PARAMS", "max_success=20", 0);
 
@@ -49,8 +47,6 @@ Mesh any_triangle() {
 std::string writing_error(const std::string& name, const Mesh& mesh) {
     return error_of([&] { write_mesh(name, mesh); });
 }
-
-} // namespace
 
 TEST(RoundTrip, SurfacesInSpaceAreTheSameInEveryTextFormat) {
     EXPECT_TRUE(rc::check([] {

@@ -7,8 +7,6 @@
 
 namespace polydec::test::in_series {
 
-namespace {
-
 Discretization square() {
     return discretize(grid(3, 2));
 }
@@ -30,8 +28,6 @@ std::size_t steps_in(const std::filesystem::path& page) {
                      : 1 + static_cast<std::size_t>(
                                std::count(text.begin() + at, text.begin() + end, ','));
 }
-
-} // namespace
 
 TEST(Series, HoldsEveryFormAtEveryTime) {
     const auto mesh = square();

@@ -8,8 +8,6 @@
 
 namespace polydec::test::in_stills {
 
-namespace {
-
 constexpr Color white{255, 255, 255}, gray{100, 100, 100};
 
 /// A triangle that covers a picture of this size, at one nearness.
@@ -25,8 +23,6 @@ int off(const Color& a, const Color& b) {
         most = std::max(most, std::abs(a[i] - b[i]));
     return most;
 }
-
-} // namespace
 
 TEST(Stills, TheNearestTriangleIsSeenInAnyOrder) {
     SeenTriangle near = cover(10, 2), far = cover(10, 1);

@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_stl {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 using Triangle = std::array<float, 9>;
 
@@ -32,8 +30,6 @@ std::string facet(const std::string& a, const std::string& b, const std::string&
 const std::vector<Triangle> square{{0, 0, 0, 1, 0, 0, 1, 1, 0}, {-0.F, 0, -0.F, 1, 1, 0, 0, 1, 0}};
 const std::string square_text = "solid a b c\n" + facet("0 0 0", "1 0 0", "1 1 0") +
                                 facet("-0 0 -0.0", "1 1.0 0", "0 1 0") + "endsolid a b c\n";
-
-} // namespace
 
 TEST(Stl, JoinsEqualVerticesInOrderOfAppearance) {
     for (const auto& text : {binary(square), binary(square, "solid but binary"), square_text}) {

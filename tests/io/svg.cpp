@@ -5,15 +5,11 @@
 
 namespace polydec::test::in_svg {
 
-namespace {
-
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::string drawing_error(std::vector<SvgShape> shapes) {
     return error_of([&] { to_svg(SvgDrawing{.shapes = std::move(shapes)}); });
 }
-
-} // namespace
 
 TEST(Svg, FlawsOfXmlAreFound) {
     EXPECT_EQ(flaw("<g><a b=\"c\"/>x &amp; y</g>\n"), "");

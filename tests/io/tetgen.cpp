@@ -5,8 +5,6 @@
 
 namespace polydec::test::in_tetgen {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 
 const std::string nodes = "# made by hand\n5 3 2 1\n1 0 0 0 0.5 0.5 1\n2 1 0 0 0 0 0\n"
@@ -21,8 +19,6 @@ Mesh parsed(const std::string& node, const std::string& ele) {
 std::string parsing_error(const std::string& node, const std::string& ele) {
     return error_of([&] { parsed(node, ele); });
 }
-
-} // namespace
 
 TEST(TetGen, NumberingFromOneAndFromZeroIsTheSame) {
     const auto mesh = parsed(nodes, "2 4 0\n1 1 2 3 4\n2 2 3 4 5\n# end\n");

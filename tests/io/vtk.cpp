@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_vtk {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 
 /// Writes parts of a file as text, or with the highest byte first.
@@ -94,8 +92,6 @@ std::string one_cell(int type, const std::string& corners, int count) {
     return small("CELLS 1 " + std::to_string(count + 1) + "\n" + std::to_string(count) + " " +
                  corners + "\nCELL_TYPES 1\n" + std::to_string(type) + "\n");
 }
-
-} // namespace
 
 TEST(Vtk, TextAndBytesOfOldAndNewVersionsAreTheSame) {
     for (const char* version : {"2.0", "3.0", "4.2", "5.1"}) {

@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_vtu {
 
-namespace {
-
 std::string attribute(const std::string& tag, const std::string& name) {
     const auto begin = tag.find(" " + name + "=\"") + name.size() + 3;
     return tag.substr(begin, tag.find('"', begin) - begin);
@@ -93,8 +91,6 @@ VtuGrid every_kind() {
 std::string vtu_error(const VtuGrid& grid) {
     return error_of([&grid] { write_vtu("a.vtu", grid); });
 }
-
-} // namespace
 
 TEST(Vtu, HoldsCellsOfEveryKind) {
     const TemporaryFolder folder;

@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_vtu_numbers {
 
-namespace {
-
 constexpr VtuOptions in_floats{VtuNumbers::float32};
 
 VtuGrid two_triangles() {
@@ -45,8 +43,6 @@ const std::vector<double>& doubles(const VtuArray& array) {
 std::string float_error(const VtuGrid& grid) {
     return error_of([&grid] { write_vtu("a.vtu", grid, in_floats); });
 }
-
-} // namespace
 
 TEST(VtuNumbers, AreRoundedToTheNearestFloatAndOtherwiseExact) {
     const auto grid = two_triangles();

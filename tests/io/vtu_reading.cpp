@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_vtu_reading {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 
 /// How the arrays of a file are written.
@@ -170,8 +168,6 @@ VtuGrid cube_corner() {
 }
 
 const Variant as_text{Place::text};
-
-} // namespace
 
 TEST(VtuReading, EveryEncodingIsTheSame) {
     for (const auto& variant : variants()) {

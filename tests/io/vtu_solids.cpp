@@ -6,8 +6,6 @@
 
 namespace polydec::test::in_vtu_solids {
 
-namespace {
-
 using FaceLists = std::vector<std::vector<Index>>;
 
 const FaceLists tetra{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
@@ -61,8 +59,6 @@ bool is_simple(const FaceLists& faces) {
     EXPECT_EQ(grid.types.empty(), !result);
     return result;
 }
-
-} // namespace
 
 TEST(VtuSolids, TetrahedraAndHexahedraAreFoundInAnyOrderAndTurnedAsTheirFaces) {
     expect_type(tetra, VtuCell::tetra);

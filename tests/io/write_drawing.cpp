@@ -5,8 +5,6 @@
 
 namespace polydec::test::in_write_drawing {
 
-namespace {
-
 const SvgDrawing square{.shapes = {SvgPolygon{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}}};
 
 /// PATH, for as long as it lives.
@@ -27,8 +25,6 @@ void add_program(const TemporaryFolder& folder, const std::string& name, const s
     std::filesystem::permissions(folder.write(name, "#!/bin/sh\n" + text),
                                  std::filesystem::perms::owner_all);
 }
-
-} // namespace
 
 TEST(WriteDrawing, GoesByTheExtension) {
     const TemporaryFolder folder;

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_cells {
-namespace {
 
 /// By how much sum |s||*s| misses C(n,k) |K|, beside what the sum is made of.
 double defect_of_dual_volumes(const CellVolumes& volumes, int k, double factor = 1) {
@@ -105,5 +104,4 @@ TEST(HostileMeshes, would_show_a_wrong_factor) {
     EXPECT_GT(difference_of_duals(mesh.volumes(), mesh.volumes(), 1, 1.1), 1e-3);
 }
 
-} // namespace
 } // namespace polydec::test::in_cells

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_solutions {
-namespace {
 
 constexpr long double extended_rounding = std::numeric_limits<long double>::epsilon();
 
@@ -138,5 +137,4 @@ TEST(HostileMeshes, have_the_solutions_of_Poisson_problems_that_dense_matrices_h
     }));
 }
 
-} // namespace
 } // namespace polydec::test::in_solutions

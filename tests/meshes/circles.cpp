@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_circles {
 
-namespace {
-
 /// The polygons of a mesh whose triangles come as fans, one polygon after the other, each triangle
 /// (a, b, c) of a fan being followed by (a, c, d).
 std::vector<std::vector<Index>> fanned_polygons(const Mesh& mesh) {
@@ -188,7 +186,5 @@ TEST(WellCentered, has_acute_triangles_only) {
         EXPECT_GT(least_cosine, 0.04) << rows;
     }
 }
-
-} // namespace
 
 } // namespace polydec::test::in_circles

@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_clusters {
 
-namespace {
-
 /// Numbers of corners of the merged cells, descending.
 std::vector<std::size_t> corner_counts(const Discretization& mesh) {
     const int n = mesh.dimension();
@@ -105,7 +103,5 @@ TEST(SplitBoxes, merge_to_the_grid_of_boxes_and_kuhn_is_one_of_them) {
         EXPECT_FALSE(same_geometry(split_boxes(cells, {}, 11), split_boxes(cells, {}, 12)));
     }
 }
-
-} // namespace
 
 } // namespace polydec::test::in_clusters

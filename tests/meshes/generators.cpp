@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_generators {
 
-namespace {
-
 /// What is true of a mesh by theory.
 struct Expectation {
     std::string name;
@@ -228,7 +226,5 @@ TEST(Generators, refuse_wrong_arguments_by_name_and_range) {
     EXPECT_REFUSED(fcc(0), "fcc", "cells", "0", "1", "2147483647");
     EXPECT_REFUSED(fcc(448), "fcc", "2157969408 cells", "2^31 - 1");
 }
-
-} // namespace
 
 } // namespace polydec::test::in_generators

@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_hanging {
 
-namespace {
-
 /// Both meshes in one, without any vertex in common.
 Mesh together(const Mesh& a, const Mesh& b) {
     Mesh result{Points(a.points.rows() + b.points.rows(), a.points.cols()),
@@ -67,8 +65,6 @@ void expect_joined(const Mesh& mesh, const Mesh& given) {
 bool lies_inside(const Eigen::RowVectorXd& point, double x) {
     return point[0] == x;
 }
-
-} // namespace
 
 TEST(UnjoinedBoundary, nothing_is_found_in_meshes_that_fit) {
     for (const Mesh& mesh : {kuhn(1, 9), grid(5, 4), torus(7, 5), moebius(9, 2), bcc(2), kuhn(3, 2),

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_input_cells {
-namespace {
 
 using Numbers = std::vector<Index>;
 
@@ -55,5 +54,4 @@ TEST(InputCells, go_with_simplices_that_are_shuffled) {
     EXPECT_TRUE(shuffled(grid(2, 1), 1).mesh.input_cells.of_simplices.empty());
 }
 
-} // namespace
 } // namespace polydec::test::in_input_cells

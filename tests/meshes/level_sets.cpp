@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_level_sets {
 
-namespace {
-
 /// Cubes of the unit cube in R^n, split, and moved a little unless it is to stay as it is.
 Mesh cubes(int n, double jitter) {
     Mesh mesh = kuhn(n, 2);
@@ -26,8 +24,6 @@ double smallest_volume(const Mesh& mesh) {
     }
     return least;
 }
-
-} // namespace
 
 class LevelSetsOf : public testing::TestWithParam<int> {};
 

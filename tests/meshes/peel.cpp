@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_peel {
-namespace {
 
 void add(Mesh& mesh, const std::vector<std::array<Index, 4>>& cells) {
     const auto before = mesh.simplices.rows();
@@ -79,5 +78,4 @@ TEST(PeelingBroken, without_it_hull_cells_would_stay) {
     EXPECT_GT(discretize(dented_cubes(3, 1e-6)).complex().size(3), 27);
 }
 
-} // namespace
 } // namespace polydec::test::in_peel

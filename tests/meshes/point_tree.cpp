@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_point_tree {
-namespace {
 
 /// Points of which some lie in the simplex, and some about a length away from it.
 Points points_around(const Points& simplex, double length, std::mt19937& random) {
@@ -48,5 +47,4 @@ TEST(PointTree, finds_the_points_near_a_simplex) {
     EXPECT_GT(others, 10'000);
 }
 
-} // namespace
 } // namespace polydec::test::in_point_tree

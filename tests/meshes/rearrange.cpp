@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_rearrange {
 
-namespace {
-
 /// The result is the mesh under the numbers that come with it.
 void expect_renumbered(const Renumbered& result, const Mesh& mesh) {
     for (Index v = 0; v < mesh.points.rows(); ++v)
@@ -161,7 +159,5 @@ TEST(Shuffled, refuses_a_vertex_number_out_of_range) {
     mesh.simplices(1, 2) = 4;
     EXPECT_REFUSED(shuffled(mesh, 1), "shuffled", "cell 1", "vertex 4", "4 vertices");
 }
-
-} // namespace
 
 } // namespace polydec::test::in_rearrange

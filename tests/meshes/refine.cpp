@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_refine {
-namespace {
 
 /// A box whose vertices are moved at random, with tags of cells and of some facets.
 Mesh tagged_box(int n, int cells) {
@@ -192,5 +191,4 @@ TEST(Refined, refuses_lengths_that_make_too_much) {
     EXPECT_REFUSED(refined(mesh, 1e-300), "1e-300", "at least inf");
 }
 
-} // namespace
 } // namespace polydec::test::in_refine

@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_run_tetgen {
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -169,5 +168,4 @@ TEST_F(TetgenTest, only_regular_files_that_are_whole_are_read) {
                 "end", "21 bytes");
 }
 
-} // namespace
 } // namespace polydec::test::in_run_tetgen

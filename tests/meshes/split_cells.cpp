@@ -4,8 +4,6 @@
 
 namespace polydec::test::in_split_cells {
 
-namespace {
-
 using Cells = std::vector<std::vector<Index>>;
 
 /// Cubes as hexahedra of the points of kuhn.
@@ -73,8 +71,6 @@ std::vector<std::vector<Index>> sorted_rows(const Simplices& simplices) {
     std::sort(rows.begin(), rows.end());
     return rows;
 }
-
-} // namespace
 
 TEST(SplitCells, AGridOfHexahedraIsTheKuhnGridBitForBit) {
     for (const Index n : {1, 2, 3}) {

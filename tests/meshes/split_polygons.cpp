@@ -5,8 +5,6 @@
 
 namespace polydec::test::in_split_polygons {
 
-namespace {
-
 using Faces = std::vector<std::vector<Index>>;
 using Cells = std::vector<std::array<Index, 3>>;
 
@@ -106,8 +104,6 @@ bool turns_left(const Points& points, Index a, Index b, Index c) {
 /// A closed ring of faces over 0-1-2: two bent quads that share two edges, and two triangles.
 const Points five{{-1, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 1}, {0, -1, 1}};
 const Faces closed{{0, 1, 2, 3}, {0, 4, 2, 1}, {0, 3, 4}, {2, 4, 3}};
-
-} // namespace
 
 TEST(SplitPolygons, NoFaceRemembersTheCornerItBeginsWith) {
     Random random(3);

@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_tetgen_input {
-namespace {
 
 // All this is found before the program is run, so it holds where there is none.
 
@@ -94,5 +93,4 @@ TEST_F(TetgenTest, options_must_make_sense) {
     EXPECT_SAYS(refusal_of(cube(), {.seconds = 0.0}), "mesher", "0 seconds");
 }
 
-} // namespace
 } // namespace polydec::test::in_tetgen_input

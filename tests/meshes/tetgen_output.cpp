@@ -6,7 +6,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_tetgen_output {
-namespace {
 
 using Spoil = std::function<void(TetgenOutput&)>;
 
@@ -173,5 +172,4 @@ TEST(TetgenOutput, parts_beside_each_other_are_all_filled) {
     EXPECT_SAYS(verdict_on(input, mesh), "inside", "facet");
 }
 
-} // namespace
 } // namespace polydec::test::in_tetgen_output

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_tetrahedralize {
-namespace {
 
 struct Case {
     const char* name;
@@ -189,5 +188,4 @@ TEST(TetrahedralizeErrors, what_is_no_closed_surface_is_refused) {
                    "facet 10", "edge 5 7", "facet 2");
 }
 
-} // namespace
 } // namespace polydec::test::in_tetrahedralize

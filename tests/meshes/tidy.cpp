@@ -3,8 +3,6 @@
 
 namespace polydec::test::in_tidy {
 
-namespace {
-
 Mesh make(std::initializer_list<std::initializer_list<double>> points,
           std::initializer_list<std::initializer_list<Index>> cells) {
     return {Points(points), Simplices(cells), {}};
@@ -205,7 +203,5 @@ TEST(Tidy, does_not_depend_on_numbers) {
         EXPECT_EQ(result.warnings.size(), 4U);
     }
 }
-
-} // namespace
 
 } // namespace polydec::test::in_tidy

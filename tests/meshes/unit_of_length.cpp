@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_unit_of_length {
-namespace {
 
 Mesh of_size(double size, int n = 2) {
     Mesh mesh = kuhn(n, 1);
@@ -117,5 +116,4 @@ TEST(InInputUnits, values_of_a_form_lose_digits_that_are_rounding_beside_the_lar
     EXPECT_EQ(form_in_input_units(form, 1, 2, "x"), form);
 }
 
-} // namespace
 } // namespace polydec::test::in_unit_of_length

@@ -5,8 +5,6 @@
 
 namespace polydec::test::in_weld {
 
-namespace {
-
 std::vector<Mesh> all_meshes() {
     return {kuhn(1, 9), grid(5, 4), torus(7, 5), icosphere(2), moebius(9, 2),
             bcc(2),     kuhn(3, 2), kuhn(4, 1),  kuhn(5, 1)};
@@ -63,8 +61,6 @@ Mesh plate(double thickness) {
         mesh.points.row(v) << v % 2, v / 2 % 2, thickness * (v / 4);
     return mesh;
 }
-
-} // namespace
 
 TEST(Weld, of_an_exploded_mesh_gives_back_the_mesh) {
     for (const Mesh& mesh : all_meshes()) {

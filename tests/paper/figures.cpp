@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::paper::in_figures {
-namespace {
 
 const Table& table(const Report& report, const std::string& name) {
     for (const auto& candidate : report.tables)
@@ -181,5 +180,4 @@ TEST(PaperBroken, adding_the_entries_of_star_2_does_not_converge) {
     EXPECT_GT(error(32), 0.9 * error(16));
 }
 
-} // namespace
 } // namespace polydec::paper::in_figures

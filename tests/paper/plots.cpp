@@ -10,8 +10,6 @@
 
 namespace polydec::test::in_plots {
 
-namespace {
-
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 SvgPlot parabola() {
@@ -39,8 +37,6 @@ std::vector<std::string> labels(Scale scale, double low, double high) {
 }
 
 using Texts = std::vector<std::string>;
-
-} // namespace
 
 TEST(Plots, AreWellFormedWhateverTheirTextsAre) {
     auto plot = parabola();

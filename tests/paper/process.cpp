@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 namespace polydec::paper::in_process {
-namespace {
 
 constexpr int was_held = 42;
 
@@ -34,8 +33,6 @@ int work_that_goes_on(int, char**) {
     for (;;)
         signal_to_another_thread();
 }
-
-} // namespace
 
 TEST(Process, SignalsToOtherThreadsWaitWhileTheMainThreadHoldsThem) {
     EXPECT_EXIT(run_process("test", work_that_holds_signals, 0, nullptr),

@@ -8,7 +8,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::paper::in_report {
-namespace {
 
 using nlohmann::json;
 using test::error_of;
@@ -250,5 +249,4 @@ TEST(Program, refuses_a_reproduction_that_there_is_not) {
                 "fig99: .*no reproduction");
 }
 
-} // namespace
 } // namespace polydec::paper::in_report

@@ -5,7 +5,6 @@
 #include <Eigen/SparseCholesky>
 
 namespace polydec::paper::in_rival_convergence {
-namespace {
 
 /// Solves stiffness u = 20 mass Y for two functions with the mean removed and divided by their
 /// norm; the norm of what is between them.
@@ -62,5 +61,4 @@ TEST(RivalConvergence, fails_for_graphs_and_for_what_is_no_eigenfunction) {
         EXPECT_LE(spheres().at("quads").order(laplacian, 4), 0.5) << rival;
 }
 
-} // namespace
 } // namespace polydec::paper::in_rival_convergence

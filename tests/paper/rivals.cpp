@@ -7,7 +7,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::paper::in_rivals {
-namespace {
 
 using test::each_says;
 using test::refusal;
@@ -365,5 +364,4 @@ TEST(RivalErrors, name_the_edge_beyond_which_a_virtual_vertex_lies) {
                    "vertex 4", "5");
 }
 
-} // namespace
 } // namespace polydec::paper::in_rivals

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::paper::in_virtual_vertices {
-namespace {
 
 TEST(VirtualVertices, of_regular_polygons_weigh_all_corners_equally) {
     for (const Index n : {3, 4, 5, 6, 11}) {
@@ -62,5 +61,4 @@ TEST(VirtualVertices, have_weights_that_jump_where_a_polygon_stops_being_planar)
     EXPECT_GE((virtual_vertex_weights(bent) - w).norm(), 1e-2);
 }
 
-} // namespace
 } // namespace polydec::paper::in_virtual_vertices

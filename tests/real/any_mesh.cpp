@@ -8,7 +8,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_any_mesh {
-namespace {
 
 constexpr Index most_edges = 10000;
 constexpr Index most_harmonic = 60;
@@ -115,5 +114,4 @@ TEST(AnyMesh, has_orthogonal_decompositions_and_heat_that_does_not_grow) {
     });
 }
 
-} // namespace
 } // namespace polydec::test::in_any_mesh

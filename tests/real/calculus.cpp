@@ -7,7 +7,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_calculus {
-namespace {
 
 constexpr double rounding = 1e-12;
 constexpr double orthogonal = 1e-10; // what is solved for has the residuals of an engine
@@ -219,5 +218,4 @@ TEST_P(RealDecompositions, are_orthogonal_sums_of_closed_and_coclosed_parts_or_r
 
 POLYDEC_ON_REAL_SURFACES(RealDecompositions);
 
-} // namespace
 } // namespace polydec::test::in_calculus

@@ -7,7 +7,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_centroids {
-namespace {
 
 constexpr double rounding = 1e-12;
 
@@ -95,5 +94,4 @@ TEST(RealCentroids, give_positive_duals_that_fill_every_mesh) {
     EXPECT_GT(counts.negative, counts.meshes / 2);
 }
 
-} // namespace
 } // namespace polydec::test::in_centroids

@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_poisson_tets {
-namespace {
 
 class RealTets : public testing::TestWithParam<std::string> {
 protected:
@@ -51,5 +50,4 @@ INSTANTIATE_TEST_SUITE_P(Real, RealTets,
                                                        "tet/test_mesh_3d.msh", "tet/hand.mesh"})),
                          [](const auto& instance) { return test_name(instance.param); });
 
-} // namespace
 } // namespace polydec::test::in_poisson_tets

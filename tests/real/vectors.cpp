@@ -7,7 +7,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_vectors {
-namespace {
 
 constexpr double rounding = 1e-12;
 // of heights of circumcenters, and of least squares in thin cells, which are ill-conditioned
@@ -176,5 +175,4 @@ TEST_P(RealVectors, are_as_many_as_the_cells_or_refused) {
 
 POLYDEC_ON_REAL_SURFACES(RealVectors);
 
-} // namespace
 } // namespace polydec::test::in_vectors

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_counts {
-namespace {
 
 /// How many random shapes the law is tried on; POLYDEC_SHAPES sets another number.
 int tries() {
@@ -171,5 +170,4 @@ TEST(CountBelow, of_lengths_whose_volumes_are_out_of_range_is_refused) {
         }
 }
 
-} // namespace
 } // namespace polydec::test::in_counts

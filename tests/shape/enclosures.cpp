@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_enclosures {
-namespace {
 
 const BoundaryConditions dirichlet{BoundaryCondition::essential};
 
@@ -206,5 +205,4 @@ TEST(ShapeSpectrum, proves_with_few_factorizations) {
     EXPECT_EQ(found.count.at_least, found.count.at_most);
 }
 
-} // namespace
 } // namespace polydec::test::in_enclosures

@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_exact_distance {
-namespace {
 
 Vector from(const MeasuredSurface& shape, std::vector<Index> sources) {
     return exact_distance(shape.surface, shape.lengths, sources);
@@ -309,5 +308,4 @@ TEST(ExactDistance, between_components_is_refused_and_of_each_is_its_own) {
                    "range");
 }
 
-} // namespace
 } // namespace polydec::test::in_exact_distance

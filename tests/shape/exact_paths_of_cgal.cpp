@@ -11,7 +11,6 @@
 #endif
 
 namespace polydec::test::in_exact_paths_of_cgal {
-namespace {
 
 #ifdef POLYDEC_HAS_CGAL
 
@@ -65,5 +64,4 @@ TEST(ExactDistance, is_that_of_cgal) {
 
 #endif
 
-} // namespace
 } // namespace polydec::test::in_exact_paths_of_cgal

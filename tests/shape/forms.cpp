@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_forms_of_shapes {
-namespace {
 
 void expect_enclosed(const ShapeSpectrum& found, const std::vector<double>& truth, Index zeros) {
     EXPECT_EQ(found.zeros, zeros);
@@ -119,5 +118,4 @@ TEST(Flips, keep_conditions_and_leave_what_cannot_flip) {
     EXPECT_EQ(flipped(weighted).flips, 0);
 }
 
-} // namespace
 } // namespace polydec::test::in_forms_of_shapes

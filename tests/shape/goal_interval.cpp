@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_goal_interval {
-namespace {
 
 /// The interval of a domain whose lengths are off by a factor that the error given allows.
 TEST(GoalInterval, knows_the_errors_of_lengths) {
@@ -78,5 +77,4 @@ TEST(GoalInterval, of_turned_needles_encloses_their_area) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_goal_interval

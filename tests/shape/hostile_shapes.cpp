@@ -10,7 +10,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_hostile_shapes {
-namespace {
 
 /// How many were asked, and how many were refused.
 struct Tally {
@@ -232,5 +231,4 @@ TEST(HostileShapes, are_answered_or_refused_and_agree_with_64_times_as_many_tria
     EXPECT_LT(2 * errors.refused, errors.asked);
 }
 
-} // namespace
 } // namespace polydec::test::in_hostile_shapes

@@ -6,7 +6,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_lehmann_bounds {
-namespace {
 
 constexpr Index below = 6;
 
@@ -80,5 +79,4 @@ TEST(LehmannBounds, of_eigenvectors_are_counts) {
     });
 }
 
-} // namespace
 } // namespace polydec::test::in_lehmann_bounds

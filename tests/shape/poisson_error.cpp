@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_poisson_error {
-namespace {
 
 /// On the divided mesh.
 Vector divided(const Pieces& pieces, const Vector& values) {
@@ -337,5 +336,4 @@ TEST(PoissonError, of_what_does_not_fit_is_refused) {
     EXPECT_REFUSED(goal_interval(other, u, problem.source), "constants");
 }
 
-} // namespace
 } // namespace polydec::test::in_poisson_error

@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_refinement {
-namespace {
 
 std::vector<Index> some(std::mt19937& random, Index size) {
     std::vector<Index> chosen;
@@ -329,5 +328,4 @@ TEST(Adaptive, makes_the_functions_that_a_coarse_mesh_lacks) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_refinement

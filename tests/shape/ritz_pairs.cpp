@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_ritz_pairs {
-namespace {
 
 using Pencil = Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix>;
 
@@ -58,5 +57,4 @@ TEST(RitzSolver, finds_the_smallest_eigenvalues) {
     });
 }
 
-} // namespace
 } // namespace polydec::test::in_ritz_pairs

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_shortest_paths {
-namespace {
 
 std::vector<MeasuredSurface> surfaces() {
     std::vector<MeasuredSurface> all{measured(cube(3)),
@@ -153,5 +152,4 @@ TEST(ShortestPaths, from_vertices_and_at_places_that_are_none_are_refused) {
     EXPECT_NO_THROW(paths.at(3, {1 + 1e-15, 0, -1e-15}));
 }
 
-} // namespace
 } // namespace polydec::test::in_shortest_paths

@@ -8,7 +8,6 @@
 #include <complex>
 
 namespace polydec::test::in_straight_lines {
-namespace {
 
 using Point = std::complex<double>;
 
@@ -214,5 +213,4 @@ TEST(ExactDistance, is_symmetric_and_grows_no_faster_than_the_way) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_straight_lines

@@ -7,7 +7,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_windows {
-namespace {
 
 WindowDistances windows(const MeasuredSurface& shape, std::size_t most, Index source = 0) {
     const UnfoldedTriangles unfolded(shape.surface, shape.lengths);
@@ -59,5 +58,4 @@ TEST(Windows, beyond_the_most_are_refused) {
                  "320 triangles", "delaunay", "heat");
 }
 
-} // namespace
 } // namespace polydec::test::in_windows

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_absorbing_layer {
-namespace {
 
 /// A pulse in the middle, which runs in all directions: round about it for 1-forms.
 Cochain pulse(const Discretization& box, Side side, int degree, double width) {
@@ -168,5 +167,4 @@ TEST(ConductingLayers, throw_back_less_than_1e4th_of_what_comes_straight_on_octa
     EXPECT_GT(straight_reflection(octahedra, 1e-2), 1e-3) << "a weak one";
 }
 
-} // namespace
 } // namespace polydec::test::in_absorbing_layer

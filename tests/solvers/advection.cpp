@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_advection {
-namespace {
 
 constexpr double rounding = 1e-11;
 
@@ -112,5 +111,4 @@ TEST(AdvectionErrors, name_the_dimension_and_the_facet) {
     EXPECT_REFUSED(advection(Vector::Ones(3), Vector::Ones(3)), "3 values", "vorticity", "25");
 }
 
-} // namespace
 } // namespace polydec::test::in_advection

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_boundary_in_time {
-namespace {
 
 struct Stationary {
     double rate = 0;    ///< what is left of it at the solution of Delta u = f, relative
@@ -100,5 +99,4 @@ TEST(BoundaryInTime, forms_with_data_that_change_converge) {
         });
 }
 
-} // namespace
 } // namespace polydec::test::in_boundary_in_time

@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_branching_geodesics {
-namespace {
 
 /// Pages of a book, unit squares of n x n cells along one spine, the second axis. Row 0 of
 /// `places` are the distances from the spine, row 1 heights; the pages of vertices are numbered.
@@ -114,5 +113,4 @@ TEST(BranchingGeodesics, are_those_of_glued_triangles_where_these_can_be_glued) 
                    "surface");
 }
 
-} // namespace
 } // namespace polydec::test::in_branching_geodesics

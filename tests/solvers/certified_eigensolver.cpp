@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_certified_eigensolver {
-namespace {
 
 /// Spectra's solver with a fault: of the pairs it finds, only those that are kept come back.
 class Forgetful : public EigenSolver {
@@ -246,5 +245,4 @@ TEST(CertifiedEigensolverRefuses, sizes_and_masses_that_do_not_fit) {
     EXPECT_SAYS(solve(2, Vector::Ones(2), 3), "3 eigenvalues", "1", "2");
 }
 
-} // namespace
 } // namespace polydec::test::in_certified_eigensolver

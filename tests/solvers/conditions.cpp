@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_conditions {
-namespace {
 
 const BoundaryConditions dirichlet{BoundaryCondition::essential};
 const BoundaryConditions neumann{BoundaryCondition::natural};
@@ -316,5 +315,4 @@ TEST(HodgeUnderConditions, sees_the_homology_of_the_dual_complex) {
     EXPECT_EQ(harmonic_forms({mesh, Side::dual, 0, neumann}).cols(), 1);
 }
 
-} // namespace
 } // namespace polydec::test::in_conditions

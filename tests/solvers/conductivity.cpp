@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_conductivity {
-namespace {
 
 /// What is merged is merged exactly, so that no edge left out has a weight.
 const DiscretizeOptions merges[] = {{.criterion = MergeCriterion::none}, {.tolerance = 1e-12}};
@@ -209,5 +208,4 @@ TEST(ConcyclicEdgesBroken, that_are_left_out_give_another_solution) {
     EXPECT_GT(error_of_solution(mesh, kappa, A), 0.01);
 }
 
-} // namespace
 } // namespace polydec::test::in_conductivity

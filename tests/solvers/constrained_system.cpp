@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_constrained_system {
-namespace {
 
 /// Laplacian of paths with the given numbers of nodes, side by side.
 SparseMatrix paths(const std::vector<Index>& nodes) {
@@ -163,5 +162,4 @@ TEST(ConstrainedSystem, refuses_sizes_that_do_not_fit) {
                    "fixed values", "3", "3");
 }
 
-} // namespace
 } // namespace polydec::test::in_constrained_system

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_darcy {
-namespace {
 
 /// 1 or -1 as all simplices of a flat mesh are oriented against its coordinates; 0 if it is folded.
 int turn(const Discretization& mesh) {
@@ -368,5 +367,4 @@ TEST(DarcyByStarsErrors, name_what_does_not_fit) {
                    "definite");
 }
 
-} // namespace
 } // namespace polydec::test::in_darcy

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_evolution {
-namespace {
 
 using std::numbers::pi;
 
@@ -362,5 +361,4 @@ TEST(evolution, what_does_not_fit_is_refused_by_its_number) {
     EXPECT_THROW(few_rates.march(1), InvalidInput);
 }
 
-} // namespace
 } // namespace polydec::test::in_evolution

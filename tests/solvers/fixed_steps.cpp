@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_fixed_steps {
-namespace {
 
 using Made = std::unique_ptr<FixedSteps>;
 
@@ -64,5 +63,4 @@ TEST(FixedSteps, resume_from_no_other_state) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_fixed_steps

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_fixed_values {
-namespace {
 
 const BoundaryConditions neumann{BoundaryCondition::natural};
 
@@ -69,5 +68,4 @@ TEST(Conditions, that_give_values_nowhere_are_found) {
     closed.require_use({.values = "on no boundary", .flow = "on no boundary"});
 }
 
-} // namespace
 } // namespace polydec::test::in_fixed_values

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_flux_transport {
-namespace {
 
 class FluxTransports : public OverMeshes {};
 
@@ -133,5 +132,4 @@ TEST(FluxTransportErrors, name_the_value_that_is_not_finite) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_flux_transport

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_form_sources {
-namespace {
 
 /// Norm of the error over that of the solution; the source is `factor` times that of the solution.
 double error(const Discretization& mesh, Side side, int degree, Where where, double factor = 1) {
@@ -163,5 +162,4 @@ TEST(BoundaryDeRham, completes_the_derivative_of_dual_forms) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_form_sources

@@ -6,7 +6,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_geodesic_distance {
-namespace {
 
 constexpr Index from_0[] = {0};
 
@@ -316,5 +315,4 @@ TEST(GeodesicDistance, refuses_sources_and_times_that_make_no_sense) {
     EXPECT_EQ(with(1e6), "accepted");
 }
 
-} // namespace
 } // namespace polydec::test::in_geodesic_distance

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_geodesic_sources {
-namespace {
 
 /// Vertices of an n x n grid of the unit square, by how far from the boundary they are at most.
 std::vector<Index> near_boundary(const GluedSample& square, double distance) {
@@ -111,5 +110,4 @@ TEST(GeodesicSources, have_no_heat_to_scale_or_solve_for_in_exact_distances) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_geodesic_sources

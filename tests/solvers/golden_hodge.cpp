@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_golden_hodge {
-namespace {
 
 class GoldenHodge : public OverGoldenForms {
 protected:
@@ -56,5 +55,4 @@ TEST_P(GoldenHodge, spectra_relative_to_the_boundary) {
 
 POLYDEC_OVER_GOLDEN_FORMS(GoldenHodge);
 
-} // namespace
 } // namespace polydec::test::in_golden_hodge

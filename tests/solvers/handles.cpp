@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_handles {
-namespace {
 
 /// use(handle) is a number that needs the handle's data.
 template <class Handle, class Use>
@@ -105,5 +104,4 @@ static_assert(
                decltype(of<ShortestPaths>().distances()),
                decltype(of<ParallelTransport>().frames()), decltype(of<Diffusion>().kept())>);
 
-} // namespace
 } // namespace polydec::test::in_handles

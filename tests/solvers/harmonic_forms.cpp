@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_harmonic_forms {
-namespace {
 
 /// Constant forms are harmonic, and every consistent scheme has them exactly.
 struct Constant {
@@ -260,5 +259,4 @@ INSTANTIATE_TEST_SUITE_P(
                     of_family("obtuse_planar"), of_family("obtuse_solid")),
     [](const auto& instance) { return std::string(instance.param.name); });
 
-} // namespace
 } // namespace polydec::test::in_harmonic_forms

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_heat {
-namespace {
 
 constexpr double quick = 0.1;
 
@@ -282,5 +281,4 @@ TEST(Heat, does_not_grow_where_duals_of_facets_are_negative) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_heat

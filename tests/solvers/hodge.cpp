@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_hodge {
-namespace {
 
 constexpr double rounding = 1e-10;
 
@@ -334,5 +333,4 @@ TEST(HodgeErrors, name_what_is_missing) {
     EXPECT_REFUSED(solver.decompose({Side::dual, 1, bad}), "dual 1-form", "40 values", "3", "nan");
 }
 
-} // namespace
 } // namespace polydec::test::in_hodge

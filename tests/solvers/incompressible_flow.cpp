@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_incompressible_flow {
-namespace {
 
 Vector marched(const IncompressibleFlow& equations, const Vector& w, const FlowSteps& steps,
                int count) {
@@ -294,5 +293,4 @@ TEST(FlowErrors, name_what_is_wrong) {
     EXPECT_EQ(rash.flux(), w);
 }
 
-} // namespace
 } // namespace polydec::test::in_incompressible_flow

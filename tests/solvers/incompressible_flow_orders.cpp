@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_incompressible_flow_orders {
-namespace {
 
 double taylor_green(const Vector& x) {
     return std::sin(x[0]) * std::sin(x[1]);
@@ -79,5 +78,4 @@ TEST(TaylorGreenVortices, have_their_pressure) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_incompressible_flow_orders

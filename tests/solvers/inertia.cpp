@@ -7,7 +7,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_inertia {
-namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -175,5 +174,4 @@ TEST(RadiiAfterFlips, hold_what_the_last_digits_of_lengths_can_do) {
     check({origin, right, {0.4490078543688282, 0.13889545246731871}, top}, 16.057776683460156459);
 }
 
-} // namespace
 } // namespace polydec::test::in_inertia

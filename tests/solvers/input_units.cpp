@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_input_units {
-namespace {
 
 Cochain any_form(const Discretization& mesh, Side side, int degree) {
     const Index size = mesh.complex().size(cell_degree(mesh.complex(), side, degree));
@@ -185,5 +184,4 @@ TEST(InputUnits, are_those_of_waves) {
         1);
 }
 
-} // namespace
 } // namespace polydec::test::in_input_units

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_input_units_of_flows {
-namespace {
 
 const std::vector<std::string> surfaces{"grid4", "wellcentred4", "icosphere3"};
 
@@ -139,5 +138,4 @@ TEST(InputUnits, of_energies_are_refused_where_they_are_no_numbers) {
     EXPECT_NEAR(flow.relative_energy(2 * w, w), 4, 1e-12);
 }
 
-} // namespace
 } // namespace polydec::test::in_input_units_of_flows

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_intrinsic {
-namespace {
 
 Discretization flipped(const Mesh& mesh) {
     return circumcentric(mesh, {.delaunay = Delaunay::flips_and_splits});
@@ -118,5 +117,4 @@ TEST(GeodesicDistance, of_a_bundle_is_that_of_its_triangles_before_or_after_flip
     EXPECT_LT(error(flipped(mesh)), 0.02);
 }
 
-} // namespace
 } // namespace polydec::test::in_intrinsic

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_kelvin {
-namespace {
 
 /// Velocities anywhere in the unit square from those at places about a width apart, by quadratic
 /// polynomials that fit those near by.
@@ -114,5 +113,4 @@ TEST(Kelvin, circulation_around_carried_loops_is_kept_with_order_2) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_kelvin

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_kept_spectra {
-namespace {
 
 /// What a run tells of on its way.
 std::vector<DenseMatrix> told_of(const FormSpace& space, SpectrumOptions options) {
@@ -97,5 +96,4 @@ TEST(KeptSpectra, are_right_whatever_they_are_begun_with) {
     EXPECT_REFUSED(spectrum(space, options), "2 start vectors", "3 numbers", "362");
 }
 
-} // namespace
 } // namespace polydec::test::in_kept_spectra

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_materials {
-namespace {
 
 constexpr double wall = 0.5, ratio = 10;
 
@@ -122,5 +121,4 @@ TEST(ElectricMaterial, divides_eigenvalues_by_permittivity_and_permeability) {
         }
 }
 
-} // namespace
 } // namespace polydec::test::in_materials

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_own_cells {
-namespace {
 
 /// Solvers on complex and volumes alone, against those of a mesh that has these.
 class OwnCells : public OverMeshes {
@@ -126,5 +125,4 @@ TEST(OwnCellsRefuse, volumes_of_other_cells) {
     EXPECT_THROW(Cells(mesh.complex(), other.volumes()), InvalidInput);
 }
 
-} // namespace
 } // namespace polydec::test::in_own_cells

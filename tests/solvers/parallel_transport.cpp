@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_parallel_transport {
-namespace {
 
 using Complex = std::complex<double>;
 
@@ -285,5 +284,4 @@ TEST(ParallelTransport, names_vertices_by_their_numbers_in_the_mesh) {
     EXPECT_SAYS(refused(moebius(24, 2), {0}, 79), "one-sided", "vertex 79 to 80");
 }
 
-} // namespace
 } // namespace polydec::test::in_parallel_transport

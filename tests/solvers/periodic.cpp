@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_periodic {
-namespace {
 
 using std::numbers::pi;
 
@@ -225,5 +224,4 @@ TEST(PeriodicErrors, name_the_cell_or_the_translation) {
                    "2 coordinates");
 }
 
-} // namespace
 } // namespace polydec::test::in_periodic

@@ -15,7 +15,6 @@
 #include <unistd.h>
 
 namespace polydec::test::in_places {
-namespace {
 
 using Place = Error::Place;
 
@@ -254,5 +253,4 @@ TEST(Reports, of_failures_have_what_the_text_names) {
 static_assert(std::is_nothrow_copy_constructible_v<InvalidInput>);
 static_assert(std::is_nothrow_copy_constructible_v<SolverFailure>);
 
-} // namespace
 } // namespace polydec::test::in_places

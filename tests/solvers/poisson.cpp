@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_poisson {
-namespace {
 
 // Franke's function is a sum of c exp(-q). Its second term falls linearly with y, the last one has
 // Franke's own exponent.
@@ -357,5 +356,4 @@ TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
                    "material_star");
 }
 
-} // namespace
 } // namespace polydec::test::in_poisson

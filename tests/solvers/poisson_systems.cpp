@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_poisson_systems {
-namespace {
 
 /// How far forms, what was removed, and fluxes differ, but for those through facets without dual,
 /// which densities alone know, from the balance of the cell beside them.
@@ -66,5 +65,4 @@ TEST(PoissonSystems, have_the_solution_of_the_equations_of_all_forms) {
     EXPECT_GT(seen, 150);
 }
 
-} // namespace
 } // namespace polydec::test::in_poisson_systems

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_radii {
-namespace {
 
 struct Complex {
     SimplicialComplex complex;
@@ -238,5 +237,4 @@ TEST(CoexactSpectrum, spans_two_spheres_of_very_different_size) {
     EXPECT_LE((twice.radii.array() / twice.eigenvalues.array()).maxCoeff(), 1e-6);
 }
 
-} // namespace
 } // namespace polydec::test::in_radii

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_robin {
-namespace {
 
 constexpr StarKind kinds[] = {StarKind::circumcentric, StarKind::galerkin};
 
@@ -273,5 +272,4 @@ TEST(Robin, is_refused_by_name_where_it_is_not_known) {
                    "0 Robin coefficients", "12 1-cells");
 }
 
-} // namespace
 } // namespace polydec::test::in_robin

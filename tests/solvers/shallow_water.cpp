@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_shallow_water {
-namespace {
 
 using State = ShallowWater::State;
 
@@ -151,5 +150,4 @@ TEST(ShallowWaterErrors, name_the_number_that_is_none) {
                    "value 0 is nan");
 }
 
-} // namespace
 } // namespace polydec::test::in_shallow_water

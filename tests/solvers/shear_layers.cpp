@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_shear_layers {
-namespace {
 
 /// The unit square glued at opposite sides.
 PeriodicMesh flat_torus(const std::string& shape, int cells) {
@@ -83,5 +82,4 @@ TEST(ShearLayers, roll_up_with_order_2) {
     EXPECT_GT(largest_difference(vorticity_of_layers(16, 8 * nu), coarse), 5 * second);
 }
 
-} // namespace
 } // namespace polydec::test::in_shear_layers

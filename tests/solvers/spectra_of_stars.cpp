@@ -7,7 +7,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_spectra_of_stars {
-namespace {
 
 constexpr std::array kinds{StarKind::galerkin, StarKind::hybrid, StarKind::barycentric};
 
@@ -163,5 +162,4 @@ TEST(ModesOfDualForms, have_norm_1_where_no_flow_leaves_and_stars_are_matrices) 
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_spectra_of_stars

@@ -4,7 +4,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_spectrum {
-namespace {
 
 struct Case {
     std::string name;
@@ -233,5 +232,4 @@ TEST(Coarseness, is_that_of_eigenvalues_that_can_be_enclosed) {
     EXPECT_EQ(spectrum({cube, Side::dual, 0}, {.count = 3}).coarseness, 0);
 }
 
-} // namespace
 } // namespace polydec::test::in_spectrum

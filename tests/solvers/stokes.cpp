@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_stokes {
-namespace {
 
 /// Without divergence, and - Laplace u = u; the pressure is x_0 x_1.
 Vector velocity(const Vector& x) {
@@ -211,5 +210,4 @@ TEST(StokesErrors, name_what_does_not_fit) {
     EXPECT_REFUSED(StokesSolver(mesh, {.viscosity = 0}), "viscosity is 0");
 }
 
-} // namespace
 } // namespace polydec::test::in_stokes

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_surface_paths {
-namespace {
 
 /// How far ends of segments are from circles around a corner of a square, on eight triangles.
 double defect(Index divisions) {
@@ -75,5 +74,4 @@ TEST(ShortestPaths, of_any_size_have_all_their_pieces) {
     }
 }
 
-} // namespace
 } // namespace polydec::test::in_surface_paths

@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_wave_orders {
-namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double omega = 2, end = 1;
@@ -144,5 +143,4 @@ TEST(WaveOrders, are_2_on_octahedra_and_tetrahedra) {
     EXPECT_GT(wave_order(tetrahedra, between_magnetic_walls(3), Side::dual), 1);
 }
 
-} // namespace
 } // namespace polydec::test::in_wave_orders

@@ -2,7 +2,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_waves {
-namespace {
 
 constexpr BoundaryCondition kinds[] = {BoundaryCondition::essential, BoundaryCondition::natural};
 
@@ -305,5 +304,4 @@ TEST(WaveErrors, name_losses_layers_and_sides) {
                 "parallel", "axes");
 }
 
-} // namespace
 } // namespace polydec::test::in_waves

@@ -5,7 +5,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_waves_by_stars {
-namespace {
 
 class WavesByStars : public OverMeshes {
 protected:
@@ -119,5 +118,4 @@ TEST(WavesByOtherStars, of_a_cavity_have_its_frequency) {
     FAIL() << "no change of sign";
 }
 
-} // namespace
 } // namespace polydec::test::in_waves_by_stars

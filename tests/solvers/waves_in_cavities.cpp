@@ -3,7 +3,6 @@
 #include "tests/support/test.h"
 
 namespace polydec::test::in_waves_in_cavities {
-namespace {
 
 /// The complex of forms that vanish on the boundary, with its volumes.
 struct Cavity {
@@ -216,5 +215,4 @@ TEST(WaveErrors, name_what_is_wrong) {
                    "forms are dual", "primal forms", "coexact dual forms");
 }
 
-} // namespace
 } // namespace polydec::test::in_waves_in_cavities
