@@ -2,7 +2,6 @@
 #include "backends/linear/auto_solver.h"
 
 #include "tests/backends/matrices.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_auto_solver {
 

@@ -2,7 +2,6 @@
 #include "backends/blas.h"
 
 #include "tests/backends/matrices.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_blas {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/backends/matrices.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_cholmod {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/backends/matrices.h"
-#include "tests/support/test.h"
 
 #include <rapidcheck/gtest.h>
 

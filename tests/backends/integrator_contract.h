@@ -2,7 +2,6 @@
 #pragma once
 
 #include "tests/backends/matrices.h"
-#include "tests/support/test.h"
 
 /// Problems that integrators are tested on, and what is asked of each.
 namespace polydec::test::in_integrator_contract {

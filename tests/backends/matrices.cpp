@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/backends/matrices.h"
 
-#include "tests/support/test.h"
-
 namespace polydec::test {
 
 namespace {

@@ -2,7 +2,6 @@
 #include "system/atomic_file.h"
 
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 #include <sys/resource.h>
 #include <sys/stat.h>

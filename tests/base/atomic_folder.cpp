@@ -2,7 +2,6 @@
 #include "system/atomic_folder.h"
 
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_atomic_folder {
 

@@ -2,7 +2,6 @@
 #include "complex/blocks.h"
 
 #include "tests/complex/labels.h"
-#include "tests/support/test.h"
 
 #include <rapidcheck.h>
 

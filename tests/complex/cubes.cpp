@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "complex/blocks.h"
 #include "tests/complex/labels.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_cubes {
 

@@ -2,7 +2,6 @@
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/subsets.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_de_rham {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/dec/products.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_interior_product_convergence {
 

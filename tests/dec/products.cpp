@@ -3,7 +3,6 @@
 
 #include "dec/merging/lift.h"
 #include "dec/metric/subsets.h"
-#include "tests/support/test.h"
 
 namespace polydec::test {
 

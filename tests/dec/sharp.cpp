@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/dual_parts.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_sharp {
 

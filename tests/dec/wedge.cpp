@@ -2,7 +2,6 @@
 #include "dec/merging/lift.h"
 #include "tests/dec/discretized.h"
 #include "tests/dec/products.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_wedge {
 

@@ -2,7 +2,6 @@
 #include "tests/distributed/binary_files.h"
 
 #include "tests/io/bytes.h"
-#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -4,7 +4,6 @@
 #include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_checkpoint {
 

@@ -3,7 +3,6 @@
 
 #include "distributed/discretize.h"
 #include "tests/distributed/swept.h"
-#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -2,7 +2,6 @@
 #include "distributed/local_complex.h"
 
 #include "tests/distributed/compare.h"
-#include "tests/support/test.h"
 
 #include <algorithm>
 

@@ -6,7 +6,6 @@
 #include "distributed/poisson.h"
 #include "tests/distributed/compare.h"
 #include "tests/support/slivers.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_merged_cells {
 

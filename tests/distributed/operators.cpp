@@ -3,7 +3,6 @@
 #include "distributed/petsc.h"
 #include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
-#include "tests/support/test.h"
 
 #include <petscviewer.h>
 

@@ -2,7 +2,6 @@
 #include "distributed/own_cells.h"
 
 #include "tests/distributed/compare.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_own_cells {
 

@@ -5,7 +5,6 @@
 #include "tests/distributed/binary_files.h"
 #include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_read_parts {
 

@@ -2,7 +2,6 @@
 #include "tests/distributed/swept.h"
 
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test {
 

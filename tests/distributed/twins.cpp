@@ -3,7 +3,6 @@
 // What would be wrong if one of the rules that results rest on were another, and that this is seen.
 #include "dec/merging/facet_links.h"
 #include "tests/distributed/compare.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_twins {
 

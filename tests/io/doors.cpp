@@ -4,8 +4,6 @@
 // not answer, not throw something else.
 #include "tests/io/doors.h"
 
-#include "tests/support/test.h"
-
 namespace polydec::test::in_doors {
 
 /// A function of a degree, and the degrees that there are.

@@ -5,7 +5,6 @@
 #include "dec/merging/merged_tags.h"
 #include "tests/io/doors.h"
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test {
 namespace {

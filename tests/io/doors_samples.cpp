@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/doors.h"
-#include "tests/support/test.h"
 
 #include <new>
 

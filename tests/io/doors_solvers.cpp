@@ -3,7 +3,6 @@
 // Every solver, surface function and picture, asked of every kind of sample with right inputs and
 // with flawed ones: see Asking.
 #include "tests/io/doors.h"
-#include "tests/support/test.h"
 
 namespace polydec::test {
 namespace {

@@ -3,7 +3,6 @@
 // Pictures of several fields: each value is found where it belongs, in files, pages and series.
 #include "io/pages/page_fields.h"
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_draw_fields {
 

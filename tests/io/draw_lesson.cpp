@@ -2,7 +2,6 @@
 #include "io/pictures/svg_canvas.h"
 #include "io/pictures/svg_layout.h"
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 #include <regex>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/deflate.h"
 #include "tests/io/bytes.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_inflate {
 

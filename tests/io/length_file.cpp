@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_length_file {
 

@@ -3,7 +3,6 @@
 #include "io/meshes/readers.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 #include <sys/resource.h>
 

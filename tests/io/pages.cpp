@@ -7,7 +7,6 @@
 #include "io/pages/page_text.h"
 #include "io/xml_text.h"
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_pages {
 

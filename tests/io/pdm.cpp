@@ -2,7 +2,6 @@
 #include "io/meshes/pdm.h"
 
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 #include <rapidcheck.h>
 

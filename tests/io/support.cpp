@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
 
-#include "tests/support/test.h"
-
 #include <unistd.h>
 
 namespace polydec::test {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
 #include "tests/io/svg_text.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_svg {
 

@@ -6,8 +6,6 @@
 
 #include "tests/io/svg_text.h"
 
-#include "tests/support/test.h"
-
 #include <regex>
 
 namespace polydec::test {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/readers.h"
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_tetgen {
 

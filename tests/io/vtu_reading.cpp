@@ -2,7 +2,6 @@
 #include "io/meshes/readers.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_vtu_reading {
 

@@ -2,7 +2,6 @@
 #include "io/pictures/vtu_solids.h"
 
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_vtu_solids {
 

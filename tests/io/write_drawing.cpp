@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "system/child_process.h"
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_write_drawing {
 

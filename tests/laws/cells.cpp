@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/laws/over_hostile_meshes.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_cells {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/meshes/propositions.h"
 
-#include "tests/support/test.h"
-
 namespace polydec {
 
 namespace {

@@ -2,7 +2,6 @@
 #include "meshes/tetgen/run_tetgen.h"
 
 #include "tests/meshes/tetgen_support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_run_tetgen {
 

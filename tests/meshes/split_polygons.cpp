@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/polygon_splitter.h"
 #include "tests/meshes/propositions.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_split_polygons {
 

@@ -2,7 +2,6 @@
 #include "meshes/tetgen/tetgen_input.h"
 
 #include "tests/meshes/tetgen_support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_tetgen_input {
 

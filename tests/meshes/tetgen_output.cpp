@@ -3,7 +3,6 @@
 
 #include "meshes/tetgen/tetrahedron_sign.h"
 #include "tests/meshes/tetgen_support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_tetgen_output {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/meshes/propositions.h"
 #include "tests/meshes/tetgen_support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_tetrahedralize {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/point_tree.h"
 #include "tests/meshes/propositions.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_weld {
 

@@ -6,7 +6,6 @@
 #include "io/xml_text.h"
 #include "tests/io/support.h"
 #include "tests/io/svg_text.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_plots {
 

@@ -5,7 +5,6 @@
 #include "examples/paper/program.h"
 #include "examples/paper/reproductions.h"
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::paper::in_report {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/paper/rival_surfaces.h"
-#include "tests/support/test.h"
 
 #include <Eigen/SparseCholesky>
 

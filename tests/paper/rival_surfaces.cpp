@@ -5,7 +5,6 @@
 #include "examples/paper/rivals/bunge_diamond.h"
 #include "examples/paper/rivals/bunge_virtual_vertex.h"
 #include "examples/paper/rivals/de_goes.h"
-#include "tests/support/test.h"
 
 namespace polydec::paper {
 

@@ -4,7 +4,6 @@
 #include "examples/paper/rivals/bunge_virtual_vertex.h"
 #include "examples/paper/rivals/de_goes.h"
 #include "tests/paper/rival_surfaces.h"
-#include "tests/support/test.h"
 
 namespace polydec::paper::in_rivals {
 

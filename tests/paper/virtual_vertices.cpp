@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "examples/paper/rivals/bunge_virtual_vertex.h"
 #include "tests/paper/rival_surfaces.h"
-#include "tests/support/test.h"
 
 namespace polydec::paper::in_virtual_vertices {
 

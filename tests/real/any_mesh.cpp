@@ -5,7 +5,6 @@
 // circumcentric stars refuse on most of them.
 #include "tests/io/support.h"
 #include "tests/real/samples.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_any_mesh {
 

@@ -4,7 +4,6 @@
 // law is from holding is told cell by cell, over the sum of all that is added up there in size
 // (worst_share): so the bound is one of rounding, wherever cells are thin and lifts are large.
 #include "tests/real/surfaces.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_calculus {
 

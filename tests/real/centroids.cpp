@@ -4,7 +4,6 @@
 // every one below the folder of test data.
 #include "tests/io/support.h"
 #include "tests/real/samples.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_centroids {
 

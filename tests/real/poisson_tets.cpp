@@ -2,7 +2,6 @@
 //
 // Delta u = 1 with u = 0 on the boundary, on tetrahedra with negative duals: u is nowhere negative.
 #include "tests/real/samples.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_poisson_tets {
 

@@ -2,7 +2,6 @@
 #include "tests/real/samples.h"
 
 #include "tests/io/support.h"
-#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -6,7 +6,6 @@
 #include "dec/metric/subsets.h"
 #include "tests/io/support.h"
 #include "tests/real/samples.h"
-#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -4,7 +4,6 @@
 // gradients: those of a function on each triangle of the input, by elementary geometry.
 #include "dec/metric/dual_parts.h"
 #include "tests/real/surfaces.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_vectors {
 

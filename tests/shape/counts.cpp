@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "shape/family_counter.h"
 #include "tests/shape/known_shapes.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_counts {
 

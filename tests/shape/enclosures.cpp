@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/shape/known_shapes.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_enclosures {
 

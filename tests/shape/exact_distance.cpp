@@ -2,7 +2,6 @@
 #include "tests/shape/known_shapes.h"
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_exact_distance {
 

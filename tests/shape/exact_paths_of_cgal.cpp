@@ -2,7 +2,6 @@
 //
 // Exact distances against the exact paths of CGAL, where its headers are.
 #include "tests/shape/shapes.h"
-#include "tests/support/test.h"
 
 #ifdef POLYDEC_HAS_CGAL
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

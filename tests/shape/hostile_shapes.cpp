@@ -7,7 +7,6 @@
 #include "tests/shape/known_shapes.h"
 #include "tests/shape/shapes.h"
 #include "tests/support/hostile.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_hostile_shapes {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/shape/known_shapes.h"
 
-#include "tests/support/test.h"
-
 namespace polydec::test {
 
 namespace {

@@ -3,7 +3,6 @@
 
 #include "shape/forms.h"
 #include "tests/shape/known_shapes.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_lehmann_bounds {
 

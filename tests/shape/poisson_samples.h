@@ -3,7 +3,6 @@
 
 #include "shape/poisson_pair.h"
 #include "tests/shape/known_shapes.h"
-#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -2,7 +2,6 @@
 #include "complex/surfaces/ordered_surface.h"
 #include "shape/measured_simplex.h"
 #include "tests/shape/known_shapes.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_refinement {
 

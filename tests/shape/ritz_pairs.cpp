@@ -2,7 +2,6 @@
 #include "shape/ritz_pairs.h"
 
 #include "tests/shape/known_shapes.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_ritz_pairs {
 

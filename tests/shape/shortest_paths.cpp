@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_shortest_paths {
 

@@ -3,7 +3,6 @@
 // Exact distances against all chains of straight lines, found without windows and without pruning.
 #include "tests/shape/shapes.h"
 #include "tests/solvers/glued_samples.h"
-#include "tests/support/test.h"
 
 #include <complex>
 

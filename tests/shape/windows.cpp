@@ -4,7 +4,6 @@
 #include "shape/windows.h"
 
 #include "tests/shape/shapes.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_windows {
 

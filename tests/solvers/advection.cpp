@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/exterior_product.h"
 #include "tests/dec/discretized.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_advection {
 

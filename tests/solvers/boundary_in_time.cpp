@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Forms that change in time with what is known of them on the boundary.
 #include "tests/solvers/cases.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_boundary_in_time {
 

@@ -2,7 +2,6 @@
 //
 // Distances on surfaces where more than two triangles meet at edges.
 #include "tests/solvers/heat_distance.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_branching_geodesics {
 

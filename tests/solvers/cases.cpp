@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/solvers/cases.h"
 
-#include "tests/support/test.h"
-
 namespace polydec::test {
 
 namespace {

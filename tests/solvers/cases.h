@@ -2,7 +2,6 @@
 #pragma once
 
 #include "tests/solvers/smooth_waves.h"
-#include "tests/support/test.h"
 
 /// The cases that solvers are tested on: meshes, stars, sides, degrees and conditions.
 namespace polydec::test {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/delaunay.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_conductivity {
 

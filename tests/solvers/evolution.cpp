@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/subsets.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_evolution {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/solvers/cases.h"
 #include "tests/solvers/flow_samples.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_flux_transport {
 

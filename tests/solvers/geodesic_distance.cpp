@@ -3,7 +3,6 @@
 #include "solvers/surfaces/surface_metric.h"
 #include "tests/solvers/glued_samples.h"
 #include "tests/solvers/heat_distance.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_geodesic_distance {
 

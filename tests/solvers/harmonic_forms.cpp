@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/solvers/cases.h"
 #include "tests/support/slivers.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_harmonic_forms {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/solvers/cases.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_heat {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/solvers/flow_samples.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_incompressible_flow {
 

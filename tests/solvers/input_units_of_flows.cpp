@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/solvers/cases.h"
 #include "tests/support/all_sizes.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_input_units_of_flows {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Kelvin's theorem: without viscosity the circulation around a loop that the flow carries is kept.
 #include "tests/solvers/flow_samples.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_kelvin {
 

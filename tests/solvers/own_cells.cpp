@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/dec/discretized.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_own_cells {
 

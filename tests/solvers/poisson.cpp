@@ -2,7 +2,6 @@
 #include "tests/solvers/cases.h"
 #include "tests/support/read_golden.h"
 #include "tests/support/scales.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_poisson {
 

@@ -2,7 +2,6 @@
 // One equation in several ways: functions by values, densities or fluxes, and as all forms.
 #include "solvers/sources/poisson_system.h"
 #include "tests/solvers/cases.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_poisson_systems {
 

@@ -2,7 +2,6 @@
 #include "tests/solvers/smooth_waves.h"
 
 #include "dec/metric/subsets.h"
-#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -2,7 +2,6 @@
 //
 // Waves by stars that are no diagonal.
 #include "tests/solvers/star_samples.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_waves_by_stars {
 

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/counted.h"
-
-#include "base/decompositions.h"
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/dense_laplacian.h"
+#include "tests/support/test.h"
 
 namespace polydec::test {
 namespace {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/diamond.h"
 
-#include <array>
-#include <cstdlib>
-#include <map>
-#include <utility>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/extended.h"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
-#include <stdexcept>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

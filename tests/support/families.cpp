@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/families.h"
-
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-#include "tests/support/hand_made.h"
 #include "tests/support/read_golden.h"
-
-#include <stdexcept>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/forms.h"
-
-#include "base/decompositions.h"
 #include "dec/metric/subsets.h"
-
-#include <cmath>
-#include <utility>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

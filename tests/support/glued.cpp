@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/glued.h"
-
 #include "complex/incidence_rows.h"
-#include "tests/support/families.h"
-#include "tests/support/merged.h"
-
-#include <algorithm>
-#include <random>
-#include <utility>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/golden_forms.h"
-
 #include "dec/metric/subsets.h"
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/golden_numbers.h"
-
-#include "dec/stars/star.h"
 #include "tests/support/read_golden.h"
-
-#include <algorithm>
-#include <cmath>
-#include <fstream>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

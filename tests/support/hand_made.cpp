@@ -1,17 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/hand_made.h"
-
-#include "base/decompositions.h"
-#include "meshes/generate.h"
-#include "meshes/rearrange.h"
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <numeric>
-#include <random>
-#include <utility>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

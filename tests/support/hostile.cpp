@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/hostile.h"
 
-#include "meshes/generate.h"
-
-#include <algorithm>
-#include <array>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

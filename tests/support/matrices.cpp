@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/matrices.h"
-
-#include <algorithm>
-#include <cmath>
-#include <random>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/merged.h"
-
-#include "dec/merging/merged_cells.h"
-#include "dec/metric/geometry.h"
-#include "tests/support/families.h"
-
-#include <map>
-#include <memory>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Keeps libraries preloaded into a test program, such as a sanitizer, out of programs it starts.
-#include <cstdlib>
+#include "tests/support/test.h"
 
 namespace {
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/read_golden.h"
 
-#include <fstream>
-#include <stdexcept>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

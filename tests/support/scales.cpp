@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/scales.h"
 
-#include "meshes/generate.h"
-
-#include <cmath>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/slivers.h"
 
-#include "base/random.h"
 #include "meshes/delaunay.h"
-#include "tests/support/hand_made.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace polydec::test {
 
