@@ -34,115 +34,100 @@ Vector in_one(const DenseMatrix& rows) {
 
 TEST(InputUnits, are_those_of_integrals_and_of_places_where_forms_are_asked) {
     for (const StarKind kind : {StarKind::circumcentric, StarKind::galerkin})
-        expect_the_same_of_all_sizes(
-            [kind](const Discretization& given, double size, Side side, int k) {
-                const auto mesh = given.with_stars(kind);
-                const auto form = any_smooth_form(mesh, size, k);
-                const Cochain all =
-                    side == Side::primal ? de_rham(mesh, k, form) : dual_de_rham(mesh, k, form);
-                Vector on_boundary;
-                if (k < mesh.dimension())
-                    on_boundary = boundary_de_rham(mesh, k, form);
-                return Vector(joined({all.values, on_boundary}) / std::pow(size, k));
-            },
-            all_degrees);
+        expect_no_unit({}, [kind](const Discretization& given, double size, Side side, int k) {
+            const auto mesh = given.with_stars(kind);
+            const auto form = any_smooth_form(mesh, size, k);
+            const Cochain all =
+                side == Side::primal ? de_rham(mesh, k, form) : dual_de_rham(mesh, k, form);
+            Vector on_boundary;
+            if (k < mesh.dimension())
+                on_boundary = boundary_de_rham(mesh, k, form);
+            return Vector(joined({all.values, on_boundary}) / std::pow(size, k));
+        });
 }
 
 TEST(InputUnits, are_those_of_places) {
-    expect_the_same_of_all_sizes(
-        [](const Discretization& mesh, double size, Side, int k) {
-            const Mesh lines = streamlines(mesh, any_rows(mesh, mesh.dimension()),
-                                           {.spacing = size / 16, .shortest = 0});
-            return Vector(joined({in_one(mesh.points()), in_one(mesh.input_points()),
-                                  in_one(cell_centers(mesh, k)), in_one(cell_centroids(mesh, k)),
-                                  in_one(dual_sites(mesh)), in_one(facet_sites(mesh)),
-                                  in_one(lines.points)}) /
-                          size);
-        },
-        all_degrees);
+    expect_no_unit({}, [](const Discretization& mesh, double size, Side, int k) {
+        const Mesh lines = streamlines(mesh, any_rows(mesh, mesh.dimension()),
+                                       {.spacing = size / 16, .shortest = 0});
+        return Vector(
+            joined({in_one(mesh.points()), in_one(mesh.input_points()),
+                    in_one(cell_centers(mesh, k)), in_one(cell_centroids(mesh, k)),
+                    in_one(dual_sites(mesh)), in_one(facet_sites(mesh)), in_one(lines.points)}) /
+            size);
+    });
 }
 
 TEST(InputUnits, are_those_of_flats) {
-    expect_the_same_of_all_sizes(
-        [](const Discretization& mesh, double size, Side, int) {
-            std::vector<Vector> forms;
-            for (const Flat kind :
-                 {Flat::ppp, Flat::pdp, Flat::dpp, Flat::ppd, Flat::pdd, Flat::dpd}) {
-                const bool at_cells = kind == Flat::dpp || kind == Flat::dpd;
-                forms.push_back(
-                    flat(mesh, kind, any_rows(mesh, at_cells ? mesh.dimension() : 0)).values);
-            }
-            return Vector(joined(forms) / size);
-        },
-        1);
+    expect_no_unit({1}, [](const Discretization& mesh, double size, Side, int) {
+        std::vector<Vector> forms;
+        for (const Flat kind : {Flat::ppp, Flat::pdp, Flat::dpp, Flat::ppd, Flat::pdd, Flat::dpd}) {
+            const bool at_cells = kind == Flat::dpp || kind == Flat::dpd;
+            forms.push_back(
+                flat(mesh, kind, any_rows(mesh, at_cells ? mesh.dimension() : 0)).values);
+        }
+        return Vector(joined(forms) / size);
+    });
 }
 
 TEST(InputUnits, are_those_of_vectors_and_coefficients_of_forms) {
-    expect_the_same_of_all_sizes(
-        [](const Discretization& mesh, double size, Side, int k) {
-            const int n = mesh.dimension();
-            const Cochain one = any_form(mesh, Side::primal, 1),
-                          flux = any_form(mesh, Side::primal, n - 1),
-                          form = any_form(mesh, Side::primal, k);
-            const Vector middle = Vector::Constant(n + 1, 1.0 / (n + 1));
-            const double power = std::pow(size, k);
-            return joined({in_one(size * sharp_pp(mesh, one)), in_one(size * sharp_pd(mesh, one)),
-                           in_one(std::pow(size, n - 1) * flux_sharp(mesh, flux)),
-                           in_one(power * whitney_at_centroids(mesh, form)),
-                           Vector(power * whitney_form(mesh, form, 0, middle))});
-        },
-        all_degrees);
+    expect_no_unit({}, [](const Discretization& mesh, double size, Side, int k) {
+        const int n = mesh.dimension();
+        const Cochain one = any_form(mesh, Side::primal, 1),
+                      flux = any_form(mesh, Side::primal, n - 1),
+                      form = any_form(mesh, Side::primal, k);
+        const Vector middle = Vector::Constant(n + 1, 1.0 / (n + 1));
+        const double power = std::pow(size, k);
+        return joined({in_one(size * sharp_pp(mesh, one)), in_one(size * sharp_pd(mesh, one)),
+                       in_one(std::pow(size, n - 1) * flux_sharp(mesh, flux)),
+                       in_one(power * whitney_at_centroids(mesh, form)),
+                       Vector(power * whitney_form(mesh, form, 0, middle))});
+    });
 }
 
 TEST(InputUnits, are_those_of_vector_fields_that_act_on_forms) {
-    expect_the_same_of_all_sizes(
-        [](const Discretization& mesh, double size, Side side, int k) {
-            const auto sampling = side == Side::primal ? Sampling::centered : Sampling::upwind;
-            const Points X = size * any_rows(mesh, 0);
-            const Cochain form = any_form(mesh, Side::primal, k);
-            const LieDerivative L(mesh, k, sampling);
-            return joined({lie_derivative(mesh, X, k, sampling) * form.values,
-                           interior_product(mesh, X, k, sampling) * form.values,
-                           inflow(mesh, X, k) * form.values, L(X, form).values,
-                           L.interior_product(X, form).values, L.inflow(X, form).values});
-        },
-        all_degrees);
+    expect_no_unit({}, [](const Discretization& mesh, double size, Side side, int k) {
+        const auto sampling = side == Side::primal ? Sampling::centered : Sampling::upwind;
+        const Points X = size * any_rows(mesh, 0);
+        const Cochain form = any_form(mesh, Side::primal, k);
+        const LieDerivative L(mesh, k, sampling);
+        return joined({lie_derivative(mesh, X, k, sampling) * form.values,
+                       interior_product(mesh, X, k, sampling) * form.values,
+                       inflow(mesh, X, k) * form.values, L(X, form).values,
+                       L.interior_product(X, form).values, L.inflow(X, form).values});
+    });
 }
 
 TEST(InputUnits, are_those_of_the_volumes_of_a_mesh_whatever_its_stars) {
-    expect_the_same_of_all_sizes(
-        [](const Discretization& mesh, double size, Side side, int k) {
-            const int n = mesh.dimension();
-            const Vector weights = Vector::LinSpaced(mesh.complex().size(n), 1, 9);
-            const auto other = with_material(mesh.with_stars(StarKind::barycentric), k,
-                                             CellData::on_cells(weights));
-            const auto of = [&](const CellVolumes& volumes) -> const Vector& {
-                return side == Side::primal ? volumes.primal(k) : volumes.dual(n - k);
-            };
-            EXPECT_EQ(of(other.input_volumes()), of(mesh.input_volumes()));
-            return k == 0 ? Vector() : Vector(of(other.input_volumes()) / std::pow(size, k));
-        },
-        all_degrees);
+    expect_no_unit({}, [](const Discretization& mesh, double size, Side side, int k) {
+        const int n = mesh.dimension();
+        const Vector weights = Vector::LinSpaced(mesh.complex().size(n), 1, 9);
+        const auto other =
+            with_material(mesh.with_stars(StarKind::barycentric), k, CellData::on_cells(weights));
+        const auto of = [&](const CellVolumes& volumes) -> const Vector& {
+            return side == Side::primal ? volumes.primal(k) : volumes.dual(n - k);
+        };
+        EXPECT_EQ(of(other.input_volumes()), of(mesh.input_volumes()));
+        return k == 0 ? Vector() : Vector(of(other.input_volumes()) / std::pow(size, k));
+    });
 }
 
 TEST(InputUnits, are_those_of_operators) {
-    expect_the_same_of_all_sizes(
-        [](const Discretization& mesh, double size, Side side, int k) {
-            const int n = mesh.dimension();
-            const Cochain form = any_form(mesh, side, k);
-            const double power = n - 2 * k; // of both sides
-            return joined({star(mesh, form).values / std::pow(size, power),
-                           size * size * codifferential(mesh, form).values,
-                           size * size * laplacian(mesh, form).values,
-                           Vector{{norm(mesh, form) / std::pow(size, power / 2)}}});
-        },
-        all_degrees);
+    expect_no_unit({}, [](const Discretization& mesh, double size, Side side, int k) {
+        const int n = mesh.dimension();
+        const Cochain form = any_form(mesh, side, k);
+        const double power = n - 2 * k; // of both sides
+        return joined({star(mesh, form).values / std::pow(size, power),
+                       size * size * codifferential(mesh, form).values,
+                       size * size * laplacian(mesh, form).values,
+                       Vector{{norm(mesh, form) / std::pow(size, power / 2)}}});
+    });
 }
 
 /// Products of stars leave the range of doubles where their result does not.
 TEST(InputUnits, are_those_of_the_stiffness_wherever_double_precision_holds_it) {
     int held = 0, refused = 0;
-    for (const std::string& name_of : meshes_of_all_sizes)
+    for (const std::string& name_of : Asked().names)
         for (const int exponent : {-320, -300, 200, 370}) {
             Mesh mesh = mesh_named(name_of);
             const auto usual = discretize(mesh);

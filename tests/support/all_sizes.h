@@ -21,19 +21,18 @@ namespace polydec::test {
 using Question =
     std::function<Vector(const Discretization& mesh, double size, Side side, int degree)>;
 
-inline const std::vector<std::string> meshes_of_all_sizes{"grid4", "kuhn3", "wellcentred4",
-                                                          "icosphere3"};
-
-inline constexpr int all_degrees = 9;
+/// Degrees below the first number, on meshes of the family.
+struct Asked {
+    int degrees = 9;
+    std::vector<std::string> names{"grid4", "kuhn3", "wellcentred4", "icosphere3"};
+};
 
 /// Meshes of any size have the answers of those of size 1. The twin: data for twice that size.
-inline void
-expect_the_same_of_all_sizes(const Question& ask, int most_degrees,
-                             const std::vector<std::string>& names = meshes_of_all_sizes) {
-    for (const std::string& name_of : names)
+inline void expect_no_unit(const Asked& asked, const Question& ask) {
+    for (const std::string& name_of : asked.names)
         for (const Side side : {Side::primal, Side::dual}) {
             const auto original = discretize(mesh_named(name_of));
-            for (int k = 0; k < std::min(most_degrees, original.dimension() + 1); ++k) {
+            for (int k = 0; k < std::min(asked.degrees, original.dimension() + 1); ++k) {
                 const Vector expected = ask(original, 1, side, k);
                 if (expected.size() == 0)
                     continue;
