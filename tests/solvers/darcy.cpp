@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "tests/dec/discretized.h"
 #include "tests/solvers/cases.h"
 #include "tests/solvers/star_samples.h"
 
@@ -6,17 +7,8 @@ namespace polydec::test::in_darcy {
 
 /// 1 or -1 as all simplices of a flat mesh are oriented against its coordinates; 0 if it is folded.
 int turn(const Discretization& mesh) {
-    const int n = mesh.dimension();
-    const Pieces& K = mesh.pieces();
-    Index sum = 0;
-    for (Index t = 0; t < K.size(n); ++t) {
-        DenseMatrix edges(n, n);
-        for (int i = 0; i < n; ++i)
-            edges.row(i) = mesh.points().row(K.simplices(n)(t, i + 1)) -
-                           mesh.points().row(K.simplices(n)(t, 0));
-        sum += (edges.determinant() > 0 ? 1 : -1) * K.orientation(t);
-    }
-    return std::abs(sum) == K.size(n) ? static_cast<int>(sum / K.size(n)) : 0;
+    const Vector turns = orientations_in_space(mesh);
+    return std::abs(turns.sum()) == turns.size() ? static_cast<int>(turns[0]) : 0;
 }
 
 /// Values are given where the first coordinate is small, what flows out elsewhere.
