@@ -136,15 +136,11 @@ std::string appended_vtu(bool is_raw) {
 }
 
 std::vector<Seed> seeds() {
-    Mesh tetrahedra;
-    tetrahedra.points = Points(5, 3);
-    tetrahedra.points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1.5, 1e-3, -7;
-    tetrahedra.simplices = Simplices(2, 4);
-    tetrahedra.simplices << 0, 1, 2, 3, 1, 2, 3, 4;
+    Mesh tetrahedra = made_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1.5, 1e-3, -7}},
+                              {{0, 1, 2, 3}, {1, 2, 3, 4}});
     Mesh triangles;
     triangles.points = tetrahedra.points;
-    triangles.simplices = Simplices(3, 3);
-    triangles.simplices << 0, 1, 2, 1, 2, 3, 2, 3, 4;
+    triangles.simplices = Simplices{{0, 1, 2}, {1, 2, 3}, {2, 3, 4}};
     PolygonMesh polygons;
     polygons.points = triangles.points;
     polygons.corners = {0, 1, 2, 3, 4, 0, 2, 1};

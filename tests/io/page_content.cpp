@@ -68,8 +68,7 @@ TEST(Openings, AreFromTheSideThatShowsMostOfAPath) {
         path.points = Points(2, 3);
         path.points.row(0) = 1.01 * middle - Place(0, 0, 0.1);
         path.points.row(1) = 1.01 * middle + Place(0, 0, 0.1);
-        path.simplices = Simplices(1, 2);
-        path.simplices << 0, 1;
+        path.simplices = Simplices{{0, 1}};
         const Points none(0, 3);
         page.arrows.push_back({"f", none, none, path});
         EXPECT_GT(Place(Opened(page).opening.view.eye).dot(middle), 0) << middle.transpose();

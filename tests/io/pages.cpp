@@ -45,8 +45,7 @@ std::set<Side2> pieces_in(const Merging& merging, int least, int most) {
 Page simple_page() {
     Page page;
     page.text.title = "two triangles";
-    page.grid.points = Points(4, 2);
-    page.grid.points << 0, 0, 1, 0, 1, 1, 0, 1;
+    page.grid.points = Points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     const std::vector<Index> first{0, 1, 2}, second{0, 2, 3};
     add_cell(page.grid, VtuCell::triangle, first);
     add_cell(page.grid, VtuCell::triangle, second);

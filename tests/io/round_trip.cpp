@@ -32,8 +32,7 @@ Mesh written_and_read(const std::string& name, const Mesh& mesh) {
 
 PolygonMesh pentagon_and_square() {
     PolygonMesh mesh;
-    mesh.points = Points(7, 2);
-    mesh.points << 0, 0, 1, 0, 1.5, 1, 0.5, 2, -0.5, 1, 2, -1, 3, 0;
+    mesh.points = Points{{0, 0}, {1, 0}, {1.5, 1}, {0.5, 2}, {-0.5, 1}, {2, -1}, {3, 0}};
     mesh.corners = {0, 1, 2, 3, 4, 1, 5, 6, 2};
     mesh.offsets = {0, 5, 9};
     return mesh;
@@ -132,11 +131,7 @@ TEST(RoundTrip, StlKeepsFloatsAndTheOrderOfCells) {
 }
 
 TEST(RoundTrip, StlHasUnitNormals) {
-    Mesh mesh;
-    mesh.points = Points(4, 3);
-    mesh.points << 0, 0, 0, 2, 0, 0, 0, 3, 0, 4, 0, 0;
-    mesh.simplices = Simplices(2, 3);
-    mesh.simplices << 0, 1, 2, 0, 1, 3;
+    Mesh mesh = made_of({{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {4, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
     const TemporaryFolder folder;
     write_mesh(folder.path("a.stl"), mesh);
     const auto text = read_text(folder.path("a.stl"));
@@ -200,8 +195,7 @@ TEST(RoundTrip, PolygonsOfVeryManyCornersFitIntoPly) {
 TEST(WriteMesh, RefusesWhatTheFormatCannotHold) {
     Mesh mesh;
     mesh.points = Points::Identity(5, 4);
-    mesh.simplices = Simplices(1, 5);
-    mesh.simplices << 0, 1, 2, 3, 4;
+    mesh.simplices = Simplices{{0, 1, 2, 3, 4}};
     EXPECT_SAYS(writing_error("a.off", mesh), "InvalidInput", "a.off", "4-simplices", "R^4",
                 ".nsc");
     EXPECT_SAYS(writing_error("a.mesh", mesh), "InvalidInput", "a.mesh", "MEDIT", "4-simplices",
@@ -218,8 +212,7 @@ TEST(WriteMesh, RefusesWhatTheFormatCannotHold) {
 TEST(WriteMesh, RefusesCoordinatesBeyondTheFloatsOfStl) {
     Mesh mesh;
     mesh.points = Points::Identity(3, 3) * 1e39;
-    mesh.simplices = Simplices(1, 3);
-    mesh.simplices << 0, 1, 2;
+    mesh.simplices = Simplices{{0, 1, 2}};
     const TemporaryFolder folder;
     const auto path = folder.path("a.stl");
     EXPECT_REFUSED(write_mesh(path, mesh), path.string(), "vertex 0", "large", "STL");

@@ -80,8 +80,7 @@ TEST(Stl, RefusesToWriteCornersThatFloatsDoNotTellApart) {
         for (const double place : {0.0, 1.0, 1e5}) {
             Mesh mesh;
             mesh.points = place + size * Points::Identity(3, 3).array();
-            mesh.simplices.resize(1, 3);
-            mesh.simplices << 2, 0, 1;
+            mesh.simplices = Simplices{{2, 0, 1}};
             const auto path = folder.path("a.stl");
             if (place + size == place)
                 continue; // nor do doubles

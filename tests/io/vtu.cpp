@@ -72,8 +72,8 @@ std::map<std::string, std::vector<double>> arrays(const std::string& text) {
 /// One cell of every kind, on the corners of a cube and of a square.
 VtuGrid every_kind() {
     VtuGrid grid;
-    grid.points = Points(8, 3);
-    grid.points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1;
+    grid.points = Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                         {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
     const std::vector<Index> corners{0, 1, 2, 3, 4};
     const std::span<const Index> all = corners;
     add_cell(grid, VtuCell::vertex, all.first(1));
@@ -134,8 +134,7 @@ TEST(Vtu, HoldsPointAndCellData) {
 
 TEST(Vtu, PadsPointsAndLeavesOutFacesWithoutPolyhedra) {
     VtuGrid grid;
-    grid.points = Points(2, 1);
-    grid.points << 3, 5;
+    grid.points = Points{{3}, {5}};
     add_cell(grid, VtuCell::line, std::vector<Index>{0, 1});
     const TemporaryFolder folder;
     write_vtu(folder.path("a.vtu"), grid);

@@ -161,8 +161,7 @@ std::string written(const VtuGrid& grid) {
 
 VtuGrid cube_corner() {
     VtuGrid grid;
-    grid.points = Points(5, 3);
-    grid.points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1. / 3, 1e-300, -7e300;
+    grid.points = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1. / 3, 1e-300, -7e300}};
     return grid;
 }
 
@@ -204,8 +203,8 @@ TEST(VtuReading, WhatIsWrittenIsReadToTheLastBit) {
 
 TEST(VtuReading, PolygonsThatAreWrittenAreSplitLikeThoseThatAreGiven) {
     PolygonMesh polygons;
-    polygons.points = Points(7, 3);
-    polygons.points << 0, 0, 0, 1, 0, 0, 1.5, 1, 0, 0.5, 2, 0, -0.5, 1, 0, 2, -1, 0, 3, 0, 0;
+    polygons.points =
+        Points{{0, 0, 0}, {1, 0, 0}, {1.5, 1, 0}, {0.5, 2, 0}, {-0.5, 1, 0}, {2, -1, 0}, {3, 0, 0}};
     polygons.corners = {0, 1, 2, 3, 4, 1, 5, 6, 2, 4, 3, 2};
     polygons.offsets = {0, 5, 9, 12};
     polygons.tags = {4, 5, 6};

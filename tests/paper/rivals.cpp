@@ -279,8 +279,7 @@ TEST(RivalStencils, of_diamonds_on_squares_reach_two_vertices_far) {
 
 PolygonMesh square() {
     PolygonMesh mesh;
-    mesh.points.resize(4, 3);
-    mesh.points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
+    mesh.points = Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     mesh.corners = {0, 1, 2, 3};
     mesh.offsets = {0, 4};
     return mesh;
@@ -335,8 +334,8 @@ TEST(RivalErrors, name_the_edge_of_a_diamond) {
 /// A U with its notch down to the height `floor`; edge 4, from vertex 4 to 5, is the notch's floor.
 PolygonMesh notched(double floor) {
     PolygonMesh mesh;
-    mesh.points.resize(8, 3);
-    mesh.points << 0, 0, 0, 3, 0, 0, 3, 3, 0, 2, 3, 0, 2, floor, 0, 1, floor, 0, 1, 3, 0, 0, 3, 0;
+    mesh.points = Points{{0, 0, 0},     {3, 0, 0},     {3, 3, 0}, {2, 3, 0},
+                         {2, floor, 0}, {1, floor, 0}, {1, 3, 0}, {0, 3, 0}};
     mesh.corners = {0, 1, 2, 3, 4, 5, 6, 7};
     mesh.offsets = {0, 8};
     return mesh;

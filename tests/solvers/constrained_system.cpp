@@ -120,8 +120,7 @@ TEST(ConstrainedSystem, treats_each_component_by_itself) {
 }
 
 TEST(ConstrainedSystem, is_regular_where_boundary_data_tie_it_down) {
-    DenseMatrix A(2, 2);
-    A << 3, -1, -1, 1;
+    DenseMatrix A{{3, -1}, {-1, 1}};
     auto system = system_of(sparse(A), {false, false});
     system.tied = {true, false};
     ConstrainedSolver solver(system, "auto");

@@ -16,8 +16,7 @@ ShiftedMatrices shifted(const SparseMatrix& B) {
 
 /// B has eigenvalues .001 and 6.001; with errors of 6e-4 in each entry the first may be negative.
 TEST(Inertia, is_not_told_where_errors_of_entries_could_change_it) {
-    DenseMatrix B(2, 2);
-    B << 3.001, -3, -3, 3.001;
+    DenseMatrix B{{3.001, -3}, {-3, 3.001}};
     const auto below = [&](double error) {
         const Doubt doubt{Vector::Constant(2, 3.001), 2 * error / 3.001, 0};
         return InertiaCounter(shifted(sparse(B)), "auto", 0, doubt).below(0, 1e-3);
@@ -79,8 +78,7 @@ std::string refused(const Pencil& pencil) {
 }
 
 TEST(ShiftedSolver, solves_alike_after_it_made_room) {
-    DenseMatrix A(3, 3);
-    A << 2, -1, 0, -1, 2, -1, 0, -1, 2;
+    DenseMatrix A{{2, -1, 0}, {-1, 2, -1}, {0, -1, 2}};
     const ScaledPencil pencil({.C = sparse(A), .M = Vector{{1, 4, 16}}});
     MatrixFacts facts;
     facts.symmetry = Symmetry::symmetric;

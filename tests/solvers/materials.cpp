@@ -60,12 +60,9 @@ TEST(TwoMaterials, have_their_exact_solution_on_triangles_of_any_shape) {
 
 TEST(TwoMaterials, have_their_exact_solution_where_the_wall_divides_cospherical_cells) {
     // the hypotenuses of squares lie on the wall: across it nothing may merge
-    Mesh mesh;
-    mesh.points.resize(6, 2);
-    mesh.points << 0.5, 0, 1, 0.5, 0.5, 1, 0, 0.5, 0, 0, 1, 1;
-    mesh.simplices.resize(4, 3);
-    mesh.simplices << 0, 1, 2, 0, 2, 3, 0, 3, 4, 1, 5, 2;
-    mesh = two_materials(mesh);
+    const Mesh mesh =
+        two_materials(made_of({{0.5, 0}, {1, 0.5}, {0.5, 1}, {0, 0.5}, {0, 0}, {1, 1}},
+                              {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {1, 5, 2}}));
     EXPECT_LT(error(mesh, MergeCriterion::dual_length, Side::primal), rounding);
     const auto joined = circumcentric(mesh);
     EXPECT_EQ(joined.warnings().size(), 1u);

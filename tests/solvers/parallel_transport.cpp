@@ -10,12 +10,7 @@ constexpr double pi = std::numbers::pi;
 
 /// Two triangles that meet at a vertex.
 Mesh pinched() {
-    Mesh mesh;
-    mesh.points.resize(5, 2);
-    mesh.points << 0, 0, 1, 0, 0, 1, -1, 0, 0, -1;
-    mesh.simplices.resize(2, 3);
-    mesh.simplices << 0, 1, 2, 0, 3, 4;
-    return mesh;
+    return made_of({{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}}, {{0, 1, 2}, {0, 3, 4}});
 }
 
 TangentVectors one_vector(Complex z) {
