@@ -15,19 +15,23 @@ std::vector<Vector> unit_translations(int n, int axes) {
 }
 
 struct Sample {
-    PeriodicMesh mesh;
+    PeriodicMesh glued;
     bool closed;
+    Discretization mesh = circumcentric(glued);
 };
 
-std::vector<Sample> samples() {
-    std::vector<Sample> result;
-    for (int n = 1; n <= 3; ++n)
-        for (int axes = 1; axes <= n; ++axes)
-            result.push_back(
-                {periodic(kuhn(n, n == 3 ? 3 : 5), unit_translations(n, axes)), axes == n});
-    result.push_back({periodic(bcc(3), unit_translations(3, 3)), true});
-    result.push_back({unit_diamond(3), true});
-    return result;
+const std::vector<Sample>& samples() {
+    static const auto all = [] {
+        std::vector<Sample> result;
+        for (int n = 1; n <= 3; ++n)
+            for (int axes = 1; axes <= n; ++axes)
+                result.push_back(
+                    {periodic(kuhn(n, n == 3 ? 3 : 5), unit_translations(n, axes)), axes == n});
+        result.push_back({periodic(bcc(3), unit_translations(3, 3)), true});
+        result.push_back({unit_diamond(3), true});
+        return result;
+    }();
+    return all;
 }
 
 /// Functions and forms with the periods of all samples.
@@ -53,8 +57,7 @@ double off_lattice(const Eigen::RowVectorXd& x) {
 }
 
 TEST(GluedBox, has_the_box_and_the_first_places) {
-    for (const auto& [glued, closed] : samples()) {
-        const auto mesh = circumcentric(glued);
+    for (const auto& [glued, closed, mesh] : samples()) {
         ASSERT_NE(mesh.box(), nullptr);
         EXPECT_EQ(mesh.ambient_dimension(), glued.box.ambient_dimension());
         EXPECT_EQ(mesh.points().cols(), 0);
@@ -69,8 +72,7 @@ TEST(GluedBox, has_the_box_and_the_first_places) {
 /// Simplices between their corners in the box have the lengths that are known, the diagonals of
 /// the box none.
 TEST(GluedBox, has_straight_simplices_across_the_seams) {
-    for (const auto& [glued, closed] : samples()) {
-        const auto mesh = circumcentric(glued);
+    for (const auto& [glued, closed, mesh] : samples()) {
         const int n = mesh.dimension();
         const auto [points, corners] = mesh.places();
         const auto& K = mesh.input();
@@ -85,8 +87,7 @@ TEST(GluedBox, has_straight_simplices_across_the_seams) {
 }
 
 TEST(GluedBox, pulls_forms_back_as_d_does) {
-    for (const auto& [glued, closed] : samples()) {
-        const auto mesh = circumcentric(glued);
+    for (const auto& [glued, closed, mesh] : samples()) {
         for (int k = 0; k < mesh.dimension(); ++k) {
             const Vector a = random_vector(mesh.input().size(k), 3);
             const Vector da = derivative(mesh.input(), k) * a;
@@ -107,8 +108,7 @@ TEST(GluedBox, pulls_forms_back_as_d_does) {
 /// The straight way between the centers of cells side by side, modulo the periods, is as long as
 /// the dual edge, also where the seams cut cells.
 TEST(GluedBox, has_centers_a_dual_edge_apart) {
-    for (const auto& [glued, closed] : samples()) {
-        const auto mesh = circumcentric(glued);
+    for (const auto& [glued, closed, mesh] : samples()) {
         const int n = mesh.dimension();
         const double side = glued.box.points.col(0).maxCoeff() - glued.box.points.col(0).minCoeff();
         const Points centers = cell_centers(mesh, n), facets = cell_centers(mesh, n - 1);
@@ -154,8 +154,7 @@ TEST(GluedBox, has_cut_squares_in_one_place) {
 }
 
 TEST(GluedBox, has_functions_with_its_periods) {
-    for (const auto& [glued, closed] : samples()) {
-        const auto mesh = circumcentric(glued);
+    for (const auto& [glued, closed, mesh] : samples()) {
         const int n = mesh.dimension();
         const auto values = [&](const Points& places) {
             Vector result(places.rows());
@@ -164,16 +163,10 @@ TEST(GluedBox, has_functions_with_its_periods) {
             return result;
         };
         EXPECT_EQ(de_rham(mesh, 0, waves(1)).values, values(cell_centers(mesh, 0)));
-        EXPECT_LE((dual_de_rham(mesh, 0, waves(1)).values - values(dual_sites(mesh)))
-                      .cwiseAbs()
-                      .maxCoeff(),
-                  1e-12);
+        EXPECT_WITHIN(dual_de_rham(mesh, 0, waves(1)).values, values(dual_sites(mesh)), 1e-12);
         // all places of a vertex have one value
         const Vector at_box = values(glued.box.points);
-        EXPECT_LE((form_at_places(mesh, de_rham(mesh, 0, waves(1))).values - at_box)
-                      .cwiseAbs()
-                      .maxCoeff(),
-                  1e-12);
+        EXPECT_WITHIN(form_at_places(mesh, de_rham(mesh, 0, waves(1))).values, at_box, 1e-12);
         const auto ones = function_form([](const Vector&) { return 1.0; });
         EXPECT_NEAR(de_rham(mesh, n, ones).values.cwiseAbs().sum(), mesh.volumes().primal(n).sum(),
                     1e-12);
@@ -189,11 +182,9 @@ SmoothForm derivative_of_waves(int n) {
 }
 
 TEST(GluedBox, has_the_theorem_of_stokes) {
-    for (const auto& [glued, closed] : samples())
+    for (const auto& [glued, closed, made] : samples())
         for (const StarKind star : {StarKind::circumcentric, StarKind::galerkin}) {
-            DiscretizeOptions options;
-            options.star = star;
-            const auto mesh = discretize(glued, options);
+            const auto mesh = discretize(glued, {.star = star});
             const int n = mesh.dimension();
             const Vector df = de_rham(mesh, 1, derivative_of_waves(n), 15).values;
             EXPECT_CLOSE(d(mesh.complex(), de_rham(mesh, 0, waves(1))).values, df, 1e-5);
@@ -215,17 +206,14 @@ TEST(GluedBox, has_the_theorem_of_stokes) {
 /// Forms of every degree whose dual is over cells: the dual of a constant form is the star of the
 /// constant form that is its dual, and closed.
 TEST(GluedBox, has_constant_dual_forms) {
-    for (const auto& [glued, closed] : samples()) {
-        const auto mesh = circumcentric(glued);
+    for (const auto& [glued, closed, mesh] : samples()) {
         const int n = mesh.dimension();
         const Vector X = direction(n);
         const auto fluxes = de_rham(mesh, n - 1, flux_form([&](const Vector&) { return X; }));
         const auto along = dual_de_rham(mesh, 1, constant(X));
         const double sign = n % 2 == 0 ? -1 : 1;
         EXPECT_CLOSE(Vector(sign * star(mesh, fluxes).values), along.values, 1e-12) << n;
-        DiscretizeOptions options;
-        options.star = StarKind::galerkin;
-        const auto by_matrices = discretize(glued, options);
+        const auto by_matrices = discretize(glued, {.star = StarKind::galerkin});
         EXPECT_CLOSE(
             Vector(sign * star(by_matrices, de_rham(by_matrices, n - 1,
                                                     flux_form([&](const Vector&) { return X; })))
@@ -236,8 +224,7 @@ TEST(GluedBox, has_constant_dual_forms) {
 }
 
 TEST(GluedBox, has_flats_and_sharps_of_constants) {
-    for (const auto& [glued, closed] : samples()) {
-        const auto mesh = circumcentric(glued);
+    for (const auto& [glued, closed, mesh] : samples()) {
         const int n = mesh.dimension();
         const Vector X = direction(n);
         const auto field = [&](Index rows) -> DenseMatrix {
@@ -255,12 +242,12 @@ TEST(GluedBox, has_flats_and_sharps_of_constants) {
         for (const auto kind : {Flat::ppd, Flat::pdd, Flat::dpd})
             EXPECT_CLOSE(flat(mesh, kind, kind == Flat::dpd ? at_cells : at_vertices).values,
                          dual.values, 1e-12);
-        EXPECT_LE((sharp_pp(mesh, primal) - at_vertices).cwiseAbs().maxCoeff(), 1e-12);
-        EXPECT_LE((sharp_pd(mesh, primal) - at_cells).cwiseAbs().maxCoeff(), 1e-12);
+        EXPECT_WITHIN(sharp_pp(mesh, primal), at_vertices, 1e-12);
+        EXPECT_WITHIN(sharp_pd(mesh, primal), at_cells, 1e-12);
         const Cochain fluxes = de_rham(mesh, n - 1, flux_form([&](const Vector&) { return X; }));
-        EXPECT_LE((flux_sharp(mesh, fluxes) - at_cells).cwiseAbs().maxCoeff(), 1e-12);
+        EXPECT_WITHIN(flux_sharp(mesh, fluxes), at_cells, 1e-12);
         const DenseMatrix found = whitney_at_centroids(mesh, primal);
-        EXPECT_LE((found - field(mesh.input().size(n))).cwiseAbs().maxCoeff(), 1e-12);
+        EXPECT_WITHIN(found, field(mesh.input().size(n)), 1e-12);
         EXPECT_CLOSE(Vector(interior_product(mesh, at_vertices, n, Sampling::centered) *
                             de_rham(mesh, n, constant(Vector::Ones(1))).values),
                      fluxes.values, 1e-12);
@@ -303,9 +290,8 @@ TEST(GluedBox, keeps_the_groups_of_the_box) {
 }
 
 TEST(GluedBox, is_not_known_after_flips) {
-    DiscretizeOptions options;
-    options.delaunay = Delaunay::flips;
-    const auto mesh = discretize(periodic(grid(4, 4), unit_translations(2, 2)), options);
+    const auto mesh =
+        discretize(periodic(grid(4, 4), unit_translations(2, 2)), {.delaunay = Delaunay::flips});
     EXPECT_EQ(mesh.box(), nullptr);
     EXPECT_EQ(mesh.ambient_dimension(), 0);
     EXPECT_SAYS(mesh.warnings().front(), "glued", "flipped", "no positions");

@@ -23,8 +23,7 @@ TEST_P(LieDerivatives, without_a_matrix_do_what_the_matrices_do) {
                 const Cochain a = random_form(mesh.complex(), Side::primal, k, 3);
                 const SparseMatrix L = lie_derivative(mesh, field, k, sampling);
                 const Vector found = along(field, a).values;
-                EXPECT_LE((found - L * a.values).cwiseAbs().maxCoeff(), rounding * (1 + largest(L)))
-                    << k;
+                EXPECT_WITHIN(found, L * a.values, rounding * (1 + largest(L))) << k;
                 EXPECT_CLOSE(along.interior_product(field, a).values,
                              interior_product(mesh, field, k, sampling) * a.values, rounding)
                     << k;
@@ -51,9 +50,7 @@ TEST_P(LieDerivatives, let_in_what_the_matrix_of_inflow_lets_in) {
 POLYDEC_OVER_MESHES(LieDerivatives);
 
 TEST(LieDerivativesAfterFlips, do_what_the_matrices_do) {
-    DiscretizeOptions options;
-    options.delaunay = Delaunay::flips;
-    const auto mesh = discretize(perturbed(grid(5, 4), 0.08, 5), options);
+    const auto mesh = discretize(perturbed(grid(5, 4), 0.08, 5), {.delaunay = Delaunay::flips});
     const Points field = random_vector(static_cast<Index>(mesh.points().size()), 7)
                              .reshaped(mesh.points().rows(), mesh.points().cols());
     for (int k = 0; k <= 2; ++k) {

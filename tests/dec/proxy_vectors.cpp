@@ -24,8 +24,7 @@ TEST(ProxyVectors, OfConstantFieldsAreThatFieldForFormsOfAllKinds) {
                 for (const DenseMatrix& rows : {vectors_at_cells(mesh, form, proxy),
                                                 vectors_at_vertices(mesh, form, proxy)}) {
                     ASSERT_GT(rows.rows(), 0) << what;
-                    EXPECT_LE((rows.rowwise() - X.transpose()).cwiseAbs().maxCoeff(), 1e-12)
-                        << what << n;
+                    EXPECT_WITHIN(rows.rowwise(), X.transpose(), 1e-12) << what << n;
                 }
             };
             const Proxy through = n == 2 ? Proxy::flux : Proxy::automatic;

@@ -124,7 +124,7 @@ TEST(Refined, by_lengths_alone_is_the_same) {
         EXPECT_EQ(found.simplices, expected.simplices);
         EXPECT_EQ(found.vertices, expected.vertices);
         EXPECT_EQ(found.edges, expected.edges);
-        EXPECT_LE((found.lengths - expected.lengths).cwiseAbs().maxCoeff(), 1e-13);
+        EXPECT_WITHIN(found.lengths, expected.lengths, 1e-13);
         EXPECT_EQ(found.input_cells.of_simplices, parts.input_cells.of_simplices);
         EXPECT_NO_THROW(check(found));
     }
@@ -154,7 +154,7 @@ TEST(Refined, fits_across_the_seams_of_a_glued_box) {
         for (std::size_t v = 0; v < parts.vertices.size(); ++v) {
             const Vector apart =
                 parts.box.points.row(Index(v)) - parts.points.row(parts.vertices[v]);
-            EXPECT_LE((apart - Vector(apart.array().round())).cwiseAbs().maxCoeff(), 1e-14);
+            EXPECT_WITHIN(apart, Vector(apart.array().round()), 1e-14);
         }
         expect_same(volumes(box.points, {box.simplices, {}}),
                     volumes(parts.box.points, {parts.box.simplices, {}}), 1e-13);

@@ -162,7 +162,7 @@ TEST(ThinLayers, keep_linear_functions_on_both_sides_and_where_boxes_grow) {
             const Vector exact = at(sites(mesh, side), linear);
             const auto found = solved(PoissonSolver(functions(mesh, side)), 0 * exact,
                                       at(boundary_sites(mesh, side), linear));
-            EXPECT_LE((found.form.values - exact).cwiseAbs().maxCoeff(), 1e-12) << name(side);
+            EXPECT_WITHIN(found.form.values, exact, 1e-12) << name(side);
         }
 }
 
@@ -268,7 +268,7 @@ TEST(PrimalProblem, needs_no_two_sides) {
         const auto mesh = circumcentric(input);
         const Vector ones = Vector::Ones(mesh.complex().size(0));
         const auto found = solved(PoissonSolver(functions(mesh, Side::primal)), 0 * ones, ones);
-        EXPECT_LE((found.form.values - ones).cwiseAbs().maxCoeff(), 1e-12);
+        EXPECT_WITHIN(found.form.values, ones, 1e-12);
     }
 }
 

@@ -16,6 +16,10 @@ double relative_difference(const Vector& a, const Vector& b);
 #define EXPECT_CLOSE(found, expected, difference)                                                  \
     EXPECT_LE(::polydec::test::relative_difference(found, expected), difference)
 
+/// The same but for a difference of each entry, in the entry's units.
+#define EXPECT_WITHIN(found, expected, difference)                                                 \
+    EXPECT_LE(((found) - (expected)).cwiseAbs().maxCoeff(), difference)
+
 /// Products of incidences in 32 bits, in which nothing overflows.
 using IntegerMatrix = Eigen::SparseMatrix<int, Eigen::RowMajor, Index>;
 IntegerMatrix integers(const IncidenceMatrix& D);
