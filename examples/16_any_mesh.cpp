@@ -19,9 +19,7 @@ void draw(const polydec::Discretization& mesh) {
     polydec::SolidFaces faces;
     faces.polygons.points = mesh.input_points();
     for (Index t = 0; t < mesh.input().size(2); ++t) {
-        const auto corners = mesh.input().simplices(2).row(t);
-        faces.polygons.corners.insert(faces.polygons.corners.end(), corners.begin(), corners.end());
-        faces.polygons.offsets.push_back(3 * (t + 1));
+        faces.polygons.add({mesh.input().simplices(2).row(t).data(), 3});
         const Index cell = mesh.merging().carriers(2)[t].cell;
         faces.fills.push_back(mesh.chosen_stars().galerkin[cell] ? "#f2a35e" : "#e4e9ef");
     }

@@ -5,6 +5,7 @@
 // are stretched into the complex plane: a perfectly matched layer, which absorbs incoming waves.
 // The reflection is the difference from a plane too large for any reflection. Then a current
 // radiates beside a rod of glass, in which light is half as fast.
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -55,9 +56,8 @@ void draw(const polydec::Discretization& mesh, const polydec::Vector& E) {
     for (int i = 0; i + 2 < side; i += 2)
         for (int j = 0; j + 2 < side; j += 2) {
             const int corner = i * side + j;
-            for (const int next : {0, 2 * side, 2 * side + 2, 2})
-                faces.polygons.corners.push_back(corner + next);
-            faces.polygons.offsets.push_back(std::ssize(faces.polygons.corners));
+            faces.polygons.add(
+                std::array{corner, corner + 2 * side, corner + 2 * side + 2, corner + 2});
             heights.push_back(E[corner + side + 1]);
         }
     faces.values = Eigen::Map<polydec::Vector>(heights.data(), std::ssize(heights));

@@ -273,8 +273,7 @@ std::vector<TrianglePart> FacetOverlay::parts(const DividedEdges& edges) const {
     PolygonMesh all{points_, {}};
     std::vector<std::vector<Index>> owners; // triangles that each is a part of
     const auto add = [&](const std::vector<Index>& polygon, std::vector<Index> of) {
-        all.corners.insert(all.corners.end(), polygon.begin(), polygon.end());
-        all.offsets.push_back(static_cast<Index>(all.corners.size()));
+        all.add(polygon);
         all.tags.push_back(static_cast<Index>(owners.size()));
         owners.push_back(std::move(of));
     };

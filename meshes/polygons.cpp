@@ -44,11 +44,8 @@ public:
     PolygonSplitting(const PolygonMesh& polygons, Tallies& tallies)
         : points_(polygons.points), splitter_(polygons.points) {
         std::vector<Index> kept;
-        const Corners all = polygons.corners;
-        for (std::size_t face = 0; face + 1 < polygons.offsets.size(); ++face) {
-            const Index begin = polygons.offsets[face];
-            add_face(all.subspan(begin, polygons.offsets[face + 1] - begin), kept, tallies);
-        }
+        for (Index face = 0; face < polygons.size(); ++face)
+            add_face(polygons.face(face), kept, tallies);
     }
 
     /// Splits all, and those again whose diagonals others have: these few are done in some rounds.
@@ -254,14 +251,17 @@ std::vector<std::string> warnings_of(const Tallies& tallies) {
     return warnings;
 }
 
-bool are_triangles(const PolygonMesh& polygons) {
-    for (std::size_t face = 0; face < polygons.offsets.size(); ++face)
-        if (static_cast<std::size_t>(polygons.offsets[face]) != 3 * face)
-            return false;
-    return true;
+} // namespace
+
+void PolygonMesh::add(std::span<const Index> face) {
+    corners.insert(corners.end(), face.begin(), face.end());
+    offsets.push_back(static_cast<Index>(corners.size()));
 }
 
-} // namespace
+bool PolygonMesh::all_have(Index number) const {
+    const auto differs = [number](Index begin, Index end) { return end - begin != number; };
+    return std::adjacent_find(offsets.begin(), offsets.end(), differs) == offsets.end();
+}
 
 void check_polygons(const PolygonMesh& polygons) {
     const auto& offsets = polygons.offsets;
@@ -293,7 +293,7 @@ void check_polygons(const PolygonMesh& polygons) {
 Mesh split_polygons(PolygonMesh polygons) {
     check_polygons(polygons);
     Mesh mesh;
-    if (are_triangles(polygons)) {
+    if (polygons.all_have(3)) {
         mesh.simplices = simplices_of(polygons.corners, 3);
         mesh.tags = std::move(polygons.tags);
     } else {
@@ -303,7 +303,7 @@ Mesh split_polygons(PolygonMesh polygons) {
         std::vector<Index> faces;
         mesh.simplices = simplices_of(splitting.triangles(faces), 3);
         mesh.tags = std::move(polygons.tags);
-        follow_rows(mesh, faces, static_cast<Index>(polygons.offsets.size()) - 1);
+        follow_rows(mesh, faces, polygons.size());
         mesh.warnings = warnings_of(tallies);
     }
     mesh.points = std::move(polygons.points);

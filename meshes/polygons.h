@@ -3,6 +3,7 @@
 
 #include "meshes/mesh.h"
 
+#include <span>
 #include <vector>
 
 namespace polydec {
@@ -13,6 +14,19 @@ struct PolygonMesh {
     std::vector<Index> corners;    ///< vertex numbers around the faces, one face after the other
     std::vector<Index> offsets{0}; ///< face f has the corners offsets[f] to offsets[f + 1] - 1
     std::vector<Index> tags = {};  ///< tag of the physical group of each face, or empty
+
+    Index size() const { return static_cast<Index>(offsets.size()) - 1; } ///< number of faces
+
+    /// The corners of face f.
+    std::span<const Index> face(Index f) const {
+        return {corners.data() + offsets[f], corners.data() + offsets[f + 1]};
+    }
+
+    /// Appends a face, without a tag.
+    void add(std::span<const Index> face);
+
+    /// Whether each face has this number of corners.
+    bool all_have(Index number) const;
 };
 
 /// Splits polygons into triangles that keep orientation, vertex numbers and tags.

@@ -113,11 +113,6 @@ private:
     std::vector<Index> apexes_;
 };
 
-std::span<const Index> corners_of(const std::vector<Index>& corners,
-                                  const std::vector<Index>& offsets, std::size_t cell) {
-    return std::span(corners).subspan(offsets[cell], offsets[cell + 1] - offsets[cell]);
-}
-
 /// Turns the simplices of a solid in R^n around if its volume is negative: programs differ in how
 /// they list the corners of wedges.
 void orient(const Points& points, int dimension, std::span<Index> simplices) {
@@ -136,8 +131,8 @@ Mesh split_solids(PolygonMesh cells, int dimension) {
     Mesh mesh;
     std::vector<Index> simplices, cells_of;
     Tally split, flat;
-    for (std::size_t cell = 0; cell + 1 < cells.offsets.size(); ++cell) {
-        const auto corners = corners_of(cells.corners, cells.offsets, cell);
+    for (Index cell = 0; cell < cells.size(); ++cell) {
+        const auto corners = cells.face(cell);
         const auto* const shape = cell_shape(dimension, corners.size());
         if (shape == nullptr)
             throw InvalidInput(
@@ -145,7 +140,7 @@ Mesh split_solids(PolygonMesh cells, int dimension) {
                     "cell {} has {} corners; expected {} (simplex) or, in space, 5 (pyramid), 6 "
                     "(wedge), 8 (hexahedron), 10 or 12 (prism); split the cell first",
                     cell, corners.size(), dimension + 1),
-                {.degree = dimension, .cells = {static_cast<Index>(cell)}});
+                {.degree = dimension, .cells = {cell}});
         const auto before = simplices.size();
         pull_cell(*shape, corners, simplices);
         if (simplices.size() == before)
@@ -154,11 +149,10 @@ Mesh split_solids(PolygonMesh cells, int dimension) {
             split.add(cell);
             orient(cells.points, dimension, std::span(simplices).subspan(before));
         }
-        cells_of.resize(simplices.size() / (static_cast<std::size_t>(dimension) + 1),
-                        static_cast<Index>(cell));
+        cells_of.resize(simplices.size() / (static_cast<std::size_t>(dimension) + 1), cell);
     }
     mesh.tags = std::move(cells.tags);
-    follow_rows(mesh, cells_of, static_cast<Index>(cells.offsets.size()) - 1);
+    follow_rows(mesh, cells_of, cells.size());
     mesh.points = std::move(cells.points);
     mesh.simplices = simplices_of(simplices, dimension + 1);
     if (split.count > 0)
@@ -207,18 +201,16 @@ Mesh split_cells(PolygonMesh cells, int dimension) {
                           : split_solids(std::move(cells), dimension);
 }
 
-TaggedSimplices pull_tagged(int dimension, const std::vector<Index>& corners,
-                            const std::vector<Index>& offsets, const std::vector<Index>& tags) {
+TaggedSimplices pull_tagged(const PolygonMesh& cells, int dimension) {
     TaggedSimplices result;
     std::vector<Index> simplices;
-    for (std::size_t cell = 0; cell < tags.size(); ++cell) {
-        const auto own = corners_of(corners, offsets, cell);
-        const auto* const shape = cell_shape(dimension, own.size());
-        if (tags[cell] == 0 || shape == nullptr)
+    for (Index cell = 0; cell < std::ssize(cells.tags); ++cell) {
+        const auto* const shape = cell_shape(dimension, cells.face(cell).size());
+        const Index tag = cells.tags[cell];
+        if (tag == 0 || shape == nullptr)
             continue;
-        pull_cell(*shape, own, simplices);
-        result.tags.resize(simplices.size() / (static_cast<std::size_t>(dimension) + 1),
-                           tags[cell]);
+        pull_cell(*shape, cells.face(cell), simplices);
+        result.tags.resize(simplices.size() / (static_cast<std::size_t>(dimension) + 1), tag);
     }
     result.simplices = simplices_of(simplices, dimension + 1);
     return result;

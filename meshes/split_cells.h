@@ -46,9 +46,8 @@ void pull_cell(const CellShape& shape, std::span<const Index> corners,
 /// split_polygons.
 Mesh split_cells(PolygonMesh cells, int dimension);
 
-/// The simplices of tagged lower-dimensional cells, from pull_cell; tag 0 means none. Omits cells
+/// The simplices of tagged cells of one dimension, from pull_cell; tag 0 means none. Omits cells
 /// without a shape.
-TaggedSimplices pull_tagged(int dimension, const std::vector<Index>& corners,
-                            const std::vector<Index>& offsets, const std::vector<Index>& tags);
+TaggedSimplices pull_tagged(const PolygonMesh& cells, int dimension);
 
 } // namespace polydec

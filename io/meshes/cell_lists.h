@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/source_file.h"
-#include "meshes/mesh.h"
+#include "meshes/polygons.h"
 
 #include <array>
 #include <span>
@@ -19,11 +19,14 @@ public:
 
     /// Appends a cell of dimension 0 to 3: a point, line, polygon or solid, with its shape given by
     /// the number of corners (see cell_shape). The tag is the number of its physical group, 0 for
-    /// none. Throws InvalidInput if there are too many cells.
-    void add(int dimension, std::span<const Index> corners, Index tag, const SourceFile& file);
+    /// none.
+    void add(int dimension, std::span<const Index> corners, Index tag);
 
     /// Adds another group to the last cell of this dimension.
-    void add_tag(int dimension, Index tag);
+    void add_tag(int dimension, Index tag) {
+        auto& [cells, more] = lists_[dimension];
+        more.emplace_back(cells.size() - 1, tag);
+    }
 
     /// Records that the last cell has additional nodes besides its corners, which are omitted.
     void leave_out_nodes(std::size_t count) { curved_ += count > 0 ? 1 : 0; }
@@ -32,18 +35,16 @@ public:
     /// Polygons and solids are split, and their tags follow. If no cell has a tag, the mesh has
     /// none. Tagged cells of one dimension less become facet tags, once per group. Warnings count
     /// omitted nodes, second groups of the mesh's own cells, and other cells of lower dimension.
-    Mesh mesh(Points points) &&;
+    /// Throws InvalidInput, naming the file, if there are too many cells.
+    Mesh mesh(Points points, const SourceFile& file) &&;
 
 private:
     struct List {
-        std::vector<Index> corners;
-        std::vector<Index> offsets{0};
-        std::vector<Index> tags;
+        PolygonMesh cells;                         ///< still without points
         std::vector<std::pair<Index, Index>> more; ///< cells and their additional groups
     };
 
-    List& list(int dimension) { return lists_[dimension]; }
-    std::vector<std::string> warnings_of_lesser(int dimension, Eigen::Index vertices);
+    std::vector<std::string> warnings_of_lesser(int dimension, Eigen::Index vertices) const;
 
     std::array<List, most_dimensions> lists_;
     std::size_t curved_ = 0;
@@ -57,8 +58,5 @@ std::string second_groups_warning(std::size_t count);
 
 /// The warning about cells read by their corners only.
 std::string higher_order_warning(std::size_t cells);
-
-/// Returns the tags, or an empty list if all are 0.
-std::vector<Index> tags_or_none(std::vector<Index> tags);
 
 } // namespace polydec

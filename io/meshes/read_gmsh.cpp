@@ -27,7 +27,7 @@ public:
         if (!has_elements_)
             scanner_.fail("the file ends without the section $Elements; expected $MeshFormat, "
                           "$Nodes and $Elements; export it again as MSH 4.1");
-        Mesh mesh = std::move(cells_).mesh(std::move(points_));
+        Mesh mesh = std::move(cells_).mesh(std::move(points_), file_);
         mesh.groups = std::move(names_);
         return mesh;
     }
@@ -162,7 +162,7 @@ private:
                                         number));
             corners[i] = *vertex;
         }
-        cells_.add(kind.dimension, std::span(corners).first(kind.corners), tag, file_);
+        cells_.add(kind.dimension, std::span(corners).first(kind.corners), tag);
         for (int i = kind.corners; i < kind.nodes; ++i)
             source.number("a node of an element");
         cells_.leave_out_nodes(kind.nodes - kind.corners);

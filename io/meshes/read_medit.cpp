@@ -95,7 +95,7 @@ constexpr std::array cell_sections{
 
 /// Adds the cells of a section, their references as tags if all are whole numbers. Their number.
 std::size_t read_section(const Sections& sections, const CellSection& section, Index vertices,
-                         const SourceFile& file, CellLists& cells) {
+                         CellLists& cells) {
     if (!sections.has(section.keyword))
         return 0;
     Scanner scanner = sections.at(section.keyword);
@@ -114,20 +114,18 @@ std::size_t read_section(const Sections& sections, const CellSection& section, I
     const auto tags = tags_from(references);
     for (std::size_t cell = 0; cell < count; ++cell) {
         cells.add(section.dimension,
-                  std::span(numbers).subspan(cell * section.corners, section.corners), tags[cell],
-                  file);
+                  std::span(numbers).subspan(cell * section.corners, section.corners), tags[cell]);
         cells.leave_out_nodes(section.nodes - section.corners);
     }
     return count;
 }
 
 /// Those of one dimension. Their number.
-std::size_t read_cells(const Sections& sections, int dimension, Index vertices,
-                       const SourceFile& file, CellLists& cells) {
+std::size_t read_cells(const Sections& sections, int dimension, Index vertices, CellLists& cells) {
     std::size_t count = 0;
     for (const auto& section : cell_sections)
         if (section.dimension == dimension)
-            count += read_section(sections, section, vertices, file, cells);
+            count += read_section(sections, section, vertices, cells);
     return count;
 }
 
@@ -139,11 +137,11 @@ Mesh read_medit(const SourceFile& file) {
     const auto vertices = static_cast<Index>(points.rows());
     CellLists cells;
     int dimension = 3;
-    while (read_cells(sections, dimension, vertices, file, cells) == 0 && dimension > 1)
+    while (read_cells(sections, dimension, vertices, cells) == 0 && dimension > 1)
         --dimension;
     if (dimension > 1)
-        read_cells(sections, dimension - 1, vertices, file, cells);
-    return std::move(cells).mesh(std::move(points));
+        read_cells(sections, dimension - 1, vertices, cells);
+    return std::move(cells).mesh(std::move(points), file);
 }
 
 } // namespace polydec

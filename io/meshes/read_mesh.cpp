@@ -95,14 +95,10 @@ void close_face(PolygonMesh& polygons, const SourceFile& file) {
 
 Mesh segments_of(const PolygonMesh& lines) {
     std::vector<Index> ends;
-    for (std::size_t line = 1; line < lines.offsets.size(); ++line)
-        for (Index at = lines.offsets[line - 1] + 1; at < lines.offsets[line]; ++at)
-            ends.insert(ends.end(), {lines.corners[at - 1], lines.corners[at]});
-    Mesh mesh;
-    mesh.points = lines.points;
-    mesh.simplices =
-        Eigen::Map<const Simplices>(ends.data(), static_cast<Eigen::Index>(ends.size() / 2), 2);
-    return mesh;
+    for (Index line = 0; line < lines.size(); ++line)
+        for (std::size_t at = 1; at < lines.face(line).size(); ++at)
+            ends.insert(ends.end(), {lines.face(line)[at - 1], lines.face(line)[at]});
+    return {lines.points, simplices_of(ends, 2), {}};
 }
 
 Index checked_count(std::size_t count, const char* plural, const SourceFile& file) {

@@ -114,13 +114,6 @@ void read_faces(Scanner& scanner, Index count, PolygonMesh& polygons, const Sour
     }
 }
 
-/// Whether the faces are lines, of a curve.
-bool have_two_corners(const PolygonMesh& polygons) {
-    Index face = 0;
-    return std::all_of(polygons.offsets.begin(), polygons.offsets.end(),
-                       [&](Index offset) { return offset == 2 * face++; });
-}
-
 } // namespace
 
 Mesh read_off(const SourceFile& file) {
@@ -136,8 +129,8 @@ Mesh read_off(const SourceFile& file) {
     polygons.points = read_vertices(scanner, vertices, axes);
     read_faces(scanner, faces, polygons, file);
 
-    Mesh mesh =
-        have_two_corners(polygons) ? segments_of(polygons) : split_polygons(std::move(polygons));
+    const bool is_curve = polygons.all_have(2);
+    Mesh mesh = is_curve ? segments_of(polygons) : split_polygons(std::move(polygons));
     if (!scanner.at_end())
         mesh.warnings.push_back(fmt::format("left out everything after the {} faces, from line {}",
                                             faces, scanner.line()));

@@ -88,7 +88,7 @@ double read_attributes(Scanner& scanner, int attributes) {
 
 /// Adds the cells, one a line: number, corners, extras.
 void add_cells(CellLists& cells, const Nodes& nodes, Scanner& scanner, Index count, int corners,
-               const Extras& extras, const SourceFile& file) {
+               const Extras& extras) {
     std::vector<Index> numbers;
     std::vector<double> groups;
     const auto first = first_number(scanner, "cell");
@@ -107,8 +107,7 @@ void add_cells(CellLists& cells, const Nodes& nodes, Scanner& scanner, Index cou
     }
     const auto tags = tags_from(groups);
     for (Index cell = 0; cell < count; ++cell) {
-        cells.add(corners - 1, std::span(numbers).subspan(cell * corners, corners), tags[cell],
-                  file);
+        cells.add(corners - 1, std::span(numbers).subspan(cell * corners, corners), tags[cell]);
         cells.leave_out_nodes(extras.nodes);
     }
 }
@@ -133,7 +132,7 @@ void add_elements(CellLists& cells, const Nodes& nodes, const SourceFile& file) 
     scanner.as_count(count, "cells", 2 * (static_cast<std::size_t>(nodes_of_each) + 1));
     scanner.next_line();
     add_cells(cells, nodes, scanner, count, corners,
-              {.nodes = static_cast<int>(extra), .attributes = static_cast<int>(attributes)}, file);
+              {.nodes = static_cast<int>(extra), .attributes = static_cast<int>(attributes)});
 }
 
 /// The number of words in the next line that has some.
@@ -154,7 +153,7 @@ void add_faces(CellLists& cells, const Nodes& nodes, int corners, const SourceFi
     scanner.next_line();
     const bool has_nodes = corners == 3 && words_in_line(scanner) >= 1 + 2 * corners + markers;
     add_cells(cells, nodes, scanner, count, corners,
-              {.nodes = has_nodes ? corners : 0, .attributes = markers, .neighbors = 2}, file);
+              {.nodes = has_nodes ? corners : 0, .attributes = markers, .neighbors = 2});
 }
 
 /// In capital letters where the file's own extension has no others.
@@ -195,7 +194,7 @@ Mesh parse_tetgen(const SourceFile& nodes, const std::vector<SourceFile>& files)
             add_elements(cells, read, file);
         else
             add_faces(cells, read, extension == ".face" ? 3 : 2, file);
-    return std::move(cells).mesh(std::move(read.points));
+    return std::move(cells).mesh(std::move(read.points), nodes);
 }
 
 Mesh read_tetgen(const SourceFile& file) {

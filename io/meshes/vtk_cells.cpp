@@ -90,7 +90,7 @@ public:
         std::size_t begin = 0;
         for (std::size_t cell = 0; cell < arrays_.types.size(); ++cell)
             begin = convert(cell, begin);
-        return std::move(cells_).mesh(std::move(points));
+        return std::move(cells_).mesh(std::move(points), file_);
     }
 
 private:
@@ -183,10 +183,10 @@ private:
             [[fallthrough]];
         case Order::around:
         case Order::half_are_corners:
-            return cells_.add(kind.dimension, corners, tag, file_);
+            return cells_.add(kind.dimension, corners, tag);
         case Order::edges:
             for (std::size_t i = 0; i + 1 < corners.size(); ++i)
-                cells_.add(kind.dimension, corners.subspan(i, 2), tag, file_);
+                cells_.add(kind.dimension, corners.subspan(i, 2), tag);
             return;
         case Order::strip:
             for (std::size_t i = 0; i + 2 < corners.size(); ++i)
@@ -197,7 +197,7 @@ private:
     /// Every other triangle of a strip has its corners the other way around.
     void add_strip_triangle(std::span<const Index> corners, bool turned, Index tag) {
         const std::array triangle{corners[0], corners[turned ? 2 : 1], corners[turned ? 1 : 2]};
-        cells_.add(2, triangle, tag, file_);
+        cells_.add(2, triangle, tag);
     }
 
     const VtkArrays& arrays_;

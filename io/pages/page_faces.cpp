@@ -72,8 +72,7 @@ struct Surface {
     std::vector<std::array<Index, 2>> owners;
 
     void add(std::span<const Index> corners, Index owner, Index other) {
-        polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
-        polygons.offsets.push_back(static_cast<Index>(polygons.corners.size()));
+        polygons.add(corners);
         polygons.tags.push_back(static_cast<Index>(owners.size()));
         owners.push_back({owner, other});
     }
@@ -105,10 +104,9 @@ void mark_sides(PageFaces& faces, const PolygonMesh& rings, const std::vector<In
         const Index ring = ring_of[t];
         if (ring != known) {
             sides.clear();
-            const Index begin = rings.offsets[ring], end = rings.offsets[ring + 1];
-            for (Index i = begin; i < end; ++i)
-                sides.push_back(
-                    ends_of_side(rings.corners[i], rings.corners[i + 1 < end ? i + 1 : begin]));
+            const auto corners = rings.face(ring);
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                sides.push_back(ends_of_side(corners[i], corners[(i + 1) % corners.size()]));
             std::sort(sides.begin(), sides.end());
             known = ring;
         }
@@ -228,9 +226,9 @@ PageFaces page_faces(const VtuGrid& grid, const std::vector<Index>& groups) {
         add_lines(faces, grid);
         return faces;
     }
-    const auto [polygons, owners] = surface_of(grid);
-    const Mesh split =
-        split_polygons({grid.points, polygons.corners, polygons.offsets, polygons.tags});
+    auto [polygons, owners] = surface_of(grid);
+    polygons.points = grid.points;
+    const Mesh split = split_polygons(polygons);
     faces.corners.assign(split.simplices.data(), split.simplices.data() + split.simplices.size());
     for (const Index ring : split.tags)
         faces.owners.push_back(owners[ring]);

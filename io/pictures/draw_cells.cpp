@@ -112,11 +112,8 @@ VtuGrid draw(const CellComplex& complex, const Points& points, int k, const Ring
 PolygonMesh polygons(const Merging& merging, Points points, const Naming& named) {
     PolygonMesh mesh;
     mesh.points = std::move(points);
-    for (Index cell = 0; cell < merging.merged().size(2); ++cell) {
-        const auto polygon = named(corners(merging, cell));
-        mesh.corners.insert(mesh.corners.end(), polygon.begin(), polygon.end());
-        mesh.offsets.push_back(static_cast<Index>(mesh.corners.size()));
-    }
+    for (Index cell = 0; cell < merging.merged().size(2); ++cell)
+        mesh.add(named(corners(merging, cell)));
     return mesh;
 }
 

@@ -46,15 +46,6 @@ struct Frame {
     Place parts(const Place& p) const { return {right.dot(p), up.dot(p), eye.dot(p)}; }
 };
 
-Index count(const SolidFaces& faces) {
-    return static_cast<Index>(faces.polygons.offsets.size()) - 1;
-}
-
-std::span<const Index> corners_of(const PolygonMesh& polygons, Index face) {
-    const Index begin = polygons.offsets[face];
-    return std::span(polygons.corners).subspan(begin, polygons.offsets[face + 1] - begin);
-}
-
 Place mean_of(const Points& points, std::span<const Index> corners) {
     Place sum = Place::Zero();
     for (const Index v : corners)
@@ -63,7 +54,7 @@ Place mean_of(const Points& points, std::span<const Index> corners) {
 }
 
 Place mean_of(const PolygonMesh& polygons, Index face) {
-    return mean_of(polygons.points, corners_of(polygons, face));
+    return mean_of(polygons.points, polygons.face(face));
 }
 
 /// Twice the area times the normal (Newell): corners run counterclockwise around it.
@@ -78,7 +69,7 @@ Place normal_of(const Points& points, std::span<const Index> corners) {
 }
 
 Place normal_of(const PolygonMesh& polygons, Index face) {
-    return normal_of(polygons.points, corners_of(polygons, face));
+    return normal_of(polygons.points, polygons.face(face));
 }
 
 bool is_color(const std::string& text) {
@@ -95,7 +86,7 @@ void check_size(const char* what, Eigen::Index given, Index polygons) {
 
 void check_faces(const SolidFaces& faces) {
     check_polygons(faces.polygons);
-    const Index polygons = count(faces);
+    const Index polygons = faces.polygons.size();
     if (polygons == 0)
         throw InvalidInput("there are no polygons to draw: add one");
     if (faces.polygons.points.cols() != 3)
@@ -112,7 +103,7 @@ void check_faces(const SolidFaces& faces) {
             throw InvalidInput(fmt::format("polygon {} has {}", f, what),
                                {.degree = 2, .cells = {f}});
         };
-        if (corners_of(faces.polygons, f).size() < 3)
+        if (faces.polygons.face(f).size() < 3)
             complain("fewer than three corners: leave it out");
         if (!mean_of(faces.polygons, f).allFinite() ||
             (faces.depth_sites.rows() > 0 && !faces.depth_sites.row(f).allFinite()))
@@ -127,8 +118,8 @@ void check_faces(const SolidFaces& faces) {
 
 std::vector<Index> order_of(const SolidFaces& faces, const Frame& frame) {
     std::vector<Index> order;
-    Vector depth(count(faces));
-    for (Index f = 0; f < count(faces); ++f) {
+    Vector depth(faces.polygons.size());
+    for (Index f = 0; f < faces.polygons.size(); ++f) {
         const Place site = faces.depth_sites.rows() > 0 ? Place(faces.depth_sites.row(f))
                                                         : mean_of(faces.polygons, f);
         depth[f] = frame.eye.dot(site);
@@ -245,9 +236,7 @@ private:
 };
 
 void add_polygon(SolidFaces& faces, const std::vector<Index>& corners, Index cell) {
-    auto& polygons = faces.polygons;
-    polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
-    polygons.offsets.push_back(static_cast<Index>(polygons.corners.size()));
+    faces.polygons.add(corners);
     faces.cells.push_back(cell);
 }
 
@@ -326,7 +315,7 @@ SvgDrawing draw_solid(const SolidFaces& faces, const SolidView& view) {
         SvgPolygon polygon{{}, {.stroke = fill, .fill = fill, .width = 0.4}};
         if (view.line != "none")
             polygon.style = {.stroke = view.line, .fill = fill, .width = view.line_width};
-        for (const Index v : corners_of(faces.polygons, f))
+        for (const Index v : faces.polygons.face(f))
             polygon.points.push_back(frame(faces.polygons.points.row(v)));
         drawing.shapes.push_back(std::move(polygon));
     }

@@ -59,10 +59,10 @@ Mesh mesh_of_cells(Points points, const std::vector<CellBlock>& blocks) {
                                        {.degree = dimension,
                                         .cells = {static_cast<Index>(cell)},
                                         .vertices = {corner}});
-            cells.add(dimension, own, tags[cell], given);
+            cells.add(dimension, own, tags[cell]);
             cells.leave_out_nodes(nodes);
         }
-    return std::move(cells).mesh(std::move(points));
+    return std::move(cells).mesh(std::move(points), given);
 }
 
 py::list names_of(const std::vector<GroupName>& groups) {

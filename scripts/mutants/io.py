@@ -13,7 +13,7 @@ MUTANTS = {
                              "Pages.HaveTheAxisUpwardsOfTheirFileUnlessToldOtherwise"),
     "ply_header_ends_with_lf": ("io/meshes/ply_header.cpp", "!breaks_lines_with_cr() &&", "false &&",
                                 "OddFiles.TheLastLineOfAHeaderOfPlyMayEndInAnotherWay"),
-    "curves_of_no_cells": ("io/meshes/read_off.cpp", "return offset == 2 * face++;", "return offset > 2 * face++;",
+    "curves_of_no_cells": ("io/meshes/read_off.cpp", "polygons.all_have(2)", "polygons.all_have(0)",
                            "Off.OfFacesWithTwoCornersIsACurve"),
     "gmsh_4_0_numbers_first": ("io/meshes/read_gmsh.cpp", "numbers_first = !format_.is_4_0()", "numbers_first = true",
                                "OddFiles.VersionFourOfGmshIsReadInEveryEncoding"),

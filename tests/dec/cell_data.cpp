@@ -78,10 +78,8 @@ PolygonMesh row_of_polygons(Index count) {
         for (const auto& corners :
              i % 2 == 0 ? std::vector<std::vector<Index>>{{2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1}}
                         : std::vector<std::vector<Index>>{{2 * i, 2 * i + 2, 2 * i + 1},
-                                                          {2 * i + 2, 2 * i + 3, 2 * i + 1}}) {
-            result.corners.insert(result.corners.end(), corners.begin(), corners.end());
-            result.offsets.push_back(static_cast<Index>(result.corners.size()));
-        }
+                                                          {2 * i + 2, 2 * i + 3, 2 * i + 1}})
+            result.add(corners);
     return result;
 }
 

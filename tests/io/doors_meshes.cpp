@@ -189,7 +189,7 @@ void ask_of_meshes(const Asking& ask, const Sample& s) {
     });
     ask("split_polygons", [&](Inputs& in) {
         PolygonMesh polygons = polygon_mesh(s.mesh);
-        const auto faces = std::ssize(polygons.offsets) - 1;
+        const auto faces = polygons.size();
         if (n == 1) // no polygons, and nothing to be flawed
             return fit(split_polygons(polygons).simplices.rows() == 0);
         polygons.tags = in.list<Index>(faces, 3);

@@ -37,13 +37,9 @@ std::vector<Solid> solids() {
 
 std::vector<Place> ring(const SolidFaces& faces, Index f) {
     std::vector<Place> places;
-    for (Index i = faces.polygons.offsets[f]; i < faces.polygons.offsets[f + 1]; ++i)
-        places.push_back(faces.polygons.points.row(faces.polygons.corners[i]));
+    for (const Index corner : faces.polygons.face(f))
+        places.push_back(faces.polygons.points.row(corner));
     return places;
-}
-
-Index count(const SolidFaces& faces) {
-    return static_cast<Index>(faces.polygons.offsets.size()) - 1;
 }
 
 void reverse(SolidFaces& faces, Index f) {
@@ -54,7 +50,7 @@ void reverse(SolidFaces& faces, Index f) {
 /// By the divergence theorem, of x / 3.
 double enclosed_volume(const SolidFaces& faces) {
     double sum = 0;
-    for (Index f = 0; f < count(faces); ++f) {
+    for (Index f = 0; f < faces.polygons.size(); ++f) {
         const auto p = ring(faces, f);
         for (std::size_t i = 1; i + 1 < p.size(); ++i)
             sum += p[0].dot(p[i].cross(p[i + 1])) / 6;
@@ -77,7 +73,7 @@ TEST(KeptFaces, enclose_the_kept_cells) {
         auto faces = kept_faces(mesh, solid.keep);
         EXPECT_NEAR(enclosed_volume(faces), volume, 1e-13) << solid.name;
         // one that looks inward spoils it
-        reverse(faces, count(faces) - 1);
+        reverse(faces, faces.polygons.size() - 1);
         EXPECT_GT(std::abs(enclosed_volume(faces) - volume), 1e-4) << solid.name;
     }
 }
@@ -92,7 +88,7 @@ TEST(KeptFaces, are_those_with_one_kept_cell) {
         const Vector around =
             SparseMatrix(mesh.complex().coboundary(2).cast<double>().cwiseAbs()).transpose() * kept;
         const auto faces = kept_faces(mesh, solid.keep);
-        EXPECT_EQ(count(faces), (around.array() == 1).count()) << solid.name;
+        EXPECT_EQ(faces.polygons.size(), (around.array() == 1).count()) << solid.name;
         EXPECT_GT((around.array() == 2).count(), 0) << solid.name;
         for (const Index cell : faces.cells)
             EXPECT_EQ(kept[cell], 1) << solid.name;
@@ -104,8 +100,8 @@ TEST(KeptFaces, have_the_values_of_the_cells_behind) {
     const Points centroids = cell_centroids(mesh, 3);
     const Place slope(1, 2, 3);
     const auto faces = kept_faces(mesh, without_a_corner, centroids * slope);
-    ASSERT_EQ(faces.values.size(), count(faces));
-    for (Index f = 0; f < count(faces); ++f) {
+    ASSERT_EQ(faces.values.size(), faces.polygons.size());
+    for (Index f = 0; f < faces.polygons.size(); ++f) {
         // the centroid of a convex cell is behind its face
         const auto p = ring(faces, f);
         const Place normal = (p[1] - p[0]).cross(p[2] - p[0]);
@@ -193,7 +189,7 @@ TEST(PaintingOrder, leaves_the_nearest_polygon_to_be_seen_everywhere) {
 TEST(PaintingOrder, leaves_out_what_is_turned_away_if_closed) {
     const auto mesh = discretize(kuhn(3, 2));
     auto cube = kept_faces(mesh, all_of_it);
-    EXPECT_EQ(count(cube), 24);
+    EXPECT_EQ(cube.polygons.size(), 24);
     EXPECT_EQ(painting_order(cube).size(), 12U);
     EXPECT_EQ(painting_order(cube, {.eye = Place(0, -1, 0)}).size(), 4U);
     cube.closed = false;

@@ -83,12 +83,8 @@ std::string binary_vtk() {
 std::string written_vtu(const PolygonMesh& polygons) {
     VtuGrid grid;
     grid.points = polygons.points;
-    const std::span corners(polygons.corners);
-    for (std::size_t face = 0; face + 1 < polygons.offsets.size(); ++face) {
-        const auto begin = static_cast<std::size_t>(polygons.offsets[face]);
-        const auto end = static_cast<std::size_t>(polygons.offsets[face + 1]);
-        add_cell(grid, VtuCell::polygon, corners.subspan(begin, end - begin));
-    }
+    for (Index face = 0; face < polygons.size(); ++face)
+        add_cell(grid, VtuCell::polygon, polygons.face(face));
     const TemporaryFolder folder;
     write_vtu(folder.path("a.vtu"), grid);
     return read_text(folder.path("a.vtu"));

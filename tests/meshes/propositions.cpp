@@ -122,10 +122,8 @@ bool same_geometry(const Mesh& a, const Mesh& b) {
 PolygonMesh mesh_of(const Points& points, const std::vector<std::vector<Index>>& cells) {
     PolygonMesh mesh;
     mesh.points = points;
-    for (const auto& cell : cells) {
-        mesh.corners.insert(mesh.corners.end(), cell.begin(), cell.end());
-        mesh.offsets.push_back(static_cast<Index>(mesh.corners.size()));
-    }
+    for (const auto& cell : cells)
+        mesh.add(cell);
     return mesh;
 }
 

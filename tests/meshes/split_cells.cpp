@@ -151,13 +151,11 @@ TEST(SplitCells, TagsFollowAndFacetsAreSplitLikeTheirCells) {
     for (std::size_t i = 0; i < 48; ++i)
         EXPECT_EQ(split.tags[i], static_cast<Index>(i / 6 + 1));
 
-    std::vector<Index> corners, offsets{0};
-    for (std::size_t cell = 0; cell < 8; ++cell) {
-        corners.insert(corners.end(), mesh.corners.begin() + static_cast<std::ptrdiff_t>(8 * cell),
-                       mesh.corners.begin() + static_cast<std::ptrdiff_t>(8 * cell + 4));
-        offsets.push_back(static_cast<Index>(corners.size()));
-    }
-    const TaggedSimplices tagged = pull_tagged(2, corners, offsets, {1, 2, 3, 0, 5, 6, 7, 8});
+    PolygonMesh bases;
+    for (Index cell = 0; cell < 8; ++cell)
+        bases.add(mesh.face(cell).first(4));
+    bases.tags = {1, 2, 3, 0, 5, 6, 7, 8};
+    const TaggedSimplices tagged = pull_tagged(bases, 2);
     EXPECT_EQ(tagged.tags, (std::vector<Index>{1, 1, 2, 2, 3, 3, 5, 5, 6, 6, 7, 7, 8, 8}));
     std::vector<std::vector<Index>> facets;
     for (const auto& cell : sorted_rows(split.simplices))

@@ -71,9 +71,8 @@ PolygonMesh patches(Random& random, Index n) {
 
 Faces faces_of(const PolygonMesh& mesh) {
     Faces faces;
-    for (std::size_t f = 0; f + 1 < mesh.offsets.size(); ++f)
-        faces.emplace_back(mesh.corners.begin() + mesh.offsets[f],
-                           mesh.corners.begin() + mesh.offsets[f + 1]);
+    for (Index f = 0; f < mesh.size(); ++f)
+        faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
     return faces;
 }
 

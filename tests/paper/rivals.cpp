@@ -22,8 +22,8 @@ std::vector<std::string> keys(const auto& map) {
 
 std::vector<bool> on_boundary(const PolygonMesh& mesh) {
     std::map<std::pair<Index, Index>, int> uses;
-    for (Index f = 0; f < count_faces(mesh); ++f) {
-        const auto around = corners(mesh, f);
+    for (Index f = 0; f < mesh.size(); ++f) {
+        const auto around = mesh.face(f);
         for (std::size_t i = 0; i < around.size(); ++i)
             ++uses[std::minmax({around[i], around[(i + 1) % around.size()]})];
     }
@@ -150,8 +150,8 @@ PolygonMesh rearranged(const PolygonMesh& mesh) {
     const auto n = static_cast<Index>(mesh.points.rows());
     result.points.resize(n, 3);
     result.points << mesh.points.bottomRows(1), mesh.points.topRows(n - 1);
-    for (Index f = count_faces(mesh) - 1; f >= 0; --f) {
-        const auto around = corners(mesh, f);
+    for (Index f = mesh.size() - 1; f >= 0; --f) {
+        const auto around = mesh.face(f);
         std::vector<Index> face(around.begin(), around.end());
         std::rotate(face.begin(), face.begin() + 1, face.end());
         if (f % 2 == 0)
@@ -180,7 +180,7 @@ TEST_P(Rivals, do_not_depend_on_numbers_and_orientation) {
 
 /// On triangles: the stiffness of circumcentric duals, whose star_1 is the cotangents.
 TEST_P(Rivals, are_the_cotangent_laplacian_on_triangles_but_for_the_diamonds) {
-    if (mesh().corners.size() != 3 * static_cast<std::size_t>(count_faces(mesh())))
+    if (mesh().corners.size() != 3 * static_cast<std::size_t>(mesh().size()))
         return;
     const auto L = laplacian()(mesh());
     const auto made = discretize(split_polygons(mesh()), {.criterion = MergeCriterion::none});

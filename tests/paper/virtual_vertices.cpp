@@ -30,7 +30,7 @@ double squared_areas(const Polygon& polygon, const Eigen::RowVector3d& x) {
 TEST(VirtualVertices, minimize_the_squared_areas_of_their_triangles_with_weights_of_least_norm) {
     for (const auto& name : {"moved_hexagons", "moved_chevrons", "crumpled_goldberg"}) {
         const auto& mesh = surfaces().at(name).mesh;
-        for (Index f = 0; f < count_faces(mesh); ++f) {
+        for (Index f = 0; f < mesh.size(); ++f) {
             const Polygon polygon = positions(mesh, f);
             const Vector w = virtual_vertex_weights(polygon);
             const Eigen::RowVector3d x = w.transpose() * polygon;

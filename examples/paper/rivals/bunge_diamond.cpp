@@ -31,7 +31,7 @@ struct Side {
 /// the diamond itself, even if a virtual vertex lies beyond an edge.
 Side side_of(const PolygonMesh& mesh, Index face, std::size_t corner,
              const Eigen::Vector3d& virtual_vertex, const Eigen::Vector3d& area) {
-    const auto around = corners(mesh, face);
+    const auto around = mesh.face(face);
     const Index from = around[corner], to = around[(corner + 1) % around.size()];
     const auto [low, high] = std::minmax(from, to);
 
@@ -52,9 +52,9 @@ Side side_of(const PolygonMesh& mesh, Index face, std::size_t corner,
 std::vector<Side> sides_of(const PolygonMesh& mesh, const Points& virtual_vertices) {
     std::vector<Side> sides;
     sides.reserve(mesh.corners.size());
-    for (Index f = 0; f < count_faces(mesh); ++f) {
+    for (Index f = 0; f < mesh.size(); ++f) {
         const Eigen::Vector3d area = area_vector(positions(mesh, f));
-        for (std::size_t corner = 0; corner < corners(mesh, f).size(); ++corner)
+        for (std::size_t corner = 0; corner < mesh.face(f).size(); ++corner)
             sides.push_back(side_of(mesh, f, corner, virtual_vertices.row(f), area));
     }
     std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
@@ -76,7 +76,7 @@ public:
           P_(prolongation(mesh)),
           shares_(Vector::Zero(P_.rows())) {
         const Points points = P_ * mesh.points;
-        const auto sides = sides_of(mesh, points.bottomRows(count_faces(mesh)));
+        const auto sides = sides_of(mesh, points.bottomRows(mesh.size()));
         for (std::size_t i = 0; i < sides.size();) {
             std::size_t end = i + 1;
             while (end < sides.size() && sides[end].same_edge(sides[i]))

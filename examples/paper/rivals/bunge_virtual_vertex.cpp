@@ -93,13 +93,13 @@ SparseMatrix prolongation(const PolygonMesh& mesh) {
     Entries entries;
     for (Index v = 0; v < vertices; ++v)
         entries.emplace_back(v, v, 1.0);
-    for (Index f = 0; f < count_faces(mesh); ++f) {
+    for (Index f = 0; f < mesh.size(); ++f) {
         const Vector w = virtual_vertex_weights(positions(mesh, f));
-        const auto around = corners(mesh, f);
+        const auto around = mesh.face(f);
         for (std::size_t i = 0; i < around.size(); ++i)
             entries.emplace_back(vertices + f, around[i], w[static_cast<Index>(i)]);
     }
-    SparseMatrix P(vertices + count_faces(mesh), vertices);
+    SparseMatrix P(vertices + mesh.size(), vertices);
     P.setFromTriplets(entries.begin(), entries.end());
     return P;
 }
@@ -111,8 +111,8 @@ PolygonLaplacian bunge_virtual_vertex(const PolygonMesh& mesh) {
     const auto vertices = static_cast<Index>(mesh.points.rows());
 
     Entries stiffness, mass;
-    for (Index f = 0; f < count_faces(mesh); ++f) {
-        const auto around = corners(mesh, f);
+    for (Index f = 0; f < mesh.size(); ++f) {
+        const auto around = mesh.face(f);
         for (std::size_t i = 0; i < around.size(); ++i) {
             Triangle triangle{{around[i], around[(i + 1) % around.size()], vertices + f}, {}};
             for (std::size_t j = 0; j < 3; ++j)

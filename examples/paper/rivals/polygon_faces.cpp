@@ -28,7 +28,7 @@ void check_points(const PolygonMesh& mesh) {
 }
 
 void check_face(const PolygonMesh& mesh, Index f) {
-    const auto around = corners(mesh, f);
+    const auto around = mesh.face(f);
     if (around.size() < 3)
         refuse_face(f, "has " + std::to_string(around.size()) + " corners; expected 3 or more");
     for (std::size_t i = 0; i < around.size(); ++i)
@@ -56,23 +56,13 @@ void check_vertices_used(const PolygonMesh& mesh) {
 void check_surface(const PolygonMesh& mesh) {
     check_polygons(mesh);
     check_points(mesh);
-    for (Index f = 0; f < count_faces(mesh); ++f)
+    for (Index f = 0; f < mesh.size(); ++f)
         check_face(mesh, f);
     check_vertices_used(mesh);
 }
 
-std::span<const Index> corners(const PolygonMesh& mesh, Index f) {
-    const auto begin = static_cast<std::size_t>(mesh.offsets[static_cast<std::size_t>(f)]);
-    const auto end = static_cast<std::size_t>(mesh.offsets[static_cast<std::size_t>(f) + 1]);
-    return std::span(mesh.corners).subspan(begin, end - begin);
-}
-
-Index count_faces(const PolygonMesh& mesh) {
-    return static_cast<Index>(mesh.offsets.size()) - 1;
-}
-
 Polygon positions(const PolygonMesh& mesh, Index f) {
-    const auto around = corners(mesh, f);
+    const auto around = mesh.face(f);
     Polygon polygon(around.size(), 3);
     for (std::size_t i = 0; i < around.size(); ++i)
         polygon.row(static_cast<Index>(i)) = mesh.points.row(around[i]);
@@ -111,8 +101,8 @@ DenseMatrix differences(Index n) {
 SparseMatrix assemble(const PolygonMesh& mesh,
                       const std::function<DenseMatrix(const Polygon&)>& local) {
     std::vector<Eigen::Triplet<double, Index>> entries;
-    for (Index f = 0; f < count_faces(mesh); ++f) {
-        const auto around = corners(mesh, f);
+    for (Index f = 0; f < mesh.size(); ++f) {
+        const auto around = mesh.face(f);
         const DenseMatrix A = local(positions(mesh, f));
         for (std::size_t i = 0; i < around.size(); ++i)
             for (std::size_t j = 0; j < around.size(); ++j)
@@ -126,8 +116,8 @@ SparseMatrix assemble(const PolygonMesh& mesh,
 
 SparseMatrix equal_shares(const PolygonMesh& mesh) {
     Vector shares = Vector::Zero(mesh.points.rows());
-    for (Index f = 0; f < count_faces(mesh); ++f) {
-        const auto around = corners(mesh, f);
+    for (Index f = 0; f < mesh.size(); ++f) {
+        const auto around = mesh.face(f);
         const double area = area_vector(positions(mesh, f)).norm();
         for (const Index v : around)
             shares[v] += area / static_cast<double>(around.size());

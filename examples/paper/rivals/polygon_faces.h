@@ -4,7 +4,6 @@
 #include "meshes/polygons.h"
 
 #include <functional>
-#include <span>
 
 namespace polydec::paper {
 
@@ -17,9 +16,7 @@ using Polygon = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 /// vertex.
 void check_surface(const PolygonMesh& mesh);
 
-/// The vertex numbers around face f.
-std::span<const Index> corners(const PolygonMesh& mesh, Index f);
-Index count_faces(const PolygonMesh& mesh);
+/// The corners of face f.
 Polygon positions(const PolygonMesh& mesh, Index f);
 
 /// Half the sum of x_i cross x_(i+1): normal to the plane of largest projection; its length is the
