@@ -12,54 +12,45 @@ namespace polydec {
 
 namespace {
 
-/// The numbers of a text body.
-class TextSource {
+/// The numbers of a body, text or binary. Every type of PLY fits into a double exactly.
+class PlySource {
 public:
-    TextSource(const SourceFile& file, const PlyHeader& header)
-        : scanner_(file.name, std::string_view(file.text).substr(header.body_begin)) {
+    PlySource(const SourceFile& file, const PlyHeader& header)
+        : file_(file), order_(header.order), scanner_(file.name, file.text) {
+        scanner_.skip(header.body_begin - place());
         scanner_.set_line(header.body_line);
     }
 
-    double value(NumberType) { return scanner_.number("a number"); }
-    void end_record() { scanner_.end_line("an element"); }
-    std::size_t remaining() const { return scanner_.remaining(); }
-    bool at_end() { return scanner_.at_end(); }
-    [[noreturn]] void fail(const std::string& text) const { scanner_.fail(text); }
-
-private:
-    Scanner scanner_;
-};
-
-/// The numbers of a binary body. Every type of PLY fits into a double exactly.
-class BinarySource {
-public:
-    BinarySource(const SourceFile& file, const PlyHeader& header)
-        : file_(file), position_(header.body_begin), order_(*header.order) {}
-
     double value(NumberType type) {
+        if (!order_)
+            return scanner_.number("a number");
         const auto size = size_of(type);
         if (size > remaining())
             fail("the file ends here; expected more elements; export it again, it seems cut off");
-        const char* place = file_.text.data() + position_;
-        position_ += size;
-        return value_at(place, type, order_);
+        return value_at(scanner_.bytes(size, "more elements").data(), type, *order_);
     }
 
-    void end_record() const {}
-    std::size_t remaining() const { return file_.text.size() - position_; }
-    bool at_end() const { return remaining() == 0; }
+    void end_record() {
+        if (!order_)
+            scanner_.end_line("an element");
+    }
+    std::size_t remaining() const { return scanner_.remaining(); }
+    bool at_end() { return order_ ? remaining() == 0 : scanner_.at_end(); }
 
     [[noreturn]] void fail(const std::string& text) const {
-        refuse_contents(file_.name, fmt::format("before byte {}: {}", position_, text));
+        if (!order_)
+            scanner_.fail(text);
+        refuse_contents(file_.name, fmt::format("before byte {}: {}", place(), text));
     }
 
 private:
+    std::size_t place() const { return file_.text.size() - remaining(); }
+
     const SourceFile& file_;
-    std::size_t position_;
-    std::endian order_;
+    std::optional<std::endian> order_;
+    Scanner scanner_;
 };
 
-template <typename Source>
 class BodyReader {
 public:
     BodyReader(const SourceFile& file, const PlyHeader& header)
@@ -199,7 +190,7 @@ private:
 
     const SourceFile& file_;
     const PlyHeader& header_;
-    Source source_;
+    PlySource source_;
     PolygonMesh polygons_;
     Index vertices_ = 0;
     bool has_faces_ = false;
@@ -208,9 +199,7 @@ private:
 } // namespace
 
 Mesh read_ply(const SourceFile& file) {
-    const auto header = read_ply_header(file);
-    return header.order ? BodyReader<BinarySource>(file, header).read()
-                        : BodyReader<TextSource>(file, header).read();
+    return BodyReader(file, read_ply_header(file)).read();
 }
 
 } // namespace polydec
