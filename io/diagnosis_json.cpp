@@ -5,8 +5,6 @@ namespace polydec {
 
 namespace {
 
-constexpr std::array sides{Side::primal, Side::dual};
-
 template <class Value>
 void write(JsonWriter& json, const char* name, const BeforeAndAfter<Value>& both) {
     json.object(name, [&] {
@@ -42,9 +40,9 @@ void write(JsonWriter& json, const FacetKinds& pairs) {
 
 void write(JsonWriter& json, const char* stage, const OperatorRow::Sides& verdicts) {
     json.object(stage, [&] {
-        for (std::size_t side = 0; side < sides.size(); ++side)
-            if (verdicts[side])
-                json.member(name(sides[side]), name(verdicts[side]->verdict));
+        for (const OperatorVerdict* verdict : verdicts)
+            if (verdict != nullptr)
+                json.member(name(verdict->side), name(verdict->verdict));
     });
 }
 
@@ -72,17 +70,14 @@ void write(JsonWriter& json, const LaplacianVerdict& facts) {
 } // namespace
 
 void write_star_numbers(JsonWriter& json, const char* name, const std::vector<StarNumbers>& stars) {
-    json.array(name, [&] {
-        for (const auto& star : stars)
-            json.object([&] {
-                json.member("min", star.min);
-                json.member("max", star.max);
-                json.member("min_abs", star.min_abs);
-                json.member("negative", star.negative);
-                json.member("zero", star.zero);
-                json.member("condition", star.condition);
-                json.member("diagonal", star.is_diagonal);
-            });
+    json.objects(name, stars, [&](const StarNumbers& star) {
+        json.member("min", star.min);
+        json.member("max", star.max);
+        json.member("min_abs", star.min_abs);
+        json.member("negative", star.negative);
+        json.member("zero", star.zero);
+        json.member("condition", star.condition);
+        json.member("diagonal", star.is_diagonal);
     });
 }
 
@@ -127,14 +122,9 @@ void write_diagnosis(JsonWriter& json, const Diagnosis& facts,
         json.object("pairs", [&] { write(json, *facts.pairs); });
     write_star_numbers(json, "stars", facts.stars.merged);
     write_star_numbers(json, "input_stars", facts.stars.input);
-    json.array("operators", [&] {
-        for (const auto& row : operator_rows(facts))
-            json.object([&] { write(json, row); });
-    });
-    json.array("laplacians", [&] {
-        for (const auto& each : facts.laplacians)
-            json.object([&] { write(json, each); });
-    });
+    const auto write_entry = [&](const auto& entry) { write(json, entry); };
+    json.objects("operators", operator_rows(facts), write_entry);
+    json.objects("laplacians", facts.laplacians, write_entry);
     json.object("vertices_per_cell", [&] {
         for (const auto& [vertices, cells] : facts.vertices_per_cell)
             json.member(std::to_string(vertices), cells);

@@ -47,6 +47,15 @@ public:
         array(fill);
     }
 
+    /// An array with an object for each entry of a range, with members written by `fill(entry)`.
+    template <class Range, class Fill>
+    void objects(std::string_view name, const Range& range, Fill fill) {
+        array(name, [&] {
+            for (const auto& entry : range)
+                object([&] { fill(entry); });
+        });
+    }
+
     /// A member: boolean, number, text, null for an empty optional, or a range of such values.
     /// Throws SolverFailure, naming the member, for a number that is NaN or infinite.
     template <class Value>

@@ -24,16 +24,13 @@ struct Backends {
     std::optional<Blas> blas = loaded_blas();
 
     void write(JsonWriter& json) const {
-        json.array("backends", [&] {
-            for (const auto& engine : engines)
-                json.object([&] {
-                    json.member("name", engine.name);
-                    json.member("kind", kind_name(engine.kind));
-                    json.member("available", engine.available);
-                    json.member("description", engine.description);
-                    json.member("how_to_get", engine.how_to_get);
-                    json.member("license", engine.license);
-                });
+        json.objects("backends", engines, [&](const auto& engine) {
+            json.member("name", engine.name);
+            json.member("kind", kind_name(engine.kind));
+            json.member("available", engine.available);
+            json.member("description", engine.description);
+            json.member("how_to_get", engine.how_to_get);
+            json.member("license", engine.license);
         });
         if (blas)
             json.object("blas", [&] {

@@ -32,14 +32,11 @@ void Distances::write(JsonWriter& json) const {
     json.member("method", name(method));
     if (paths.empty())
         return;
-    json.array("paths", [&] {
-        for (const auto& one : paths) // clang 14 keeps bindings out of lambdas
-            json.object([&] {
-                json.member("to", one.to);
-                json.member("from", one.path.source);
-                json.member("length", one.path.length);
-                json.member("points", points_of(one.path.lines));
-            });
+    json.objects("paths", paths, [&](const auto& one) {
+        json.member("to", one.to);
+        json.member("from", one.path.source);
+        json.member("length", one.path.length);
+        json.member("points", points_of(one.path.lines));
     });
 }
 

@@ -82,23 +82,17 @@ void write(JsonWriter& json, const Manifest& manifest, const std::filesystem::pa
     json.member("program", "polydec");
     json.member("version", POLYDEC_VERSION);
     json.member("command", manifest.command);
-    json.array("mesh", [&] {
-        for (const auto& read : manifest.mesh)
-            json.object([&] {
-                json.member("file", read.file.filename().string());
-                json.member("bytes", read.bytes);
-                json.member("sha256", read.sha256);
-            });
+    json.objects("mesh", manifest.mesh, [&](const auto& read) {
+        json.member("file", read.file.filename().string());
+        json.member("bytes", read.bytes);
+        json.member("sha256", read.sha256);
     });
     json.object("options", [&] { write_options(json, manifest.options); });
     json.member("options_sha256", hash_of_options(manifest.options));
     json.member("dimension", manifest.dimension);
-    json.array("files", [&] {
-        for (const auto& written : files_in(folder))
-            json.object([&] {
-                json.member("name", written.first);
-                json.member("bytes", written.second);
-            });
+    json.objects("files", files_in(folder), [&](const auto& written) {
+        json.member("name", written.first);
+        json.member("bytes", written.second);
     });
     json.member("warnings", manifest.warnings);
 }

@@ -38,12 +38,9 @@ std::string check_levels(const std::string& text) {
 
 struct List {
     void write(JsonWriter& json) const {
-        json.array("reproductions", [&] {
-            for (const auto& each : paper::reproductions())
-                json.object([&] {
-                    json.member("name", each.name);
-                    json.member("summary", each.summary);
-                });
+        json.objects("reproductions", paper::reproductions(), [&](const auto& each) {
+            json.member("name", each.name);
+            json.member("summary", each.summary);
         });
     }
 
@@ -65,10 +62,7 @@ struct Reports {
     void write(JsonWriter& json) const {
         if (!all)
             return paper::write(json, made.front().report);
-        json.array("reports", [&] {
-            for (const auto& each : made)
-                json.object([&] { paper::write(json, each.report); });
-        });
+        json.objects("reports", made, [&](const auto& each) { paper::write(json, each.report); });
     }
 
     void write(Text& text) const {

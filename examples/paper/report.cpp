@@ -145,27 +145,16 @@ void write(JsonWriter& json, const NamedPlot& named) {
     json.member("title", plot.title);
     json.member("x", plot.x.label);
     json.member("y", plot.y.label);
-    json.array("series", [&] {
-        for (const auto& each : plot.series)
-            json.object([&] {
-                json.member("name", each.name);
-                write_numbers(json, "x", each.x);
-                write_numbers(json, "y", each.y);
-            });
+    json.objects("series", plot.series, [&](const auto& each) {
+        json.member("name", each.name);
+        write_numbers(json, "x", each.x);
+        write_numbers(json, "y", each.y);
     });
 }
 
 void write(JsonWriter& json, const NamedDrawing& drawing) {
     json.member("name", drawing.name);
     json.member("title", drawing.drawing.title);
-}
-
-template <class Parts>
-void write_parts(JsonWriter& json, std::string_view name, const Parts& parts) {
-    json.array(name, [&] {
-        for (const auto& part : parts)
-            json.object([&] { write(json, part); });
-    });
 }
 
 std::string csv_of(std::string text) {
@@ -261,9 +250,10 @@ std::string to_text(const Report& report) {
 void write(JsonWriter& json, const Report& report) {
     json.member("name", report.name);
     json.member("title", report.title);
-    write_parts(json, "tables", report.tables);
-    write_parts(json, "plots", report.plots);
-    write_parts(json, "drawings", report.drawings);
+    const auto write_part = [&](const auto& part) { write(json, part); };
+    json.objects("tables", report.tables, write_part);
+    json.objects("plots", report.plots, write_part);
+    json.objects("drawings", report.drawings, write_part);
     json.member("remarks", report.remarks);
 }
 
