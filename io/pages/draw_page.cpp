@@ -34,10 +34,12 @@ void add_measures(VtuGrid& grid, const Discretization& mesh) {
     constexpr std::array names{"length", "area", "volume"};
     grid.cell_data.push_back(
         {"corners", corner_counts(mesh), 1, "number of vertices of each cell"});
-    add_form(grid, mesh, names[n - 1],
-             {Side::primal, n,
-              in_input_units(mesh.volumes().primal(n), mesh.unit(), n, "volumes of cells")},
-             fmt::format("of each cell, in units of length^{}", n));
+    const Vector volumes =
+        in_input_units(mesh.volumes().primal(n), mesh.unit(), n, "volumes of cells");
+    add_field(grid, mesh, n,
+              {names[n - 1],
+               {Side::primal, n, volumes},
+               fmt::format("of each cell, in units of length^{}", n)});
 }
 
 std::vector<std::string> facts_of(const Discretization& mesh) {

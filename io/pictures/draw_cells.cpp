@@ -203,16 +203,6 @@ DenseMatrix drawn_values(const Discretization& given, Side side, int degree,
     return result;
 }
 
-void add_form(VtuGrid& grid, const Discretization& mesh, std::string name, const Cochain& form,
-              std::string about) {
-    auto& list =
-        cell_degree(mesh.complex(), form.side, form.degree) > 0 ? grid.cell_data : grid.point_data;
-    list.push_back(vtu_array(std::move(name), drawn_values(mesh, form)));
-    list.back().about = about.empty()
-                            ? fmt::format("a {} {}-form", polydec::name(form.side), form.degree)
-                            : std::move(about);
-}
-
 bool add_vectors(VtuGrid& grid, const Discretization& mesh, const std::string& name,
                  const Cochain& form) {
     try {

@@ -29,22 +29,19 @@ VtuGrid draw_cells(const CellComplex& complex, const Points& points, int k);
 void add_cochain(VtuGrid& grid, const CellComplex& complex, int k, std::string name,
                  const Eigen::Ref<const DenseMatrix>& values);
 
-/// The same for the cells of a discretization, and a form on them, with unchanged values. Points
-/// have the numbers and places of the input, including points of no cell, where 0-forms are drawn
-/// as 0. After intrinsic flips, whose cells cross the input's, the picture shows the input, with
-/// the form mapped by to_input; a dual 1-form star u is drawn as u. For a glued mesh the picture
-/// shows the box, with cells cut along the seams, and the form mapped by form_at_places. If `about`
-/// is empty, the array's description gives side and degree.
+/// The same for the cells of a discretization. Points have the numbers and places of the input,
+/// including points of no cell. After intrinsic flips, whose cells cross the input's, the picture
+/// shows the input; for a glued mesh the box, with cells cut along the seams.
 VtuGrid draw_cells(const Discretization& discretization, int k);
-void add_form(VtuGrid& grid, const Discretization& discretization, std::string name,
-              const Cochain& form, std::string about = {});
 
-/// The values of forms of one kind (columns) on the cells that the picture shows, in their order.
+/// The values of forms of one kind (columns) on the cells that the picture shows, in their order:
+/// unchanged, and 0 at points of no cell; after flips mapped by to_input, where a dual 1-form
+/// star u is drawn as u; on a glued mesh mapped by form_at_places.
 DenseMatrix drawn_values(const Discretization& discretization, Side side, int degree,
                          const Eigen::Ref<const DenseMatrix>& columns);
 
 /// Adds the proxy vectors of a form at the points, by vectors_at_vertices, to the picture from
-/// add_form, as the array NAME_vector: 0 at points of no cell. Returns false, and adds nothing, for
+/// draw_cells, as the array NAME_vector: 0 at points of no cell. Returns false, and adds nothing, for
 /// forms without such vectors and if the mesh has no sharp.
 bool add_vectors(VtuGrid& grid, const Discretization& discretization, const std::string& name,
                  const Cochain& form);

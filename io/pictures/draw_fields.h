@@ -35,8 +35,9 @@ struct NamedForm {
 int drawn_degree(const Discretization& mesh, const std::vector<NamedForm>& fields);
 
 /// Adds a field to a picture with cells of degree k: values at vertices as point data, values on
-/// k-cells as cell data, and values on other cells as field data, with their degree. Throws
-/// InvalidInput, naming the field, for a wrong number of rows, and like add_form.
+/// k-cells as cell data, and values on other cells as field data, with their degree; see
+/// drawn_values. If `about` is empty, the array's description gives side and degree. Throws
+/// InvalidInput, naming the field, for a wrong number of rows, and for a form of another mesh.
 void add_field(VtuGrid& grid, const Discretization& mesh, int k, const NamedForm& field);
 
 /// Adds all fields, of their drawn_degree, each form followed by its add_vectors. The grid may have

@@ -155,9 +155,9 @@ void ask_of_pictures(const Asking& ask, const Sample& s, int k) {
         const VtuGrid grid = draw_cells(s.mesh, in.degree(k));
         return fit(grid.points.allFinite() && !grid.types.empty());
     });
-    ask("add_form", [&](Inputs& in) {
+    ask("add_field", [&](Inputs& in) {
         VtuGrid grid = draw_cells(s.mesh, k);
-        add_form(grid, s.mesh, "a", in.form(s, Side::primal, k));
+        add_field(grid, s.mesh, k, {"a", in.form(s, Side::primal, k)});
         return fit(grid.point_data.size() + grid.cell_data.size() == 1);
     });
     ask("add_cochain", [&](Inputs& in) {

@@ -33,9 +33,9 @@ TEST(GluedPictures, show_forms_where_cells_lie_in_the_box) {
             const Index size = k == 0 || k == n ? 1 : n;
             const Cochain form = de_rham(mesh, k, wave(size));
             VtuGrid grid = draw_cells(mesh, k);
-            add_form(grid, mesh, "u", form);
+            add_field(grid, mesh, k, {"u", form});
             VtuGrid expected = draw_cells(box, k);
-            add_form(expected, box, "u", de_rham(box, k, wave(size)));
+            add_field(expected, box, k, {"u", de_rham(box, k, wave(size))});
             EXPECT_EQ(grid.points, glued.box.points);
             EXPECT_EQ(grid.corners, expected.corners);
             const auto& found = k > 0 ? grid.cell_data : grid.point_data;
@@ -44,7 +44,7 @@ TEST(GluedPictures, show_forms_where_cells_lie_in_the_box) {
         }
         const Cochain numbers{Side::dual, 0, Vector::LinSpaced(mesh.complex().size(n), 1, 2)};
         VtuGrid grid = draw_cells(mesh, n);
-        add_form(grid, mesh, "u", numbers);
+        add_field(grid, mesh, n, {"u", numbers});
         const Vector shown = numbers_of(grid.cell_data.front());
         const auto cells = cells_of_places(mesh, n);
         for (Index i = 0; i < shown.size(); ++i)
