@@ -6,7 +6,6 @@
 #include "distributed/shared_folder.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/vtu.h"
-#include "io/xml_text.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/source_file.h"
 
+#include "base/printable.h"
 #include "system/memory.h"
 #include "system/regular_file.h"
 
@@ -46,7 +47,8 @@ void refuse_contents(const std::string& name, const std::string& text, Error::Pl
 void refuse_writing(const std::filesystem::path& path, const std::string& text,
                     Error::Place place) {
     place.path = path;
-    throw InvalidInput(fmt::format("cannot write {}: {}", path.string(), text), std::move(place));
+    throw InvalidInput(fmt::format("cannot write {}: {}", printable(path.string()), text),
+                       std::move(place));
 }
 
 std::string lower_case(std::string_view word) {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/errors.h"
 #include "base/printable.h"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -36,16 +34,6 @@ inline std::string xml_escaped(std::string_view text) {
         text.remove_prefix(bytes == 0 ? 1 : bytes);
     }
     return result;
-}
-
-/// Throws InvalidInput unless XML can list files named after this one.
-inline void check_lists_files(const std::filesystem::path& path) {
-    const std::string name = path.filename().string();
-    if (printable(name, name.size()) != name)
-        throw InvalidInput("cannot write " + printable(path.string()) +
-                               ": its name has characters that a list of files cannot hold; choose "
-                               "another name",
-                           {.path = path});
 }
 
 } // namespace polydec

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "io/pages/still.h"
+#include "io/source_file.h"
 #include "system/atomic_file.h"
 #include "system/child_process.h"
 #include "system/temporary_folder.h"
@@ -65,10 +66,8 @@ void check_film(const std::filesystem::path& path) {
 void write_film(const std::filesystem::path& path, const Page& page) {
     const auto program = ffmpeg(path);
     if (page.steps.empty())
-        throw InvalidInput(fmt::format("cannot write {}: a film shows the steps of a series; give "
-                                       "a .pvd file, or write a .png picture",
-                                       printable(path.string())),
-                           {.path = path});
+        refuse_writing(path, "a film shows the steps of a series; give a .pvd file, or write a "
+                             ".png picture");
     const TemporaryFolder folder;
     std::size_t count = 0;
     draw_steps(page, [&](const std::string& png) {

@@ -89,10 +89,8 @@ Series::Series(std::filesystem::path path, Page page, const std::vector<double>&
     const std::string extension = lower_extension(path_);
     is_page_ = extension == ".html" || extension == ".png" || extension == ".svg";
     if (!is_page_ && extension != ".pvd")
-        throw InvalidInput(fmt::format("cannot write {}: a series needs the extension .pvd, .html "
-                                       "for a page, or .png or .svg for a picture of one step",
-                                       printable(path_.string())),
-                           {.path = path_});
+        refuse_writing(path_, "a series needs the extension .pvd, .html for a page, or .png or "
+                              ".svg for a picture of one step");
     if (!is_page_)
         check_lists_files(path_);
     check_replaceable(path_);

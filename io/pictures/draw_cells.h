@@ -41,8 +41,8 @@ DenseMatrix drawn_values(const Discretization& discretization, Side side, int de
                          const Eigen::Ref<const DenseMatrix>& columns);
 
 /// Adds the proxy vectors of a form at the points, by vectors_at_vertices, to the picture from
-/// draw_cells, as the array NAME_vector: 0 at points of no cell. Returns false, and adds nothing, for
-/// forms without such vectors and if the mesh has no sharp.
+/// draw_cells, as the array NAME_vector: 0 at points of no cell. Returns false, and adds nothing,
+/// for forms without such vectors and if the mesh has no sharp.
 bool add_vectors(VtuGrid& grid, const Discretization& discretization, const std::string& name,
                  const Cochain& form);
 

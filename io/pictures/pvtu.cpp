@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "base/printable.h"
 #include "io/pictures/vtu.h"
+#include "io/source_file.h"
 #include "io/xml_text.h"
 #include "system/atomic_file.h"
 
@@ -26,6 +28,13 @@ void list_arrays(AtomicFile& file, const char* tag, const std::vector<VtuArray>&
 }
 
 } // namespace
+
+void check_lists_files(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    if (printable(name, name.size()) != name)
+        refuse_writing(path, "its name has characters that a list of files cannot hold; choose "
+                             "another name");
+}
 
 void write_pvtu(const std::filesystem::path& path, const VtuGrid& one,
                 const std::vector<std::string>& pieces, const VtuOptions& options) {

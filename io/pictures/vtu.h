@@ -86,6 +86,9 @@ void check_grid(const std::filesystem::path& path, const VtuGrid& grid,
 void write_vtu(const std::filesystem::path& path, const VtuGrid& grid,
                const VtuOptions& options = {});
 
+/// Throws InvalidInput unless a list in XML, .pvtu or .pvd, can hold files named after this one.
+void check_lists_files(const std::filesystem::path& path);
+
 /// Writes VTK's XML PUnstructuredGrid (.pvtu): the list of .vtu files that form one picture, by
 /// their paths from its own folder, all with the arrays of this grid. The file appears whole or not
 /// at all. Throws IoError if writing fails.
