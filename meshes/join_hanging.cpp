@@ -31,9 +31,8 @@ struct HangingNodes {
 
 HangingNodes hanging_nodes(const Mesh& mesh, std::optional<double> length) {
     const SimplicialComplex complex(mesh.simplices);
-    Points points(complex.size(0), mesh.points.cols());
-    for (Index v = 0; v < complex.size(0); ++v)
-        points.row(v) = mesh.points.row(complex.vertex_number(v));
+    const Points points =
+        mesh.points(complex.vertex_numbers(numbers_below(complex.size(0))), Eigen::indexing::all);
     HangingNodes result{length ? *length : weld_length(points)};
     auto contacts = boundary_contacts(complex, points, result.length);
     result.misfits = contacts.misfits;

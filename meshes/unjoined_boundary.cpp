@@ -143,10 +143,9 @@ UnjoinedBoundary unjoined_boundary(const Mesh& mesh) {
     Mesh tidied = mesh;
     FlatCellsKept flat;
     const SimplicialComplex complex = tidied_complex(tidied, flat);
-    Points points(complex.size(0), tidied.points.cols());
-    for (Index v = 0; v < complex.size(0); ++v)
-        points.row(v) = tidied.points.row(complex.vertex_number(v));
-    return unjoined_boundary(complex, points);
+    return unjoined_boundary(complex,
+                             tidied.points(complex.vertex_numbers(numbers_below(complex.size(0))),
+                                           Eigen::indexing::all));
 }
 
 } // namespace polydec

@@ -64,10 +64,20 @@ public:
         return static_cast<std::size_t>(number);
     }
 
-    void expect(Index value, const char* what) {
+    /// Row i of a table of cells: its number, and its corners.
+    void corners(const char* cell, Simplices& cells, Index i, Eigen::Index points) {
+        expect(i, "the number of a ", cell);
+        for (Index& corner : cells.row(i)) {
+            corner = next<Index>();
+            if (corner < 0 || corner >= points)
+                malformed(fmt::format("{} {} has the corner {}", cell, i, corner));
+        }
+    }
+
+    void expect(Index value, const char* what, const char* cell = "") {
         const auto found = next<long long>();
         if (found != value)
-            malformed(fmt::format("{} is {}, not {}", what, found, value));
+            malformed(fmt::format("{}{} is {}, not {}", what, cell, found, value));
     }
 
     /// Nothing may follow but a comment, and the last line must be whole.
@@ -151,12 +161,7 @@ Simplices read_tetgen_cells(const std::filesystem::path& path, Eigen::Index poin
     const auto extras = numbers.extras();
     Simplices cells(rows, 4);
     for (Index i = 0; i < rows; ++i) {
-        numbers.expect(i, "the number of a tetrahedron");
-        for (int j = 0; j < 4; ++j) {
-            cells(i, j) = numbers.next<Index>();
-            if (cells(i, j) < 0 || cells(i, j) >= points)
-                numbers.malformed(fmt::format("tetrahedron {} has the corner {}", i, cells(i, j)));
-        }
+        numbers.corners("tetrahedron", cells, i, points);
         for (std::size_t j = 0; j < extras; ++j)
             numbers.next<double>();
     }
@@ -172,12 +177,7 @@ std::pair<Simplices, std::vector<Index>> read_tetgen_faces(const std::filesystem
     Simplices faces(rows, 3);
     std::vector<Index> markers(rows);
     for (Index i = 0; i < rows; ++i) {
-        numbers.expect(i, "the number of a face");
-        for (int j = 0; j < 3; ++j) {
-            faces(i, j) = numbers.next<Index>();
-            if (faces(i, j) < 0 || faces(i, j) >= points)
-                numbers.malformed(fmt::format("face {} has the corner {}", i, faces(i, j)));
-        }
+        numbers.corners("face", faces, i, points);
         const Index marker = numbers.next<Index>();
         if (marker < 1 || marker > facets)
             numbers.malformed(fmt::format("face {} is on facet {}", i, marker));
