@@ -149,15 +149,20 @@ Index Scanner::as_count(std::int64_t value, std::string_view plural,
     if (value < 0)
         fail(fmt::format("{} {} are announced; expected a number of at least 0; correct it", value,
                          plural));
-
-    // The last record needs no separator behind it, hence the one byte more.
-    if (least_bytes > 0 && static_cast<std::uint64_t>(value) > (bytes_to_come() + 1) / least_bytes)
-        fail(fmt::format("{} {} are announced, but {} bytes follow; expected at least {} bytes for "
-                         "each; correct the number, or export again if the file was cut off",
-                         value, plural, bytes_to_come(), least_bytes));
+    if (least_bytes > 0)
+        check_room(static_cast<std::uint64_t>(value), plural, least_bytes);
     if (value > std::numeric_limits<Index>::max())
         fail(fmt::format("more than 2^31 - 1 {}; expected fewer; divide the mesh", plural));
     return static_cast<Index>(value);
+}
+
+/// The last record needs no separator behind it, hence the one byte more.
+void Scanner::check_room(std::uint64_t count, std::string_view plural,
+                         std::size_t least_bytes) const {
+    if (count > (bytes_to_come() + 1) / least_bytes)
+        fail(fmt::format("{} {} are announced, but {} bytes follow; expected at least {} bytes for "
+                         "each; correct the number, or export again if the file was cut off",
+                         count, plural, bytes_to_come(), least_bytes));
 }
 
 Index Scanner::vertex(Index vertices, Index first) {

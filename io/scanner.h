@@ -59,6 +59,10 @@ public:
     double as_coordinate(double value, Index vertex) const;
     Index as_count(std::int64_t value, std::string_view plural, std::size_t least_bytes) const;
 
+    /// Throws if the rest of the file cannot hold this number of records of at least `least_bytes`
+    /// bytes each, above 0.
+    void check_room(std::uint64_t count, std::string_view plural, std::size_t least_bytes) const;
+
     /// The next bytes, unrestricted; LF among them counts as the end of a line.
     std::string_view bytes(std::size_t count, std::string_view expected);
 

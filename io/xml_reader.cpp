@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/xml_reader.h"
 
-#include "base/errors.h"
-#include "io/scanner.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,7 +50,7 @@ bool XmlReader::next(XmlTag& tag) {
         return false;
     }
     tag = {};
-    tag.line = line_;
+    tag.line = scanner_.line();
     tag.closes = starts_with("</");
     tag.opens = !tag.closes;
     pass(tag.closes ? 2 : 1);
@@ -63,22 +60,11 @@ bool XmlReader::next(XmlTag& tag) {
     return true;
 }
 
-void XmlReader::fail(const std::string& text) const {
-    throw InvalidInput(fmt::format("{}:{}: {}", file_.name, line_, text),
-                       {.path = file_.name, .line = static_cast<std::int64_t>(line_)});
-}
-
 void XmlReader::go_to_tag() {
     const auto end = std::min(rest().find('<'), rest().size());
     text_ = rest().substr(0, end);
-    text_line_ = line_;
+    text_line_ = scanner_.line();
     pass(end);
-}
-
-void XmlReader::pass(std::size_t bytes) {
-    const auto passed = rest().substr(0, bytes);
-    line_ += std::count(passed.begin(), passed.end(), '\n');
-    position_ += bytes;
 }
 
 void XmlReader::pass_over(std::string_view end) {

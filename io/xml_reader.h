@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/scanner.h"
 #include "io/source_file.h"
 
 #include <cstddef>
@@ -29,7 +30,7 @@ struct XmlTag {
 class XmlReader {
 public:
     /// The file must outlive the reader.
-    explicit XmlReader(const SourceFile& file) : file_(file) {}
+    explicit XmlReader(const SourceFile& file) : scanner_(file.name, file.text) {}
 
     /// Moves past the next tag; false at the end of the text.
     bool next(XmlTag& tag);
@@ -39,16 +40,16 @@ public:
     std::size_t text_line() const { return text_line_; }
 
     /// The text after the last tag.
-    std::string_view rest() const { return std::string_view(file_.text).substr(position_); }
+    std::string_view rest() const { return scanner_.rest(); }
 
     /// The names of the open elements, from outside in.
     const std::vector<std::string_view>& path() const { return path_; }
 
-    [[noreturn]] void fail(const std::string& text) const;
+    [[noreturn]] void fail(const std::string& text) const { scanner_.fail(text); }
 
 private:
     void go_to_tag();
-    void pass(std::size_t bytes);
+    void pass(std::size_t bytes) { scanner_.bytes(bytes, ""); }
     void pass_over(std::string_view end);
     void skip_spaces();
     bool starts_with(std::string_view word) const;
@@ -57,9 +58,7 @@ private:
     void read_attributes(XmlTag& tag);
     void keep_path(const XmlTag& tag);
 
-    const SourceFile& file_;
-    std::size_t position_ = 0;
-    std::size_t line_ = 1;
+    Scanner scanner_;
     std::string_view text_;
     std::size_t text_line_ = 1;
     std::vector<std::string_view> path_;

@@ -179,10 +179,7 @@ DenseMatrix parse_matrix_market_array(const SourceFile& file) {
     const Index columns = read_size(scanner, "the number of columns");
     scanner.end_line("the line of sizes");
     const auto promised = std::int64_t{rows} * columns;
-    if (static_cast<std::uint64_t>(promised) > (scanner.remaining() + 1) / 2)
-        scanner.fail(fmt::format("{} entries are announced, but {} bytes follow; expected at least "
-                                 "2 bytes for each; correct the line of sizes",
-                                 promised, scanner.remaining()));
+    scanner.check_room(static_cast<std::uint64_t>(promised), "entries", 2);
 
     DenseMatrix matrix(rows, columns);
     for (double& entry : matrix.reshaped())

@@ -67,20 +67,17 @@ PlyProperty read_property(Scanner& scanner) {
 }
 
 /// A record without properties takes no bytes in a binary file: nothing bounds its count, and it
-/// can be passed over.
-void check_count(const Scanner& scanner, const PlyElement& element, bool is_binary,
-                 std::size_t line) {
+/// can be passed over. Errors are of the line of the element.
+void check_count(Scanner scanner, const PlyElement& element, bool is_binary, std::size_t line) {
     std::size_t bytes = 0;
     for (const auto& property : element.properties) {
         const auto type = property.is_list ? property.length_type : property.type;
         bytes += is_binary ? size_of(type) : 2;
     }
-    const auto count = static_cast<std::size_t>(element.count);
-    if (bytes > 0 && count > (scanner.bytes_to_come() + 1) / bytes)
-        scanner.fail(fmt::format(
-            "{} elements {} are announced in line {}, but {} bytes follow; expected at least {} "
-            "bytes for each; correct the number, or export again if the file was cut off",
-            count, quote_word(element.name), line, scanner.bytes_to_come(), bytes));
+    scanner.set_line(line);
+    if (bytes > 0)
+        scanner.check_room(element.count, fmt::format("elements {}", quote_word(element.name)),
+                           bytes);
 }
 
 class HeaderReader {

@@ -67,19 +67,11 @@ NumberType VtkSource::read_type() {
     return *type;
 }
 
-void VtkSource::check_room(std::size_t count, std::size_t each) {
-    if (count > (scanner_.remaining() + 1) / each)
-        scanner_.fail(
-            fmt::format("{} numbers are announced, but {} bytes follow; expected at least {} bytes "
-                        "for each; correct the number, or export again if the file was cut off",
-                        count, scanner_.remaining(), each));
-}
-
 std::vector<double> VtkSource::values(NumberType type, std::size_t count) {
     const auto each = is_binary_ ? size_of(type) : 2;
     if (is_binary_)
         scanner_.end_line("the line in front of the numbers");
-    check_room(count, each);
+    scanner_.check_room(count, "numbers", each);
     std::vector<double> values(count);
     if (is_binary_) {
         const auto bytes = scanner_.bytes(count * each, "more numbers");
@@ -113,7 +105,7 @@ bool VtkSource::skip(std::string_view type, std::size_t count) {
         return false;
     scanner_.end_line("the line in front of the data");
     constexpr std::size_t bits = 8;
-    check_room(name == "bit" && is_binary_ ? count / bits : count, 1);
+    scanner_.check_room(name == "bit" && is_binary_ ? count / bits : count, "numbers", 1);
     if (name == "bit" && is_binary_)
         scanner_.bytes((count + bits - 1) / bits, "more bits");
     else

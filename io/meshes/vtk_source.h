@@ -43,7 +43,6 @@ public:
     Scanner& scanner() { return scanner_; }
 
 private:
-    void check_room(std::size_t count, std::size_t each);
     void skip_string();
 
     Scanner scanner_;

@@ -151,8 +151,8 @@ TEST(Ply, RefusesBrokenHeaders) {
                       start + "element face 1\nproperty int vertex_indices\n"
                               "end_header\n3\n",
                       "a.ply:6", "face", "list", "vertex_indices");
-    EXPECT_UNREADABLE("a.ply", start + header_end, "a.ply:9", "4 elements", "vertex", "line 3",
-                      "1 bytes", "6 bytes");
+    EXPECT_UNREADABLE("a.ply", start + header_end, "a.ply:3", "4 elements", "vertex", "1 bytes",
+                      "6 bytes");
 }
 
 TEST(Ply, RefusesBrokenBodies) {
