@@ -31,7 +31,8 @@ int main() {
     const auto x = sphere.points().col(0);
     polydec::Vector u = (x.array() > 0.8).cast<double>(); // a hot spot
     const double begin = mass.dot(u) / mass.sum();
-    polydec::Series film("temperature.html", sphere, "A hot spot, blown around a sphere");
+    polydec::Series film("temperature.html", sphere,
+                         {.title = "A hot spot, blown around a sphere"});
     for (int step = 0; step <= 100; ++step) {
         if (step % 4 == 0)
             film.add(dt * step, {{"temperature", {polydec::Side::primal, 0, u}}});

@@ -25,7 +25,8 @@ void run(const std::string& name, const polydec::Mesh& mesh) {
                          }));
     polydec::Waves light(field, pulse.values, {.time_step = 0.4 / steps});
     double drift = 0;
-    polydec::Series film(name + ".html", box, "A pulse of light: the electric field upwards");
+    polydec::Series film(name + ".html", box,
+                         {.title = "A pulse of light: the electric field upwards"});
     polydec::Vector vertical; // component of the field in each cell
     light.march(0.4, [&](double time) {
         vertical = polydec::sharp_pd(box, light.form(0)).col(2);

@@ -68,24 +68,13 @@ std::vector<std::filesystem::path> files_of_steps(const std::filesystem::path& s
     return files;
 }
 
-Series::Series(std::filesystem::path path, const Discretization& mesh, std::string title)
-    : Series(std::move(path), mesh, PageText{.title = std::move(title)}) {}
-
 Series::Series(std::filesystem::path path, const Discretization& mesh, PageText text,
                const std::vector<double>& times, std::uint64_t run)
-    : Series(std::move(path), Page{.text = std::move(text)}, times, run) {
-    mesh_ = mesh;
-}
-
-Series::Series(std::filesystem::path path, Page page)
-    : Series(std::move(path), std::move(page), {}, 0) {}
-
-Series::Series(std::filesystem::path path, Page page, const std::vector<double>& times,
-               std::uint64_t run)
     : path_(std::move(path)),
+      mesh_(mesh),
       run_(run),
       exceptions_(std::uncaught_exceptions()),
-      page_(std::move(page)) {
+      page_{.text = std::move(text)} {
     const std::string extension = lower_extension(path_);
     is_page_ = extension == ".html" || extension == ".png" || extension == ".svg";
     if (!is_page_ && extension != ".pvd")
@@ -94,8 +83,6 @@ Series::Series(std::filesystem::path path, Page page, const std::vector<double>&
     if (!is_page_)
         check_lists_files(path_);
     check_replaceable(path_);
-    page_.steps.clear();
-    page_.arrows.clear();
     if (is_page_ && !times.empty())
         throw InvalidInput(
             fmt::format("cannot continue {}: a page is written from all steps at once; write a "
@@ -188,11 +175,11 @@ Page Series::begun(const std::vector<NamedForm>& fields) const {
     Page page;
     page.mesh = mesh_;
     if (is_page_) {
-        page = draw_page(*mesh_, fields);
+        page = draw_page(mesh_, fields);
         for (PageArrows& arrows : page.arrows)
             arrows.lines = {}; // they would stand still
     } else {
-        page.grid = draw_cells(*mesh_, drawn_degree(*mesh_, fields));
+        page.grid = draw_cells(mesh_, drawn_degree(mesh_, fields));
     }
     page.grid.point_data.clear();
     page.grid.cell_data.clear();
@@ -207,7 +194,7 @@ PageStep Series::drawn(const Page& page, const std::vector<NamedForm>& fields) c
     if (is_page_)
         return draw_step(page, {}, fields);
     VtuGrid arrays;
-    add_fields(arrays, *page.mesh, fields);
+    add_fields(arrays, mesh_, fields);
     return {{},
             std::move(arrays.point_data),
             std::move(arrays.cell_data),
@@ -216,12 +203,10 @@ PageStep Series::drawn(const Page& page, const std::vector<NamedForm>& fields) c
 
 void Series::add(double time, const std::vector<NamedForm>& fields) {
     check_time(time);
-    if (!page_.mesh && !mesh_)
-        throw InvalidInput("a series without a mesh cannot store fields: add arrays");
     if (fields.empty())
         throw InvalidInput(
             fmt::format("step {} of a series has no fields: expected at least one", steps_.size()));
-    if (!mesh_)
+    if (page_.mesh)
         return add_step(time, drawn(page_, fields));
     Page page = begun(fields);
     PageStep step = drawn(page, fields);
@@ -232,15 +217,9 @@ void Series::add(double time, const std::vector<NamedForm>& fields) {
         std::swap(page_, page);
         throw;
     }
-    mesh_.reset();
-}
-
-void Series::add(double time, std::vector<VtuArray> point_data, std::vector<VtuArray> cell_data) {
-    add_step(time, {{}, std::move(point_data), std::move(cell_data)});
 }
 
 void Series::add_step(double time, PageStep step) {
-    check_time(time);
     VtuGrid& grid = page_.grid;
     if (steps_.size() > begun_) {
         check_arrays(step.point_data, grid.point_data);

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,22 +24,14 @@ std::vector<std::filesystem::path> files_of_steps(const std::filesystem::path& s
 /// end, and replaces an old one.
 class Series {
 public:
-    /// Removes an earlier series of this name: the list, then its steps. Throws InvalidInput for
-    /// another extension; IoError if the path is not writable.
-    Series(std::filesystem::path path, const Discretization& mesh, std::string title = {});
-
-    /// With more text than a title, to which a page appends a description of the mesh. With
-    /// `times`, resumes a .pvd file that has steps at these times, some possibly not listed yet:
-    /// their files stay, all later ones are removed. Throws like the other constructor;
-    /// InvalidInput also for a page, which holds all its steps in memory, and if one of the files
-    /// is missing. The .pvd file stores `run`, if not 0; resuming with another run throws
-    /// InvalidInput.
-    Series(std::filesystem::path path, const Discretization& mesh, PageText text,
+    /// Removes an earlier series of this name: the list, then its steps. A page appends a
+    /// description of the mesh to the text. With `times`, resumes a .pvd file that has steps at
+    /// these times, some possibly not listed yet: their files stay, all later ones are removed.
+    /// Throws InvalidInput for another extension, to resume a page, which holds all its steps in
+    /// memory, and if one of the files is missing; IoError if the path is not writable. The .pvd
+    /// file stores `run`, if not 0; resuming with another run throws InvalidInput.
+    Series(std::filesystem::path path, const Discretization& mesh, PageText text = {},
            const std::vector<double>& times = {}, std::uint64_t run = 0);
-
-    /// The same for cells as written by write_vtu, from the grid of this page. Added arrays and
-    /// steps replace its own; its arrows are omitted.
-    Series(std::filesystem::path path, Page page);
 
     /// Closes the series, ignoring errors; does not write a page during stack unwinding.
     ~Series();
@@ -53,9 +44,6 @@ public:
     /// added.
     void add(double time, const std::vector<NamedForm>& fields);
 
-    /// The same for arrays of points and of cells.
-    void add(double time, std::vector<VtuArray> point_data, std::vector<VtuArray> cell_data);
-
     /// Writes everything not yet written. Throws like add. Nothing can be added afterwards.
     void close();
 
@@ -66,8 +54,6 @@ private:
         std::string time, file;
     };
 
-    Series(std::filesystem::path path, Page page, const std::vector<double>& times,
-           std::uint64_t run);
     void check_run() const;
     std::string file_of_step(std::size_t step) const;
     void keep_steps(const std::vector<double>& times);
@@ -82,11 +68,11 @@ private:
     void write_due(bool at_end);
 
     std::filesystem::path path_;
-    std::uint64_t run_ = 0;
+    Discretization mesh_;
+    std::uint64_t run_;
     int exceptions_; ///< in flight at construction
     bool is_page_ = false, is_closed_ = false;
-    std::optional<Discretization> mesh_ = {}; ///< its cells are not drawn yet
-    Page page_;
+    Page page_; ///< without cells before the first step
     double last_ = 0;
     std::vector<Step> steps_ = {};
     std::size_t written_ = 0; ///< steps in the list or the page
