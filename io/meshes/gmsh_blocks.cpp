@@ -42,7 +42,7 @@ const Kind& kind_of(std::int64_t type, const GmshSource& source) {
 GmshSection read_counts(GmshSource& source, std::string_view plural, std::string_view one,
                         const GmshSource::Record& record) {
     if (source.format().major_version < 4)
-        return {0, source.count_on_line(plural, record)};
+        return {1, source.count_on_line(plural, record)};
     const auto blocks = source.size("the number of blocks");
     const Index records = source.count(plural, record);
     if (!source.format().is_4_0()) {
@@ -97,6 +97,8 @@ void check_all_there(const GmshSource& source, const GmshSection& section, Index
 }
 
 GmshNodeBlock read_gmsh_node_block(GmshSource& source, Index before, Index promised) {
+    if (source.format().major_version < 4)
+        return {promised, 0};
     const auto [dimension, entity] = read_entity(source);
     const bool has_parameters = source.integer("0, or 1 with parameters") != 0;
     const Index count = source.count("nodes of a block", {.integers = 1, .reals = 3});

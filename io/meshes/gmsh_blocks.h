@@ -23,9 +23,10 @@ bool is_gmsh_keyword(std::string_view word);
 /// that is skipped may hold bytes.
 std::size_t end_of_gmsh_section(std::string_view text, std::string_view mark);
 
-/// The counts at the start of the sections Nodes and Elements; before version 4 without blocks.
+/// The counts at the start of the sections Nodes and Elements; before version 4 all nodes are one
+/// block, without a header.
 struct GmshSection {
-    std::int64_t blocks = 0;
+    std::int64_t blocks = 1;
     Index records = 0;
 };
 GmshSection read_gmsh_nodes(GmshSource& source);

@@ -84,7 +84,7 @@ private:
             read_section_of_any_length(
                 [&](Scanner& scanner) { read_gmsh_names(scanner, *format_); });
         else if (name == "Nodes" && layout_.points.count() == 0)
-            format_->major_version == 4 ? read_nodes() : read_old_nodes();
+            read_nodes();
         else if (name == "Elements" && layout_.points.count() > 0 && !has_elements_)
             read_elements();
         else
@@ -94,7 +94,10 @@ private:
         return true;
     }
 
+    /// In version 4, bytes begin behind the line of the keyword.
     void open_section() {
+        if (format_->major_version < 4)
+            return;
         read(integer_bytes, [](Scanner& scanner) {
             scanner.end_line("the keyword of a section");
             return 0;
@@ -160,15 +163,6 @@ private:
         layout_.points.runs.push_back(points);
     }
 
-    void read_old_nodes() {
-        layout_.points = table_of(NumberType::float64, 3);
-        layout_.nodes = table_of(NumberType::int32, 1);
-        const Index count = read_numbers(read_gmsh_nodes).records;
-        constexpr std::int64_t stride = integer_bytes + 3 * real_bytes;
-        add_nodes({count, place_, stride}, {count, place_ + integer_bytes, stride});
-        hop(count * stride);
-    }
-
     NumberType number_type() const {
         return format_->number_bytes() == sizeof(std::int64_t) ? NumberType::int64
                                                                : NumberType::int32;
@@ -186,12 +180,12 @@ private:
                 return read_gmsh_node_block(source, before, section.records);
             });
             const std::int64_t point = (3 + block.parameters) * real_bytes;
-            if (format_->is_4_0())
-                add_nodes({block.count, place_, width + point},
-                          {block.count, place_ + width, width + point});
-            else
+            if (format_->numbers_first())
                 add_nodes({block.count, place_, width},
                           {block.count, place_ + block.count * width, point});
+            else
+                add_nodes({block.count, place_, width + point},
+                          {block.count, place_ + width, width + point});
             hop(block.count * (width + point));
             before += block.count;
         }

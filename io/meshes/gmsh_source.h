@@ -23,6 +23,9 @@ struct GmshFormat {
     /// Version 4.0, of 2018, has its own order: node by node, and the entity before its dimension.
     bool is_4_0() const { return major_version == 4 && minor_version == 0; }
 
+    /// Whether a block lists the numbers of all its nodes before their places.
+    bool numbers_first() const { return major_version == 4 && !is_4_0(); }
+
     /// The size of a node or element number in a binary file.
     std::size_t number_bytes() const { return is_4_0() ? 4 : size_bytes; }
 };

@@ -54,7 +54,7 @@ private:
         } else if (name == "Nodes" || name == "NOD") {
             require(place, has_format_ != (name == "NOD") && !has_nodes_,
                     "$MeshFormat and no other $Nodes");
-            format_.major_version == 4 ? read_nodes() : read_old_nodes();
+            read_nodes();
             has_nodes_ = true;
         } else if (name == "Elements" || name == "ELM") {
             require(place, has_nodes_ && has_format_ != (name == "ELM") && !has_elements_,
@@ -101,27 +101,11 @@ private:
                 source.scanner().as_coordinate(source.real("a coordinate"), vertex);
     }
 
-    void close_nodes(const GmshSource& source) {
-        if (const auto twice = nodes_.close())
-            source.fail(fmt::format(
-                "the node {} occurs twice; expected each number once; renumber the nodes", *twice));
-    }
-
     /// In version 4, bytes begin behind the line of the keyword.
     GmshSource open_section() {
-        if (format_.order)
+        if (format_.order && format_.major_version == 4)
             scanner_.end_line("the keyword of a section");
         return {scanner_, format_};
-    }
-
-    void read_old_nodes() {
-        GmshSource source(scanner_, format_);
-        points_.resize(read_gmsh_nodes(source).records, 3);
-        for (Index vertex = 0; vertex < points_.rows(); ++vertex) {
-            nodes_.add(source.integer("the number of a node"), vertex);
-            read_point(source, vertex);
-        }
-        close_nodes(source);
     }
 
     void read_nodes() {
@@ -132,14 +116,16 @@ private:
         for (std::int64_t block = 0; block < section.blocks; ++block)
             begin += read_node_block(source, begin);
         check_all_there(source, section, begin, "nodes");
-        close_nodes(source);
+        if (const auto twice = nodes_.close())
+            source.fail(fmt::format(
+                "the node {} occurs twice; expected each number once; renumber the nodes", *twice));
     }
 
-    /// Numbers first, then places, each maybe with its parameters on the curve or surface; in
+    /// Numbers first, then places, each maybe with its parameters on the curve or surface; up to
     /// version 4.0 each place behind its number.
     Index read_node_block(GmshSource& source, Index begin) {
         const auto block = read_gmsh_node_block(source, begin, static_cast<Index>(points_.rows()));
-        const bool numbers_first = !format_.is_4_0();
+        const bool numbers_first = format_.numbers_first();
         for (Index vertex = begin; numbers_first && vertex < begin + block.count; ++vertex)
             nodes_.add(source.number("the number of a node"), vertex);
         for (Index vertex = begin; vertex < begin + block.count; ++vertex) {

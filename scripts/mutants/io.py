@@ -15,7 +15,7 @@ MUTANTS = {
                                 "OddFiles.TheLastLineOfAHeaderOfPlyMayEndInAnotherWay"),
     "curves_of_no_cells": ("io/meshes/read_off.cpp", "polygons.all_have(2)", "polygons.all_have(0)",
                            "Off.OfFacesWithTwoCornersIsACurve"),
-    "gmsh_4_0_numbers_first": ("io/meshes/read_gmsh.cpp", "numbers_first = !format_.is_4_0()", "numbers_first = true",
+    "gmsh_4_0_numbers_first": ("io/meshes/read_gmsh.cpp", "numbers_first = format_.numbers_first()", "numbers_first = true",
                                "OddFiles.VersionFourOfGmshIsReadInEveryEncoding"),
     "gmsh_name_ends_line": ("io/meshes/gmsh_groups.cpp", "scanner.next_line(); // other", "// other",
                             "OddFiles.WordsBehindAPhysicalNameArePassedOver"),
