@@ -3,6 +3,7 @@
 
 #include "base/types.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,18 @@ DenseMatrix edges_at_first(const Points& points, const Corners& corners) {
     for (Index i = 0; i < edges.rows(); ++i)
         edges.row(i) = points.row(corners[i + 1]) - points.row(corners[0]);
     return edges;
+}
+
+/// The squared length of the longest edge of a simplex, from these edges.
+template <class Edges>
+double squared_longest_edge(const Edges& edges) {
+    double square = 0;
+    for (Index i = 0; i < edges.rows(); ++i) {
+        square = std::max(square, edges.row(i).squaredNorm());
+        for (Index j = 0; j < i; ++j)
+            square = std::max(square, (edges.row(i) - edges.row(j)).squaredNorm());
+    }
+    return square;
 }
 
 } // namespace polydec

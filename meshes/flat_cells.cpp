@@ -2,6 +2,7 @@
 #include "meshes/flat_cells.h"
 
 #include "base/lists.h"
+#include "meshes/edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,21 +25,11 @@ void scaled_edges(const Mesh& mesh, Index cell, Points& edges) {
         edges /= largest;
 }
 
-double longest_edge(const Points& edges) {
-    double square = 0.0;
-    for (Index i = 0; i < edges.rows(); ++i) {
-        square = std::max(square, edges.row(i).squaredNorm());
-        for (Index j = 0; j < i; ++j)
-            square = std::max(square, (edges.row(i) - edges.row(j)).squaredNorm());
-    }
-    return std::sqrt(square);
-}
-
 /// Whether n! times the volume, which is the product of the edges' lengths after orthogonalization,
 /// is too small. The longest remainder goes first, so that no small one is blurred by a larger one.
 bool is_flat(const Mesh& mesh, Index cell, Points& edges) {
     scaled_edges(mesh, cell, edges);
-    const double scale = longest_edge(edges);
+    const double scale = std::sqrt(squared_longest_edge(edges));
     double ratio = 1.0;
     for (Index k = 0; k < edges.rows(); ++k) {
         Eigen::Index longest = 0;

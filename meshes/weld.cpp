@@ -75,12 +75,7 @@ DistinctPlaces places_of(const Mesh& mesh) {
 /// At most the least height of a cell: n! times its volume over the longest edge to the n-1.
 double thickness(const DenseMatrix& edges) {
     const auto n = edges.rows();
-    double longest = 0;
-    for (Index i = 0; i < n; ++i) {
-        longest = std::max(longest, edges.row(i).squaredNorm());
-        for (Index j = 0; j < i; ++j)
-            longest = std::max(longest, (edges.row(i) - edges.row(j)).squaredNorm());
-    }
+    const double longest = squared_longest_edge(edges);
     const double gram = (edges * edges.transpose()).partialPivLu().determinant();
     return longest > 0 ? std::sqrt(std::max(gram, 0.0) / std::pow(longest, n - 1)) : 0;
 }

@@ -2,6 +2,7 @@
 #include "meshes/tetgen/run_tetgen.h"
 
 #include "base/errors.h"
+#include "meshes/edges.h"
 #include "meshes/tetgen/tetgen_files.h"
 #include "system/child_process.h"
 #include "system/held_signals.h"
@@ -147,12 +148,8 @@ void refuse_crossing_facets(const TetgenRun& run) {
 /// TetGen orients all tetrahedra alike, and the sum tells how, whatever rounding does to flat ones.
 void orient_alike(const Points& points, Simplices& cells) {
     double volume = 0.0;
-    for (Eigen::Index i = 0; i < cells.rows(); ++i) {
-        Eigen::Matrix3d edges;
-        for (int j = 0; j < 3; ++j)
-            edges.row(j) = points.row(cells(i, j + 1)) - points.row(cells(i, 0));
-        volume += edges.determinant();
-    }
+    for (const auto& corners : cells.rowwise())
+        volume += edges_at_first(points, corners).determinant();
     if (volume < 0.0)
         cells.col(2).swap(cells.col(3));
 }
