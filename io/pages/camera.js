@@ -41,19 +41,9 @@ class Camera {
         if (this.isMoved || this.filled === filled)
             return;
         this.filled = filled;
-        const {points} = scene, isSeen = scene.seenVertices(cut);
-        const range = axis => {
-            let low = Infinity, high = -Infinity;
-            for (let i = 0; i < points.length; i += 3) {
-                if (!isSeen(i / 3))
-                    continue;
-                const x = axis[0] * points[i] + axis[1] * points[i + 1] + axis[2] * points[i + 2];
-                low = Math.min(low, x);
-                high = Math.max(high, x);
-            }
-            return [low, high];
-        };
-        const [[left, right], [below, above]] = this.axes.slice(0, 2).map(range);
+        const isSeen = scene.seenVertices(cut);
+        const [[left, right], [below, above]] = this.axes.slice(0, 2).map(axis => rangeOf(
+            scene.points.length / 3, v => isSeen(v) ? dot(axis, scene.point(v)) : NaN));
         this.zoom = 1.88 * Math.min(aspect / (right - left || 1e-9), 1 / (above - below || 1e-9), 1e6);
         this.x = -this.zoom * (left + right) / 2;
         this.y = -this.zoom * (below + above) / 2;

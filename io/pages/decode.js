@@ -36,6 +36,17 @@ function vectorAt(numbers, i) {
     return [numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]];
 }
 
+/** The least and the largest of as many numbers, each by its place; without those that are none. */
+function rangeOf(count, number) {
+    let low = Infinity, high = -Infinity;
+    for (let i = 0; i < count; ++i) {
+        const x = number(i);
+        low = x < low ? x : low;
+        high = x > high ? x : high;
+    }
+    return [low, high];
+}
+
 /** From differences with the row before. */
 function sums(words, width) {
     const numbers = new Int32Array(words.buffer);

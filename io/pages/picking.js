@@ -20,10 +20,7 @@ function lineAt(scene, place, camera, most) {
     let best = -1;
     for (let i = 0; i < scene.size; ++i) {
         const [a, b] = [0, 1].map(end => camera.seen(scene.point(scene.arrays.lines[2 * i + end])));
-        const along = [b[0] - a[0], b[1] - a[1]], size = along[0] ** 2 + along[1] ** 2;
-        const part = size ? ((place[0] - a[0]) * along[0] + (place[1] - a[1]) * along[1]) / size : 0;
-        const t = Math.min(1, Math.max(0, part));
-        const far = Math.hypot(place[0] - a[0] - t * along[0], place[1] - a[1] - t * along[1]);
+        const far = toSegment([...place, 0], [...a, 0], [...b, 0]);
         if (far < most)
             [best, most] = [i, far];
     }

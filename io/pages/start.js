@@ -57,12 +57,8 @@ class Viewer {
         const plane = [0, 0, 0, 2], axis = side % 3, sign = side < 3 ? 1 : -1;
         if (cut >= 1 || !this.scene.isSolid)
             return plane;
-        let low = Infinity, high = -Infinity;
-        for (let i = axis; i < this.scene.centers.length; i += 3) {
-            low = Math.min(low, this.scene.centers[i]);
-            high = Math.max(high, this.scene.centers[i]);
-        }
-        [low, high] = sign > 0 ? [low, high] : [-high, -low];
+        const {centers} = this.scene;
+        const [low, high] = rangeOf(centers.length / 3, cell => sign * centers[3 * cell + axis]);
         plane[axis] = sign;
         plane[3] = Math.fround(low + cut * (high - low) + 1e-6);
         return plane;
