@@ -95,7 +95,7 @@ void ask_of_makers(const Asking& ask, const Sample& s, int k) {
                                     .passage = mesh.passage(),
                                     .merged = mesh.merged(),
                                     .input_points = std::make_shared<const Points>(given),
-                                    .points = mesh.points(),
+                                    .points = std::make_shared<const Points>(mesh.points()),
                                     .tags = in.list<Index>(s.size(s.n()), 1),
                                     .isolated = mesh.isolated(),
                                     .facet_tags = {in.list<Index>(s.size(s.n() - 1), 1)}};

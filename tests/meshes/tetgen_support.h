@@ -29,7 +29,8 @@ private:
 };
 
 inline bool is_available() {
-    return engines(EngineKind::mesher).at(0).available;
+    const std::vector<EngineInfo> all = engines();
+    return std::ranges::find(all, EngineKind::mesher, &EngineInfo::kind)->available;
 }
 
 /// Every test gets a folder for temporary files of its own, and must leave it empty. Where the
