@@ -121,10 +121,11 @@ class Evolution(Run):
         if not coefficients.any() and any(given is not None for given in conditions):
             raise InvalidInput("essential, robin or fixed are given, but the diffusion that obeys "
                                "them is 0: give a diffusion, or none of these conditions")
-        spaces = [space_of(complex, *kind, *conditions) for kind in self._kinds]
-        given = [(space, form[2], float(nu), _at_boundary(each, complex, space, *form[:2]))
-                 for space, form, nu, each in zip(spaces, unknowns, coefficients,
-                                                  _each(boundary, len(unknowns)))]
+        # one space for all unknowns of a kind, so that functions that choose cells are called once
+        space = functools.cache(lambda *kind: space_of(complex, *kind, *conditions))
+        given = [(space(*form[:2]), form[2], float(nu),
+                  _at_boundary(each, complex, space(*form[:2]), *form[:2]))
+                 for form, nu, each in zip(unknowns, coefficients, _each(boundary, len(unknowns)))]
         self._run = _core.evolution(
             given, self._rates(reaction), self._number(event), time,
             integrator, (relative_tolerance, absolute_tolerance, first_step, largest_step, fixed_step,

@@ -39,6 +39,9 @@ def test_functions_are_called_once(square):
     calls = []
     polydec.de_rham(square, 1, lambda x: calls.append(x.shape) or x)
     assert len(calls) == 1 and calls[0][1] == 2
+    polydec.Evolution(square, 2 * [square.points[:, 0]], diffusion=1.0,
+                      essential=lambda x: calls.append(x.shape) or x[:, 0] < .1)
+    assert len(calls) == 2
     with pytest.raises(ZeroDivisionError): # what they raise passes through
         polydec.de_rham(square, 1, lambda x: 1 / 0)
     refused(lambda: polydec.de_rham(square, 0, lambda x: np.full(len(x), np.nan)), "finite")
