@@ -11,7 +11,8 @@ def ask(command, *arguments, seconds):
                               text=True, timeout=seconds, check=False)
     except subprocess.TimeoutExpired:
         return f"takes more than {seconds} s"
-    return json.loads(done.stdout) if done.returncode == 0 else done.stderr.strip().splitlines()[-1]
+    said = done.stderr.strip().splitlines() or [f"ends with the code {done.returncode}"]
+    return json.loads(done.stdout) if done.returncode == 0 else said[-1]
 
 
 def line(cells):
