@@ -41,7 +41,7 @@ class ShapeSpectrum:
     count : CountBelow
         Number of eigenvalues below `count_at`.
     modes : numpy.ndarray
-        Columns: approximate eigenfunctions at the vertices; nan at unused ones. None for 1-forms.
+        Columns: approximate eigenfunctions at vertices, nan at unused ones; no column for 1-forms.
     simplices, flips, factorizations : int
         Number of simplices, of edges flipped beforehand, and of inertia counts in the proof.
     """
