@@ -162,8 +162,8 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
         ShapeCounts answer{facts, arguments.below, {}, shape.shape.pieces.size(n)};
         const CountOptions counting{options.degree, options.level, options.linear_solver};
         for (const double s : arguments.below) {
-            answer.counts.push_back(computed_on(
-                arguments.mesh.mesh, [&] { return count_below(shape.shape, s, counting); }));
+            answer.counts.push_back(
+                computed_on(log.mesh, [&] { return count_below(shape.shape, s, counting); }));
             log.warn(answer.counts.back().warnings);
         }
         answer.seconds = log.timing.end();

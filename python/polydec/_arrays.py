@@ -107,7 +107,8 @@ def at_places(values: Values, places: Floats, name: str, dimensions: int = 1) ->
         array = np.full(len(places), array[()])
     result = floats(array, name, dimensions)
     if len(result) != len(places):
-        raise InvalidInput(f"{len(result)} {name} are given: expected {len(places)}")
+        one = "one, or " if dimensions == 1 else ""
+        raise InvalidInput(f"{len(result)} {name} are given: expected {one}{len(places)}")
     return result
 
 
