@@ -96,6 +96,10 @@ protected:
         double reached = time(), last_step = 0;
         const int answer = CVode(memory_.get(), until, vector_.get(), &reached, CV_NORMAL);
         CVodeGetLastStep(memory_.get(), &last_step);
+        if (answer == CV_RTFUNC_FAIL) { // it leaves another state than that of the last step
+            CVodeGetCurrentTime(memory_.get(), &reached);
+            CVodeGetDky(memory_.get(), reached, 0, vector_.get());
+        }
         const bool at_event = answer == CV_ROOT_RETURN;
         accept(answer < 0 || at_event ? reached : until, entries(vector_.get()), last_step);
         count();

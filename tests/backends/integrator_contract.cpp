@@ -104,6 +104,15 @@ TEST_P(IntegratorContract, a_march_stops_at_events_and_goes_on_behind_them) {
     EXPECT_LE((run->state() - swung(run->time())).norm(), 1e-6);
 }
 
+TEST_P(IntegratorContract, events_that_fail_leave_the_state_of_the_time) {
+    auto problem = swinging();
+    problem.event = [](double t, const Vector&) { return t > 1 ? NAN : 1; };
+    const auto run = begun(problem, swung(0), {.relative_tolerance = 1e-9});
+    EXPECT_ERROR(SolverFailure, run->advance(20), "event", "nan");
+    EXPECT_GT(run->time(), 0);
+    EXPECT_LE((run->state() - swung(run->time())).norm(), 1e-6);
+}
+
 TEST_P(IntegratorContract, events_of_stiff_problems_are_found) {
     auto problem = Forced{.stiffness = 1e5, .size = 1}.split();
     problem.event = [](double, const Vector& y) { return y[0]; };
