@@ -68,8 +68,12 @@ struct Given {
         choose(FlowBoundary::open, open, open_on, "--open-where");
         options.facets = flow_boundary(mesh.complex(), chosen);
         if (boundary.given()) {
-            options.wall_velocity = boundary.at(facets, facets.cols());
-            options.boundary_flux = flux_through_boundary(mesh, options.wall_velocity);
+            const Points given = boundary.at(facets, facets.cols());
+            options.boundary_flux = flux_through_boundary(mesh, given);
+            const auto& kinds = options.facets;
+            if (std::find(kinds.begin(), kinds.end(), FlowBoundary::no_slip) != kinds.end() ||
+                options.boundary_flux.isZero(0)) // or refused: no facet uses any part of it
+                options.wall_velocity = given;
         }
         if (rotation)
             options.rotation = vertex_values(mesh, *rotation, cell_centers(mesh, 0));

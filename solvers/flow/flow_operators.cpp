@@ -47,15 +47,13 @@ Vector along_walls(const Discretization& mesh, const std::vector<BoundaryFacet>&
     return result;
 }
 
-/// Throws InvalidInput, like polydec::require_use, if data on the boundary apply nowhere. Fluxes
-/// and velocities may be of one field, of which a part suffices.
+/// Throws InvalidInput, like polydec::require_use, if data on the boundary apply nowhere.
 void require_use(const FlowSpaces& spaces, const FlowOptions& options) {
     const auto facets = std::ssize(boundary_facets(spaces.flux.cells().complex()));
     require_facets(options.boundary_flux.size() > 0 ? "FlowOptions::boundary_flux" : "",
                    std::ssize(spaces.open) < facets, facets, "a facet that is not open");
     require_facets(options.wall_velocity.size() > 0 ? "FlowOptions::wall_velocity" : "",
-                   !spaces.dragged.empty() || !options.boundary_flux.isZero(0), facets,
-                   "a no-slip facet");
+                   !spaces.dragged.empty(), facets, "a no-slip facet");
 }
 
 Vector given_flux(const FormSpace& fluxes, const Vector& given) {

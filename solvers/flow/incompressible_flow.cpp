@@ -13,7 +13,7 @@
 namespace polydec {
 
 struct IncompressibleFlow::Parts {
-    FlowOptions options; // in the units of the input
+    FlowOptions options; // as they were given
     Advection advection;
     std::shared_ptr<const FlowOperators> operators;
     FlowProjection projection;
@@ -22,10 +22,7 @@ struct IncompressibleFlow::Parts {
         : options(given),
           advection(mesh),
           operators(std::make_shared<FlowOperators>(mesh, given)),
-          projection(operators, 0) {
-        if (operators->spaces.dragged.empty())
-            options.wall_velocity = {};
-    }
+          projection(operators, 0) {}
 
     /// Fluxes in the unit of the mesh.
     Vector fluxes(const Vector& w) const {

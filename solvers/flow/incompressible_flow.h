@@ -20,8 +20,7 @@ struct FlowOptions {
     /// are used. Empty: 0.
     Vector boundary_flux = {};
     /// Velocities of facets with a known tangential velocity, such as moving walls: a row of N
-    /// components per (n-1)-cell, of which only the tangential part is used. Empty: 0. May be given
-    /// without such facets if there are boundary fluxes, as of one field of velocities.
+    /// components per (n-1)-cell, of which only the tangential part is used. Empty: 0.
     Points wall_velocity = {};
     /// Vorticity of a rotating frame, a primal (n-2)-form (n = 2: at vertices). Empty: 0.
     Vector rotation = {};
@@ -47,7 +46,6 @@ public:
 
     const Discretization& mesh() const&;
     Discretization mesh() && { return mesh(); }
-    /// Without velocities of walls that no facet uses.
     const FlowOptions& options() const&;
     FlowOptions options() && { return options(); }
 

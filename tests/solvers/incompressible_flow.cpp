@@ -278,6 +278,8 @@ TEST(FlowErrors, name_what_is_wrong) {
     for (const FlowBoundary kind : {FlowBoundary::open, FlowBoundary::free_slip})
         EXPECT_SAYS(refused({.everywhere = kind, .wall_velocity = Points::Ones(40, 2)}),
                     "FlowOptions::wall_velocity", "none of the 16", "no-slip facet");
+    EXPECT_SAYS(refused({.boundary_flux = flux, .wall_velocity = Points::Ones(40, 2)}),
+                "FlowOptions::wall_velocity", "none of the 16", "no-slip facet");
     const IncompressibleFlow flow(mesh);
     const Vector w = some_flow(flow, 1);
     EXPECT_REFUSED(Flow(flow, w, {.time_step = 0}), "time step is 0");
