@@ -117,15 +117,18 @@ class Evolution(Run):
         if len(coefficients) != len(unknowns):
             raise InvalidInput(f"{len(coefficients)} coefficients of diffusion are given: expected "
                                f"one, or one for each of {len(unknowns)} unknowns")
-        conditions = essential, robin, fixed
-        if not coefficients.any() and any(given is not None for given in conditions):
+        if not coefficients.any() and any(each is not None for each in (essential, robin, fixed)):
             raise InvalidInput("essential, robin or fixed are given, but the diffusion that obeys "
                                "them is 0: give a diffusion, or none of these conditions")
-        # one space for all unknowns of a kind, so that functions that choose cells are called once
-        space = functools.cache(lambda *kind: space_of(complex, *kind, *conditions))
-        given = [(space(*form[:2]), form[2], float(nu),
-                  _at_boundary(each, complex, space(*form[:2]), *form[:2]))
-                 for form, nu, each in zip(unknowns, coefficients, _each(boundary, len(unknowns)))]
+
+        @functools.cache
+        def space(side: str, degree: int) -> _core.FormSpace:
+            """One for all unknowns of a kind: functions that choose cells are called once."""
+            return space_of(self._complex, side, degree, essential, robin, fixed)
+
+        given = [(space(*kind), form[2], float(nu), _at_boundary(each, complex, space(*kind), *kind))
+                 for kind, form, nu, each in zip(self._kinds, unknowns, coefficients,
+                                                 _each(boundary, len(unknowns)))]
         self._run = _core.evolution(
             given, self._rates(reaction), self._number(event), time,
             integrator, (relative_tolerance, absolute_tolerance, first_step, largest_step, fixed_step,
