@@ -3,6 +3,7 @@
 
 #include "complex/disjoint_sets.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace polydec {
@@ -19,10 +20,12 @@ Coreduction::Coreduction(const CellComplex& complex) : complex_(complex) {
             count[t] = complex.incidences(k - 1)[t].size();
     }
     remove_base_vertices();
-    for (int k = 1; k <= n; ++k)
+    for (int k = 1; k <= n; ++k) {
+        pairs_[k].reserve(static_cast<std::size_t>(std::min(complex.size(k - 1), complex.size(k))));
         for (Index t = 0; t < complex.size(k); ++t)
             if (faces_left_[k][t] == 1)
                 queue_.emplace_back(k, t);
+    }
     while (!queue_.empty()) {
         const auto [k, t] = queue_.front();
         queue_.pop_front();

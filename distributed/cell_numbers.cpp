@@ -180,7 +180,8 @@ void omit_duals_beyond_the_boundary(const Ranks& ranks, const LocalComplex& loca
         cofaces.push_back(local.complex.coface_counts(facets)[own.first[i]]);
         degenerate.push_back(sums(static_cast<Index>(i), 0) == 0);
     }
-    cells.volumes = without_duals_beyond_the_boundary(cells.volumes, cofaces, degenerate);
+    cells.volumes = without_duals_beyond_the_boundary(cells.volumes, cofaces,
+                                                      [&](Index f) { return degenerate[f]; });
 }
 
 } // namespace

@@ -171,10 +171,13 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     auto merged = merge_cospherical(pieces, options, kept);
     refuse_flat_cells(given, merged.merging);
     look_at_flat_cells(merged, pieces, options, mesh.warnings);
+    const int facets = complex.dimension() - 1;
     const auto volumes = without_duals_beyond_the_boundary(
         merged_volumes(merged.merging, merged.geometry.volumes()),
-        merged.merging.merged().coface_counts(complex.dimension() - 1),
-        degenerate_cells(merged.merging, merged.degenerate));
+        merged.merging.merged().coface_counts(facets), [&](Index cell) {
+            return std::ranges::all_of(merged.merging.pieces_of(facets, cell),
+                                       [&](Index s) { return merged.degenerate.marks[s]; });
+        });
     warn_of_hybrid_stars(complex, input.volumes().primal(1), volumes, options, mesh.warnings);
     if (!merged.geometry.flat().empty())
         input = merged.geometry; // on their own, flat simplices have no duals

@@ -185,25 +185,15 @@ CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOption
     }
 }
 
-std::vector<bool> degenerate_cells(const Merging& merging, const DegenerateFacets& degenerate) {
-    const int facets = merging.merged().dimension() - 1;
-    std::vector<bool> marks(merging.merged().size(facets), true);
-    const auto& carriers = merging.carriers(facets);
-    for (std::size_t s = 0; s < carriers.size(); ++s)
-        if (carriers[s].dimension == facets && !degenerate.marks[s])
-            marks[carriers[s].cell] = false;
-    return marks;
-}
-
-CellVolumes without_duals_beyond_the_boundary(const CellVolumes& volumes,
-                                              const CofaceCounts& cofaces,
-                                              const std::vector<bool>& degenerate) {
+CellVolumes
+without_duals_beyond_the_boundary(const CellVolumes& volumes, const CofaceCounts& cofaces,
+                                  const std::function<bool(Index cell)>& is_degenerate) {
     const int facets = volumes.dimension() - 1;
     const Vector& duals = volumes.dual(facets);
     Vector terms;
     for (Index f = 0; f < duals.size(); ++f) {
-        if (cofaces[f] != 1 || !degenerate[f] || !(duals[f] < 0) ||
-            is_zero(duals[f], volumes.terms(facets)[f]))
+        if (cofaces[f] != 1 || !(duals[f] < 0) || is_zero(duals[f], volumes.terms(facets)[f]) ||
+            !is_degenerate(f))
             continue;
         if (terms.size() == 0)
             terms = volumes.terms(facets).vector();

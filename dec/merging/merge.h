@@ -5,6 +5,7 @@
 #include "complex/merging.h"
 #include "dec/metric/geometry.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -66,15 +67,13 @@ struct KeptFacets {
 CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOptions& options = {},
                                      const KeptFacets& facets = {});
 
-/// Marks the (n-1)-cells whose pieces are all degenerate.
-std::vector<bool> degenerate_cells(const Merging& merging, const DegenerateFacets& degenerate);
-
 /// Volumes of cells, with duals set to 0 (see HodgeStar::zeros) where a center lies beyond the
-/// boundary but within the tolerance: below a degenerate (n-1)-cell with one coface. Such centers,
-/// moved there by rounding or jitter, count as lying on the boundary.
+/// boundary but within the tolerance: below an (n-1)-cell with one coface and degenerate pieces
+/// alone, which is asked of few. Such centers, moved there by rounding or jitter, count as lying on
+/// the boundary.
 CellVolumes without_duals_beyond_the_boundary(const CellVolumes& volumes,
                                               const CofaceCounts& cofaces,
-                                              const std::vector<bool>& degenerate);
+                                              const std::function<bool(Index cell)>& is_degenerate);
 
 /// Numbers of pairs of n-simplices that share a facet with no third simplex, by the positions of
 /// their circumcenters relative to the facet. Source: Schier, section 4.2 and Fig. 2, for
