@@ -59,7 +59,7 @@ void CellVolumes::check(int k) const {
 }
 
 Vector CellVolumes::ratios(int k) const {
-    return dual(k).cwiseQuotient(primal(k));
+    return degree(k).dual.numbers().cwiseQuotient(degree(k).primal.numbers());
 }
 
 CellVolumes CellVolumes::with_dual(int k, Vector dual) const {

@@ -22,6 +22,13 @@ public:
     Index size() const { return size_; }
     double operator[](Index cell) const { return values_ ? values_[cell] : first_; }
 
+    /// All numbers, without a vector of them; to be used while this exists.
+    auto numbers() const {
+        using Step = Eigen::InnerStride<Eigen::Dynamic>;
+        return Eigen::Map<const Eigen::VectorXd, 0, Step>(values_ ? values_ : &first_, size_,
+                                                          Step(values_ ? 1 : 0));
+    }
+
     /// Whether all are finite numbers above `least`.
     bool are_above(double least) const;
 
