@@ -29,8 +29,6 @@ MUTANTS = {
                                          "was_rejected_ = knows_first_rates_ = false;\n        learn",
                                          "knows_first_rates_ = false;\n        learn",
                                          "engines/IntegratorContract.what_goes_on_from_an_event_ends_in_the_same_bits/runge_kutta"),
-    "state_of_a_failed_event": ("backends/integrators/cvode.cpp", "answer == CV_RTFUNC_FAIL", "false",
-                                "engines/IntegratorContract.events_that_fail_leave_the_state_of_the_time/cvode"),
     "first_step_beyond_the_largest": ("backends/integrators/integrator.cpp",
                                       "options.first_step > options.largest_step)", "false)",
                                       "engines/IntegratorContract.what_makes_no_sense_is_refused/runge_kutta"),
