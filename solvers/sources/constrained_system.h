@@ -32,8 +32,8 @@ struct Compatibility {
 };
 
 /// The connected components of unknowns on which a solution is free up to a constant: those without
-/// fixed or tied unknowns. Each row of a matrix connects the columns of its entries, of which zeros
-/// count on the diagonal alone.
+/// fixed or tied unknowns. Each row of a matrix connects the unknowns of its entries: of those that
+/// are not 0, and of the diagonal.
 class FreeComponents {
 public:
     using Sums = Eigen::Matrix<long double, Eigen::Dynamic, 1>; ///< as exact as their terms

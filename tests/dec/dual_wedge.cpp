@@ -12,8 +12,8 @@ double condition(const CellVolumes& volumes, int p) {
     return values.maxCoeff() / values.minCoeff();
 }
 
-/// Calls law(mesh, k, l) for simplices and merged cells and all degrees of which there is a
-/// product: no star that has to be inverted is zero.
+/// Calls law(mesh, k, l) for simplices and for merged cells, in all degrees that have a product: in
+/// these, no star to be inverted is zero.
 template <class Law>
 void for_products(const std::string& name, Law law) {
     for_merged_and_not(name, [&](const Discretization& on) {
