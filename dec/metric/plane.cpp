@@ -4,6 +4,7 @@
 #include "complex/pieces.h"
 #include "dec/metric/rounding.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -25,29 +26,50 @@ PlanePoints plane_points(const Points& points, int n) {
         return {points(Eigen::indexing::all, varying)};
 
     // in directions to the point farthest from the current plane, made orthogonal twice
-    const Points from_first = points.rowwise() - points.row(0);
-    Points off = from_first;
-    DenseMatrix axes(points.cols(), n);
+    DenseMatrix axes = DenseMatrix::Zero(points.cols(), n);
+    const auto each_block = [&](const auto& look) { // few points at a time, until `look` says false
+        constexpr Eigen::Index most = 1 << 10;
+        bool again = true;
+        for (Eigen::Index begin = 0; again && begin < points.rows(); begin += most) {
+            const auto block = points.middleRows(begin, std::min(most, points.rows() - begin));
+            const Points from_first = block.rowwise() - points.row(0), along = from_first * axes;
+            again = look(begin, along, from_first - along * axes.transpose());
+        }
+        return again;
+    };
+    double size = 0;
     for (int i = 0; i < n; ++i) {
-        Eigen::Index farthest = 0;
-        if (off.rowwise().squaredNorm().maxCoeff(&farthest) == 0)
+        double farthest = 0;
+        Vector axis;
+        each_block([&](Eigen::Index, const Points&, const Points& off) {
+            Eigen::Index row = 0;
+            if (const double squared = off.rowwise().squaredNorm().maxCoeff(&row);
+                squared > farthest) {
+                farthest = squared;
+                axis = off.row(row).transpose();
+            }
+            return true;
+        });
+        if (farthest == 0)
             return {};
-        const Vector axis = off.row(farthest).transpose();
-        const auto before = axes.leftCols(i);
-        axes.col(i) = (axis - before * (before.transpose() * axis)).normalized();
-        off -= off * axes.col(i) * axes.col(i).transpose();
+        if (i == 0)
+            size = axis.norm();
+        axes.col(i) = (axis - axes * (axes.transpose() * axis)).normalized();
     }
-    PlanePoints result{from_first * axes};
-    off = from_first - result.points * axes.transpose();
+    PlanePoints result{Points(points.rows(), n)};
     constexpr double last_digits = 32 * std::numeric_limits<double>::epsilon();
-    const Vector rounding =
-        last_digits * off.cwiseAbs() * points.cwiseAbs().colwise().maxCoeff().transpose();
-    if ((off.rowwise().squaredNorm().array() > rounding.array()).any())
+    const Vector rounding = last_digits * points.cwiseAbs().colwise().maxCoeff().transpose();
+    double off_plane = 0;
+    const bool all = each_block([&](Eigen::Index begin, const Points& along, const Points& off) {
+        result.points.middleRows(begin, along.rows()) = along;
+        off_plane = std::max(off_plane, off.rowwise().norm().maxCoeff());
+        return (off.rowwise().squaredNorm().array() <= (off.cwiseAbs() * rounding).array()).all();
+    });
+    if (!all)
         return {};
     const double skew = (axes.transpose() * axes - DenseMatrix::Identity(n, n)).norm();
     const auto N = static_cast<double>(points.cols());
-    result.error = off.rowwise().norm().maxCoeff() +
-                   (skew + rounding_of(N)) * from_first.rowwise().norm().maxCoeff();
+    result.error = off_plane + (skew + rounding_of(N)) * size;
     return result;
 }
 

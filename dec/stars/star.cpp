@@ -125,19 +125,22 @@ Vector HodgeStar::uncertainty() const {
 template <class Is>
 std::vector<Index> HodgeStar::cells_whose_dual(Is is) const {
     std::vector<Index> cells;
+    const auto& [primal, dual, terms, rounding] = volumes_.degree(degree_);
     for (Index s = 0; is_diagonal() && s < size(); ++s)
-        if (is(volumes_.degree(degree_).dual[s], volumes_.degree(degree_).terms[s]))
+        if (is(dual[s], terms, s))
             cells.push_back(s);
     return cells;
 }
 
 std::vector<Index> HodgeStar::zeros() const {
-    return cells_whose_dual(is_zero);
+    return cells_whose_dual(
+        [](double dual, const Bounds& terms, Index s) { return is_zero(dual, terms[s]); });
 }
 
 std::vector<Index> HodgeStar::negatives() const {
-    return cells_whose_dual(
-        [](double dual, double terms) { return dual < 0 && !is_zero(dual, terms); });
+    return cells_whose_dual([](double dual, const Bounds& terms, Index s) {
+        return dual < 0 && !is_zero(dual, terms[s]);
+    });
 }
 
 std::string HodgeStar::numbers(const std::vector<Index>& cells) const {
