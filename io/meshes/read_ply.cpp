@@ -17,7 +17,7 @@ class PlySource {
 public:
     PlySource(const SourceFile& file, const PlyHeader& header)
         : file_(file), order_(header.order), scanner_(file.name, file.text) {
-        scanner_.bytes(header.body_begin - place(), "a body");
+        scanner_.skip(header.body_begin);
         scanner_.set_line(header.body_line);
     }
 
@@ -27,7 +27,9 @@ public:
         const auto size = size_of(type);
         if (size > remaining())
             fail("the file ends here; expected more elements; export it again, it seems cut off");
-        return value_at(scanner_.bytes(size, "more elements").data(), type, *order_);
+        const char* const place = scanner_.rest().data();
+        scanner_.skip(size);
+        return value_at(place, type, *order_);
     }
 
     void end_record() {
