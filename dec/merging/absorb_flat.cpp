@@ -2,6 +2,7 @@
 #include "dec/merging/absorb_flat.h"
 
 #include "base/lists.h"
+#include "dec/merging/facet_links.h"
 #include "dec/merging/mean_spheres.h"
 
 #include <algorithm>
@@ -16,7 +17,6 @@ namespace {
 
 /// The values, with values equal up to rounding replaced by the least of them.
 std::vector<double> without_rounding(const std::vector<double>& values) {
-    constexpr double tie = 1e-12;
     std::vector<double> least = values;
     std::sort(least.begin(), least.end());
     std::size_t kept = 0;
