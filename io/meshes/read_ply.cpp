@@ -17,7 +17,7 @@ class PlySource {
 public:
     PlySource(const SourceFile& file, const PlyHeader& header)
         : file_(file), order_(header.order), scanner_(file.name, file.text) {
-        scanner_.skip(header.body_begin);
+        scanner_.skip(header.body_begin - place());
         scanner_.set_line(header.body_line);
     }
 

@@ -47,6 +47,8 @@ MUTANTS = {
                        "OddFiles.AnotherFormatSaysWhichItIs"),
     "obj_counted_back": ("io/meshes/read_obj.cpp", "vertices() + number;", "vertices() + number - 1;",
                          "Obj.NegativeIndicesCountBack"),
+    "mark_counted_twice": ("io/meshes/read_ply.cpp", "header.body_begin - place()", "header.body_begin",
+                           "Ply.MayBeginWithAByteOrderMark"),
     "ply_vertex_bound": ("io/meshes/read_ply.cpp", "value < vertices_) || value != std::floor(value)",
                          "value <= vertices_) || value != std::floor(value)",
                          "Ply.RefusesBrokenBodies"),

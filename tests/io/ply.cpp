@@ -55,6 +55,12 @@ TEST(Ply, AsciiAndBothBinariesAreTheSame) {
     EXPECT_TRUE(same(ascii, read_from("a.ply", small_binary("big"))));
 }
 
+TEST(Ply, MayBeginWithAByteOrderMark) {
+    const std::string text = "ply\nformat ascii 1.0\n" + header_end + body;
+    for (const auto& file : {text, small_binary("little"), small_binary("big")})
+        EXPECT_TRUE(same(read_from("a.ply", text), read_from("a.ply", "\xEF\xBB\xBF" + file)));
+}
+
 TEST(Ply, LinesMayEndInThreeWays) {
     const std::string text = "ply\nformat ascii 1.0\n" + header_end + body;
     const auto mesh = read_from("a.ply", text);
