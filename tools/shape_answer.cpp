@@ -9,17 +9,19 @@ namespace {
 
 std::string number_in_words(const CountBelow& count) {
     const auto& [at_least, at_most, too_large, warnings] = count;
-    return !at_most               ? fmt::format("at least {}", at_least)
-           : at_least == *at_most ? fmt::format("exactly {}", at_least)
-                                  : fmt::format("{} to {}", at_least, *at_most);
+    const bool is_one = at_least == 1 && at_most.value_or(1) == 1;
+    return (!at_most               ? fmt::format("at least {}", at_least)
+            : at_least == *at_most ? fmt::format("exactly {}", at_least)
+                                   : fmt::format("{} to {}", at_least, *at_most)) +
+           (is_one ? " eigenvalue of the shape lies" : " eigenvalues of the shape lie");
 }
 
 std::string count_in_words(const ShapeSpectrum& found, int level) {
     const char* const by = level == 1 ? "linear and Crouzeix-Raviart functions"
                                       : "quadratic functions and the hybrid method of degree 1";
-    return fmt::format("proved: {} eigenvalues of the shape lie below {:.8g} ({}, {} counts of "
-                       "inertia)",
-                       number_in_words(found.count), found.count_at, by, found.factorizations);
+    return fmt::format("proved: {} below {:.8g} ({}, {} count{} of inertia)",
+                       number_in_words(found.count), found.count_at, by, found.factorizations,
+                       found.factorizations == 1 ? "" : "s");
 }
 
 } // namespace
@@ -83,8 +85,7 @@ void ShapeCounts::write(Text& text) const {
          degree == 0 ? "functions" : fmt::format("{}-forms", degree), simplices, kind(), flips,
          conditions);
     for (std::size_t i = 0; i < below.size(); ++i)
-        text("proved: {} eigenvalues of the shape lie below {:.8g}\n", number_in_words(counts[i]),
-             below[i]);
+        text("proved: {} below {:.8g}\n", number_in_words(counts[i]), below[i]);
     text("{:.2f} s\n", seconds);
 }
 

@@ -12,7 +12,7 @@ class Shapes(TestCase):
         self.assertEqual([(c["s"], c["at_least"], c["at_most"]) for c in answer["shape"]["counts"]],
                          [(19.7, 0, 0), (19.8, 1, 1), (49, 1, 1)])
         told = self.succeed("spectrum", self.grid(), "--of-shape", "--below", 1).out
-        self.assertIn("exactly 1 eigenvalues of the shape lie below 1", told)
+        self.assertIn("exactly 1 eigenvalue of the shape lies below 1", told)
         self.assertSays(self.fail_with(1, "spectrum", self.grid(), "--of-shape", "--below", 1, "--count", 3),
                         "excludes", "--below")
 
@@ -71,6 +71,8 @@ class Shapes(TestCase):
         for words in ("functions on the shape itself", "32 triangles after 0 flips", "(Neumann)", "exact",
                       "proved:", "eigenvalues of the shape lie below"):
             self.assertIn(words, told)
+        told = self.succeed("spectrum", golden("grid4.nsc"), "--of-shape", "--count", 1).out
+        self.assertIn(", 1 count of inertia)", told)
 
     def test_forms_of_other_degrees(self):
         for degree, lowest in ((1, math.pi ** 2), (2, 2 * math.pi ** 2)):
