@@ -44,7 +44,7 @@ class Row:
         self.lengthened = done["added_length"] > 0
         self.polygons, self.interior = flipped["cells"]["merged"][2], interior
         self.splits = split["intrinsic"]["splits"]
-        self.seconds = flipped["timing"]["merge"]
+        self.seconds = sum(flipped["timing"][stage] for stage in ("volumes", "merge"))
 
 
 # The command
@@ -209,7 +209,7 @@ def table(rows):
     text += "".join(map(file_line, chosen))
     text += (f"\n{len(chosen)} of {len(rows)} files: those with the most flips, flips per triangle,"
              " splits or\ntriangles, the smallest stars, and such like. Seconds are those of the "
-             "flips and the merging.\n")
+             "flips, the volumes and the merging.\n")
     if any(row.lengthened for row in chosen):
         text += "\\* a length was added to all edges, because some triangle has nearly no area.\n"
     return text
