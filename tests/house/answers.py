@@ -2,6 +2,8 @@
 """Runs all code of docs/answers, which tests/house/readme.py holds to the pages, and compares what
 it prints with what they show: the indented lines below `Command` and `Python` with the command and
 with Python, those below `C++` with C++ and Python, and a message in quotes with any of them.
+Runs what stands behind a `$` on README.md and on all pages of docs/, and compares whole answers: a
+line `..` on the page stands for lines left out. Meshes come from POLYDEC_TEST_DATA.
 
 Usage: answers.py ROOT COMMAND PROGRAMS, the folder of the C++ programs. Exit code: 0 all as shown,
 1 not, 77 if there is no package for Python.
@@ -20,10 +22,14 @@ from pathlib import Path
 LINES = 45
 HEADINGS = ["Command", "Python", "C++"]
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?!\w)")
+SECONDS = re.compile(r"\d+\.\d\d s$")
+LEFT_OUT = ".."
 
 
 def same(ours, theirs):
-    """Whether two lines have the same words, and numbers that differ by rounding alone."""
+    """Whether two lines have the same words, and numbers that differ by rounding alone; times at
+    their ends may be any."""
+    ours, theirs = (SECONDS.sub("s", line) for line in (ours, theirs))
     if NUMBER.sub("#", ours).split() != NUMBER.sub("#", theirs).split():
         return False
     pairs = zip(map(float, NUMBER.findall(ours)), map(float, NUMBER.findall(theirs)))
@@ -42,15 +48,60 @@ def sections(page):
     return {None: parts[0], **dict(zip(parts[1::2], parts[2::2]))}
 
 
+def without_code(section):
+    return re.sub(r"^```.*?^```$", "", section, flags=re.DOTALL | re.MULTILINE)
+
+
 def shown(section):
     """The indented lines of a section, outside of code."""
-    text = re.sub(r"^```.*?^```$", "", section, flags=re.DOTALL | re.MULTILINE)
-    return [line[4:] for line in text.splitlines() if line.startswith("    ")]
+    return [line[4:] for line in without_code(section).splitlines() if line.startswith("    ")]
 
 
 def messages(section):
-    return [" ".join(text.split()) for text in re.findall(r'"([^"]+)"', re.sub(
-        r"^```.*?^```$", "", section, flags=re.DOTALL | re.MULTILINE))]
+    return [" ".join(text.split()) for text in re.findall(r'"([^"]+)"', without_code(section))]
+
+
+def sessions(page):
+    """The commands behind a `$`, each with the indented lines up to the next one."""
+    for block in re.findall(r"^    \$ .*\n(?:\n*    .*\n)*", without_code(page), re.MULTILINE):
+        parts = re.split(r"^    \$ (.*)\n", block, flags=re.MULTILINE)
+        yield from zip(parts[1::2], map(shown, parts[2::2]))
+
+
+def absent(command, folder, meshes):
+    """Brings the files that a command reads into a folder, from the meshes: the first not there."""
+    words = command.split()
+    for before, word in zip(words, words[1:]):
+        is_read = re.fullmatch(r"\.[a-z]+", Path(word).suffix) and before != "-o"
+        if is_read and not (folder / word).exists():
+            found = next(meshes.rglob(word), None)
+            if found is None:
+                return word
+            shutil.copy(found, folder)
+    return None
+
+
+def unlike(lines, said):
+    """A line shown that is not said, or the other way round; or None."""
+    kept = [line for line in lines if line.strip() != LEFT_OUT]
+    other = None if kept != lines else unsaid(filter(str.strip, said.splitlines()), "\n".join(kept))
+    return unsaid(kept, said) or other
+
+
+def wrong_sessions(page, meshes, environment):
+    """What is wrong with the sessions of a page, which share a folder."""
+    folder = Path(folder_with([]))
+    for command, lines in sessions(page):
+        missing = absent(command, folder, meshes)
+        if missing:
+            print(f"skipped, as POLYDEC_TEST_DATA has no {missing}: {command}")
+            continue
+        script = folder / "session.sh"
+        script.write_text(command)
+        said = of_command(script, folder, environment)
+        line = None if said is None else unlike(lines, said)
+        if line:
+            yield f"`{line}` stands on one side only of `{command}`, which prints:\n{said}"
 
 
 def of_command(path, folder, environment):
@@ -127,6 +178,12 @@ def check_itself():
         assert len(list(complaints(page, {**good, language: text}))) == 1, text
     assert list(complaints(page.replace("## Python\n", ""), good))
     assert list(complaints(page + "\n" * LINES, good))
+    page = "    no\n\n    $ a\n    1\n\n    2\n    $ b\nText\n    no\n```\n    $ no\n```\n    $ c\n"
+    assert list(sessions(page)) == [("a", ["1", "2"]), ("b", []), ("c", [])]
+    assert not unlike(["x 1", "0.03 s"], "x 1\n\n0.51 s\n") and not unlike(["a", ".."], "a\nb\n")
+    for lines in (["x 1"], ["x 1", "y", "z"], ["x 2", "y"], ["z", ".."], ["y", "x 1"]):
+        assert unlike(lines, "x 1\ny\n"), lines
+    assert absent("polydec info a.off -o b.off", Path("none"), Path("none")) == "a.off"
 
 
 def main():
@@ -152,9 +209,13 @@ def main():
         wrong += [f"{name}.md: {text}" for text in complaints(page, said)]
         if f"({name}.md)" not in index:
             wrong.append(f"README.md does not link to {name}.md")
+    meshes = Path(os.environ.get("POLYDEC_TEST_DATA", "none")) / "meshes"
+    for path in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]:
+        wrong += [f"{path.relative_to(root)}: {text}" for text in
+                  wrong_sessions(path.read_text(), meshes, environment)]
     os.chdir(root)
     shutil.rmtree(tempfile.tempdir)
-    print("\n".join(wrong) or f"{len(pages)} pages show what their code prints.")
+    print("\n".join(wrong) or f"{len(pages)} answers and all sessions show what is printed.")
     sys.exit(1 if wrong else 0)
 
 
