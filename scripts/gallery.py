@@ -22,8 +22,8 @@ from gallery_entries import ENTRIES
 ROOT = Path(__file__).resolve().parent.parent
 HEAD = """# Gallery
 
-Each picture shows a page for any browser, which can turn and cut it and read off values
-([pages](pages.md)). This command makes all of them, and binds them into
+Each picture shows a [page](pages.md) for any browser. There you can turn it, cut it and read off
+values. This command makes all of them, and binds them into
 `demo-output/gallery/gallery.html`:
 
     scripts/gallery.py build/release
