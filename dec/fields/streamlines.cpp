@@ -92,10 +92,10 @@ public:
                 continue;
             ++line_;
             const Spot start{t, Vector::Constant(n_ + 1, 1.0 / (n_ + 1))};
-            const auto ahead = half(start, 1);
-            auto line = half(start, -1);
+            auto ahead = half(start, 1, longest_ * spacing_);
+            ahead.insert(ahead.begin(), place(start));
+            auto line = half(start, -1, longest_ * spacing_ - length(ahead));
             std::reverse(line.begin(), line.end());
-            line.push_back(place(start));
             line.insert(line.end(), ahead.begin(), ahead.end());
             if (length(line) > shortest_ * spacing_)
                 add(line);
@@ -239,18 +239,22 @@ private:
         taken_at_[bin] = at;
     }
 
-    /// The places of a line after a spot, along the field or against it.
-    std::vector<Vector> half(Spot spot, double sign) {
+    /// The places of a line after a spot, along the field or against it, at most this far.
+    std::vector<Vector> half(Spot spot, double sign, double longest) {
         std::vector<Vector> places;
         Vector last = place(spot), watched = last;
         double length = 0, watched_length = 0;
         Index bin = bins_[spot.simplex];
         take(bin, 0);
-        for (int step = 1; step <= most_steps && length < longest_ * spacing_; ++step) {
+        for (int step = 1; step <= most_steps && length < longest; ++step) {
             if (!(speed(spot) > slowest_))
                 break;
-            const bool goes_on = advance(spot, sign);
-            const Vector next = place(spot);
+            bool goes_on = advance(spot, sign);
+            Vector next = place(spot);
+            if (const double rest = longest - length, way = (next - last).norm(); way > rest) {
+                next = last + rest / way * (next - last);
+                goes_on = false;
+            }
             length += (next - last).norm();
             const Index left = std::exchange(bin, bins_[spot.simplex]);
             if (bin != left && !is_open(bin, sign * length)) // one step may be several spacings

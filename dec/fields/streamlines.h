@@ -8,7 +8,7 @@ namespace polydec {
 struct StreamlineOptions {
     /// Approximate distance between lines, in the units of the input; 0: 1/40 of the mesh's extent.
     double spacing = 0;
-    /// Maximal length of a line, in spacings.
+    /// Maximal length of a line, in spacings: first along the vectors, then back from its start.
     double longest = 200;
     /// Minimal length, in spacings: shorter lines are left out, and their places stay empty. 0:
     /// none is too short.

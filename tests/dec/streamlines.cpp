@@ -169,6 +169,24 @@ TEST(Streamlines, AreNotShorterThanAsked) {
         EXPECT_GE(shortest(asked), asked);
 }
 
+TEST(Streamlines, AreNotLongerThanAsked) {
+    for (const Mesh& input : {grid(100, 5, 20, 1), grid(7, 2, 20, 1)}) {
+        const auto mesh = discretize(shuffled(input, 1).mesh); // lines start in the middle
+        const auto wind = sampled(mesh, [](const auto&) { return Vector{{1, 0}}; });
+        for (const double asked : {3, 10, 30}) {
+            const auto lines = streamlines(mesh, wind, {.spacing = 0.1, .longest = asked});
+            double longest = 0, sum = 0;
+            for (Index i = 0; i < lines.simplices.rows(); ++i) {
+                const auto [tail, head] = std::pair(lines.simplices(i, 0), lines.simplices(i, 1));
+                sum = i > 0 && lines.simplices(i - 1, 1) == tail ? sum : 0;
+                sum += (lines.points.row(head) - lines.points.row(tail)).norm();
+                longest = std::max(longest, sum);
+            }
+            EXPECT_NEAR(longest, 0.1 * asked, 1e-9);
+        }
+    }
+}
+
 TEST(Streamlines, EndWhereFieldsMeetOrTurnAround) {
     auto meshes = flat_meshes();
     meshes.push_back(torus(24, 12));
