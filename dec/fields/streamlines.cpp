@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/streamlines.h"
 
-#include "base/checks.h"
 #include "base/errors.h"
 #include "base/exponent.h"
 #include "base/lists.h"
@@ -51,6 +50,21 @@ double length(const std::vector<Vector>& line) {
     return sum;
 }
 
+void check_vectors(const Discretization& mesh, const DenseMatrix& vectors) {
+    const int n = mesh.dimension(), N = mesh.ambient_dimension();
+    if (!mesh.passage().is_identity() || N == 0)
+        throw InvalidInput("streamlines need straight simplices between points: give a mesh "
+                           "with points, without flips");
+    if (vectors.rows() != mesh.complex().size(n) || vectors.cols() != N)
+        throw InvalidInput(fmt::format(
+            "{} vectors of {} coordinates: expected one of {} for each of the {} {}-cells",
+            vectors.rows(), vectors.cols(), N, mesh.complex().size(n), n));
+    for (Index cell = 0; cell < vectors.rows(); ++cell)
+        if (!vectors.row(cell).allFinite())
+            throw InvalidInput(fmt::format("the vector of {}-cell {} is not finite", n, cell),
+                               {.degree = n, .cells = {cell}});
+}
+
 class Tracer {
 public:
     Tracer(const Discretization& mesh, const DenseMatrix& vectors, const StreamlineOptions& options)
@@ -62,16 +76,6 @@ public:
           longest_(options.longest),
           shortest_(options.shortest) {
         const Points& points = mesh.measured_points();
-        if (!mesh.passage().is_identity() || points.cols() == 0)
-            throw InvalidInput("streamlines need straight simplices between points: give a mesh "
-                               "with points, without flips");
-        if (vectors.rows() != mesh.complex().size(n_) || vectors.cols() != points.cols())
-            throw InvalidInput(fmt::format(
-                "{} vectors of {} coordinates: expected one of {} for each of the {} {}-cells",
-                vectors.rows(), vectors.cols(), points.cols(), mesh.complex().size(n_), n_));
-        for (Index cell = 0; cell < vectors.rows(); ++cell)
-            if (!vectors.row(cell).allFinite())
-                throw InvalidInput(fmt::format("the vector of {}-cell {} is not finite", n_, cell));
         if (spacing_ == 0)
             spacing_ = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm() / 40;
         if (!(spacing_ > 0 && longest_ > 0 && std::isfinite(spacing_) && std::isfinite(longest_)))
@@ -304,14 +308,11 @@ private:
 
 Mesh streamlines(const Discretization& mesh, const DenseMatrix& vectors,
                  StreamlineOptions options) {
-    if (mesh.box()) {
-        const int n = mesh.dimension();
-        check_as_many("vectors of cells", vectors.rows(), mesh.complex().size(n));
-        return streamlines(placed(mesh), vectors(cells_of_places(mesh, n), Eigen::indexing::all),
-                           options);
-    }
+    check_vectors(mesh, vectors);
+    const DenseMatrix in_box =
+        vectors(cells_of_places(mesh, mesh.dimension()), Eigen::indexing::all);
     options.spacing /= mesh.unit();
-    Mesh lines = Tracer(mesh, vectors, options).lines();
+    Mesh lines = Tracer(placed(mesh), in_box, options).lines();
     lines.points *= mesh.unit();
     return lines;
 }

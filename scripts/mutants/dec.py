@@ -18,6 +18,12 @@ MUTANTS = {
                                    "Streamlines.AreNotLongerThanAsked"),
     "streamlines_pass_their_length": ("dec/fields/streamlines.cpp", "next = last + rest / way * (next - last);\n", "",
                                       "Streamlines.AreNotLongerThanAsked"),
+    "streamlines_name_cells_of_the_box": ("dec/fields/streamlines.cpp", "    check_vectors(mesh, vectors);\n    const DenseMatrix in_box =\n"
+                                          "        vectors(cells_of_places(mesh, mesh.dimension()), Eigen::indexing::all);\n",
+                                          "    const DenseMatrix in_box =\n"
+                                          "        vectors(cells_of_places(mesh, mesh.dimension()), Eigen::indexing::all);\n"
+                                          "    check_vectors(placed(mesh), in_box);\n",
+                                          "Streamlines.RefuseWhatTheyCannotFollow"),
     "streamlines_meet_themselves": ("dec/fields/streamlines.cpp", "bin != left && !is_open", "!is_open",
                                     "Streamlines.OfAConstantFieldReachFromSideToSideOnCellsOfAnySize"),
     "details_flattened": ("dec/metric/plane.cpp", "kept = 1e-11;", "kept = 1e9;",

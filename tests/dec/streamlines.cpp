@@ -232,6 +232,14 @@ TEST(Streamlines, RefuseWhatTheyCannotFollow) {
     EXPECT_REFUSED(streamlines(mesh, wind, {.shortest = NAN}), "streamlines", "nan to 200");
     wind(4, 1) = NAN;
     EXPECT_REFUSED(streamlines(mesh, wind), "vector", "2-cell 4", "finite");
+
+    // cells of glued meshes have other numbers in the box
+    const auto glued = discretize(periodic(grid(4, 4), {Vector{{1, 0}}, Vector{{0, 1}}}));
+    for (Index cell = 0; cell < 16; ++cell) {
+        DenseMatrix vectors = DenseMatrix::Ones(16, 2);
+        vectors(cell, 0) = NAN;
+        EXPECT_REFUSED(streamlines(glued, vectors), fmt::format("2-cell {} is", cell));
+    }
 }
 
 } // namespace polydec::test::in_streamlines
