@@ -9,21 +9,6 @@ namespace polydec {
 
 namespace {
 
-/// The edges of a facet from its first corner, and the unit normal that points to a place beside
-/// the facet; 0 for a place on it.
-DenseMatrix basis_at(const DenseMatrix& facet, const Eigen::RowVectorXd& beside) {
-    const auto n = facet.rows();
-    const DenseMatrix edges = facet.bottomRows(n - 1).rowwise() - facet.row(0);
-    Eigen::RowVectorXd normal = beside - facet.row(0);
-    if (n > 1)
-        normal -= least_squares(edges.transpose(), normal.transpose()).shortest.transpose() * edges;
-    const double length = normal.norm();
-    DenseMatrix basis(n, facet.cols());
-    basis.topRows(n - 1) = edges;
-    basis.row(n - 1) = length > 0 ? Eigen::RowVectorXd(normal / length) : 0 * normal;
-    return basis;
-}
-
 /// Lays out one cell at a time, from piece to piece across the facets inside it.
 class Developing {
 public:
@@ -95,6 +80,19 @@ private:
 };
 
 } // namespace
+
+DenseMatrix basis_at(const DenseMatrix& facet, const Eigen::RowVectorXd& beside) {
+    const auto n = facet.rows();
+    const DenseMatrix edges = facet.bottomRows(n - 1).rowwise() - facet.row(0);
+    Eigen::RowVectorXd normal = beside - facet.row(0);
+    if (n > 1)
+        normal -= least_squares(edges.transpose(), normal.transpose()).shortest.transpose() * edges;
+    const double length = normal.norm();
+    DenseMatrix basis(n, facet.cols());
+    basis.topRows(n - 1) = edges;
+    basis.row(n - 1) = length > 0 ? Eigen::RowVectorXd(normal / length) : 0 * normal;
+    return basis;
+}
 
 DenseMatrix in_own_plane(const Corners& corners) {
     const auto n = static_cast<Index>(corners.vertices.size()) - 1;

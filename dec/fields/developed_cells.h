@@ -12,6 +12,10 @@ namespace polydec {
 /// coordinates are the points. Needs only lengths. Linear time.
 Points developed_corners(const Discretization& mesh);
 
+/// The edges of a facet, given by its n corners, from its first corner, and the unit normal that
+/// points to a place beside the facet; 0 for a place on it. n x N.
+DenseMatrix basis_at(const DenseMatrix& facet, const Eigen::RowVectorXd& beside);
+
 /// Coordinates of the corners of one n-simplex in its own plane, relative to its first corner:
 /// (n+1) x n, lower triangular below the first row.
 DenseMatrix in_own_plane(const Corners& corners);

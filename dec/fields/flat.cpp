@@ -3,6 +3,7 @@
 #include "dec/discretization/glued_box.h"
 #include "dec/fields/flat_and_sharp.h"
 #include "dec/fields/flat_pieces.h"
+#include "dec/fields/seams.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/input_units.h"
 #include "dec/metric/centers.h"
@@ -82,12 +83,17 @@ void check_dual_volumes(const Discretization& mesh) {
 /// Product of each edge with the vectors of the n-simplices around, by parts of the dual.
 Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     check_dual_volumes(mesh);
-    const SparseMatrix parts =
-        dual_parts(mesh.geometry(), mesh.geometry().centers(), 1, mesh.dimension());
-    const DenseMatrix sums = parts.transpose() * DenseMatrix(copied_to_pieces(mesh, field));
-    const Discretization& at = placed(mesh);
-    const DenseMatrix edges = from_places(mesh, 1, edge_vectors(at.pieces(), at.measured_points()));
-    Vector result = sums.cwiseProduct(edges).rowwise().sum();
+    const int n = mesh.dimension();
+    const Points parts = parts_of_duals(mesh.geometry(), mesh.geometry().centers(), 1, n);
+    const Points vectors = copied_to_pieces(mesh, field);
+    SimplexFaces faces(mesh.pieces(), n, 1);
+    Vector result = Vector::Zero(mesh.pieces().size(1));
+    for (Index t = 0; t < vectors.rows(); ++t) {
+        const Vector along = edges_beside(mesh, faces, t) * vectors.row(t).transpose();
+        const auto& edges = faces.of(t);
+        for (Index i = 0; i < along.size(); ++i)
+            result[edges[i]] += parts(t, i) * along[i];
+    }
 
     // edges inside merged cells do not count, and their duals may vanish
     constexpr int own = 1;
@@ -161,6 +167,7 @@ Cochain flat_in_unit(const Discretization& mesh, Flat kind, const DenseMatrix& f
 
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
     check_field(mesh, is_at_vertices(kind), field);
+    (is_at_vertices(kind) ? refuse_turned_vertices : refuse_turned_cells)(mesh, "a flat");
     Cochain form = flat_in_unit(mesh, kind, field);
     form.values = form_in_input_units(form.values, mesh.unit(), 1, "circulations");
     return form;

@@ -35,8 +35,9 @@ enum class Flat {
 /// straight between the cell_centers; ppd integrates the field that is linear on the input's
 /// simplices. Constants remain exact; for smooth fields on smooth surfaces ppp and ppd are of
 /// second order, the others at least of first. Throws InvalidInput for a field of another shape,
-/// naming the row if it is not finite; for dpp also, naming the vertices, for edges whose dual
-/// volume is zero (HodgeStar::zeros of degree 1).
+/// naming the row if it is not finite; for fields at vertices if seams of a glued mesh turn, for
+/// others if such a seam cuts a merged cell; for dpp also, naming the vertices, for edges whose
+/// dual volume is zero (HodgeStar::zeros of degree 1).
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field);
 
 /// Vectors at the vertices of a primal 1-form a: the mean, weighted by the parts |*v part in t| of
@@ -44,8 +45,8 @@ Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field);
 /// gradient on simplex t. One row per vertex, N columns; units: values over length. a is lifted to
 /// the simplices; after flips, to the simplices of the input. Exact for constant fields on flat
 /// meshes.
-/// Throws InvalidInput for other forms and, naming vertices, if dual volumes are zero. Source:
-/// Hirani 2003, Def. 5.7.1 and 5.8.1.
+/// Throws InvalidInput for other forms, if seams turn and, naming vertices, if dual volumes are
+/// zero. Source: Hirani 2003, Def. 5.7.1 and 5.8.1.
 DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form);
 
 /// Vectors at the merged n-cells of a primal 1-form a: the least-squares solution X of X . e = a(e)
@@ -59,7 +60,8 @@ DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form);
 /// is the mean by area of the triangles' gradients if these triangles lie in one plane and are
 /// exactly cospherical; on bent cells it is near that mean. In higher dimensions obtuse cells have
 /// negative weights; X is then the stationary point of the sum of squares.
-/// Throws InvalidInput for other forms, and, naming the cell, if its weights do not determine X.
+/// Throws InvalidInput for other forms, and, naming the cell, if its weights do not determine X or
+/// a seam that turns cuts it.
 DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form);
 
 /// Vectors at the merged n-cells of the field X whose fluxes i_X vol are the primal (n-1)-form w:
@@ -67,7 +69,8 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form);
 /// orientation of the cell. One row per n-cell, N columns; units: values over length^(n-1). Exact
 /// for constant fields on every flat cell. After flips centroids lie on the surface, and the
 /// vectors are of first order on smooth surfaces.
-/// Source: Perot 2000. Throws InvalidInput for other forms.
+/// Source: Perot 2000. Throws InvalidInput for other forms, and for a cell that a seam that turns
+/// cuts.
 DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form);
 
 /// What a 1-form on a surface holds of a vector field: circulations along cells, or fluxes through
@@ -89,7 +92,8 @@ DenseMatrix vectors_at_cells(const Discretization& mesh, const Cochain& form,
 DenseMatrix vectors_at_vertices(const Discretization& mesh, const Cochain& form,
                                 Proxy proxy = Proxy::automatic);
 
-/// Means by volume of rows at the n-cells around each vertex. Exact for constants.
+/// Means by volume of vectors at the n-cells around each vertex. Exact for constants. Throws
+/// InvalidInput for another number of rows, and if seams turn.
 DenseMatrix means_at_vertices(const Discretization& mesh, const DenseMatrix& at_cells);
 
 } // namespace polydec

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/fields/contraction.h"
+#include "dec/fields/seams.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/input_units.h"
 
@@ -32,6 +33,8 @@ void check_transport(const Discretization& mesh, int k, Sampling sampling) {
             "added: use Delaunay::flips, which add none, or centered sampling",
             added));
 }
+
+constexpr auto acting = "a vector field that acts on forms";
 
 /// Vectors at the vertices of the input, from vectors at the points of a mesh, in its unit. Throws
 /// InvalidInput, naming the vertex, unless the field has one finite vector per point, and if only
@@ -109,6 +112,7 @@ SparseMatrix on_cells(const Discretization& mesh, const SparseMatrix& fine, int 
 
 SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
                               Sampling sampling) {
+    refuse_turned_vertices(mesh, acting);
     const Points here = field_on_input(mesh, field);
     return on_cells(mesh,
                     contraction(mesh.input(), mesh.places(), here, k, sampling, Beyond::the_same),
@@ -117,12 +121,14 @@ SparseMatrix interior_product(const Discretization& mesh, const Points& field, i
 
 SparseMatrix lie_derivative(const Discretization& mesh, const Points& field, int k,
                             Sampling sampling) {
+    refuse_turned_vertices(mesh, acting);
     check_transport(mesh, k, sampling);
     const Points here = field_on_input(mesh, field);
     return on_cells(mesh, lie_derivative(mesh.input(), mesh.places(), here, k, sampling), k, k);
 }
 
 SparseMatrix inflow(const Discretization& mesh, const Points& field, int k) {
+    refuse_turned_vertices(mesh, acting);
     const Points here = field_on_input(mesh, field);
     return on_cells(mesh, inflow(mesh.input(), mesh.places(), here, k), k, k);
 }
@@ -139,6 +145,7 @@ struct LieDerivative::Parts {
         const PlacedSimplices places = mesh.places();
         check_degree_of_contraction(k, complex.dimension());
         require_points(mesh.ambient_dimension(), "a vector field");
+        refuse_turned_vertices(mesh, acting);
         check_transport(mesh, k, sampling);
         if (k > 0)
             lower.emplace(complex, places, k);

@@ -35,8 +35,8 @@ enum class Sampling {
 /// so results do not depend on numbers, axes or the unit of length. i_X i_X = 0 and i_X(a ^ b) =
 /// i_X a ^ b + (-1)^k a ^ i_X b hold exactly for constants only. Time linear in the number of
 /// incidences. Source: Bossavit 2003; for upwinding Mullen et al. 2011. Throws InvalidInput for a
-/// field of another shape than the points, for a vector that is not finite, naming the vertex, and
-/// for a degree outside 0..n+1.
+/// field of another shape than the points, for a vector that is not finite, naming the vertex, for
+/// a degree outside 0..n+1, and if seams of a glued mesh turn.
 SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
                               Sampling sampling);
 
@@ -71,8 +71,8 @@ SparseMatrix inflow(const Discretization& mesh, const Points& field, int k);
 /// A handle: copies cost nothing.
 class LieDerivative {
 public:
-    /// Throws InvalidInput unless k is in 0..n, if only lengths are known, and for upwind sampling
-    /// of functions with vertices that splits have added.
+    /// Throws InvalidInput unless k is in 0..n, if only lengths are known or seams turn, and for
+    /// upwind sampling of functions with vertices that splits have added.
     LieDerivative(const Discretization& mesh, int k, Sampling sampling);
 
     /// i_X a, a (k-1)-form; empty for k = 0. All members throw InvalidInput for forms of another

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/checks.h"
 #include "dec/fields/flat_and_sharp.h"
+#include "dec/fields/seams.h"
 #include "dec/stars/star.h"
 
 namespace polydec {
@@ -49,6 +50,7 @@ DenseMatrix vectors_at_vertices(const Discretization& mesh, const Cochain& form,
 
 DenseMatrix means_at_vertices(const Discretization& mesh, const DenseMatrix& at_cells) {
     const int n = mesh.dimension();
+    refuse_turned_vertices(mesh, "the mean of vectors at vertices");
     check_as_many("rows", at_cells.rows(), mesh.complex().size(n));
     DenseMatrix sums = DenseMatrix::Zero(mesh.complex().size(0), at_cells.cols());
     Vector weights = Vector::Zero(sums.rows());

@@ -5,6 +5,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/flat_and_sharp.h"
 #include "dec/fields/flat_pieces.h"
+#include "dec/fields/seams.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/input_units.h"
 #include "dec/metric/dual_parts.h"
@@ -97,6 +98,34 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
         (largest.array() > rank_tolerance * largest.sum()).count());
 }
 
+/// The merged edges where a merged n-cell lies, of which only those around it are used.
+class EdgesBesideCells {
+public:
+    explicit EdgesBesideCells(const Discretization& mesh)
+        : mesh_(mesh),
+          faces_(mesh.pieces(), mesh.dimension(), 1),
+          pieces_(mesh.pieces().size(1), mesh.ambient_dimension()) {}
+
+    void look_at(Index cell) {
+        for (const Index t : mesh_.merging().pieces_of(mesh_.dimension(), cell)) {
+            const DenseMatrix edges = edges_beside(mesh_, faces_, t);
+            pieces_(faces_.of(t), Eigen::indexing::all) = edges;
+        }
+    }
+
+    Vector operator[](Index edge) const {
+        Vector sum = Vector::Zero(pieces_.cols());
+        for (IncidenceMatrix::InnerIterator piece(mesh_.merging().diamond(1), edge); piece; ++piece)
+            sum += piece.value() * pieces_.row(piece.col()).transpose();
+        return sum;
+    }
+
+private:
+    const Discretization& mesh_;
+    SimplexFaces faces_;
+    DenseMatrix pieces_;
+};
+
 /// For each merged n-cell the weights |*e part in it| / |e| of its merged edges.
 SparseMatrix edge_weights(const Discretization& mesh) {
     const int n = mesh.dimension();
@@ -114,6 +143,7 @@ SparseMatrix edge_weights(const Discretization& mesh) {
 
 DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form) {
     check_form(mesh, form, 1);
+    refuse_turned_vertices(mesh, "the sharp to vertices");
     check_dual_cells(mesh);
     const auto& K = mesh.input();
     const int n = mesh.dimension();
@@ -137,17 +167,17 @@ DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form) {
 
 DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
     check_form(mesh, form, 1);
+    refuse_turned_cells(mesh, "the sharp to cells");
     const SparseMatrix weights = edge_weights(mesh);
-    const Discretization& at = placed(mesh);
-    const DenseMatrix edges = mesh.merging().diamond(1).cast<double>() *
-                              from_places(mesh, 1, edge_vectors(at.pieces(), at.measured_points()));
+    EdgesBesideCells edges(mesh);
     const auto N = mesh.ambient_dimension();
     DenseMatrix result(weights.rows(), N);
     for (Index cell = 0; cell < weights.rows(); ++cell) {
         DenseMatrix M = DenseMatrix::Zero(N, N);
         Vector right_side = Vector::Zero(N);
+        edges.look_at(cell);
         for (SparseMatrix::InnerIterator entry(weights, cell); entry; ++entry) {
-            const Vector e = edges.row(entry.col()).transpose();
+            const Vector e = edges[entry.col()];
             M += entry.value() * e * e.transpose();
             right_side += entry.value() * form.values[entry.col()] * e;
         }
@@ -172,6 +202,7 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
 DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
     const int n = mesh.dimension();
     check_form(mesh, form, n - 1);
+    refuse_turned_cells(mesh, "the sharp of fluxes");
     if (mesh.box()) {
         // the integral over a cell sums over its parts in the box
         const Discretization& box = placed(mesh);

@@ -6,6 +6,7 @@
 #include "base/lists.h"
 #include "complex/sides.h"
 #include "dec/discretization/glued_box.h"
+#include "dec/fields/seams.h"
 #include "dec/metric/simplex_geometry.h"
 
 #include <fmt/format.h>
@@ -55,6 +56,7 @@ void check_vectors(const Discretization& mesh, const DenseMatrix& vectors) {
     if (!mesh.passage().is_identity() || N == 0)
         throw InvalidInput("streamlines need straight simplices between points: give a mesh "
                            "with points, without flips");
+    refuse_turned_cells(mesh, "a streamline");
     if (vectors.rows() != mesh.complex().size(n) || vectors.cols() != N)
         throw InvalidInput(fmt::format(
             "{} vectors of {} coordinates: expected one of {} for each of the {} {}-cells",

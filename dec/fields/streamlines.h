@@ -24,10 +24,10 @@ struct StreamlineOptions {
 /// closer than the spacing to another line or to itself. The same input gives the same lines. Time
 /// O(simplices log simplices + steps).
 ///
-/// Throws InvalidInput for a wrong number of vectors, one that is not finite (naming its cell),
-/// a negative spacing, a longest line of no positive length or shorter than the shortest, a
-/// negative shortest one, options that are not finite, flipped edges, and if only lengths are
-/// known.
+/// Throws InvalidInput for a wrong number of vectors, one that is not finite or whose cell a seam
+/// that turns cuts (naming the cell), a negative spacing, a longest line of no positive length or
+/// shorter than the shortest, a negative shortest one, options that are not finite, flipped edges,
+/// and if only lengths are known.
 Mesh streamlines(const Discretization& mesh, const DenseMatrix& vectors,
                  StreamlineOptions options = {});
 
