@@ -224,8 +224,8 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options = {},
 
 /// The same from lengths alone; nothing is left out as untidy. Functions that need points (de Rham
 /// maps, flats, sharps, vector fields, centers of cells, drawings) throw InvalidInput for the
-/// result; everything else works as on any mesh. Throws like check of a LengthMesh,
-/// SimplicialComplex, SimplexMetric and circumcentric_volumes.
+/// result, and so does to_input for dual 0-forms after flips; everything else works as on any mesh.
+/// Throws like check of a LengthMesh, SimplicialComplex, SimplexMetric and circumcentric_volumes.
 Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 

@@ -18,10 +18,10 @@ struct SimplexQuadrature {
 
 /// The rule of Grundmann and Moeller on a simplex of any dimension k >= 0, exact for polynomials up
 /// to the given degree, rounded up to the next odd degree 2s+1. It has (s+k+1 over k+1) points, all
-/// inside the simplex. Weights cancel more in higher degrees, which loses digits: three at
-/// degree 19. Source: Grundmann, Moeller 1978, Theorem 4. Throws InvalidInput if k or degree is
-/// negative, or if weights cancel so much that few digits are right: from degree 42 on for k = 1,
-/// 38 for k = 4, 36 for k = 6.
+/// inside the simplex, and one for k = 0. Weights cancel more in higher degrees, which loses
+/// digits: three at degree 19. Source: Grundmann, Moeller 1978, Theorem 4. Throws InvalidInput if k
+/// or degree is negative, or if weights cancel so much that few digits are right: from degree 42 on
+/// for k = 1, 38 for k = 4, 36 for k = 6.
 SimplexQuadrature grundmann_moeller(int k, int degree);
 
 /// A k-form on R^N: maps a point to its N over k coefficients at dx_I, for the k-subsets I of

@@ -60,8 +60,8 @@ Cochain lifted(const Discretization& mesh, const Cochain& form);
 
 /// Maps a form on merged cells to the input's simplices by primal_to_input or dual_to_input. After
 /// intrinsic flips, primal forms are mapped by the inverse flips, a cochain map, and dual 0-forms
-/// by means over the parts of each triangle (see overlay). Throws InvalidInput if the form does not
-/// live on the merged cells.
+/// by means over the parts of each triangle (see overlay), which needs points. Throws InvalidInput
+/// if the form does not live on the merged cells, and without these points.
 Cochain to_input(const Discretization& discretization, const Cochain& form);
 
 /// Deviation of a dual form on the simplices from a form on merged cells.

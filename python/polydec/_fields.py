@@ -240,7 +240,7 @@ def whitney_at_centroids(complex: Complex, form: Form, *, degree: int | None = N
 
 def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayLike, *,
                  degree: int | None = None) -> Floats:
-    """Whitney interpolation of a primal k-form at a point of the input n-simplex `top`.
+    """Whitney interpolation of a primal k-form at a point of n-simplex `top` of the input.
 
     Parameters
     ----------
@@ -248,9 +248,10 @@ def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayL
     form : Cochain or array_like
         Arrays need their degree k in `degree`.
     top : int
-        Number of the simplex.
+        Number of the n-simplex in `complex.input`, not the row of the mesh.
     barycentric : array_like, shape (n + 1,)
-        Barycentric coordinates of the point in the simplex; they sum to 1.
+        Barycentric coordinates of the point in the simplex, for its vertices in ascending order;
+        they sum to 1.
 
     Returns
     -------
