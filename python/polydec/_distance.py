@@ -86,16 +86,19 @@ class ShortestPath(NamedTuple):
     segments : numpy.ndarray, shape (segments, 2, N)
         End points of the straight pieces, in order. On glued meshes the position jumps where the path
         crosses a seam.
+    start : numpy.ndarray, shape (N,)
+        The vertex where it begins.
     """
 
     source: int
     length: float
     segments: Floats
+    start: Floats
 
     @property
     def points(self) -> Floats:
         """(segments + 1, N): the points of the path, on a mesh without seams."""
-        return np.asarray(np.concatenate([self.segments[:, 0], self.segments[-1:, 1]]))
+        return np.asarray(np.concatenate([self.start[None], self.segments[:, 1]]))
 
 
 class SurfacePaths:
@@ -123,7 +126,8 @@ class SurfacePaths:
         given = integers(np.atleast_1d(vertex), "vertex")
         number = numbers_of(self._complex, given, "vertex")[0]
         source, length, ends = self._paths.path(int(number))
-        return ShortestPath(int(self._complex.vertices[source]), length, np.stack(ends, axis=1))
+        return ShortestPath(int(self._complex.vertices[source]), length, np.stack(ends, axis=1),
+                            self._complex.points[given[0]])
 
     def isolines(self, levels: npt.ArrayLike, *, divisions: int = 8) -> tuple[Floats, Integers]:
         """Isolines as segments, (m, 2, N), and the level index of each segment. Every triangle is

@@ -119,6 +119,7 @@ def test_distances(sphere):
     assert path.source == north and np.isclose(path.length, distance[far], rtol=1e-13)
     assert np.isclose(pieces.sum(), path.length, rtol=1e-12)
     assert np.allclose(path.points[[0, -1]], sphere.points[[far, north]])
+    assert np.array_equal(paths.path(north).points, sphere.points[[north]])
     lines, levels = paths.isolines([0.5, 1])
     angles = np.arccos(np.clip(lines.mean(axis=1) @ sphere.points[north], -1, 1))
     assert abs(angles - np.array([0.5, 1])[levels]).max() < 0.1
