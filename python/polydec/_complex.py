@@ -89,11 +89,13 @@ class Complex(Cells):
         return Complex(self._mesh.placed(), None, self._options) if self._mesh.is_glued else self
 
     def _on_box(self, k: int, values: Floats) -> Floats:
-        """One number per k-cell of `box`; nan inside larger cells that a seam cuts."""
+        """A number or row per k-cell of `box`; nan inside larger cells that a seam cuts."""
         if not self._mesh.is_glued:
             return values
         numbers = self._mesh.cells_of_places(k)
-        return np.where(numbers < 0, np.nan, values[numbers])
+        placed = values[numbers]
+        placed[numbers < 0] = np.nan
+        return placed
 
     @property
     def input(self) -> Cells:

@@ -13,12 +13,12 @@ from ._arrays import Floats, as_array, floats
 from ._cochain import Cochain, Form, as_form, made, product, values_of
 from ._complex import Complex
 from ._errors import InvalidInput
-from ._vertices import at_cells, at_vertices, mesh_of
+from ._vertices import at_vertices, form_at_cells, mesh_of
 
 
-def _vectors(complex: Complex, field: npt.ArrayLike) -> Floats:
-    """Rows for 0-cells, from rows for all input vertices. Keeps rows for 0-cells or other cells."""
-    return np.ascontiguousarray(at_cells(complex, floats(field, "vectors", 2)))
+def _vectors(complex: Complex, field: npt.ArrayLike, side: str = "primal") -> Floats:
+    """Rows for 0-cells, from rows for all input vertices; on the dual side rows for n-cells."""
+    return np.ascontiguousarray(form_at_cells(complex, floats(field, "vectors", 2), side, 0))
 
 
 def _given_back(complex: Complex, form: tuple[str, int, Floats], *given: Form) -> Any:
@@ -172,7 +172,8 @@ def flat(complex: Complex, kind: str, field: npt.ArrayLike) -> Cochain:
     >>> np.allclose(polydec.sharp_pp(square, form), 1.0)
     True
     """
-    return made(_core.flat(mesh_of(complex), kind, _vectors(complex, field)), complex)
+    rows = _vectors(complex, field, "dual" if kind.startswith("d") else "primal")
+    return made(_core.flat(mesh_of(complex), kind, rows), complex)
 
 
 def sharp_pp(complex: Complex, form: Form) -> Floats:

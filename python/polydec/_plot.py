@@ -9,13 +9,13 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Integers, as_array, floats
+from ._arrays import Floats, Integers, as_array
 from ._cochain import Cochain, Form, as_form
 from ._complex import CellList, CellsLike, Complex, Polygons, as_complex
 from ._errors import InvalidInput
 from ._spectra import Spectrum
-from ._vertices import at_cells, at_vertices
-from ._view import Fields, by_name, file_and_up
+from ._vertices import at_vertices
+from ._view import Fields, by_name, file_and_up, on_box
 
 
 def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:
@@ -265,51 +265,28 @@ def _shown(complex: Complex, values: Form, degree: int | None, side: str,
     """The number of each polygon, and its vector for fields of vectors."""
     if isinstance(values, Cochain):
         side, degree = values.side, values.degree
-    table = as_array(values, "values")
-    if degree == 1 and complex.dim > 1 and table.ndim == 1 and not (
+    if degree == 1 and complex.dim > 1 and as_array(values, "values").ndim == 1 and not (
             side == "dual" and complex.dim == 3):
-        vectors = _core.sharp(complex._mesh, "proxy", as_form(complex, values, 1, side))
-    elif table.ndim == 2:
-        vectors = floats(table, "values", 2)
-    else:
-        return _colors(complex, values, degree, side, seen), None
-    vectors = np.stack([_at_polygons(complex, column, seen) for column in vectors.T], axis=1)
-    return np.linalg.norm(vectors, axis=1), vectors
+        values = _core.sharp(complex._mesh, "proxy", as_form(complex, values, 1, side))
+        degree, side = 0, "dual"
+    (_, k, placed), = on_box(complex, {"values": values}, 2, degree, side)
+    shown = _at_polygons(complex.box, k, placed, seen)
+    return (shown, None) if shown.ndim == 1 else (np.linalg.norm(shown, axis=1), shown)
 
 
-def _at_polygons(complex: Complex, array: Floats, seen: Integers) -> Floats:
-    """Numbers of vertices, of polygons or, for the surface of a solid, of its cells."""
-    box = complex.box
-    if complex.dim == 3 and len(array) == complex.size(3):
-        owners = abs(box.d(2)).tocsc()[:, seen].indices
-        return np.asarray(complex._on_box(3, array)[owners])
-    return _colors(complex, array, None, "primal", seen)
+def _at_polygons(box: Complex, k: int, values: Floats, seen: Integers) -> Floats:
+    """Values of vertices, of polygons or, for the surface of a solid, of its cells."""
+    if k == 0:
+        lists = box.cells(2)
+        sums = np.add.reduceat(at_vertices(box, values)[lists.corners], lists.offsets[:-1])
+        return np.asarray((sums.T / np.diff(lists.offsets)).T[seen])
+    return np.asarray(values[seen if k == 2 else abs(box.d(2)).tocsc()[:, seen].indices])
 
 
-def _colors(complex: Complex, values: Form, degree: int | None, side: str,
-            seen: Integers) -> Floats:
-    if isinstance(values, Cochain):
-        side, degree, array = as_form(complex, values, None)
-    else:
-        array = at_cells(complex, floats(values, "values"))
-        if degree is None:
-            side, degree = "primal", 0 if len(array) == complex.size(0) else 2
-    cells = degree if side == "primal" else complex.dim - degree
-    if cells not in (0, 2) or len(array) != complex.size(cells):
-        raise InvalidInput(f"cannot show a {side} {degree}-form of {len(array)} values: "
-                           f"expected {complex.size(0)} values on vertices or {complex.size(2)} "
-                           "on 2-cells")
-    array = complex._on_box(cells, array)
-    if cells == 2:
-        return np.asarray(array[seen])
-    lists = complex.box.cells(2)
-    sums = np.add.reduceat(at_vertices(complex.box, array)[lists.corners], lists.offsets[:-1])
-    return np.asarray((sums / np.diff(lists.offsets))[seen])
-
-
-def to_meshio(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None) -> Any:
+def to_meshio(complex: Complex, forms: Fields | None = None) -> Any:
     """A ``meshio.Mesh`` of the cells: lines, polygons grouped by number of corners, or tetrahedra.
-    `forms` on vertices or n-cells become its data. Raises InvalidInput for merged polyhedra.
+    `forms` on vertices or n-cells, as for `view`, become its data. Raises InvalidInput for merged
+    polyhedra.
 
     >>> import polydec
     >>> grid = polydec.discretize(polydec.meshes.grid(2, 2))
@@ -336,16 +313,11 @@ def to_meshio(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None
                                  "polygon"), corners))
         numbers.append(of_size)
     point_data, cell_data = {}, {}
-    for name, values in (forms or {}).items():
-        array = at_cells(complex, floats(values, name))
-        if len(array) == complex.size(0):
-            point_data[name] = at_vertices(box, complex._on_box(0, array))
-        elif len(array) == complex.size(n):
-            array = complex._on_box(n, array)
-            cell_data[name] = [array[of_size] for of_size in numbers]
+    for name, k, placed in on_box(complex, by_name(forms), n):
+        if k == 0:
+            point_data[name] = at_vertices(box, placed)
         else:
-            raise InvalidInput(f"{name} has {len(array)} values: expected {complex.size(0)} on "
-                               f"vertices or {complex.size(n)} on {n}-cells")
+            cell_data[name] = [placed[of_size] for of_size in numbers]
     return meshio.Mesh(points, blocks, point_data=point_data, cell_data=cell_data)
 
 
@@ -358,8 +330,9 @@ def _positive(points: Floats, corners: Integers) -> Integers:
     return turned
 
 
-def to_pyvista(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None) -> Any:
-    """A ``pyvista.PolyData`` of the visible 2-cells, with forms on vertices or on 2-cells."""
+def to_pyvista(complex: Complex, forms: Fields | None = None) -> Any:
+    """A ``pyvista.PolyData`` of the visible 2-cells, with forms on vertices or on 2-cells, as for
+    `view`."""
     import pyvista
 
     box = complex.box
@@ -369,12 +342,10 @@ def to_pyvista(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = Non
              for a, b in zip(lists.offsets[seen], lists.offsets[seen + 1])]
     result = pyvista.PolyData(np.pad(points, ((0, 0), (0, 3 - points.shape[1]))),
                               np.concatenate(faces))
-    for name, values in (forms or {}).items():
-        array = at_cells(complex, floats(values, name))
-        if len(array) == complex.size(0):
-            array = complex._on_box(0, array)
-            result.point_data[name] = array if len(array) == len(points) else \
-                at_vertices(box, array)
+    for name, k, placed in on_box(complex, by_name(forms), 2):
+        if k == 0:
+            result.point_data[name] = placed if len(placed) == len(points) else \
+                at_vertices(box, placed)
         else:
-            result.cell_data[name] = complex._on_box(2, array)[seen]
+            result.cell_data[name] = _at_polygons(box, k, placed, seen)
     return result

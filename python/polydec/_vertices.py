@@ -65,9 +65,11 @@ def form_at_vertices(cells: Cells, values: Floats, side: str, degree: int) -> Fl
     return at_vertices(cells, values) if _is_of_vertices(cells, side, degree) else values
 
 
-def form_at_cells(cells: Cells, values: Floats, side: str, degree: int) -> Floats:
-    """Inverse of `form_at_vertices`."""
-    return at_cells(cells, values) if _is_of_vertices(cells, side, degree) else values
+def form_at_cells(cells: Cells, values: Floats, side: str, degree: int | None) -> Floats:
+    """Inverse of `form_at_vertices`; without a degree the number of values decides."""
+    if degree is None or _is_of_vertices(cells, side, degree):
+        return at_cells(cells, values)
+    return values
 
 
 def points_of(mesh: _core.Discretization) -> Floats:

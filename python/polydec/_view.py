@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import os
 from pathlib import Path
-from typing import Mapping, Sequence, Union
+from typing import Any, Iterator, Mapping, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -16,7 +16,7 @@ from ._cochain import Cochain, Form
 from ._complex import CellsLike, Complex, as_complex
 from ._errors import InvalidInput, IoError
 from ._spectra import Spectrum
-from ._vertices import at_cells
+from ._vertices import form_at_cells
 
 #: One form or array of vectors, several with names, or the modes of a spectrum.
 Fields = Union[Form, Mapping[str, Form], Spectrum]
@@ -243,13 +243,14 @@ def _at(fields: Mapping[str, Form], i: int, times: int) -> dict[str, Form]:
     return result
 
 
-def _forms(complex: Complex, fields: Mapping[str, Form], degree: int | None,
-           side: str) -> list[_Named]:
+def _forms(complex: Complex, fields: Mapping[str, Form], degree: int | None, side: str,
+           top: int | None = None) -> list[_Named]:
+    """Arrays without a degree are on vertices or on cells of degree `top`, by default n."""
     forms = []
     for name, values in fields.items():
         if not isinstance(values, Cochain):
-            values = at_cells(complex, as_array(values, name))
-            k = _degree(complex, values, degree, side)
+            values = form_at_cells(complex, as_array(values, name), side, degree)
+            k = _degree(complex, values, side, top) if degree is None else degree
             if values.ndim == 2:
                 forms.append((name, *_place(complex, name, k, side), floats(values, name, 2),
                               "vectors"))
@@ -270,7 +271,26 @@ def _place(complex: Complex, name: str, k: int, side: str) -> tuple[str, int]:
     return ("primal" if cells == 0 else "dual"), 0
 
 
-def _degree(complex: Complex, values: npt.ArrayLike, degree: int | None, side: str) -> int:
-    if degree is not None:
-        return degree
-    return 0 if len(np.asarray(values)) == complex.size(0, side) else complex.dim
+def _top(complex: Complex, values: npt.NDArray[Any], top: int | None) -> int:
+    """Degree of the cells, besides vertices, that have values; vectors are those of n-cells."""
+    return complex.dim if top is None or values.ndim == 2 else top
+
+
+def _degree(complex: Complex, values: npt.NDArray[Any], side: str, top: int | None) -> int:
+    k = _top(complex, values, top)
+    low, high = (0, k) if side == "primal" else (complex.dim - k, complex.dim)
+    return low if values.shape[:1] == (complex.size(low, side),) else high
+
+
+def on_box(complex: Complex, fields: Mapping[str, Form], top: int, degree: int | None = None,
+           side: str = "primal") -> Iterator[tuple[str, int, Floats]]:
+    """Fields on vertices or cells of degree `top`, vectors on vertices or n-cells: names, the degree
+    of the cells, and values on the cells of `box`."""
+    for name, side, k, values, what in _forms(complex, fields, degree, side, top):
+        cells = k if side == "primal" else complex.dim - k
+        last = _top(complex, values, top)
+        if cells not in (0, last) or len(values) != complex.size(cells):
+            raise InvalidInput(f"{name} ({what}) has {len(values)} values: expected "
+                               f"{complex.size(0)} on vertices or {complex.size(last)} on "
+                               f"{last}-cells")
+        yield name, cells, complex._on_box(cells, values)

@@ -304,6 +304,15 @@ def test_meshes_of_meshio():
     assert len(polydec.as_mesh(meshio.Mesh(points, quads, cell_data=rough)).tags) == 0
     cube = polydec.discretize(polydec.meshes.kuhn([1, 1, 1]), merge=False)
     assert polydec.discretize(polydec.to_meshio(cube)).shape == (8, 12, 6, 1)
+    torus = polydec.discretize(polydec.meshes.torus(8, 6))     # as many quadrilaterals as vertices
+    glued = polydec.discretize(polydec.periodic(polydec.meshes.grid(4, 4), [[1, 0], [0, 1]]))
+    for c in (torus, glued):
+        u, area = np.arange(c.size(0)), c.cochain(c.volumes(2), 2)
+        made = polydec.to_meshio(c, {"u": u, "area": area, "by": area.star(),
+                                     "wind": np.outer(u, [1.0, 2.0])})
+        assert set(made.point_data) == {"u", "wind"} and set(made.cell_data) == {"area", "by"}
+        assert np.array_equal(made.point_data["wind"], np.outer(made.point_data["u"], [1, 2]))
+        refused(lambda: polydec.to_meshio(c, {"du": c.cochain(u, 0).d()}), "du", "1-form", "2-cells")
     with pytest.raises(polydec.InvalidInput, match=said("cells", "polyhedron8", "expected tetra")):
         polydec.discretize(meshio.Mesh(np.zeros((8, 3)), [("polyhedron8", [list(range(8))])]))
     refused(lambda: polydec.discretize(meshio.Mesh(points, [("quad", [[0, 1, 2, 9]])])),

@@ -60,6 +60,35 @@ def test_vertices_keep_the_numbers_of_the_arrays():
         refused(ask, "no cell", "vertex")
 
 
+@pytest.fixture
+def as_many_triangles_as_vertices():
+    """A square of 18 triangles, 16 vertices, and 2 that no cell uses."""
+    mesh = polydec.meshes.perturbed(polydec.meshes.grid(3, 3), 0.05)
+    given = np.vstack([mesh.points, [[5, 5], [6, 6]]]), mesh.simplices
+    with pytest.warns(polydec.PolydecWarning, match=said("2 vertices", "no cell")):
+        return polydec.discretize(given, merge=False)
+
+
+@pytest.mark.parametrize("kind", [{"degree": 2}, {"degree": 0, "side": "dual"}])
+def test_the_kind_of_a_form_says_where_its_values_are(as_many_triangles_as_vertices, kind,
+                                                      tmp_path):
+    c = as_many_triangles_as_vertices
+    areas = np.arange(18.0)
+    form = c.cochain(areas, kind["degree"], kind.get("side", "primal"))
+    assert '"values"' in polydec.view(c, areas, **kind).html
+    polydec.write_vtu(tmp_path / "array.vtu", c, areas, **kind)
+    polydec.write_vtu(tmp_path / "form.vtu", c, form)
+    assert (tmp_path / "array.vtu").read_bytes() == (tmp_path / "form.vtu").read_bytes()
+    polydec.view(c, np.ones((18, 2)), **kind)
+
+
+def test_vectors_of_flats_are_where_their_kind_says(as_many_triangles_as_vertices):
+    c, field = as_many_triangles_as_vertices, np.random.default_rng(2).random((18, 2))
+    plain = polydec.discretize((c.points[:16], c.cells(2).corners.reshape(-1, 3)), merge=False)
+    for kind, rows in (("ppp", field[:16]), ("pdp", field[:16]), ("dpp", field), ("dpd", field)):
+        assert near(polydec.flat(c, kind, field).values, polydec.flat(plain, kind, rows).values)
+
+
 @pytest.mark.parametrize("exponent", [-300, 200])
 def test_all_is_in_the_units_of_the_input(exponent):
     size = 2.0 ** exponent

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import polydec
-from conftest import refused
+from conftest import near, refused
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
@@ -161,6 +161,28 @@ def test_one_forms_of_both_sides_and_vectors_give_one_picture():
              for values in (form, vectors, np.tile([1.0, 2.0], (c.size(0), 1)), dual)]
     for each in shown:
         assert np.allclose(each, np.sqrt(5))
+
+
+def test_fields_are_shown_where_their_kind_says():
+    c = polydec.discretize(polydec.meshes.torus(8, 6))         # as many quadrilaterals as vertices
+    values = np.arange(48.0)
+    for kind in ({"degree": 2}, {"degree": 0, "side": "dual"}):
+        for field in (values, np.outer(values, [3.0, 0, 4.0]) / 5):
+            shown = polydec.plot(c, field, **kind).collections[-1].get_array()
+            assert near(shown.compressed(), values)
+    wind = polydec.sharp_pd(c, c.d(0) @ c.points[:, 0])
+    shown = polydec.plot(c, c.cochain(c.points[:, 0], 0).d()).collections[-1].get_array()
+    assert near(shown.compressed(), np.linalg.norm(wind, axis=1), 1e-9)
+
+
+def test_what_is_on_no_polygon_is_refused():
+    for c in (square(3), polydec.discretize(polydec.meshes.kuhn([2, 2, 2]))):
+        for values, kind in ((np.ones(7), {}), (np.ones(c.size(1)), {"degree": 1, "side": "dual"})):
+            if c.dim == 3:
+                refused(lambda: polydec.plot(c, values, **kind), "expected", c.size(0), c.size(2))
+        refused(lambda: polydec.plot(c, np.ones((7, c.dim))), 7, "expected", c.size(c.dim))
+        faces = polydec.plot(c, np.ones(c.size(2))).collections[-1].get_array()
+        assert (np.ma.compressed(faces) == 1).all()
 
 
 def test_vectors_of_the_cells_of_a_solid():
