@@ -16,6 +16,10 @@ MUTANTS = {
     "fluxes_of_no_number": ("solvers/flow/flux_transport.cpp", 'check_values("fluxes", flux, facets)',
                             'check_as_many("fluxes", flux.size(), facets)',
                             "FluxTransportErrors.name_the_value_that_is_not_finite"),
+    "distances_advise_stars": (
+        "solvers/surfaces/geodesic_distance.cpp", '"distances may be far off" + advice_',
+        '"distances may be far off; use " + positive_stars(2)',
+        "GeodesicSources.beside_negative_duals_are_told_of_flips_and_not_of_stars"),
     "resume_between_steps": ("solvers/time/fixed_steps.cpp", "!is_a_step || ", "", "FixedSteps.resume_from_no_other_state"),
     "resume_without_values": ("solvers/time/fixed_steps.cpp", "given.size() == own.size() &&", "given.size() <= own.size() &&",
                               "FixedSteps.resume_from_no_other_state"),

@@ -29,11 +29,11 @@ std::vector<std::string> warnings_of(const FormSpace& space) {
     if (!is_alone(space))
         return {};
     const int n = space.cells().dimension();
-    constexpr auto spoiled = "the solution may be far off there";
-    if (space.cell_degree() == 0)
-        return warning_of_negative_duals(space.cells(), std::min(1, n), spoiled);
-    return warning_of_negative_duals(space.cells(), n - 1,
-                                     fmt::format("{}; compare with Side::primal", spoiled));
+    const bool is_of_values = space.cell_degree() == 0;
+    return warning_of_negative_duals(space.cells(), is_of_values ? std::min(1, n) : n - 1,
+                                     fmt::format("the solution may be far off there{}; use {}",
+                                                 is_of_values ? "" : "; compare with Side::primal",
+                                                 positive_stars(n)));
 }
 
 std::unique_ptr<const PoissonSystem> system_of(const FormSpace& space, const std::string& engine) {

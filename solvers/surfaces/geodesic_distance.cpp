@@ -50,8 +50,8 @@ GeodesicDistance::GeodesicDistance(const Discretization& discretization,
         return;
     const auto by_duals =
         discretization.with_stars(ChosenStars(discretization.volumes(), StarKind::circumcentric));
-    warnings_ = warning_of_negative_duals(by_duals, 1, "distances may be far off");
     advice_ = flip_advice(by_duals);
+    warnings_ = warning_of_negative_duals(by_duals, 1, "distances may be far off" + advice_);
 }
 
 Distance GeodesicDistance::to(std::span<const Index> sources) const {

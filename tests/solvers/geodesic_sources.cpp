@@ -51,6 +51,23 @@ TEST(GeodesicSources, in_turn_have_the_distances_of_a_solver_of_their_own) {
     }
 }
 
+TEST(GeodesicSources, beside_negative_duals_are_told_of_flips_and_not_of_stars) {
+    const Mesh mesh = perturbed(grid(4, 4), 0.06, 1);
+    const std::vector<Index> source{0};
+    for (const StarKind kind :
+         {StarKind::circumcentric, StarKind::automatic, StarKind::hybrid, StarKind::galerkin}) {
+        const auto told = GeodesicDistance(discretize(mesh, {.star = kind}), by_heat()).to(source);
+        ASSERT_FALSE(told.warnings.empty());
+        for (const auto& warning : told.warnings) {
+            EXPECT_SAYS(warning, "distances", "add", "delaunay");
+            EXPECT_EQ(warning.find("tar"), std::string::npos);
+        }
+        const Discretization mended =
+            discretize(mesh, {.delaunay = Delaunay::flips_and_splits, .star = kind});
+        EXPECT_TRUE(GeodesicDistance(mended, by_heat()).to(source).warnings.empty());
+    }
+}
+
 TEST(GeodesicSources, have_the_values_counted_that_are_raised_to_them) {
     // a ribbon of triangles that are long along it and far from Delaunay
     Mesh mesh = perturbed(grid(24, 24), 0.3 / 24, 1);
