@@ -17,8 +17,9 @@ void raise(const char* name, const Error& error, py::dict known = {}) {
         known["path"] = place.path.string();
     if (place.line > 0)
         known["line"] = place.line;
-    const py::object type = py::module_::import("polydec._errors").attr(name);
-    PyErr_SetObject(type.ptr(), type(error.what(), **known).ptr());
+    const auto errors = py::module_::import("polydec._errors");
+    const py::object type = errors.attr(name);
+    PyErr_SetObject(type.ptr(), type(errors.attr("told")(error.what()), **known).ptr());
 }
 
 void translate(std::exception_ptr thrown) {

@@ -74,7 +74,7 @@ class Error(Exception):
     def __init__(self, text: str = "", *, degree: int | None = None, cells: Sequence[int] = (),
                  vertices: Sequence[int] = (), path: str | None = None,
                  line: int | None = None) -> None:
-        super().__init__(told(text))
+        super().__init__(text)
         self.degree = degree
         self.cells = tuple(map(int, cells))
         self.vertices = tuple(map(int, vertices))

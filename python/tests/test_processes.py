@@ -64,6 +64,8 @@ def test_results_and_errors_are_pickled(square):
     error = refused(lambda: complex_of("hexagons").inverse_star(1))
     again = pickle.loads(pickle.dumps(error))
     assert str(again) == str(error) and again.cells == error.cells
+    told = polydec.IoError("too large: raise the limit (polydec.set_memory_limit)")
+    assert str(pickle.loads(pickle.dumps(told))) == str(told) == told.args[0]
 
 
 def test_listeners_are_told():
