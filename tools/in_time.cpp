@@ -93,17 +93,8 @@ void check_time(const TimeArguments& arguments) {
 }
 
 TimeSteps time_steps(const TimeArguments& arguments, double length) {
-    constexpr double most = 1e9, rounding = 1e-9;
-    const double multiple = arguments.time_step > 0 ? 1 : arguments.frames;
-    if (arguments.time_step > 0)
-        length = arguments.time_step;
-    const double count =
-        multiple * std::max(1.0, std::ceil(arguments.until / length / multiple - rounding));
-    if (!(count <= most))
-        throw InvalidInput(fmt::format("{:.3g} steps of {:.3g} are too many: expected at most "
-                                       "{:.0g}; use a larger --time-step or a smaller --until",
-                                       count, length, most));
-    return {static_cast<Index>(count), arguments.until / count};
+    return arguments.time_step > 0 ? polydec::time_steps(arguments.until, arguments.time_step)
+                                   : polydec::time_steps(arguments.until, length, arguments.frames);
 }
 
 Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,

@@ -4,6 +4,7 @@
 #include "dec/discretization/discretization.h"
 #include "io/pages/page.h"
 #include "solvers/time/run.h"
+#include "solvers/time/time_steps.h"
 #include "tools/answer.h"
 
 #include <CLI/CLI.hpp>
@@ -31,12 +32,6 @@ void add_time(CLI::App& command, TimeArguments& arguments, const std::string& ow
 
 /// Checks the output files.
 void check_time(const TimeArguments& arguments);
-
-/// Equal steps; the last one ends at the requested time.
-struct TimeSteps {
-    Index count;
-    double length; ///< in the units of the file
-};
 
 /// Steps of at most the requested length; else of at most `length`, with equally many per frame.
 /// Throws InvalidInput for more than 1e9 steps.

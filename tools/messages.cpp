@@ -41,6 +41,7 @@ constexpr std::array wordings{
     Wording{"FlowOptions::boundary_flux", "--boundary-velocity"},
     Wording{"FlowOptions::wall_velocity", "--boundary-velocity"},
     Wording{"FlowBoundary::open", "--open-where"},
+    Wording{"longer steps or an earlier end", "a larger --time-step or a smaller --until"},
     Wording{"shape_spectrum", "--of-shape"},
 };
 

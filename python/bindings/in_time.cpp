@@ -4,6 +4,7 @@
 #include "python/bindings/guarded.h"
 #include "solvers/flow/flow.h"
 #include "solvers/time/evolution.h"
+#include "solvers/time/time_steps.h"
 #include "solvers/time/waves.h"
 
 #include <array>
@@ -232,6 +233,8 @@ void add_in_time(py::module_& module) {
     module.def("waves", &waves_of);
     module.def("flow", &flow_of);
     module.def("stable_step", &stable_step, Unlocking());
+    module.def("equal_step",
+               [](double time, double longest) { return time_steps(time, longest).length; });
 }
 
 } // namespace polydec::python

@@ -34,6 +34,7 @@ _WORDING = {
     "set_memory_limit": "polydec.set_memory_limit",
     "ShortestPaths": "geodesic_distance",
     "dual_wedge for dual ones": "wedge(.., side=\"dual\") for dual ones",
+    "longer steps or an earlier end": "a larger time_step or a smaller time",
     "HodgeStar::zeros of degree 1": "zeros(1)",
     "FlowBoundary::pressure": "pressure_on",
     "Discretization::with_stars": "with_star",

@@ -184,6 +184,6 @@ def wave(complex: CellsLike, E: Form, time: float, B: npt.ArrayLike | None = Non
     side, degree, values = as_form(complex, E, degree, side)
     longest = time_step or 0.9 * stable_step(complex, degree, side=side, essential=essential)
     waves = Waves(complex, values, B, degree=degree, side=side, essential=essential,
-                  time_step=time / max(1, int(np.ceil(time / longest))), **words)
+                  time_step=_core.equal_step(time, longest), **words)
     waves.march(time)
     return waves.forms[0], waves.forms[1]

@@ -283,6 +283,20 @@ def test_sources_and_losses(square):
     refused(lambda: polydec.wave(square, ones, 1.0, source=lambda t: [1.0, 2.0]))
 
 
+def test_waves_take_the_fewest_equal_steps_to_a_time(square):
+    u = square.points[:, 0]
+    step = polydec.stable_step(square) / 2
+    for time, steps in ((0.0, 0), (0.4 * step, 1), (11 * step, 11), (11.5 * step, 12)):
+        waves = polydec.Waves(square, u, time_step=time / max(1, steps) or step)
+        waves.march(time)
+        assert near(polydec.wave(square, u, time, time_step=step)[0], waves.forms[0])
+    for given in (-0.5, float("nan")):
+        refused(lambda: polydec.wave(square, u, 1.0, time_step=given), "time step is", given)
+    for until in (-0.1, float("nan"), float("inf")):
+        refused(lambda: polydec.wave(square, u, until), "the time is", until)
+    refused(lambda: polydec.wave(square, u, 1.0, time_step=1e-11), "steps", "larger time_step")
+
+
 def test_absorbing_layers():
     line = polydec.discretize(polydec.meshes.kuhn([200], [10.0]))
     pulse = np.exp(-10 * (line.points[:, 0] - 5) ** 2)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "solvers/time/time_steps.h"
 #include "tests/support/test.h"
 
 namespace polydec::test::in_fixed_steps {
@@ -17,6 +18,30 @@ Made flow() {
     const IncompressibleFlow equations(mesh, {.viscosity = 0.1});
     const Vector any = Vector::LinSpaced(mesh.complex().size(1), 0, 3).array().sin().matrix();
     return std::make_unique<Flow>(equations, equations.project(any), FlowSteps{0.01});
+}
+
+TEST(TimeSteps, are_the_fewest_that_are_no_longer_and_end_at_the_time) {
+    for (const double longest : {0.1, 0.3, 7.0})
+        for (const double time : {0.05, 0.3, 1.1, 20.0})
+            for (const Index multiple : {1, 3, 20}) {
+                const TimeSteps steps = time_steps(time, longest, multiple);
+                EXPECT_EQ(steps.count % multiple, 0);
+                EXPECT_DOUBLE_EQ(steps.count * steps.length, time);
+                EXPECT_LE(steps.length, longest * (1 + 1e-7));
+                if (steps.count > multiple)
+                    EXPECT_GT(time / (steps.count - multiple), longest * (1 + 1e-7));
+            }
+    EXPECT_EQ(time_steps(2.1, 0.3).count, 7); // 2.1 / 0.3 is more than 7 by rounding
+    EXPECT_EQ(time_steps(2, std::numeric_limits<double>::infinity()).length, 2);
+}
+
+TEST(TimeSteps, have_a_length_and_an_end) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double longest : {-0.5, 0.0, nan})
+        EXPECT_REFUSED(time_steps(1, longest), "longest time step", "above 0");
+    for (const double time : {-0.1, nan, std::numeric_limits<double>::infinity()})
+        EXPECT_REFUSED(time_steps(time, 0.1), "the time is", "expected");
+    EXPECT_REFUSED(time_steps(1e3, 1e-7), "1e+10 steps of 1e-07", "longer steps");
 }
 
 TEST(FixedSteps, resume_from_each_of_their_states) {
