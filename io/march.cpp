@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace polydec {
 
 namespace {
@@ -14,6 +17,11 @@ namespace {
 constexpr std::chrono::seconds longest{60}; // between checkpoints
 
 struct Stopped {};
+
+/// The bits of a fingerprint that a number holds.
+double number_of(const Fingerprint& of) {
+    return static_cast<double>(of.value() >> (64 - std::numeric_limits<double>::digits));
+}
 
 } // namespace
 
@@ -34,12 +42,11 @@ void Frames::go_on() {
         resume();
 }
 
-/// Behind the state of a run are two numbers of the march: 1 if an event has ended it, and the last
-/// of the times that are behind.
+/// Behind the state of a run are two numbers of the march: 1 if an event has ended it, and the
+/// fingerprint of the times that are behind.
 void Frames::keep() {
     Checkpoint now{problem_, passed_, run_.time(), run_.state()};
-    now.state.push_back(Vector{
-        {arrival_ == Arrival::at_event ? 1.0 : 0.0, passed_ > 0 ? times_[passed_ - 1] : 0.0}});
+    now.state.push_back(Vector{{arrival_ == Arrival::at_event ? 1.0 : 0.0, number_of(behind_)}});
     write_checkpoint(options_.checkpoint, now);
     kept_ = std::chrono::steady_clock::now();
     is_new_ = false;
@@ -55,13 +62,19 @@ void Frames::resume() {
     if (last.state.empty() || last.state.back().size() != 2)
         refuse("it is not the checkpoint of a march");
     const Vector of_march = last.state.back();
-    if (last.step > times_.size() || (last.step > 0 && times_[last.step - 1] != of_march[1]))
+    while (passed_ < std::min<std::size_t>(last.step, times_.size()))
+        pass();
+    if (passed_ != last.step || number_of(behind_) != of_march[1])
         refuse("it belongs to a march with another list of times; start a new run, or give the "
                "same times");
     last.state.pop_back();
     run_.resume(last.time, last.state);
-    passed_ = last.step;
     arrival_ = of_march[0] != 0 ? Arrival::at_event : Arrival::at_time;
+}
+
+void Frames::pass() {
+    behind_.add(times_[passed_]);
+    ++passed_;
 }
 
 void Frames::between(double time) {
@@ -87,7 +100,7 @@ bool Frames::next() {
             keep();
         return false;
     }
-    ++passed_;
+    pass();
     is_new_ = true;
     return true;
 }

@@ -46,6 +46,7 @@ private:
     void go_on();
     void resume();
     void keep();
+    void pass();
     void between(double time);
 
     Run& run_;
@@ -53,6 +54,7 @@ private:
     MarchOptions options_;
     std::uint64_t problem_ = 0;
     std::size_t passed_ = 0;
+    Fingerprint behind_; ///< of the times already reached
     Arrival arrival_ = Arrival::at_time;
     bool is_new_ = false; ///< the current state was shown but not saved
     std::chrono::steady_clock::time_point kept_ = std::chrono::steady_clock::now();

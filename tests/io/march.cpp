@@ -177,7 +177,10 @@ TEST(March, refuses_checkpoints_of_other_problems) {
             EXPECT_EQ(run->time(), 0);
         }
         const auto run = make({});
-        EXPECT_REFUSED(march(*run, {0, 0.1, 0.2, 0.3, 0.4}, kept), "another", "times");
+        const std::vector<std::vector<double>> others_in_time{
+            {0, 0.1, 0.2, 0.3, 0.4}, {0, 0.1, 0.3, 0.4, 0.5, 0.6}, {0, 0.1, 0.2, 0.4}};
+        for (const std::vector<double>& other : others_in_time)
+            EXPECT_REFUSED(march(*run, other, kept), "another", "times");
         march(*run, {0, 0.1, 0.2, 0.4, 0.5, 0.6}, kept);
         EXPECT_NEAR(run->time(), 0.6, 1e-15);
     }
@@ -212,8 +215,10 @@ TEST(March, refuses_files_of_others) {
         write_checkpoint(folder.path("a"), {.problem = problem, .state = state});
         EXPECT_REFUSED(march(*run, times, {.checkpoint = folder.path("a")}), "resumed", "march");
     }
-    write_checkpoint(folder.path("a"),
-                     {.problem = problem, .state = {Vector::Zero(3), Vector::Zero(2)}});
+    march(*heat({}), {0}, {.checkpoint = folder.path("a"), .resume = false});
+    Checkpoint other = read_checkpoint(folder.path("a"), problem);
+    other.state[0] = Vector::Zero(3);
+    write_checkpoint(folder.path("a"), other);
     EXPECT_REFUSED(march(*run, times, {.checkpoint = folder.path("a")}), "state", "another");
     march(*run, times, {.checkpoint = folder.path("a"), .resume = false});
     EXPECT_THROW(run->march(0.1), InvalidInput);
