@@ -39,9 +39,10 @@ public:
                 .resumes_anywhere = is_fixed()};
     }
 
+    /// First what tells the engine and its steps from others.
     Vector memory() const override {
-        Vector result(5 + largest().size());
-        result << wanted_, last_error_, step_, left_, end_, largest();
+        Vector result(8 + largest().size());
+        result << identity(), wanted_, last_error_, step_, left_, end_, largest();
         return result;
     }
 
@@ -49,20 +50,22 @@ protected:
     void start(const Vector& memory) override {
         table_ = is_stiff() ? &stiff_ : &plain_;
         const auto parts = largest().size();
-        const bool goes_on = memory.size() == 5 + parts;
-        if (memory.size() != 0 &&
-            (!goes_on || !memory.allFinite() || memory.head(4).minCoeff() < 0))
-            throw InvalidInput(fmt::format("{}: cannot resume from the memory of another "
-                                           "integrator: expected {} finite numbers, the first four "
-                                           "at least 0",
-                                           name(), 5 + parts));
+        const bool goes_on = memory.size() == 8 + parts;
+        if (memory.size() != 0 && (!goes_on || !memory.allFinite() ||
+                                   memory.head(7).minCoeff() < 0 || memory.head(3) != identity()))
+            throw InvalidInput(
+                fmt::format("{}: cannot resume from the memory of another "
+                            "integrator, or of one with other steps: expected {} "
+                            "finite numbers, the first three its orders and "
+                            "IntegratorOptions::fixed_step, the next four at least 0",
+                            name(), 8 + parts));
         if (goes_on)
             record_largest(memory.tail(parts));
-        wanted_ = goes_on ? memory[0] : options().first_step;
-        last_error_ = goes_on ? memory[1] : 1;
-        step_ = goes_on ? memory[2] : 0;
-        left_ = goes_on ? memory[3] : 0;
-        end_ = goes_on ? memory[4] : time();
+        wanted_ = goes_on ? memory[3] : options().first_step;
+        last_error_ = goes_on ? memory[4] : 1;
+        step_ = goes_on ? memory[5] : 0;
+        left_ = goes_on ? memory[6] : 0;
+        end_ = goes_on ? memory[7] : time();
         if (is_fixed())
             wanted_ = options().fixed_step;
         prepared_ = 0;
@@ -113,6 +116,11 @@ protected:
     }
 
 private:
+    Eigen::Vector3d identity() const {
+        return {static_cast<double>(plain_.order), static_cast<double>(stiff_.order),
+                options().fixed_step};
+    }
+
     struct Trial {
         Vector state;
         double error; ///< as a part of what is allowed; infinite where there is no such state

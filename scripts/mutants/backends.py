@@ -40,6 +40,8 @@ MUTANTS = {
                             "engines/IntegratorContract.linear_problems_take_the_same_steps_in_any_unit_of_values/runge_kutta"),
     "solves_for_no_numbers": ("backends/integrators/integrator.cpp", "problem_.stiff && change.allFinite()", "problem_.stiff",
                               "engines/IntegratorContract.engines_solve_for_numbers_alone_after_steps_beyond_where_rates_exist/runge_kutta"),
+    "memory_of_any_engine": ("backends/integrators/runge_kutta.cpp", "memory.head(3) != identity()", "false",
+                             "engines/StepsOfOneLength.go_on_from_no_memory_of_other_steps/runge_kutta"),
     "sizes_forgotten_on_resuming": ("backends/integrators/runge_kutta.cpp",
                                     "record_largest(memory.tail(parts));", ";",
                                     "engines/IntegratorContract.what_goes_on_from_its_memory_ends_in_the_same_bits/runge_kutta"),

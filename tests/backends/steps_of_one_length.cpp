@@ -58,6 +58,26 @@ TEST_P(StepsOfOneLength, have_their_order_and_are_asked_for_where_there_are_no_o
         EXPECT_NEAR(order(problem, forced.exact(0), forced.exact(2), 2, 80), expected, 0.2);
 }
 
+TEST_P(StepsOfOneLength, go_on_from_no_memory_of_other_steps) {
+    const auto problem = swinging();
+    const auto own = make({.fixed_step = 0.1});
+    own->begin(problem, 0, swung(0));
+    own->advance(0.5);
+    const Vector memory = own->memory();
+    for (const std::string other : {"runge-kutta", "backward-euler", "implicit-midpoint"})
+        for (const double step : {0.1, 0.05}) {
+            const auto run = make_integrator(other, {.fixed_step = step});
+            run->begin(problem, 0, swung(0));
+            run->advance(0.5);
+            const auto resumed = [&] { own->begin(problem, 0.5, swung(0.5), run->memory()); };
+            if (other == GetParam() && step == 0.1)
+                EXPECT_NO_THROW(resumed());
+            else
+                EXPECT_REFUSED(resumed(), GetParam(), "another") << other << ' ' << step;
+        }
+    EXPECT_NO_THROW(own->begin(problem, 0.5, swung(0.5), memory));
+}
+
 INSTANTIATE_TEST_SUITE_P(engines, StepsOfOneLength,
                          testing::Values("runge-kutta", "backward-euler", "implicit-midpoint"),
                          [](const auto& engine) { return test_name(engine.param); });
