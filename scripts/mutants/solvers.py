@@ -199,6 +199,8 @@ MUTANTS = {
                                "GeodesicDistance.of_a_bundle_is_that_of_its_triangles_before_or_after_flips"),
     "growth_by_rounding": ("solvers/time/diffusion.cpp", "epsilon() * largest_", "epsilon()",
                            "evolution.diffusion_goes_on_for_any_time"),
+    "stiff_part_of_any_size": ("solvers/time/evolution.cpp", " || stiff->all() != values", "",
+                               "evolution.what_does_not_fit_is_refused_by_its_number"),
     "losses_beyond_steps": ("solvers/time/waves.cpp", "* time_step() > 2)", "* time_step() > 4)",
                             "WavesWithLosses.warn_of_rates_that_steps_do_not_follow"),
 }

@@ -128,6 +128,10 @@ Diffusion::Diffusion(const HodgeStar& mass, const Operator& stiffness, Side side
         kept_.push_back(cell);
 }
 
+Index Diffusion::all() const {
+    return space_ ? space_->of.cells().stars()[mass_.degree()].size() : size();
+}
+
 SparseMatrix Diffusion::step_matrix(double gamma) const {
     const double t = gamma * coefficient_;
     if (is_mixed_)

@@ -39,6 +39,7 @@ public:
     const std::vector<Index>& kept() const& { return kept_; }
     std::vector<Index> kept() && { return kept(); }
     Index size() const { return static_cast<Index>(kept_.size()); } ///< the number of values
+    Index all() const; ///< the number of cells, free or not
 
     /// -nu Delta u.
     Vector rate(const Vector& values) const;

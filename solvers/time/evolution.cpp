@@ -94,15 +94,17 @@ void Evolution::Equation::add(const Unknown& unknown) {
     auto stiff = unknown.stiff;
     if (!stiff && unknown.diffusion != 0)
         stiff = std::make_shared<const Diffusion>(space, unknown.diffusion, options.linear_solver);
-    if (stiff && (stiff->side() != side || stiff->degree() != degree))
-        throw InvalidInput(fmt::format(
-            "unknown {}: its stiff part acts on {} {}-forms, but the unknown is a {} {}-form",
-            parts.size(), name(stiff->side()), stiff->degree(), name(side), degree));
+    const auto values = static_cast<Index>(unknown.start.size());
+    if (stiff && (stiff->side() != side || stiff->degree() != degree || stiff->all() != values))
+        throw InvalidInput(fmt::format("unknown {}: its stiff part acts on {} {}-forms of {} "
+                                       "values, but the unknown is a {} {}-form of {}",
+                                       parts.size(), name(stiff->side()), stiff->degree(),
+                                       stiff->all(), name(side), degree, values));
     if (unknown.boundary && !stiff)
         throw InvalidInput(fmt::format("unknown {}: data on the boundary are given, but no "
                                        "diffusion uses them; add a diffusion or remove the data",
                                        parts.size()));
-    std::vector<Index> kept = numbers_below(unknown.start.size());
+    std::vector<Index> kept = numbers_below(values);
     if (stiff)
         kept = stiff->kept();
     const Cells cells = space.cells();

@@ -353,6 +353,17 @@ TEST(evolution, what_does_not_fit_is_refused_by_its_number) {
     const auto other = std::make_shared<Diffusion>(FormSpace(mesh, Side::dual, 0));
     EXPECT_REFUSED(Evolution({{.space = space, .start = u, .stiff = other}}), "unknown 0", "stiff",
                    "dual 0-forms", "primal 0-form");
+    for (const int size : {1, 3, 4}) {
+        const auto cells = circumcentric(kuhn(2, size));
+        const FormSpace all(cells, Side::primal, 0);
+        const FormSpace inside(cells, Side::primal, 0, {BoundaryCondition::essential});
+        for (const auto& stiff :
+             {std::make_shared<Diffusion>(star(cells, 0), symmetric_laplacian(cells, 0),
+                                          Side::primal),
+              std::make_shared<Diffusion>(all), std::make_shared<Diffusion>(inside)})
+            EXPECT_REFUSED(Evolution({{.space = space, .start = u, .stiff = stiff}}), "unknown 0",
+                           "stiff", std::to_string(cells.size(0)), "9");
+    }
     Evolution short_rates({{space, u}}, [](double, const std::vector<Cochain>&) {
         return std::vector{Vector(Vector::Ones(3))};
     });
