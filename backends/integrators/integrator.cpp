@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/integrator.h"
 
+#include "backends/integrators/equal_steps.h"
 #include "base/checks.h"
 #include "base/errors.h"
 
@@ -21,6 +22,33 @@ Eigen::Index first_not_finite(const Vector& values) {
     while (i < values.size() && std::isfinite(values[i]))
         ++i;
     return i;
+}
+
+/// The end of the smallest known interval in which a function of time crosses 0, as steps of this
+/// length see it; 0: one step. A 0 at the beginning does not count.
+template <class Event>
+std::optional<double> first_crossing(const Event& event, double begin, double end, double length) {
+    if (end == begin)
+        return {};
+    const auto [step, count] = equal_steps(begin, end, length > 0 ? length : end - begin);
+    double before = event(begin);
+    const auto is_behind = [&](double value) {
+        return before != 0 && (value == 0 || (value > 0) != (before > 0));
+    };
+    for (double low = begin, left = count; left > 0; --left) {
+        double high = left > 1 ? low + step : end;
+        const double after = event(high);
+        if (!is_behind(after)) {
+            before = after;
+            low = high;
+            continue;
+        }
+        for (double middle = std::midpoint(low, high); low < middle && middle < high;
+             middle = std::midpoint(low, high))
+            (is_behind(event(middle)) ? high : low) = middle;
+        return high;
+    }
+    return {};
 }
 
 } // namespace
@@ -98,9 +126,13 @@ Arrival Integrator::advance(double time) {
     if (!std::isfinite(time) || time < time_)
         throw InvalidInput(
             fmt::format("{}: cannot advance from the time {} to {}", name(), time_, time));
-    if (state_.size() == 0)
-        time_ = time;
-    return time == time_ ? Arrival::at_time : march(time);
+    if (state_.size() > 0)
+        return time == time_ ? Arrival::at_time : march(time);
+    const auto value = [&](double t) { return has_events() ? event(t, state_) : 1; };
+    const auto crossing =
+        first_crossing(value, time_, time, std::max(options_.fixed_step, options_.largest_step));
+    time_ = crossing.value_or(time);
+    return crossing ? Arrival::at_event : Arrival::at_time;
 }
 
 Vector Integrator::sized(Vector rate, const char* what) const {

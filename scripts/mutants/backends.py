@@ -42,6 +42,8 @@ MUTANTS = {
                               "engines/IntegratorContract.engines_solve_for_numbers_alone_after_steps_beyond_where_rates_exist/runge_kutta"),
     "memory_of_any_engine": ("backends/integrators/runge_kutta.cpp", "memory.head(3) != identity()", "false",
                              "engines/StepsOfOneLength.go_on_from_no_memory_of_other_steps/runge_kutta"),
+    "events_of_no_state_unseen": ("backends/integrators/integrator.cpp", "has_events() ? event(t, state_) : 1;", "0 * t + 1;",
+                                  "BoundaryInTime.events_are_found_where_all_values_are_fixed"),
     "sizes_forgotten_on_resuming": ("backends/integrators/runge_kutta.cpp",
                                     "record_largest(memory.tail(parts));", ";",
                                     "engines/IntegratorContract.what_goes_on_from_its_memory_ends_in_the_same_bits/runge_kutta"),

@@ -175,6 +175,18 @@ TEST_P(IntegratorContract, a_problem_without_entries_is_solved_at_once) {
     EXPECT_EQ(run->advance(5), Arrival::at_time);
     EXPECT_EQ(run->time(), 5);
     EXPECT_EQ(run->state().size(), 0);
+    const auto with_event = [](double at) {
+        auto problem = swinging();
+        problem.event = [at](double t, const Vector&) { return at > 0 ? t - at : NAN; };
+        return problem;
+    };
+    const auto stopped = begun(with_event(3), Vector());
+    EXPECT_EQ(stopped->advance(5), Arrival::at_event);
+    EXPECT_EQ(stopped->time(), 3);
+    EXPECT_EQ(stopped->advance(5), Arrival::at_time);
+    const auto failing = begun(with_event(-1), Vector());
+    EXPECT_ERROR(SolverFailure, failing->advance(5), "event", "nan");
+    EXPECT_EQ(failing->time(), 0);
 }
 
 TEST_P(IntegratorContract, what_is_no_number_is_refused_by_its_place) {

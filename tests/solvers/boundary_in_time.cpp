@@ -98,4 +98,31 @@ TEST(BoundaryInTime, forms_with_data_that_change_converge) {
         });
 }
 
+// The twin: a single step passes over two events.
+TEST(BoundaryInTime, events_are_found_where_all_values_are_fixed) {
+    const auto mesh = discretize(grid(1, 1));
+    const FormSpace space(mesh, Side::primal, 0, {BoundaryCondition::essential});
+    const auto marched = [&](auto value, double level, double step) {
+        Unknown unknown{.space = space, .start = Vector::Zero(4), .diffusion = 1};
+        unknown.boundary = [=](double t) {
+            return BoundaryForms{.values = Vector::Constant(4, value(t))};
+        };
+        Evolution run({unknown}, {},
+                      {.steps = {.largest_step = step},
+                       .event = [=](double, const std::vector<Cochain>& now) {
+                           return now[0].values[0] - level;
+                       }});
+        const bool is_event = run.march(1) == Arrival::at_event;
+        return std::pair(is_event, run.time());
+    };
+    const auto rising = [](double t) { return t; };
+    const auto humped = [](double t) { return t * (1 - t); };
+    EXPECT_EQ(marched(rising, 0.3, 0), std::pair(true, 0.3));
+    EXPECT_EQ(marched(rising, 1, 0), std::pair(true, 1.0));
+    EXPECT_EQ(marched(rising, 2, 0), std::pair(false, 1.0));
+    EXPECT_EQ(marched(rising, 0, 0), std::pair(false, 1.0)) << "it does not count at the start";
+    EXPECT_NEAR(marched(humped, 0.16, 0.1).second, 0.2, 1e-15);
+    EXPECT_FALSE(marched(humped, 0.16, 0).first) << "one step passes over both";
+}
+
 } // namespace polydec::test::in_boundary_in_time
