@@ -148,9 +148,11 @@ double IncompressibleFlow::divergence(const Vector& w) const {
 std::vector<std::string> warning_of_rest(const Vector& given, const Vector& flow) {
     if (given.isZero(0) || !flow.isZero(0))
         return {};
-    return {"nothing of the given velocity is free of divergence between these walls, so the fluid "
-            "is at rest: to let it pass the boundary, give FlowOptions::boundary_flux, or open "
-            "facets (FlowBoundary::open)"};
+    return {
+        "nothing of the given velocity or vorticity is that of a flow without divergence "
+        "between these walls (vorticity counts inside alone, and on closed surfaces without its "
+        "mean), so the fluid is at rest: to let it pass the boundary, give "
+        "FlowOptions::boundary_flux, or open facets (FlowBoundary::open)"};
 }
 
 double IncompressibleFlow::exchange_time(const Vector& w) const {

@@ -108,7 +108,8 @@ private:
     Shared<const Parts> parts_;
 };
 
-/// A warning if fluxes are given but `flow`, their projection, is 0.
+/// A warning if some motion is given, such as fluxes, vorticities or velocities of walls, but
+/// `flow`, what is left of it without divergence, is 0.
 std::vector<std::string> warning_of_rest(const Vector& given, const Vector& flow);
 
 } // namespace polydec

@@ -67,6 +67,21 @@ class Flow(TestCase):
         self.assertAlmostEqual(moving["energy"], 0.5, delta=1e-9)
         self.assertEqual(moving["warnings"], [])
 
+    def test_what_does_not_move_the_fluid_is_told(self):
+        sphere, square = self.generate("goldberg", "--frequency", 4), self.generate("grid", "--nx", 6,
+                                                                                     "--ny", 6)
+        turned = ("--boundary-velocity", "(y>.999)*1; 0; 0", "--no-slip-where", 1)
+        for mesh, line in ((sphere, ("--vorticity", 1)), (square, ("--vorticity", "(x<.01)*1")),
+                           (square, ("--velocity", "0; 0; 1")), (square, turned),
+                           (square, ("--boundary-velocity", "0; 0; 1", "--no-slip-where", 1,
+                                     "--viscosity", .01))):
+            answer = self.ask("flow", mesh, *line, "--until", 0.1)
+            self.assertEqual(answer["energy"], 0)
+            self.assertSays(answer["warnings"][-1], "velocity", "vorticity", "at rest")
+        for mesh, line in ((sphere, ("--vorticity", 0)), (sphere, ("--vorticity", "z")),
+                           (square, (*turned, "--viscosity", .001))):
+            self.assertEqual(self.ask("flow", mesh, *line, "--until", 0.1)["warnings"], [])
+
     def test_velocities_make_flows_in_solids_and_with_harmonic_parts(self):
         cube = golden("kuhn3.nsc")
         answer = self.ask("flow", cube, "--velocity", "y-.5; .5-x; 0", "--until", 0.5)
