@@ -99,7 +99,8 @@ void Integrator::check(const InitialValueProblem& problem, double time, const Ve
                                            name(), entries, state.size()));
     }
     if (options_.fixed_step > 0 && !traits().has_fixed_steps)
-        throw InvalidInput(name() + ": chooses steps by the tolerances: omit fixed_step");
+        throw InvalidInput(name() + ": chooses steps by the tolerances: omit "
+                                    "IntegratorOptions::fixed_step");
 }
 
 void Integrator::begin(InitialValueProblem problem, double time, Vector state,

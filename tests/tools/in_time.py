@@ -112,6 +112,8 @@ class InTime(TestCase):
         self.assertSays(self.fail_with(2, *heat, "--boundary-values", "t"),
                         "--boundary-values", "essential", "--essential-where")
         self.assertSays(self.fail_with(2, *heat, "--integrator", "foo"), "integrator", "`foo`")
+        self.assertSays(self.fail_with(2, *heat, "--integrator", "cvode", "--time-step", .1),
+                        "cvode", "omit --time-step")
         self.assertIn("Unexpected token", self.fail_with(1, *heat, "--source", "q"))
 
     def test_a_long_frame_is_ended_on_its_way(self):
