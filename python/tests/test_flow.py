@@ -100,6 +100,8 @@ def test_wrong_use_is_refused(square):
     refused(lambda: flow.energy([1.0]), "fluxes")
     refused(lambda: moved(flow, np.zeros(square.size(1)), -1.0))
     refused(lambda: moved(flow, np.zeros(square.size(1)), 1.0, scheme="euler"), "scheme")
+    refused(lambda: moved(flow, np.zeros(square.size(1)), 1.0, tolerance=-1.0), "tolerance is -1")
+    refused(lambda: moved(flow, np.zeros(square.size(1)), 1.0, most_passes=0), "most_passes is 0")
     with pytest.raises(polydec.InvalidInput, match="tetra|orient|branch|simplices|cells"):
         polydec.IncompressibleFlow(complex_of("moebius"))
 

@@ -47,7 +47,11 @@ Flow::Flow(const IncompressibleFlow& equations, const Vector& start, const FlowS
       implicit_(equations.implicit_part(implicit_part(steps))),
       projection_(equations.implicit_part(0)) {
     const Discretization& mesh = equations.mesh();
-    check_as_many("fluxes", start.size(), mesh.complex().size(mesh.dimension() - 1));
+    check_values("fluxes", start, mesh.complex().size(mesh.dimension() - 1));
+    check_not_negative("FlowSteps::tolerance", steps.tolerance);
+    if (steps.most_passes < 1)
+        throw InvalidInput(
+            fmt::format("FlowSteps::most_passes is {}: expected at least 1", steps.most_passes));
 }
 
 void Flow::step(std::vector<Vector>& state) const {

@@ -17,7 +17,7 @@ struct FlowSteps {
     double time_step = 0;
     FlowScheme scheme = FlowScheme::implicit_midpoint;
     double tolerance = 1e-13; ///< of the midpoint: relative change of the flow in the last pass
-    int most_passes = 100;
+    int most_passes = 100;    ///< at least 1
 };
 
 /// An incompressible flow in time, with one factorization for all steps. The midpoint is found by
@@ -25,7 +25,8 @@ struct FlowSteps {
 class Flow final : public FixedSteps {
 public:
     /// `start` is a flow, as from IncompressibleFlow::project. Throws InvalidInput unless the time
-    /// step is positive and there is one flux per facet; and like LinearSolver.
+    /// step is positive, there is one finite flux per facet, the tolerance is at least 0 and a pass
+    /// is allowed; and like LinearSolver.
     Flow(const IncompressibleFlow& equations, const Vector& start, const FlowSteps& steps);
 
     /// The current flux, also the only form in forms().

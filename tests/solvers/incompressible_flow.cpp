@@ -284,8 +284,15 @@ TEST(FlowErrors, name_what_is_wrong) {
     const Vector w = some_flow(flow, 1);
     EXPECT_REFUSED(Flow(flow, w, {.time_step = 0}), "time step is 0");
     EXPECT_REFUSED(Flow(flow, Vector(3), {.time_step = 1}), "3 fluxes");
+    for (const double tolerance : {-1.0, std::nan("")})
+        EXPECT_REFUSED(Flow(flow, w, {.time_step = 1, .tolerance = tolerance}),
+                       "FlowSteps::tolerance");
+    for (const int passes : {0, -3})
+        EXPECT_REFUSED(Flow(flow, w, {.time_step = 1, .most_passes = passes}),
+                       "FlowSteps::most_passes", std::to_string(passes));
     Vector broken = w;
     broken[7] = std::nan("");
+    EXPECT_REFUSED(Flow(flow, broken, {.time_step = 1}), "fluxes", "value 7 is nan");
     EXPECT_REFUSED(flow.divergence(broken), "fluxes", "value 7 is nan");
     EXPECT_REFUSED(flow.exchange_time(broken), "fluxes", "value 7 is nan");
     EXPECT_REFUSED(flow.project(broken), "fluxes", "value 7 is nan");
