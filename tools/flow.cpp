@@ -214,6 +214,7 @@ void run_flow(const FlowArguments& arguments) {
     log.warn(warning_of_rest(flow, asked, start));
     const TimeSteps steps = time_steps(arguments.time, own_step(flow, start, arguments));
     Flow moving(flow, start, {.time_step = steps.length, .scheme = arguments.scheme});
+    log.warn(moving.warnings());
     const std::string words = boundary_in_words(options.facets, mesh.complex());
     const std::string what =
         fmt::format("an incompressible flow of viscosity {:.6g}", arguments.flow.viscosity);

@@ -42,6 +42,7 @@ constexpr std::array wordings{
     Wording{"FlowOptions::wall_velocity", "--boundary-velocity"},
     Wording{"FlowBoundary::open", "--open-where"},
     Wording{"longer steps or an earlier end", "a larger --time-step or a smaller --until"},
+    Wording{"FlowScheme::imex", "--scheme imex"},
     Wording{"shape_spectrum", "--of-shape"},
 };
 

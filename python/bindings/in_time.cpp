@@ -85,9 +85,13 @@ IntegratorOptions steps_of(const GivenSteps& given) {
 /// A run of any kind, for one thread at a time.
 using AnyRun = Guarded<std::unique_ptr<Run>>;
 
+/// With its warnings.
 template <class Kind, class... Arguments>
 std::unique_ptr<AnyRun> run_of(const Arguments&... arguments) {
-    return unlocked([&] { return std::make_unique<AnyRun>(std::make_unique<Kind>(arguments...)); });
+    auto made =
+        unlocked([&] { return std::make_unique<AnyRun>(std::make_unique<Kind>(arguments...)); });
+    warn(made->use([](auto& run) { return run->warnings(); }));
+    return made;
 }
 
 /// What one kind of run alone can say, for which Python asks no others.
@@ -154,8 +158,6 @@ void add_runs(py::module_& module) {
              [](AnyRun& self) {
                  return of_kind<Waves>(self, [](Waves& run) { return run.energy(); });
              })
-        .def("warnings",
-             [](AnyRun& self) { return self.use([](auto& run) { return run->warnings(); }); })
         .def("layer", [](AnyRun& self) {
             return of_kind<Waves>(self, [](Waves& run) { return name(run.layer()); });
         });

@@ -31,6 +31,7 @@ _WORDING = {
     "FlowSteps::": "",
     "FlowOptions::": "",
     "FlowBoundary::": "",
+    "FlowScheme::imex": "scheme=\"imex\"",
     "set_memory_limit": "polydec.set_memory_limit",
     "ShortestPaths": "geodesic_distance",
     "dual_wedge for dual ones": "wedge(.., side=\"dual\") for dual ones",

@@ -201,8 +201,9 @@ class Flow(Run):
     time_step : float
         At most about `IncompressibleFlow.exchange_time`.
     scheme : {"implicit_midpoint", "imex"}
-        Implicit midpoint is second-order, and conserves energy without viscosity. IMEX is
-        third-order, with explicit inertia and implicit friction.
+        Implicit midpoint is second-order, and conserves energy without viscosity. A warning tells
+        of friction at rates above 2 / time_step, which it does not follow. IMEX is third-order,
+        with explicit inertia and implicit friction.
     tolerance : float
         Implicit midpoint only: relative change of the flow in the last pass.
     most_passes : int

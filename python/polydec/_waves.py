@@ -13,7 +13,7 @@ from ._arrays import Floats
 from ._cochain import Form, as_form, values_of
 from ._complex import CellsLike, Complex, as_cells
 from ._conditions import space_of
-from ._errors import InvalidInput, warn
+from ._errors import InvalidInput
 from ._run import Run
 from ._vertices import mesh_of
 
@@ -119,7 +119,6 @@ class Waves(Run):
             space_of(complex, side, degree, essential), values, time_step or 0.0,
             (self._values(loss, 0), self._values(upper_loss, 1), self._values(B, 1)),
             absorbing, self._called(source, 0), self._called(upper_source, 1), label)
-        warn(self._run.warnings())
 
     @property
     def time_step(self) -> float:

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Flows, and what they carry."""
+import warnings
+
 import numpy as np
 import pytest
 
@@ -77,6 +79,17 @@ def test_what_no_wall_lets_through_is_at_rest_with_a_warning(square):
     assert not w.any() and walls.divergence(w) == 0
     ends = polydec.IncompressibleFlow(square, open=lambda p: (p[:, 0] < 0.01) | (p[:, 0] > 0.99))
     assert near(ends.project(uniform), uniform, 1e-12)
+
+
+def test_friction_that_midpoints_do_not_follow_is_warned_of(square):
+    flow = polydec.IncompressibleFlow(square, viscosity=10.0)
+    w = flow.project(np.cos(np.arange(square.size(1))))
+    with pytest.warns(polydec.PolydecWarning, match=said("friction", "scheme=\"imex\"", "steps below")):
+        polydec.Flow(flow, w, 1.0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        polydec.Flow(flow, w, 1.0, scheme="imex")
+        polydec.Flow(flow, w, 1e-6)
 
 
 def test_conditions_and_data_that_apply_nowhere_are_refused(square):

@@ -201,6 +201,8 @@ MUTANTS = {
                            "evolution.diffusion_goes_on_for_any_time"),
     "stiff_part_of_any_size": ("solvers/time/evolution.cpp", " || stiff->all() != values", "",
                                "evolution.what_does_not_fit_is_refused_by_its_number"),
+    "friction_beyond_midpoints": ("solvers/flow/flow.cpp", "rate * time_step() > 2", "rate * time_step() > 4",
+                                  "Flows.warn_of_friction_that_midpoints_do_not_follow"),
     "no_passes_allowed": ("solvers/flow/flow.cpp", "steps.most_passes < 1", "false", "FlowErrors.name_what_is_wrong"),
     "losses_beyond_steps": ("solvers/time/waves.cpp", "* time_step() > 2)", "* time_step() > 4)",
                             "WavesWithLosses.warn_of_rates_that_steps_do_not_follow"),

@@ -72,6 +72,19 @@ std::vector<Cochain> Flow::forms() const {
     return {{Side::primal, equations_.mesh().dimension() - 1, flux()}};
 }
 
+std::vector<std::string> Flow::warnings() const {
+    if (steps_.scheme != FlowScheme::implicit_midpoint)
+        return {};
+    const double rate = equations_.friction_rate();
+    if (!(rate * time_step() > 2))
+        return {};
+    return {
+        fmt::format("friction takes the smallest eddies away at rates of up to {:.3g}, too fast "
+                    "for steps of {:.3g} by the midpoint: they change sign in each step instead "
+                    "of dying away; use FlowScheme::imex, or steps below {:.3g}",
+                    rate, time_step(), 2 / rate)};
+}
+
 std::optional<Fingerprint> Flow::fingerprint() const {
     const FlowOptions& given = equations_.options();
     Fingerprint result;

@@ -34,6 +34,10 @@ public:
     Vector flux() && { return flux(); }
     std::vector<Cochain> forms() const override;
 
+    /// Friction that is too fast for steps by the midpoint: at rates above 2 / time_step, small
+    /// eddies change sign in each step instead of dying away.
+    std::vector<std::string> warnings() const override;
+
     std::optional<Fingerprint> fingerprint() const override;
 
 private:

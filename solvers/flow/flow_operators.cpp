@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "dec/discretization/positive_mass.h"
 #include "dec/fields/cell_centers.h"
+#include "solvers/time/largest_pair.h"
 
 namespace polydec {
 
@@ -106,6 +107,19 @@ Vector FlowOperators::free_circulation(const Vector& w, double along) const {
 
 Vector FlowOperators::vorticity(const Vector& w, double along) const {
     return spaces.vorticity.extend(Vector(vorticity_star.solve(free_circulation(w, along))));
+}
+
+double FlowOperators::friction_rate() const {
+    const Index size = vorticity_star.size();
+    if (options.viscosity == 0 || size == 0)
+        return 0;
+    const Vector scale = vorticity_star.inverse().cwiseSqrt(); // to unit mass
+    const auto apply = [&](const Vector& x, Vector& y) {
+        const Vector z = spaces.vorticity.extend(Vector(scale.cwiseProduct(x)));
+        const Vector w = flux_star.solve(Vector(spaces.flux.restrict(curl_of(z))));
+        y = scale.cwiseProduct(free_circulation(spaces.flux.extend(w), 0));
+    };
+    return options.viscosity * largest_pair({size, apply}).first;
 }
 
 } // namespace polydec

@@ -36,6 +36,10 @@ struct FlowOperators : FlowUnits {
 
     /// star d z, size(n-1).
     Vector curl_of(const Vector& vorticity) const { return star * (curl * vorticity); }
+
+    /// The largest rate at which friction takes vorticity away, 1 / time: the viscosity times the
+    /// largest eigenvalue of d delta. Exact but for no-slip walls, where it is an upper bound.
+    double friction_rate() const;
 };
 
 } // namespace polydec

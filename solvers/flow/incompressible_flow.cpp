@@ -122,6 +122,10 @@ double IncompressibleFlow::ratio_of_energies(const Vector& w, const Vector& othe
     return ratio(parts_->squared(w), parts_->squared(other));
 }
 
+double IncompressibleFlow::friction_rate() const {
+    return parts_->operators->friction_rate();
+}
+
 double IncompressibleFlow::enstrophy(const Vector& w) const {
     const auto& flow = *parts_->operators;
     const Vector z = flow.spaces.vorticity.restrict(flow.vorticity(parts_->fluxes(w), 1));

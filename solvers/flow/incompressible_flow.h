@@ -104,6 +104,7 @@ private:
     struct Parts;
 
     double ratio_of_energies(const Vector& w, const Vector& other) const;
+    double friction_rate() const;
 
     Shared<const Parts> parts_;
 };

@@ -30,7 +30,7 @@ std::pair<double, Vector> largest_pair(const SymmetricOperator& A) {
     const auto find = [](const SymmetricOperator& of, const EigenOptions& options) {
         EigenPairs pairs = make_eigen_solver("spectra")->largest(of, 1, options);
         if (pairs.converged < 1)
-            throw SolverFailure("the largest frequency of the waves could not be found: the "
+            throw SolverFailure("the fastest oscillation or decay could not be found: the "
                                 "eigensolver did not converge");
         return pairs;
     };

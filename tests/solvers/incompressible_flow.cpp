@@ -208,6 +208,44 @@ TEST(Flows, that_walls_do_not_let_through_are_at_rest) {
     }
 }
 
+/// The fastest decay by friction: Rayleigh's quotient after many powers.
+double fastest_decay(const IncompressibleFlow& flow) {
+    const FlowProjection projection = flow.implicit_part(0);
+    Vector w = some_flow(flow, 2);
+    double rate = 0;
+    for (int i = 0; i < 100; ++i) {
+        const Vector next = projection.solve_at_rest(flow.friction(w)).flux;
+        rate = -w.dot(flow.momentum(next)) / w.dot(flow.momentum(w));
+        w = next / next.norm();
+    }
+    return rate;
+}
+
+// The twins: shorter steps, and the other scheme, which damps them.
+TEST(Flows, warn_of_friction_that_midpoints_do_not_follow) {
+    for (const auto& [name, mesh] : flow_meshes())
+        for (const FlowBoundary kind : {FlowBoundary::free_slip, FlowBoundary::no_slip}) {
+            if (kind == FlowBoundary::no_slip && name == "octahedra")
+                continue; // their duals at walls are negative
+            const IncompressibleFlow flow(circumcentric(mesh),
+                                          {.viscosity = 0.3, .everywhere = kind});
+            const Vector w = some_flow(flow, 1);
+            const double limit = 2 / fastest_decay(flow);
+            const auto warned = [&](double step, FlowScheme scheme) {
+                return Flow(flow, w, {.time_step = step, .scheme = scheme}).warnings();
+            };
+            EXPECT_EACH_SAYS(warned(1.05 * limit, FlowScheme::implicit_midpoint),
+                             {"friction", "change sign", "FlowScheme::imex"})
+                << name;
+            EXPECT_TRUE(warned(1.05 * limit, FlowScheme::imex).empty());
+            if (kind == FlowBoundary::free_slip) { // else it is an upper bound
+                EXPECT_TRUE(warned(0.95 * limit, FlowScheme::implicit_midpoint).empty()) << name;
+            }
+            const IncompressibleFlow ideal(circumcentric(mesh), {.everywhere = kind});
+            EXPECT_TRUE(Flow(ideal, w, {.time_step = 1e3 * limit}).warnings().empty());
+        }
+}
+
 TEST(Flows, of_a_vorticity_have_it_in_any_unit) {
     for (const auto& [name, mesh] : flow_meshes()) {
         if (mesh.simplices.cols() != 3)

@@ -82,6 +82,15 @@ class Flow(TestCase):
                            (square, (*turned, "--viscosity", .001))):
             self.assertEqual(self.ask("flow", mesh, *line, "--until", 0.1)["warnings"], [])
 
+    def test_friction_that_midpoints_do_not_follow_is_told(self):
+        mesh = self.generate("well-centered")
+        for viscosity in (10, 1e3, 1e6):
+            line = ("flow", mesh, "--vorticity", 1, "--viscosity", viscosity, "--until", 1)
+            self.assertSays(self.ask(*line)["warnings"][-1], "friction", "midpoint", "--scheme imex")
+            damped = self.ask(*line, "--scheme", "imex")
+            self.assertEqual(damped["warnings"], [])
+            self.assertLess(damped["relative_energy"], 1e-9)
+
     def test_velocities_make_flows_in_solids_and_with_harmonic_parts(self):
         cube = golden("kuhn3.nsc")
         answer = self.ask("flow", cube, "--velocity", "y-.5; .5-x; 0", "--until", 0.5)
