@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Evolutions, waves and what long runs keep."""
+import warnings
+
 import numpy as np
 import pytest
 
@@ -295,6 +297,16 @@ def test_waves_take_the_fewest_equal_steps_to_a_time(square):
     for until in (-0.1, float("nan"), float("inf")):
         refused(lambda: polydec.wave(square, u, until), "the time is", until)
     refused(lambda: polydec.wave(square, u, 1.0, time_step=1e-11), "steps", "larger time_step")
+
+
+def test_losses_of_fixed_values_are_not_warned_of(square):
+    loss = np.where(square.boundary_facets(), 1e9, 0.0)
+    E, B = np.cos(np.arange(square.size(1))), np.ones(square.size(2))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        polydec.Waves(square, E, degree=1, essential=True, loss=loss)
+    with pytest.warns(polydec.PolydecWarning, match=said("losses of E", "1e+09")):
+        polydec.Waves(square, E, degree=1, essential=False, loss=loss)
 
 
 def test_absorbing_layers():

@@ -360,7 +360,10 @@ std::optional<Fingerprint> Waves::fingerprint() const {
 
 std::vector<std::string> Waves::warnings() const {
     std::vector<std::string> result;
-    const auto look_at = [&](const Vector& loss, const char* what) {
+    const auto look_at = [&](const Scheme::Field& field, const Vector& given, const char* what) {
+        if (given.size() == 0)
+            return;
+        const Vector loss = field.restricted(given, what);
         if (loss.size() > 0 && loss.maxCoeff() * time_step() > 2)
             result.push_back(fmt::format("the losses of {} are up to {:.3g}, too fast for steps of "
                                          "{:.3g}: there, values change "
@@ -369,8 +372,8 @@ std::vector<std::string> Waves::warnings() const {
                                          "good conductors at 0",
                                          what, loss.maxCoeff(), time_step(), 2 / loss.maxCoeff()));
     };
-    look_at(options_.loss, "E");
-    look_at(options_.upper_loss, "B");
+    look_at(scheme_->E, options_.loss, "E");
+    look_at(scheme_->B, options_.upper_loss, "B");
     return result;
 }
 

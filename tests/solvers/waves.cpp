@@ -235,6 +235,27 @@ TEST(WavesWithLosses, warn_of_rates_that_steps_do_not_follow) {
     EXPECT_TRUE(warnings(199).empty());
     ASSERT_EQ(warnings(201).size(), 1u);
     EXPECT_SAYS(warnings(201)[0], "losses of E", "201", "0.01");
+    // not of those of values that are fixed
+    for (const WaveSample& waves : samples()) {
+        const auto losses = [&](int k, double free) {
+            const Vector kept = Vector::Constant(waves.space.relative().complex.size(k), free);
+            Vector result = Vector::Constant(waves.mesh.complex().size(k), 1e9);
+            result(waves.space.relative().cells[k]) = kept;
+            return result;
+        };
+        const auto count = [&](double free) {
+            const double dt = half_stable(waves);
+            return std::ssize(waves
+                                  .wave({.time_step = dt,
+                                         .loss = losses(waves.e, free / dt),
+                                         .upper_loss = losses(waves.b, free / dt)})
+                                  .warnings());
+        };
+        EXPECT_EQ(count(1.9), 0) << in_words(waves);
+        EXPECT_EQ(count(2.1), 2) << in_words(waves);
+    }
+}
+
 }
 
 TEST(Materials, weigh_diagonal_stars_by_the_parts_of_duals) {
