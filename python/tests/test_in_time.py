@@ -307,6 +307,8 @@ def test_losses_of_fixed_values_are_not_warned_of(square):
         polydec.Waves(square, E, degree=1, essential=True, loss=loss)
     with pytest.warns(polydec.PolydecWarning, match=said("losses of E", "1e+09")):
         polydec.Waves(square, E, degree=1, essential=False, loss=loss)
+    B[0] = np.nan
+    refused(lambda: polydec.Waves(square, E, B, degree=1), "values of B", "nan")
 
 
 def test_absorbing_layers():

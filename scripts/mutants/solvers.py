@@ -204,6 +204,13 @@ MUTANTS = {
     "losses_where_values_are_fixed": ("solvers/time/waves.cpp", "loss = field.restricted(given, what);",
                                       "loss = (void(field), given);",
                                       "WavesWithLosses.warn_of_rates_that_steps_do_not_follow"),
+    "given_B_where_it_is_fixed": ("solvers/time/waves.cpp", "    E.put_back(std::move(values), state[0]);\n    return state;",
+                                  "    if (upper.size() > 0)\n        state[1] = upper;\n"
+                                  "    E.put_back(std::move(values), state[0]);\n    return state;",
+                                  "WavesOfBothSides.are_0_where_they_are_fixed_whatever_is_given"),
+    "given_B_of_no_numbers": ("solvers/time/waves.cpp", 'check_values("values of B", upper, B.whole)',
+                              'check_as_many("values of B", upper.size(), B.whole)',
+                              "WavesOfBothSides.are_0_where_they_are_fixed_whatever_is_given"),
     "friction_beyond_midpoints": ("solvers/flow/flow.cpp", "rate * time_step() > 2", "rate * time_step() > 4",
                                   "Flows.warn_of_friction_that_midpoints_do_not_follow"),
     "no_passes_allowed": ("solvers/flow/flow.cpp", "steps.most_passes < 1", "false", "FlowErrors.name_what_is_wrong"),

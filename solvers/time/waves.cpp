@@ -264,12 +264,11 @@ std::vector<Vector> Waves::Scheme::begun(const Vector& start, const Vector& uppe
                               B.layer.at_start()};
     space.check({space.side(), space.degree(), start});
     Vector values = E.restricted(start, "E");
-    if (upper.size() > 0) {
-        check_as_many("values of B", upper.size(), B.whole);
-        state[1] = upper;
-    } else {
-        B.put_back(unit * (time_step / 2 * (d * values)), state[1]);
-    }
+    if (upper.size() > 0)
+        check_values("values of B", upper, B.whole);
+    B.put_back(upper.size() > 0 ? B.restricted(upper, "B")
+                                : Vector(unit * (time_step / 2 * (d * values))),
+               state[1]);
     E.put_back(std::move(values), state[0]);
     return state;
 }

@@ -256,6 +256,22 @@ TEST(WavesWithLosses, warn_of_rates_that_steps_do_not_follow) {
     }
 }
 
+TEST(WavesOfBothSides, are_0_where_they_are_fixed_whatever_is_given) {
+    for (const WaveSample& waves : samples()) {
+        const Vector E = random_vector(waves.mesh.complex().size(waves.e), 1);
+        Vector B = random_vector(waves.mesh.complex().size(waves.b), 2);
+        const double dt = half_stable(waves);
+        Waves run(waves.space, E, {.time_step = dt, .B = B});
+        const auto kept = [&](int k, const Vector& values) {
+            return waves.space.relative().extend(k, waves.kept(k, values));
+        };
+        EXPECT_EQ(run.form(0).values, kept(waves.e, E)) << in_words(waves);
+        EXPECT_EQ(run.form(1).values, kept(waves.b, B)) << in_words(waves);
+        B[0] = std::nan("");
+        EXPECT_REFUSED(Waves(waves.space, E, {.time_step = dt, .B = B}), "values of B", "nan");
+        EXPECT_REFUSED(Waves(waves.space, E, {.time_step = dt, .B = Vector::Ones(1)}),
+                       "values of B", "expected");
+    }
 }
 
 TEST(Materials, weigh_diagonal_stars_by_the_parts_of_duals) {
