@@ -122,13 +122,16 @@ class Evolution(Run):
                                "them is 0: give a diffusion, or none of these conditions")
 
         @functools.cache
-        def space(side: str, degree: int) -> _core.FormSpace:
+        def space(side: str, degree: int, diffuses: bool) -> _core.FormSpace:
             """One for all unknowns of a kind: functions that choose cells are called once."""
-            return space_of(self._complex, side, degree, essential, robin, fixed)
+            conditions = (essential, robin, fixed) if diffuses else (None,)
+            return space_of(self._complex, side, degree, *conditions)
 
-        given = [(space(*kind), form[2], float(nu), _at_boundary(each, complex, space(*kind), *kind))
-                 for kind, form, nu, each in zip(self._kinds, unknowns, coefficients,
-                                                 _each(boundary, len(unknowns)))]
+        at_boundary = _each(boundary, len(unknowns))
+        spaces = [space(*kind, bool(nu)) for kind, nu in zip(self._kinds, coefficients)]
+        given = [(on, form[2], float(nu), _at_boundary(each, complex, on, *kind))
+                 for on, kind, form, nu, each in zip(spaces, self._kinds, unknowns, coefficients,
+                                                     at_boundary)]
         self._run = _core.evolution(
             given, self._rates(reaction), self._number(event), time,
             integrator, (relative_tolerance, absolute_tolerance, first_step, largest_step, fixed_step,

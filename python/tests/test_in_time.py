@@ -108,6 +108,21 @@ def test_data_and_conditions_that_apply_nowhere_are_refused(square, side):
     polydec.Evolution(square, u, side=side, diffusion=1.0, essential=False, boundary=0.0)
 
 
+def test_conditions_are_those_of_unknowns_that_diffuse(square):
+    u = square.cochain(np.ones(square.size(0)), 0)
+    rho = square.cochain(np.ones(square.size(2)), 0, "dual")
+    for conditions in ({"fixed": [0]}, {"essential": True}, {"essential": False, "robin": 1.0}):
+        run = polydec.Evolution(square, [u, rho], diffusion=[1.0, 0.0],
+                                reaction=lambda t, u, rho: (None, rho), **conditions)
+        alone = polydec.Evolution(square, u, diffusion=1.0, **conditions)
+        for each in (run, alone):
+            each.march(0.1)
+        assert near(run.forms[0], alone.forms[0], 1e-4)
+        assert near(run.forms[1], np.exp(0.1) * rho.values, 1e-4)
+    refused(lambda: polydec.Evolution(square, [u, rho], diffusion=[1.0, 1.0], fixed=[0]),
+            "primal 0-forms")
+
+
 def test_heat_takes_whole_steps(square):
     u = square.points[:, 0]
     assert np.array_equal(polydec.heat(square, u, .1, np.int64(2)), polydec.heat(square, u, .1, 2))
