@@ -222,6 +222,14 @@ def _at_boundary(boundary: Any, cells: Cells, space: _core.FormSpace, side: str,
     size, name = cells.size(k), "values on the boundary"
     require_use = functools.lru_cache(space.require_use)
 
+    def trace(given: Any) -> Floats:
+        given = of_kind(given, name, ("primal", k))
+        made = floats(np.full(size, given) if np.ndim(given) == 0 else given, name)
+        made = form_at_cells(cells, made, "primal", k)
+        if len(made) != size:
+            raise InvalidInput(f"{len(made)} values on the boundary are given: expected {size}")
+        return made
+
     def data(time: float) -> _Data:
         given = boundary(time) if callable(boundary) else boundary
         if isinstance(given, Mapping):
@@ -230,13 +238,9 @@ def _at_boundary(boundary: Any, cells: Cells, space: _core.FormSpace, side: str,
                 raise InvalidInput(f"boundary data have the unknown name {min(unknown)!r}: "
                                    "expected " + ", ".join(sorted(_names)))
             check_use(require_use, degree, given)
-            return boundary_data(**given)
+            values = given.get("values")
+            return boundary_data(**{**given, "values": trace(values) if is_given(values) else None})
         check_use(require_use, degree, {"boundary": given})
-        given = of_kind(given, name, ("primal", k))
-        made = floats(np.full(size, given) if np.ndim(given) == 0 else given, name)
-        made = form_at_cells(cells, made, side, degree)
-        if len(made) != size:
-            raise InvalidInput(f"{len(made)} values on the boundary are given: expected {size}")
-        return boundary_data(values=made)
+        return boundary_data(values=trace(given))
 
     return data

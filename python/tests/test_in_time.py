@@ -123,6 +123,25 @@ def test_conditions_are_those_of_unknowns_that_diffuse(square):
             "primal 0-forms")
 
 
+def test_data_beside_unused_vertices_are_those_of_the_mesh_without():
+    grid = polydec.meshes.grid(4, 4)
+    c = polydec.discretize((np.vstack([[[9, 9]], grid.points]), np.asarray(grid.simplices) + 1))
+    values = np.append(np.nan, np.arange(25.0))
+    ends = []
+    for given in (values, {"values": values}, lambda t: {"values": values}, {"values": values[1:]}):
+        run = polydec.Evolution(c, np.ones(26), diffusion=1.0, essential=True, boundary=given)
+        run.march(0.1)
+        ends.append(run.forms[0][1:])
+    assert all(np.array_equal(end, ends[0]) for end in ends) and ends[0][24] == 24
+    for given in (np.ones(24), {"values": np.ones(24)}):
+        refused(lambda: polydec.Evolution(c, np.ones(26), diffusion=1.0, essential=True,
+                                          boundary=given), "24 values", "expected 25")
+    ones = polydec.Evolution(c, np.ones(26), diffusion=1.0, essential=True,
+                             boundary={"values": 1.0})
+    ones.march(0.1)
+    assert near(ones.forms[0][1:], np.ones(25))
+
+
 def test_heat_takes_whole_steps(square):
     u = square.points[:, 0]
     assert np.array_equal(polydec.heat(square, u, .1, np.int64(2)), polydec.heat(square, u, .1, 2))
