@@ -128,6 +128,8 @@ class Evolution(Run):
             return space_of(self._complex, side, degree, *conditions)
 
         at_boundary = _each(boundary, len(unknowns))
+        if not any(map(callable, (reaction, event, *at_boundary))):
+            label = label or "constant data" # which are compared as they are
         spaces = [space(*kind, bool(nu)) for kind, nu in zip(self._kinds, coefficients)]
         given = [(on, form[2], float(nu), _at_boundary(each, complex, on, *kind))
                  for on, kind, form, nu, each in zip(spaces, self._kinds, unknowns, coefficients,

@@ -251,6 +251,18 @@ def test_checkpoints_of_other_runs_are_refused(sphere, tmp_path):
     refused(lambda: frames(z), "label")
 
 
+def test_constants_are_no_functions_for_checkpoints(square, tmp_path):
+    def frames(boundary, **words):
+        run = polydec.Evolution(square, np.ones(square.size(0)), diffusion=1.0, essential=True,
+                                boundary=boundary, **words)
+        return list(run.frames([0.1], checkpoint=tmp_path / "a"))
+
+    assert len(frames(1.0)) == 1 and frames({"values": 1.0}) == []
+    refused(lambda: frames(2.0), "another")
+    refused(lambda: frames(lambda t: 1.0), "label")
+    refused(lambda: frames(1.0, event=lambda t, u: 1.0), "label")
+
+
 def test_frames_stop_at_an_event(sphere, tmp_path):
     def frames():
         run = polydec.Evolution(sphere, sphere.points[:, 2], reaction=lambda t, u: -u, label="a",
