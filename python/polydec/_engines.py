@@ -175,9 +175,9 @@ def solve(A: Any, b: npt.ArrayLike, *, engine: str = "auto", symmetric: bool | N
     parts = matrix_parts(A, "A")
     if symmetric is None:
         rows = A.tocsr() if hasattr(A, "tocsr") else np.asarray(A)
-        symmetric = positive or (rows.shape[0] == rows.shape[1] and abs(rows - rows.T).max() == 0)
+        symmetric = positive or (rows.shape[0] == rows.shape[1] and (rows != rows.T).sum() == 0)
     given = floats(b, "b", np.ndim(b) or 1)
-    columns = given.reshape(len(given), -1)
+    columns = given if given.ndim == 2 else given[:, np.newaxis]
     values, report = _core.solve(parts, columns, engine, bool(symmetric), positive)
     return Solution(values.reshape(given.shape), report)
 

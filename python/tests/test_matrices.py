@@ -29,6 +29,13 @@ def test_matrices_of_any_format():
         polydec.solve(B, np.ones(30))
 
 
+def test_systems_without_unknowns_are_solved():
+    for A in sp.csr_matrix((0, 0)), sp.csr_array((0, 0)), np.zeros((0, 0)):
+        for b in np.zeros(0), np.zeros((0, 2)):
+            for symmetric in None, True, False:
+                assert polydec.solve(A, b, symmetric=symmetric).values.shape == b.shape
+
+
 def compressed(kind, indices, indptr):
     """A matrix of shape (2, 2) whose parts are not looked at."""
     matrix = kind((2, 2))
