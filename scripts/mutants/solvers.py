@@ -2,6 +2,9 @@
 """Flaws of solvers/; see mutate.py."""
 
 MUTANTS = {
+    "slow_refinement_given_up": ("solvers/sources/saddle_solver.cpp",
+                                 "step = accelerated(std::move(step), 1e-12 * y.norm());", "break;",
+                                 "FormSources.of_thin_cells_have_the_solution_of_dense_equations"),
     "spectra_without_modes_fail": ("solvers/spectra/spectrum.cpp", "spectrum.modes.resize(spectrum.modes.rows(), 0);", "throw;",
                                    "Spectra.have_no_modes_where_these_are_out_of_range"),
     "paths_through_vertices_twice": ("solvers/surfaces/surface_paths.cpp", "if (length > 1e-12 * path.length)", "if (true)",

@@ -115,6 +115,33 @@ SaddleSolver::SaddleSolver(Vector scales, const SparseMatrix& M, const SparseMat
                                        *negative - D.rows()));
 }
 
+/// The combination of steps of refinement, of which this is the first, that leaves the smallest
+/// step, down to `enough`. Unlike steps alone it finds parts of eigenvalues far below `below`, and
+/// nothing of the kernel.
+Vector SaddleSolver::accelerated(Vector step, double enough) const {
+    constexpr int most = 100;
+    constexpr double kernel = 1e-7;
+    DenseMatrix parts(step.size(), most), changes(step.size(), most);
+    Vector result = Vector::Zero(step.size());
+    for (int j = 0; j < most && step.norm() > enough; ++j) {
+        Vector part = step, change = solver_->solve(A_ * step);
+        for (int pass = 0; pass < 2; ++pass) {
+            const Vector along = changes.leftCols(j).transpose() * change;
+            change -= changes.leftCols(j) * along;
+            part -= parts.leftCols(j) * along;
+        }
+        const double size = change.norm();
+        if (!(size > kernel * part.norm()))
+            break;
+        parts.col(j) = part / size;
+        changes.col(j) = change / size;
+        const double length = changes.col(j).dot(step);
+        result += length * parts.col(j);
+        step -= length * changes.col(j);
+    }
+    return result;
+}
+
 SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g,
                                          const Vector& terms) const {
     check_as_many("values of the upper right-hand side", f.size(), size_);
@@ -128,20 +155,27 @@ SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g,
         size_of_data =
             std::max(size_of_data, terms.cwiseProduct(scales_).lpNorm<Eigen::Infinity>());
     }
+    const auto size_of = [](const Vector& x) { return x.lpNorm<Eigen::Infinity>(); };
     Vector y = Vector::Zero(b.size()), left = b;
     // corrections shrink to rounding level, at the latest that of the residual
     constexpr int most = 100;
-    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-    double before = std::numeric_limits<double>::infinity();
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon(), fine = 1e-8;
+    bool is_slow = false; // parts of eigenvalues below `below`, or of the kernel
+    double last = std::numeric_limits<double>::infinity();
     for (int pass = 0; pass < most && !left.isZero(0); ++pass) {
-        const Vector step = solver_->solve(left);
-        const double size = step.lpNorm<Eigen::Infinity>();
-        if (!(size < 0.9 * before))
+        Vector step = solver_->solve(left);
+        if (!is_slow && !(size_of(step) < last / 2)) {
+            is_slow = true;
+            last = std::numeric_limits<double>::infinity();
+        }
+        if (is_slow)
+            step = accelerated(std::move(step), 1e-12 * y.norm());
+        if (!(size_of(step) < last / 2))
             break;
         y += step;
         left = b - A_ * y;
-        before = size;
-        if (size <= rounding * y.lpNorm<Eigen::Infinity>())
+        last = size_of(step);
+        if (last <= (is_slow ? fine : rounding) * size_of(y))
             break;
     }
     const double scale = row_sum_norm(A_) * y.lpNorm<Eigen::Infinity>() + size_of_data;
@@ -149,8 +183,8 @@ SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g,
     SolveReport report = solver_->report();
     report.backward_error = error;
     report.residual = b.isZero(0) ? 0 : left.stableNorm() / b.stableNorm();
-    constexpr double limit = 1e-10;
-    if (!(error <= limit))
+    constexpr double limit = 1e-10, longest = 1e-7;
+    if (!(error <= limit) || (is_slow && last > longest * size_of(y)))
         throw SolverFailure(
             fmt::format("{}: the solution of a mixed problem is unreliable: backward error {:.2g}\n"
                         "The matrix of inner products is nearly singular, or the data contradict "

@@ -133,6 +133,34 @@ TEST(CurlCurl, removes_what_is_no_curl_and_keeps_the_gauge) {
     }
 }
 
+/// Elimination with exchanges, of the equations of primal forms and codifferentials.
+TEST(FormSources, of_thin_cells_have_the_solution_of_dense_equations) {
+    for (const int n : {2, 3})
+        for (const double height : {1.0, 0.03, 0.003, 0.001}) {
+            Mesh thin = kuhn(n, n == 2 ? 6 : 2);
+            thin.points.col(n - 1) *= height;
+            const auto mesh =
+                discretize(thin, {.criterion = MergeCriterion::none, .star = StarKind::galerkin});
+            const HodgeStars& stars = mesh.stars();
+            for (int k = 1; k < n; ++k) {
+                const SparseMatrix d = derivative(mesh.complex(), k),
+                                   before = derivative(mesh.complex(), k - 1),
+                                   M = stars[k].matrix();
+                const auto size = M.rows(), all = size + before.cols();
+                DenseMatrix A(all, all);
+                A << DenseMatrix(d.transpose() * stars[k + 1].matrix() * d),
+                    DenseMatrix(M * before), DenseMatrix(before.transpose() * M),
+                    -DenseMatrix(stars[k - 1].matrix());
+                const Cochain f{Side::primal, k, random_vector(Index(size), 1)};
+                Vector b = Vector::Zero(all);
+                b.head(size) = M * f.values;
+                const Vector u = A.partialPivLu().solve(b).head(size);
+                const PoissonSolver solver({mesh, Side::primal, k, {BoundaryCondition::natural}});
+                EXPECT_CLOSE(solver.solve(f).form.values, u, 1e-6) << n << k << height;
+            }
+        }
+}
+
 TEST(FormSourceErrors, name_what_does_not_fit) {
     const auto mesh = circumcentric(grid(2, 2));
     const PoissonSolver solver({mesh, Side::primal, 1, {}});
