@@ -32,7 +32,7 @@ public:
           conforming_(shape, options.level),
           lower_(lower_form(shape, options.level)),
           counter_(lower_, options.linear_solver, dimension()) {
-        result_.zeros = std::min(zero_eigenvalues(shape), options.count);
+        result_.zeros = zero_eigenvalues(shape);
     }
 
     /// Whether there are as many functions as eigenvalues.
@@ -205,7 +205,8 @@ Shape bisected_up_to(const Shape& shape, const std::vector<Index>& simplices, In
     return first(low);
 }
 
-/// On the shape as it is, or bisected until all enclosures are narrow or no more simplices fit.
+/// On the shape as it is, or bisected until all enclosures are narrow or no more simplices fit. At
+/// least as many eigenvalues as are 0.
 ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
     const int n = shape.pieces.dimension();
     const Index vertices = shape.pieces.size(0), simplices = shape.pieces.size(n);
@@ -247,7 +248,17 @@ ShapeSpectrum shape_spectrum(const Shape& shape, const ShapeSpectrumOptions& opt
     if (are_one_forms(shape, options.degree))
         return one_form_spectrum(shape, options);
     const Shape of = options.degree == 0 ? shape : top_forms(shape);
-    return enclosed(of, options);
+    // all zeros: iterations begin behind them
+    ShapeSpectrumOptions more = options;
+    more.count = std::max(options.count, zero_eigenvalues(of));
+    ShapeSpectrum result = enclosed(of, more);
+    const Index count = options.count;
+    result.lower.conservativeResize(count);
+    result.upper.conservativeResize(count);
+    result.zeros = std::min(result.zeros, count);
+    for (DenseMatrix* const modes : {&result.modes, &result.edge_modes})
+        modes->conservativeResize(Eigen::NoChange, std::min<Eigen::Index>(modes->cols(), count));
+    return result;
 }
 
 Vector widths(const ShapeSpectrum& spectrum) {

@@ -2,6 +2,10 @@
 """Flaws of shape/; see mutate.py."""
 
 MUTANTS = {
+    "zeros_no_more_than_wanted": ("shape/shape_spectrum.cpp",
+                                  "more.count = std::max(options.count, zero_eigenvalues(of));",
+                                  "more.count = options.count;",
+                                  "ShapeSpectrum.of_many_pieces_has_all_zeros_at_any_count"),
     "fewer_simplices_than_none": ("shape/shape_spectrum.cpp", "options.max_triangles, 0,", "0, 0,",
                                   "Adaptive.fills_the_most_triangles_and_warns"),
     "lengths_rounded_in_the_plane": ("shape/shape.cpp", "edge_lengths(geometry.pieces(), mesh.measured_input_points())",

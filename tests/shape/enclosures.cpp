@@ -104,6 +104,33 @@ TEST(ShapeSpectrum, of_two_squares_glued_along_their_boundaries) {
     EXPECT_LE(widths(found).head(3).maxCoeff(), 1e-4);
 }
 
+TEST(ShapeSpectrum, of_many_pieces_has_all_zeros_at_any_count) {
+    const Mesh one = kuhn(2, 2);
+    Mesh four{DenseMatrix(4 * one.points.rows(), 2), Simplices(4 * one.simplices.rows(), 3), {}};
+    const auto vertices = static_cast<Index>(one.points.rows());
+    for (Index i = 0; i < 4; ++i) {
+        four.points.middleRows(i * vertices, vertices) = one.points.array() + 2.0 * i;
+        four.simplices.middleRows(i * one.simplices.rows(), one.simplices.rows()) =
+            one.simplices.array() + i * vertices;
+    }
+    const Shape shape = unmerged(four);
+    for (const int level : {1, 2})
+        for (Index count = 1; count <= 6; ++count) {
+            const auto found = shape_spectrum(shape, {.count = count, .level = level});
+            ASSERT_EQ(found.upper.size(), count);
+            ASSERT_EQ(found.lower.size(), count);
+            EXPECT_EQ(found.modes.cols(), count);
+            EXPECT_EQ(found.zeros, std::min<Index>(count, 4));
+            for (Index j = 0; j < count; ++j) {
+                const double truth = j < 4 ? 0 : pi * pi;
+                EXPECT_LE(found.lower[j], truth);
+                EXPECT_GE(found.upper[j], truth);
+                EXPECT_TRUE(j >= 4 || found.upper[j] == 0);
+            }
+            EXPECT_EQ(found.edge_modes.cols(), level == 2 ? count : 0);
+        }
+}
+
 TEST(ShapeSpectrum, encloses_every_eigenvalue_of_random_shapes) {
     std::mt19937 random(7);
     for (int i = 0; i < 40; ++i) {
