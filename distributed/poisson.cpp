@@ -175,7 +175,7 @@ void SharedPoissonSolver::Problem::set_primal(const Ranks& ranks, const Distribu
     };
     fixed = [](const Vector& boundary_values) { return boundary_values; };
     mass = HodgeStar(mesh.cells.volumes, 0).diagonal();
-    system = {gram_of_columns(ranks, mesh.cells, 0, weights), std::move(held), mass.cwiseAbs(),
+    system = {gram_of_columns(ranks, mesh.cells, 0, weights), std::move(held), mass,
               by_sign(ranks, weights)};
 }
 

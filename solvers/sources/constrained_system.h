@@ -18,7 +18,7 @@ struct ConstrainedSystem {
     SparseMatrix A = {};
     std::vector<bool> fixed = {}; ///< unknowns whose value is prescribed
     std::vector<bool> tied = {};  ///< unknowns tied down, but not fixed, by boundary terms in A
-    Vector weights = {};          ///< positive; weights of the mean on a free component
+    Vector weights = {};          ///< of the mean on a free component, with a positive sum
     Definiteness definiteness = Definiteness::indefinite; ///< of A where nothing is fixed
     int domain_dimension = 0;
     int degree = 0; ///< of the cells that carry the unknowns, for messages

@@ -38,7 +38,7 @@ protected:
     Functions(const FormSpace& space, SparseMatrix N)
         : of_(space),
           N_(std::move(N)),
-          weights_((N_ * Vector::Ones(N_.cols())).cwiseAbs()),
+          weights_(N_ * Vector::Ones(N_.cols())),
           are_values_((space.side() == Side::primal) == (space.cell_degree() == 0)) {
         SparseMatrix().swap(of_.down); // of other degrees
     }

@@ -161,4 +161,14 @@ TEST(ConstrainedSystem, refuses_sizes_that_do_not_fit) {
                    "fixed values", "3", "3");
 }
 
+TEST(ConstrainedSystem, has_signed_weights_with_a_positive_sum) {
+    auto system = system_of(paths({3}), {false, false, false});
+    system.weights = vector({2, -1, 2});
+    const Vector u =
+        ConstrainedSolver(system, "auto").solve(vector({1, 1, -2}), vector({0, 0, 0})).values;
+    EXPECT_NEAR(system.weights.dot(u), 0, 1e-14);
+    system.weights = vector({1, -3, 1});
+    EXPECT_REFUSED(ConstrainedSolver(system, "auto"), "weights", "-1", "positive sum");
+}
+
 } // namespace polydec::test::in_constrained_system

@@ -64,4 +64,36 @@ TEST(PoissonSystems, have_the_solution_of_the_equations_of_all_forms) {
     EXPECT_GT(seen, 150);
 }
 
+/// Areas of vertices, some negative, have the area of the mesh as their sum.
+TEST(PoissonSystems, of_functions_remove_constants_where_areas_are_signed) {
+    const Mesh triangle{DenseMatrix{{0, 0}, {4, 0}, {2, 0.5}}, Simplices{{0, 1, 2}}, {}};
+    for (const Mesh& input : {triangle, obtuse_planar(), obtuse_solid()}) {
+        const auto mesh = circumcentric(input, {.criterion = MergeCriterion::none});
+        const HodgeStar star = mesh.stars()[0];
+        const Vector ones = Vector::Ones(star.size());
+        EXPECT_LT(star.diagonal().minCoeff(), 0);
+        for (const Side side : sides) {
+            const bool primal = side == Side::primal;
+            const int degree = primal ? 0 : mesh.dimension();
+            const PoissonSolver solver(
+                {mesh,
+                 side,
+                 degree,
+                 {primal ? BoundaryCondition::natural : BoundaryCondition::essential}});
+            const Cochain one{side, degree, primal ? ones : star * ones};
+            const DenseMatrix H = solver.harmonic_forms();
+            ASSERT_EQ(H.cols(), 1);
+            const Cochain h{side, degree, H.col(0)};
+            EXPECT_NEAR(inner_product(mesh, h, h), 1, 1e-12);
+            const auto of_one = solver.solve(one);
+            EXPECT_LE(of_one.form.values.norm(), 1e-9 * one.values.norm());
+            EXPECT_CLOSE(of_one.removed.values, one.values, 1e-9);
+            const Cochain f{side, degree, random_vector(star.size(), 3)};
+            const auto found = solver.solve(f);
+            EXPECT_NEAR(inner_product(mesh, found.form, h), 0, 1e-9 * found.form.values.norm());
+            EXPECT_NEAR(inner_product(mesh, f - found.removed, h), 0, 1e-9 * f.values.norm());
+        }
+    }
+}
+
 } // namespace polydec::test::in_poisson_systems
