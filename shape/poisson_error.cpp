@@ -222,12 +222,12 @@ PoissonError poisson_error(const PoissonProblem& given, const Vector& values,
     error.oscillation = data.oscillation.norm();
     error.averaged_gradient =
         root_of_sum(squares.distance, pair.rounding) / 2 + error.oscillation + pair.rounding;
-    error.size = std::sqrt(std::max(forms.energy(corners, corners), 0.0));
+    error.size = std::sqrt(std::max(forms.of_gradients(corners, corners), 0.0));
     error.gradients = averaged_gradients(forms, pair);
-    const double rounding = energy_share(problem.shape);
+    const double rounding = energy_share(problem.shape),
+                 size = std::sqrt(std::max(forms.energy(corners, corners), 0.0));
     for (double* number : {&error.energy, &error.averaged_gradient})
-        *number =
-            (1 + rounding) * (*number + rounding / (1 - rounding) * (error.size + error.energy));
+        *number = (1 + rounding) * (*number + rounding / (1 - rounding) * (size + error.energy));
     if (options.l2 && rounding > 1e-9) {
         error.warnings.push_back("rounding of lengths hides the L2 error: flip edges, or improve "
                                  "or remove flat simplices");

@@ -230,14 +230,19 @@ Vector PoissonForms::products(const PoissonPair& a, const PoissonPair& b) const 
     return result;
 }
 
-double PoissonForms::energy(const DenseMatrix& u, const DenseMatrix& v) const {
+double PoissonForms::of_gradients(const DenseMatrix& u, const DenseMatrix& v) const {
     double sum = 0;
-    for (Index s = 0; s < simplices(); ++s) {
+    for (Index s = 0; s < simplices(); ++s)
         sum += u.row(s).dot(v.row(s) * gradients_[s]);
+    return sum;
+}
+
+double PoissonForms::energy(const DenseMatrix& u, const DenseMatrix& v) const {
+    double sum = of_gradients(u, v);
+    for (Index s = 0; s < simplices(); ++s)
         for (int i = 0; i <= n_; ++i)
             if (const double alpha = sides_[std::size_t(n_ + 1) * s + i].robin; alpha > 0)
                 sum += alpha * over_facet(u, v, s, i);
-    }
     return sum;
 }
 

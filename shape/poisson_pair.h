@@ -56,7 +56,8 @@ public:
     /// simplex.
     Vector products(const PoissonPair& a, const PoissonPair& b) const;
 
-    /// a(u, v), and (f, v) with the inflow.
+    /// (kappa grad u, grad v); a(u, v), with Robin terms; and (f, v) with the inflow.
+    double of_gradients(const DenseMatrix& u, const DenseMatrix& v) const;
     double energy(const DenseMatrix& u, const DenseMatrix& v) const;
     double load(const LocalData& data, const DenseMatrix& v) const;
     /// The integral of u v over a simplex.

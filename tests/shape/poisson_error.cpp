@@ -187,6 +187,17 @@ TEST(PoissonError, of_a_linear_solution_is_0) {
     EXPECT_NEAR(none.size, std::sqrt(5 * forms.volumes().sum()), 1e-12);
 }
 
+TEST(PoissonError, is_compared_with_the_gradient_alone) {
+    PoissonProblem problem = torsion(perturbed(kuhn(2, 6), 0.02, 1));
+    const Vector u = galerkin(problem, Vector::Zero(problem.shape.pieces.size(0)));
+    const double size = poisson_error(problem, u).size;
+    for (const double alpha : {0.5, 2.0, 1e3}) {
+        problem.shape.conditions = {BoundaryCondition::robin, {}, {alpha}};
+        const Vector shifted = u.array() + 7;
+        EXPECT_NEAR(poisson_error(problem, shifted, {.l2 = false}).size, size, 1e-12 * size);
+    }
+}
+
 /// The greatest |sigma|^2 - |grad u_h|^2 over |f|^2, for f constant on simplices.
 TEST(PoissonError, of_L2_is_by_a_constant_a_little_above_the_least) {
     for (const BoundaryConditions& conditions : {BoundaryConditions{BoundaryCondition::essential},
