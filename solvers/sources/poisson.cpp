@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "dec/boundary/two_sided.h"
 #include "dec/discretization/advice.h"
+#include "dec/forms/input_units.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/sources/poisson_system.h"
 
