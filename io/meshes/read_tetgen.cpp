@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <span>
@@ -143,17 +144,36 @@ Index words_in_line(Scanner scanner) {
     return words;
 }
 
+/// Whether the word behind the ends of each edge is a node on it, which sees them at an obtuse
+/// angle. A marker and a neighbor are two words as well.
+bool have_nodes(Scanner scanner, const Nodes& nodes, Index edges) {
+    for (Index edge = 0; edge < edges; ++edge, scanner.next_line()) {
+        scanner.word("the number of a cell");
+        const Index a = scanner.vertex(nodes.size(), nodes.first);
+        const Index b = scanner.vertex(nodes.size(), nodes.first);
+        const double node = scanner.at_line_end() ? -1 : scanner.number("a node") - nodes.first;
+        if (!(node >= 0 && node < nodes.size()) || node != std::floor(node))
+            return false;
+        const auto place = nodes.points.row(static_cast<Index>(node));
+        if ((place - nodes.points.row(a)).dot(place - nodes.points.row(b)) >= 0)
+            return false;
+    }
+    return true;
+}
+
 /// The first line of .face and .edge: number of cells, whether they have markers. The option -o2 of
-/// TetGen appends the nodes on the sides of a face to its corners, -nn the tetrahedra beside it.
+/// TetGen appends the nodes on the sides of a cell to its corners, -nn the tetrahedra beside it.
 void add_faces(CellLists& cells, const Nodes& nodes, int corners, const SourceFile& file) {
     Scanner scanner(file.name, file.text, syntax);
     const Index count = scanner.count("cells", 0);
     const int markers = scanner.at_line_end() || scanner.integer("the number of markers") != 0;
     scanner.as_count(count, "cells", 2 * (static_cast<std::size_t>(corners) + 1));
     scanner.next_line();
-    const bool has_nodes = corners == 3 && words_in_line(scanner) >= 1 + 2 * corners + markers;
+    const Index sides = corners * (corners - 1) / 2;
+    const bool has_nodes = words_in_line(scanner) >= 1 + corners + sides + markers &&
+                           (corners == 3 || have_nodes(scanner, nodes, count));
     add_cells(cells, nodes, scanner, count, corners,
-              {.nodes = has_nodes ? corners : 0, .attributes = markers, .neighbors = 2});
+              {.nodes = has_nodes ? sides : 0, .attributes = markers, .neighbors = 2});
 }
 
 /// In capital letters where the file's own extension has no others.

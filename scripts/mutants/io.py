@@ -139,4 +139,6 @@ MUTANTS = {
                                   "DrawFields.OnPagesOpenWhereVectorsAreLongestNotTheNumbersOfEdges"),
     "levels_turned_with_the_input": ("io/pictures/draw_levels.cpp", "orientation(t) < 0", "orientation(t) < -1",
                                      "LevelSetsOfForms.AreOrientedAsTheBoundaryOfWhereTheFormIsLess"),
+    "nodes_on_edges_are_markers": ("io/meshes/read_tetgen.cpp", "(corners == 3 || have_nodes(scanner, nodes, count))", "(corners == 3 || (count < 0 && have_nodes(scanner, nodes, count)))",
+                                   "TetGen.NodesOnEdgesAreNoMarkers"),
 }

@@ -88,6 +88,23 @@ TEST(TetGen, MarkersOfFacetsBesideTheCellsAreGroups) {
     EXPECT_EQ(in_plane.facet_tags.tags, (std::vector<Index>{5, 6}));
 }
 
+/// Of the option -o2, where .face and .edge alone make the mesh, and with neighbors or without.
+TEST(TetGen, NodesOnEdgesAreNoMarkers) {
+    const SourceFile node{"a.node",
+                          "10 3 0 0\n0 0 0 0\n1 2 0 0\n2 0 2 0\n3 0 0 2\n4 1 0 0\n5 0 1 0\n"
+                          "6 0 0 1\n7 1 1 0\n8 1 0 1\n9 0 1 1\n"};
+    const SourceFile face{"a.face", "2 1\n0 0 1 2 7 5 4 3\n1 0 1 3 8 6 4 3\n"};
+    for (const char* edge :
+         {"3 1\n0 0 1 5\n1 0 2 -1\n2 1 2 0\n", "3 1\n0 0 1 5 8\n1 0 2 -1 8\n2 1 2 0 8\n",
+          "3 1\n0 0 1 4 5\n1 0 2 5 -1\n2 1 2 7 0\n",
+          "3 1\n0 0 1 4 5 8\n1 0 2 5 -1 8\n2 1 2 7 0 8\n"}) {
+        const auto mesh = parse_tetgen(node, {face, SourceFile{"a.edge", edge}});
+        EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 1, 3}})) << edge;
+        EXPECT_EQ(rows(mesh.facet_tags.simplices), (Cells{{0, 1}, {0, 2}})) << edge;
+        EXPECT_EQ(mesh.facet_tags.tags, (std::vector<Index>{5, -1})) << edge;
+    }
+}
+
 TEST(TetGen, SaysWhichFileIsMissing) {
     const TemporaryFolder folder;
     const auto node = folder.write("a.node", nodes);
