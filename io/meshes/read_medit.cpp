@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/read_number.h"
 #include "io/meshes/cell_lists.h"
 #include "io/meshes/readers.h"
 #include "io/scanner.h"
@@ -16,8 +17,12 @@ namespace polydec {
 
 namespace {
 
-bool is_letter(char c) {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+/// A word that begins with a letter and is no number, as nan is.
+bool is_keyword(std::string_view word) {
+    const char c = word[0], *const end = word.data() + word.size();
+    double number = 0;
+    return ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z')) &&
+           read_number(word.data(), end, number).ptr != end;
 }
 
 /// Where each section begins, by its keyword. The sections may come in any order.
@@ -29,7 +34,7 @@ public:
             const auto word = scanner.word("a keyword");
             if (word == "End")
                 break;
-            if (is_letter(word[0]) && !places_.emplace(word, scanner).second)
+            if (is_keyword(word) && !places_.emplace(word, scanner).second)
                 keyword_place.fail(
                     fmt::format("the section {} occurs twice; expected it once; join the two",
                                 quote_word(word)));

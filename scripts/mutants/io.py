@@ -141,4 +141,6 @@ MUTANTS = {
                                      "LevelSetsOfForms.AreOrientedAsTheBoundaryOfWhereTheFormIsLess"),
     "nodes_on_edges_are_markers": ("io/meshes/read_tetgen.cpp", "(corners == 3 || have_nodes(scanner, nodes, count))", "(corners == 3 || (count < 0 && have_nodes(scanner, nodes, count)))",
                                    "TetGen.NodesOnEdgesAreNoMarkers"),
+    "nan_is_a_section": ("io/meshes/read_medit.cpp", "number).ptr != end", "number).ptr != nullptr",
+                         "Medit.RefusesWhatDoesNotFit"),
 }
