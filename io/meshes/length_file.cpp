@@ -88,10 +88,7 @@ LengthMesh parse_lengths(const SourceFile& file) {
     try {
         mesh.simplices = read_simplices(scanner, simplices, dimension, mesh.vertices);
         const auto lines = read_edges(scanner, edges, mesh);
-        if (!scanner.at_end())
-            scanner.fail(fmt::format("more follows after {} edges; expected the end of the file; "
-                                     "correct the number in the first line",
-                                     edges));
+        end_records(scanner, edges, "edges");
         if (simplices == 0)
             refuse_contents(file.name,
                             "the file holds no simplices; expected at least one; write it again");

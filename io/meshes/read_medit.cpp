@@ -25,6 +25,14 @@ bool is_keyword(std::string_view word) {
            read_number(word.data(), end, number).ptr != end;
 }
 
+/// Behind the last record of a section.
+void end_section(Scanner scanner, std::size_t count, const char* keyword) {
+    if (!scanner.at_end() && !is_keyword(Scanner(scanner).word("a keyword")))
+        scanner.fail(fmt::format("more follows after {} {}; expected a keyword or the end of the "
+                                 "file; correct the number of {}",
+                                 count, keyword, keyword));
+}
+
 /// Where each section begins, by its keyword. The sections may come in any order.
 class Sections {
 public:
@@ -76,6 +84,7 @@ Points read_vertices(const Sections& sections, int dimension) {
             points(vertex, axis) = scanner.coordinate(vertex);
         scanner.number("a reference");
     }
+    end_section(scanner, static_cast<std::size_t>(count), "Vertices");
     return points;
 }
 
@@ -116,6 +125,7 @@ std::size_t read_section(const Sections& sections, const CellSection& section, I
         }
         references[cell] = scanner.number("a reference");
     }
+    end_section(scanner, count, section.keyword);
     const auto tags = tags_from(references);
     for (std::size_t cell = 0; cell < count; ++cell) {
         cells.add(section.dimension,

@@ -2,6 +2,7 @@
 #include "io/meshes/foreign_format.h"
 #include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
+#include "io/scanner.h"
 #include "io/source_file.h"
 
 #include <fmt/format.h>
@@ -81,6 +82,13 @@ Mesh parse_mesh(const SourceFile& file) {
     } catch (const std::bad_alloc&) {
         refuse_reading(file.name, "not enough memory");
     }
+}
+
+void end_records(Scanner& scanner, Index count, const char* plural) {
+    if (!scanner.at_end())
+        scanner.fail(fmt::format("more follows after {} {}; expected the end of the file; correct "
+                                 "the number in the first line",
+                                 count, plural));
 }
 
 void reserve_faces(PolygonMesh& polygons, Index faces, std::size_t remaining) {

@@ -54,10 +54,7 @@ Mesh read_nsc(const SourceFile& file) {
                                     fmt::format("a vertex of {} coordinates", ambient),
                                     [&](Index vertex) { return scanner.coordinate(vertex); });
     mesh.simplices = read_simplices(scanner, simplices, dimension, vertices);
-    if (!scanner.at_end())
-        scanner.fail(fmt::format("more follows after {} simplices; expected the end of the file; "
-                                 "correct the number in the first line",
-                                 simplices));
+    end_records(scanner, simplices, "simplices");
     return mesh;
 }
 

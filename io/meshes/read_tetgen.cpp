@@ -69,6 +69,7 @@ Nodes read_nodes(const SourceFile& file) {
         }
         scanner.next_line();
     }
+    end_records(scanner, count, "vertices");
     return nodes;
 }
 
@@ -106,6 +107,7 @@ void add_cells(CellLists& cells, const Nodes& nodes, Scanner& scanner, Index cou
             scanner.word("a neighbor");
         scanner.end_line("a cell");
     }
+    end_records(scanner, count, "cells");
     const auto tags = tags_from(groups);
     for (Index cell = 0; cell < count; ++cell) {
         cells.add(corners - 1, std::span(numbers).subspan(cell * corners, corners), tags[cell]);

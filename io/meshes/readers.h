@@ -45,6 +45,9 @@ Mesh read_tetgen(const SourceFile& file);
 /// The same from a .node file and .ele, .face and .edge files in memory.
 Mesh parse_tetgen(const SourceFile& nodes, const std::vector<SourceFile>& files);
 
+/// Throws InvalidInput unless the file ends behind so many records, announced in its first line.
+void end_records(Scanner& scanner, Index count, const char* plural);
+
 /// Reserves memory for faces, mostly triangles, but for no more than `remaining` bytes can hold.
 void reserve_faces(PolygonMesh& polygons, Index faces, std::size_t remaining);
 

@@ -141,6 +141,10 @@ MUTANTS = {
                                      "LevelSetsOfForms.AreOrientedAsTheBoundaryOfWhereTheFormIsLess"),
     "nodes_on_edges_are_markers": ("io/meshes/read_tetgen.cpp", "(corners == 3 || have_nodes(scanner, nodes, count))", "(corners == 3 || (count < 0 && have_nodes(scanner, nodes, count)))",
                                    "TetGen.NodesOnEdgesAreNoMarkers"),
+    "more_records_than_told": ("io/meshes/read_mesh.cpp", "if (!scanner.at_end())", "if (false)",
+                               "TetGen.RefusesWhatDoesNotFit"),
+    "more_of_a_section_than_told": ("io/meshes/read_medit.cpp", "if (!scanner.at_end() &&", "if (false &&",
+                                    "Medit.RefusesWhatDoesNotFit"),
     "nan_is_a_section": ("io/meshes/read_medit.cpp", "number).ptr != end", "number).ptr != nullptr",
                          "Medit.RefusesWhatDoesNotFit"),
 }

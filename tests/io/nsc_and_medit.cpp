@@ -139,6 +139,10 @@ TEST(Medit, RefusesWhatDoesNotFit) {
                       "Corners", "whole number", "vertex");
     EXPECT_UNREADABLE("a.mesh", medit + "Tetrahedra\n500\n1 2 3 4 0\n", "a.mesh:11",
                       "500 Tetrahedra", "11 bytes", "10 bytes");
+    EXPECT_UNREADABLE("a.mesh", medit + "Triangles\n1\n1 2 3 0\n1 3 4 0\nEnd\n", "a.mesh:13",
+                      "1 Triangles", "keyword", "end");
+    EXPECT_UNREADABLE("a.mesh", medit + "2 2 2 0\nTriangles\n1\n1 2 3 0\n", "a.mesh:10",
+                      "5 Vertices", "keyword", "end");
     EXPECT_UNREADABLE("a.mesh", "Dimension 3\nVertices 2\nnan 0 0 0\n1 nan 0 0\n", "a.mesh:3",
                       "vertex 0", "coordinate", "NaN");
     EXPECT_UNREADABLE("a.mesh", medit, "a.mesh: ", "5 vertices", "no cells");

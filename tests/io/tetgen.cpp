@@ -133,6 +133,10 @@ TEST(TetGen, RefusesWhatDoesNotFit) {
                 "6", "range", "1", "5");
     EXPECT_SAYS(parsing_error(nodes, "1 4 0\n1 1 2 3 4 5\n"), "InvalidInput", "a.ele:2", "5",
                 "line", "cell");
+    EXPECT_SAYS(parsing_error(nodes + "6 0 0 0 0 0 0\n", ele), "InvalidInput", "a.node:9",
+                "5 vertices", "end");
+    EXPECT_SAYS(parsing_error(nodes, "1 4 0\n1 1 2 3 4\n2 2 3 4 5\n"), "InvalidInput", "a.ele:3",
+                "1 cells", "end");
     EXPECT_SAYS(parsing_error(nodes, "2000000000 4 0\n1 1 2 3 4\n"), "InvalidInput", "a.ele:1",
                 "2000000000 cells", "11 bytes", "10 bytes");
 }
