@@ -50,6 +50,13 @@ void write_options(JsonWriter& json, const MeshArguments& options) {
                 options.delaunay.empty() ? std::nullopt : std::optional(options.delaunay));
     json.member("keep_groups", options.keep_groups);
     json.member("centers", options.centers);
+    json.member("star", name(options.star));
+    if (!options.joining.weld.empty())
+        json.member("weld", options.joining.weld);
+    if (options.joining.hanging)
+        json.member("join_hanging", true);
+    if (options.peel)
+        json.member("peel", true);
     if (options.refine)
         json.member("refine", options.refine);
     if (!options.periods.empty())

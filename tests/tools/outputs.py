@@ -173,11 +173,16 @@ class Folders(TestCase):
         self.assertEqual(manifest["options"], {"merge": True, "tolerance": 1e-5,
                                                "angle_tolerance": None, "delaunay": None,
                                                "keep_groups": False,
-                                               "centers": "circumcenters"})
+                                               "centers": "circumcenters",
+                                               "star": "circumcentric"})
         self.assertEqual(manifest["files"], [{"name": name, "bytes": len(text)}
                                              for name, text in sorted(files.items())])
         other = json.loads(self.write_operators()["manifest.json"])
-        self.assertNotEqual(other["options_sha256"], manifest["options_sha256"])
+        hashes = {manifest["options_sha256"], other["options_sha256"]}
+        for option in ("--star=galerkin", "--weld", "--weld=1e-3", "--join-hanging"):
+            told = json.loads(self.write_operators(option)["manifest.json"])
+            hashes.add(told["options_sha256"])
+        self.assertEqual(len(hashes), 6)
         self.assertEqual(other["mesh"], manifest["mesh"])
 
     def test_hashes_of_meshes_of_any_length(self):
