@@ -107,11 +107,9 @@ constexpr std::array cell_sections{
     CellSection{"PyramidsP2", 3, 5, 14},
 };
 
-/// Adds the cells of a section, their references as tags if all are whole numbers. Their number.
-std::size_t read_section(const Sections& sections, const CellSection& section, Index vertices,
-                         CellLists& cells) {
-    if (!sections.has(section.keyword))
-        return 0;
+/// Adds the cells of a section, their references as tags if all are whole numbers.
+void read_section(const Sections& sections, const CellSection& section, Index vertices,
+                  CellLists& cells) {
     Scanner scanner = sections.at(section.keyword);
     const auto count =
         static_cast<std::size_t>(scanner.count(section.keyword, 2 * (section.nodes + 1)));
@@ -132,16 +130,6 @@ std::size_t read_section(const Sections& sections, const CellSection& section, I
                   std::span(numbers).subspan(cell * section.corners, section.corners), tags[cell]);
         cells.leave_out_nodes(section.nodes - section.corners);
     }
-    return count;
-}
-
-/// Those of one dimension. Their number.
-std::size_t read_cells(const Sections& sections, int dimension, Index vertices, CellLists& cells) {
-    std::size_t count = 0;
-    for (const auto& section : cell_sections)
-        if (section.dimension == dimension)
-            count += read_section(sections, section, vertices, cells);
-    return count;
 }
 
 } // namespace
@@ -151,11 +139,9 @@ Mesh read_medit(const SourceFile& file) {
     Points points = read_vertices(sections, read_dimension(sections));
     const auto vertices = static_cast<Index>(points.rows());
     CellLists cells;
-    int dimension = 3;
-    while (read_cells(sections, dimension, vertices, cells) == 0 && dimension > 1)
-        --dimension;
-    if (dimension > 1)
-        read_cells(sections, dimension - 1, vertices, cells);
+    for (const auto& section : cell_sections)
+        if (sections.has(section.keyword))
+            read_section(sections, section, vertices, cells);
     return std::move(cells).mesh(std::move(points), file);
 }
 

@@ -147,4 +147,6 @@ MUTANTS = {
                                     "Medit.RefusesWhatDoesNotFit"),
     "nan_is_a_section": ("io/meshes/read_medit.cpp", "number).ptr != end", "number).ptr != nullptr",
                          "Medit.RefusesWhatDoesNotFit"),
+    "edges_of_solids_unread": ("io/meshes/read_medit.cpp", "if (sections.has(section.keyword))", "if (sections.has(section.keyword) && section.dimension > 1)",
+                               "OtherCells.CellsBesideThoseOfTheMeshAreTold"),
 }

@@ -102,11 +102,12 @@ TEST(Medit, GroupsOfVerticesOfCurvesAreRefused) {
                    "facet_tags");
 }
 
-TEST(Medit, FacetsThatNameNoVertexAreRefusedAndWhatIsLessThanAFacetIsNotRead) {
+TEST(Medit, CellsOfEveryDimensionThatNameNoVertexAreRefused) {
     const std::string tetrahedra = "Tetrahedra\n1\n1 2 3 4 0\n";
     EXPECT_UNREADABLE("a.mesh", medit + tetrahedra + "Triangles\n1\n1 2 9 3\n", "a.mesh:15",
                       "vertex", "9", "range", "1", "5");
-    EXPECT_EQ(reading_error("a.mesh", medit + tetrahedra + "Edges\n1\n1 9 3\n"), "");
+    EXPECT_UNREADABLE("a.mesh", medit + tetrahedra + "Edges\n1\n1 9 3\n", "a.mesh:15", "vertex",
+                      "9", "range", "1", "5");
 }
 
 TEST(Medit, SectionsMayComeInAnyOrderAndUnknownOnesAreLeftOut) {

@@ -197,6 +197,11 @@ TEST(OtherCells, CellsBesideThoseOfTheMeshAreTold) {
                                                    "CELL_TYPES 3\n9 3 3\n");
     EXPECT_EACH_SAYS(planar.warnings, {"1 edge", "dimension 2", "5, 7"},
                      {"1 polygon", "triangles"});
+    const std::string places = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n5 5 5\n6 5 5\n";
+    const Mesh medit =
+        read_from("a.mesh", "Dimension 3\nVertices 6\n" + with_line_breaks(places, " 0\n") +
+                                "Edges 2\n5 6 3\n1 2 0\nTetrahedra 1\n1 2 3 4 0\n");
+    EXPECT_EACH_SAYS(medit.warnings, {"1 edge", "dimension 3", "4, 5"});
 }
 
 TEST(OtherCells, StructuredGridsOfVtkAreGridsOfVoxels) {
