@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "io/meshes/cell_lists.h"
 #include "io/meshes/ply_header.h"
 #include "io/meshes/readers.h"
 #include "io/scanner.h"
@@ -7,6 +8,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace polydec {
 
@@ -57,10 +59,8 @@ class BodyReader {
 public:
     BodyReader(const SourceFile& file, const PlyHeader& header)
         : file_(file), header_(header), source_(file, header) {
-        for (const auto& element : header.elements) {
+        for (const auto& element : header.elements)
             vertices_ = element.name == "vertex" ? element.count : vertices_;
-            has_faces_ = has_faces_ || (element.name == "face" && element.count > 0);
-        }
     }
 
     Mesh read() {
@@ -69,12 +69,12 @@ public:
                 read_vertices(element);
             else if (element.name == "face")
                 read_faces(element);
-            else if (element.name == "edge" && !has_faces_)
+            else if (element.name == "edge")
                 read_edges(element);
             else
                 pass_over(element);
         const bool is_rest = !source_.at_end();
-        Mesh mesh = has_faces_ ? split_polygons(std::move(polygons_)) : segments_of(polygons_);
+        Mesh mesh = std::move(cells_).mesh(std::move(points_), file_);
         if (is_rest)
             mesh.warnings.push_back(
                 fmt::format("left out {} bytes after the last element", source_.remaining()));
@@ -95,7 +95,7 @@ private:
                                 name));
             axis_of[place] = axis;
         }
-        polygons_.points.resize(element.count, axes);
+        points_.resize(element.count, axes);
         for (Index vertex = 0; vertex < element.count; ++vertex)
             read_vertex(element, axis_of, vertex);
     }
@@ -113,7 +113,7 @@ private:
                                          "infinite or outside the range of double precision; "
                                          "expected finite numbers; repair or remove the vertex",
                                          vertex));
-            polygons_.points(vertex, axis_of[i]) = value;
+            points_(vertex, axis_of[i]) = value;
         }
         source_.end_record();
     }
@@ -123,15 +123,13 @@ private:
         if (list == element.properties.size() || !element.properties[list].is_list)
             source_.fail("the element face has no list vertex_indices; expected property list "
                          "uchar int vertex_indices; correct the header");
-        reserve_faces(polygons_, element.count, source_.remaining());
         for (Index face = 0; face < element.count; ++face) {
             for (std::size_t i = 0; i < element.properties.size(); ++i)
                 if (i == list)
                     read_corners(element.properties[i], face);
                 else
                     pass_over(element.properties[i]);
-            source_.end_record();
-            close_face(polygons_, file_);
+            end_cell(2);
         }
     }
 
@@ -147,10 +145,16 @@ private:
             source_.fail(fmt::format("{} {} has the vertex number {}; expected 0 to {}; correct "
                                      "the index or add the vertex",
                                      what, cell, value, vertices_ - 1));
-        polygons_.corners.push_back(static_cast<Index>(value));
+        corners_.push_back(static_cast<Index>(value));
     }
 
-    /// The cells of a curve, a file without faces.
+    void end_cell(int dimension) {
+        source_.end_record();
+        cells_.add(dimension, corners_, 0);
+        corners_.clear();
+    }
+
+    /// The cells of a curve, in a file without faces.
     void read_edges(const PlyElement& element) {
         for (Index edge = 0; edge < element.count; ++edge) {
             for (const auto& property : element.properties)
@@ -158,8 +162,7 @@ private:
                     read_corner(property, "edge", edge);
                 else
                     pass_over(property);
-            source_.end_record();
-            close_face(polygons_, file_);
+            end_cell(1);
         }
     }
 
@@ -193,9 +196,10 @@ private:
     const SourceFile& file_;
     const PlyHeader& header_;
     PlySource source_;
-    PolygonMesh polygons_;
+    Points points_;
+    CellLists cells_;
+    std::vector<Index> corners_; ///< of the cell that is being read
     Index vertices_ = 0;
-    bool has_faces_ = false;
 };
 
 } // namespace

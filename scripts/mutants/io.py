@@ -149,4 +149,6 @@ MUTANTS = {
                          "Medit.RefusesWhatDoesNotFit"),
     "edges_of_solids_unread": ("io/meshes/read_medit.cpp", "if (sections.has(section.keyword))", "if (sections.has(section.keyword) && section.dimension > 1)",
                                "OtherCells.CellsBesideThoseOfTheMeshAreTold"),
+    "edges_of_surfaces_unread": ("io/meshes/read_ply.cpp", 'element.name == "edge"', 'element.name == "line"',
+                                 "OtherCells.CellsBesideThoseOfTheMeshAreTold"),
 }

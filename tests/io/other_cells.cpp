@@ -202,6 +202,13 @@ TEST(OtherCells, CellsBesideThoseOfTheMeshAreTold) {
         read_from("a.mesh", "Dimension 3\nVertices 6\n" + with_line_breaks(places, " 0\n") +
                                 "Edges 2\n5 6 3\n1 2 0\nTetrahedra 1\n1 2 3 4 0\n");
     EXPECT_EACH_SAYS(medit.warnings, {"1 edge", "dimension 3", "4, 5"});
+    const Mesh ply =
+        read_from("a.ply", "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\n"
+                           "property float y\nproperty float z\nelement edge 2\n"
+                           "property int vertex1\nproperty int vertex2\nelement face 1\n"
+                           "property list uchar int vertex_indices\nend_header\n" +
+                               places + "0 1\n4 5\n3 0 1 2\n");
+    EXPECT_EACH_SAYS(ply.warnings, {"1 edge", "dimension 2", "4, 5"});
 }
 
 TEST(OtherCells, StructuredGridsOfVtkAreGridsOfVoxels) {
