@@ -11,6 +11,7 @@
 
 #include <charconv>
 #include <cstdint>
+#include <utility>
 
 namespace polydec {
 
@@ -169,6 +170,15 @@ void check_promise(const VtuText& array, const ArrayDecoder& decoder, std::size_
                         quote_word(array.name()), promised, decoder.capacity()));
 }
 
+std::vector<double> checked(std::vector<double> values, const VtuText& array,
+                            const Scanner& place) {
+    if (array.numbers && static_cast<double>(values.size()) != *array.numbers)
+        place.fail(fmt::format("the array {} has {} numbers; expected {:.0f}, from the numbers of "
+                               "points, cells and corners of its piece; export it again",
+                               quote_word(array.name()), values.size(), *array.numbers));
+    return values;
+}
+
 /// The bytes of an array that is not text.
 ArrayDecoder decoder_of(const VtuText& array, const VtuEncoding& encoding, const Scanner& place) {
     const auto format = array.format();
@@ -232,7 +242,7 @@ std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding
     const Scanner place = place_of(array, file);
     const auto type = type_of(array, place);
     if (array.format() == "ascii")
-        return values_from_text(place);
+        return checked(values_from_text(place), array, place);
     check_memory(check_vtu_array(array, encoding, file),
                  fmt::format("{}: the array {}", file.name, quote_word(array.name())));
     const auto bytes = decoder_of(array, encoding, place).bytes();
@@ -244,7 +254,7 @@ std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding
     std::vector<double> values(bytes.size() / each);
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = value_at(bytes.data() + i * each, type, encoding.order);
-    return values;
+    return checked(std::move(values), array, place);
 }
 
 } // namespace polydec

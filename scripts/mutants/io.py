@@ -151,4 +151,6 @@ MUTANTS = {
                                "OtherCells.CellsBesideThoseOfTheMeshAreTold"),
     "edges_of_surfaces_unread": ("io/meshes/read_ply.cpp", 'element.name == "edge"', 'element.name == "line"',
                                  "OtherCells.CellsBesideThoseOfTheMeshAreTold"),
+    "arrays_of_any_length": ("io/meshes/vtu_arrays.cpp", "if (array.numbers && static_cast<double>(values.size())", "if (false && static_cast<double>(values.size())",
+                             "VtuReading.ArraysHaveTheNumbersThatTheirPieceTells"),
 }

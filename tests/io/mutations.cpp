@@ -119,7 +119,8 @@ std::string appended_vtu(bool is_raw) {
                             bytes(std::vector<int>{5}, std::uint8_t{})};
     const std::array heads{"Float32'", "Int32' Name='connectivity'", "Int64' Name='offsets'",
                            "UInt8' Name='types'"};
-    std::string text = "<VTKFile type='UnstructuredGrid'><UnstructuredGrid><Piece>";
+    std::string text = "<VTKFile type='UnstructuredGrid'><UnstructuredGrid>"
+                       "<Piece NumberOfPoints='3' NumberOfCells='1'>";
     std::string data;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const std::string outer = i == 0 ? "Points" : "Cells";

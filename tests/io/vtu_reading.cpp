@@ -301,6 +301,23 @@ TEST(VtuReading, CompressedArraysInflateToWhatTheirPieceTells) {
     }
 }
 
+TEST(VtuReading, ArraysHaveTheNumbersThatTheirPieceTells) {
+    for (auto variant : variants()) {
+        if (variant.is_compressed)
+            continue;
+        for (const auto& [name, wanted] : {std::pair("Points", 15),
+                                           {"connectivity", 11},
+                                           {"offsets", 3},
+                                           {"types", 3},
+                                           {"gmsh:physical", 3}}) {
+            variant.longer = name;
+            EXPECT_UNREADABLE("a.vtu", grid(variant), "a.vtu:", name,
+                              fmt::format("{} numbers", wanted + 1),
+                              fmt::format("expected {}", wanted));
+        }
+    }
+}
+
 TEST(VtuReading, NothingIsInflatedForAPromiseThatIsTooLarge) {
     // The streams are not even there.
     const auto header = bytes_of_all<std::uint64_t>(
