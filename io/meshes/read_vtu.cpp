@@ -64,16 +64,20 @@ private:
             arrays_.ends.push_back(corners_before + end);
         const auto types = vtu_.values(vtu_.cells("types", piece));
         arrays_.types.insert(arrays_.types.end(), types.begin(), types.end());
+        cells_in_.push_back(types.size());
     }
 
-    /// The first array that names groups, if all pieces have it.
+    /// The first array that names groups; cells of pieces without it have the tag 0.
     void take_tags() {
         for (const auto& [section, array, first_piece] : vtu_.arrays()) {
             if (section != "CellData" || !is_tag_name(array.name()))
                 continue;
             for (int piece = 0; piece < vtu_.pieces(); ++piece) {
                 const auto* const tags = vtu_.find("CellData", array.name(), piece);
-                const auto values = tags == nullptr ? std::vector<double>() : vtu_.values(*tags);
+                const auto values =
+                    tags == nullptr
+                        ? std::vector<double>(cells_in_[static_cast<std::size_t>(piece)])
+                        : vtu_.values(*tags);
                 arrays_.tags.insert(arrays_.tags.end(), values.begin(), values.end());
             }
             return;
@@ -116,7 +120,8 @@ private:
     const VtuFile& vtu_;
     const SourceFile& file_;
     VtkArrays arrays_;
-    std::vector<int> piece_of_;
+    std::vector<int> piece_of_;         ///< of each vertex
+    std::vector<std::size_t> cells_in_; ///< of each piece
 };
 
 } // namespace

@@ -275,6 +275,10 @@ TEST(OddFiles, PiecesOfAGridAreOneMesh) {
     EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 2, 5}}));
     EXPECT_EQ(mesh.tags, (std::vector<Index>{4, 5}));
     EXPECT_EACH_SAYS(mesh.warnings, {"joined 2 vertices", "pieces"});
+    std::string bare = piece("0 0 0 1 1 0 0 1 0", "5");
+    bare.erase(bare.find("<CellData>"), bare.find("<Points>") - bare.find("<CellData>"));
+    EXPECT_EQ(read_from("a.vtu", file(piece("0 0 0 1 0 0 1 1 0", "4") + bare)).tags,
+              (std::vector<Index>{4, 0}));
     // A slit within a piece stays one.
     const auto slit =
         read_from("a.vtu", file(piece("0 0 0 1 0 0 0 0 0", "4") + piece("0 0 0 1 1 0 0 1 0", "5")));
