@@ -71,6 +71,7 @@ private:
         if (keyword == "points") {
             const auto count = 3 * source_.size("points");
             arrays_.points = source_.values(source_.read_type(), count);
+            check_points(arrays_.points, 0, place);
         } else if (kind_ == "unstructured_grid" && keyword == "cells") {
             cells_place_ = place;
             read_cells(arrays_.corners, arrays_.ends);
@@ -127,6 +128,7 @@ private:
             for (std::size_t axis = 0; axis < 3; ++axis)
                 make_places(axis);
             arrays_.points = grid_points(grid_, cells_place_);
+            check_points(arrays_.points, 0, cells_place_);
         }
         if (arrays_.points.size() != 3 * grid_.points[0] * grid_.points[1] * grid_.points[2])
             cells_place_.fail(fmt::format(

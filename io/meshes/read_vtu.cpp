@@ -44,12 +44,14 @@ private:
     void read_piece(int piece) {
         vtu_.check(piece);
         const auto before = static_cast<double>(arrays_.points.size() / 3);
-        const auto points = vtu_.values(vtu_.points(piece));
+        const VtuText& places = vtu_.points(piece);
+        const auto points = vtu_.values(places);
         const VtuText& text = vtu_.cells("connectivity", piece);
         const auto ends = vtu_.values(vtu_.cells("offsets", piece));
         const auto corners = vtu_.lists(text, ends);
         const auto corners_before = static_cast<double>(arrays_.corners.size());
         arrays_.points.insert(arrays_.points.end(), points.begin(), points.end());
+        check_points(arrays_.points, arrays_.points.size() - points.size(), place_of(places));
         piece_of_.resize(arrays_.points.size() / 3, piece);
         const auto most = static_cast<double>(points.size() / 3);
         for (const double corner : corners) {
@@ -89,9 +91,6 @@ private:
     std::size_t join() {
         std::vector<std::size_t> order(arrays_.points.size() / 3);
         std::iota(order.begin(), order.end(), 0);
-        if (!std::all_of(arrays_.points.begin(), arrays_.points.end(),
-                         [](double value) { return std::isfinite(value); }))
-            return 0; // to be refused
         const auto at = [this](std::size_t v) {
             return std::array{arrays_.points[3 * v], arrays_.points[3 * v + 1],
                               arrays_.points[3 * v + 2]};

@@ -101,11 +101,7 @@ private:
                                     "export it again",
                                     values));
         vertices_ = checked_count(values / 3, "vertices", file_);
-        Points points = points_from(arrays_.points);
-        for (Index vertex = 0; vertex < vertices_; ++vertex)
-            for (const double coordinate : points.row(vertex))
-                place_.as_coordinate(coordinate, vertex);
-        return points;
+        return points_from(arrays_.points);
     }
 
     void check_sizes() const {
@@ -213,6 +209,11 @@ private:
 
 Mesh vtk_mesh(const VtkArrays& arrays, const Scanner& place, const SourceFile& file) {
     return Converter(arrays, place, file).mesh();
+}
+
+void check_points(const std::vector<double>& points, std::size_t begin, const Scanner& place) {
+    for (std::size_t i = begin; i < points.size(); ++i)
+        place.as_coordinate(points[i], static_cast<Index>(i / 3));
 }
 
 bool is_tag_name(std::string_view name) {

@@ -22,9 +22,13 @@ struct VtkArrays {
 
 /// The cells of the largest dimension, as a mesh; `place` is the start of the cells, for messages.
 /// Strips become triangles, and polylines edges; higher-order cells are read by their corners.
-/// Throws InvalidInput, naming vertex or cell, if arrays are inconsistent, coordinates are not
-/// finite, or cells are not lines, polygons or solids with listed shapes.
+/// Throws InvalidInput, naming the cell, if arrays are inconsistent or cells are not lines,
+/// polygons or solids with listed shapes.
 Mesh vtk_mesh(const VtkArrays& arrays, const Scanner& place, const SourceFile& file);
+
+/// Throws InvalidInput, naming the vertex, unless all coordinates from this one on are finite;
+/// `place` is the start of the points.
+void check_points(const std::vector<double>& points, std::size_t begin, const Scanner& place);
 
 /// Whether cell data of this name hold the physical group or region of each cell.
 bool is_tag_name(std::string_view name);

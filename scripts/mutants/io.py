@@ -155,4 +155,6 @@ MUTANTS = {
                                      "OddFiles.PiecesOfAGridAreOneMesh"),
     "arrays_of_any_length": ("io/meshes/vtu_arrays.cpp", "if (array.numbers && static_cast<double>(values.size())", "if (false && static_cast<double>(values.size())",
                              "VtuReading.ArraysHaveTheNumbersThatTheirPieceTells"),
+    "points_blamed_on_cells": ("io/meshes/read_vtk.cpp", "check_points(arrays_.points, 0, place);", "check_points(arrays_.points, 0, cells_place_);",
+                               "Vtk.RefusesWhatDoesNotFit"),
 }

@@ -190,7 +190,7 @@ TEST(Vtk, RefusesWhatDoesNotFit) {
     EXPECT_UNREADABLE("a.vtk", small("CELLS 1 2000000000\n3 0 1 2\n"), "a.vtk:7",
                       "2000000000 numbers", "9 bytes", "2 bytes");
     EXPECT_UNREADABLE("a.vtk", start + "ASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 nan 0\n",
-                      "a.vtk:1", "vertex 0", "coordinate", "NaN");
+                      "a.vtk:5", "vertex 0", "coordinate", "NaN");
     EXPECT_UNREADABLE("a.vtk", start + "ASCII\nDATASET POLYDATA\nPOINTS 1 quad\n0 0 0\n", "a.vtk:5",
                       "quad", "type");
 }

@@ -255,6 +255,7 @@ TEST(VtuReading, RefusesOtherGridsAndEncodings) {
     EXPECT_SAYS(error("Name=\"types\"", "Name=\"kinds\""), "InvalidInput", "a.vtu:38", "no array",
                 "types");
     EXPECT_SAYS(error("Int32", "String"), "InvalidInput", "a.vtu:28", "type", "String");
+    EXPECT_SAYS(error("1.250000", "nan"), "InvalidInput", "a.vtu:20", "vertex 4", "NaN");
     EXPECT_UNREADABLE("a.vtu", grid(as_text, 12), "a.vtu:25", "cell 2", "type 12", "4 corners");
 }
 
