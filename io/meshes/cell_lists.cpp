@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/cell_lists.h"
 
+#include "base/listed.h"
 #include "base/lists.h"
 #include "io/meshes/readers.h"
 #include "meshes/split_cells.h"
@@ -17,6 +18,19 @@ void CellLists::add(int dimension, std::span<const Index> corners, Index tag) {
     auto& cells = lists_[dimension].cells;
     cells.add(corners);
     cells.tags.push_back(tag);
+}
+
+std::vector<Index> CellLists::tags_from(const std::vector<double>& numbers, std::size_t cells) {
+    const auto other = std::find_if_not(numbers.begin(), numbers.end(), [](double number) {
+        return number == std::floor(number) && std::abs(number) < 0x1p31;
+    });
+    if (numbers.size() == cells && other == numbers.end())
+        return {numbers.begin(), numbers.end()};
+    warnings_.push_back(
+        fmt::format("left out the groups of {}: {}", counted(cells, "cell", "cells"),
+                    other == numbers.end() ? fmt::format("there are {} numbers", numbers.size())
+                                           : fmt::format("{} is not a 32-bit integer", *other)));
+    return std::vector<Index>(cells, 0);
 }
 
 /// Cells of smaller dimension mostly bound those of the mesh. Others would be missed.
@@ -52,6 +66,7 @@ Mesh CellLists::mesh(Points points, const SourceFile& file) && {
     for (const auto& list : lists_)
         checked_count(list.cells.corners.size(), "corners of cells", file);
     auto warnings = warnings_of_lesser(dimension, points.rows());
+    warnings.insert(warnings.end(), warnings_.begin(), warnings_.end());
     if (curved_ > 0)
         warnings.push_back(higher_order_warning(curved_));
     auto& [cells, second_groups] = lists_[dimension];
@@ -90,14 +105,6 @@ std::string higher_order_warning(std::size_t cells) {
     return fmt::format(
         "read only the corners of {} of second or higher order; left out midpoints and other nodes",
         cells == 1 ? "1 cell" : fmt::format("{} cells", cells));
-}
-
-std::vector<Index> tags_from(const std::vector<double>& numbers) {
-    const bool fit = std::all_of(numbers.begin(), numbers.end(), [](double number) {
-        return number == std::floor(number) && std::abs(number) < 0x1p31;
-    });
-    return fit ? std::vector<Index>(numbers.begin(), numbers.end())
-               : std::vector<Index>(numbers.size(), 0);
 }
 
 } // namespace polydec

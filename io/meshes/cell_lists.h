@@ -28,13 +28,18 @@ public:
         more.emplace_back(cells.size() - 1, tag);
     }
 
+    /// Group numbers from a file as the tags of so many cells; all 0, with a warning, unless there
+    /// is a 32-bit integer for each: others name no groups.
+    std::vector<Index> tags_from(const std::vector<double>& numbers, std::size_t cells);
+
     /// Records that the last cell has additional nodes besides its corners, which are omitted.
     void leave_out_nodes(std::size_t count) { curved_ += count > 0 ? 1 : 0; }
 
     /// The mesh of the cells of largest dimension on these points; no cells if all are points.
     /// Polygons and solids are split, and their tags follow. If no cell has a tag, the mesh has
     /// none. Tagged cells of one dimension less become facet tags, once per group. Warnings count
-    /// omitted nodes, second groups of the mesh's own cells, and other cells of lower dimension.
+    /// omitted nodes and groups, second groups of the mesh's own cells, and other cells of lower
+    /// dimension.
     /// Throws InvalidInput, naming the file, if there are too many cells.
     Mesh mesh(Points points, const SourceFile& file) &&;
 
@@ -48,10 +53,8 @@ private:
 
     std::array<List, most_dimensions> lists_;
     std::size_t curved_ = 0;
+    std::vector<std::string> warnings_; ///< about groups
 };
-
-/// Group numbers from a file as tags; all 0 unless each is a 32-bit integer: others name no groups.
-std::vector<Index> tags_from(const std::vector<double>& numbers);
 
 /// The warning about groups of the mesh's own cells besides their first.
 std::string second_groups_warning(std::size_t count);

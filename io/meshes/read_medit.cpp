@@ -124,7 +124,7 @@ void read_section(const Sections& sections, const CellSection& section, Index ve
         references[cell] = scanner.number("a reference");
     }
     end_section(scanner, count, section.keyword);
-    const auto tags = tags_from(references);
+    const auto tags = cells.tags_from(references, count);
     for (std::size_t cell = 0; cell < count; ++cell) {
         cells.add(section.dimension,
                   std::span(numbers).subspan(cell * section.corners, section.corners), tags[cell]);

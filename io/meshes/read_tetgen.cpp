@@ -108,7 +108,7 @@ void add_cells(CellLists& cells, const Nodes& nodes, Scanner& scanner, Index cou
         scanner.end_line("a cell");
     }
     end_records(scanner, count, "cells");
-    const auto tags = tags_from(groups);
+    const auto tags = cells.tags_from(groups, groups.size());
     for (Index cell = 0; cell < count; ++cell) {
         cells.add(corners - 1, std::span(numbers).subspan(cell * corners, corners), tags[cell]);
         cells.leave_out_nodes(extras.nodes);

@@ -84,9 +84,8 @@ public:
     Mesh mesh() {
         Points points = converted_points();
         check_sizes();
-        tags_ = tags_from(arrays_.tags);
-        if (tags_.size() != arrays_.types.size())
-            tags_.assign(arrays_.types.size(), 0);
+        tags_ = arrays_.tags.empty() ? std::vector<Index>(arrays_.types.size())
+                                     : cells_.tags_from(arrays_.tags, arrays_.types.size());
         std::size_t begin = 0;
         for (std::size_t cell = 0; cell < arrays_.types.size(); ++cell)
             begin = convert(cell, begin);

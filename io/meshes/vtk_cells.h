@@ -17,7 +17,7 @@ struct VtkArrays {
     std::vector<double> corners; ///< of the cells, one after the other
     std::vector<double> ends;    ///< for each cell, the end of its corners
     std::vector<double> types;   ///< one per cell
-    std::vector<double> tags;    ///< one per cell, or empty; ignored unless all are integers
+    std::vector<double> tags;    ///< one per cell, or empty; left out unless all are integers
 };
 
 /// The cells of the largest dimension, as a mesh; `place` is the start of the cells, for messages.

@@ -151,6 +151,8 @@ MUTANTS = {
                                "OtherCells.CellsBesideThoseOfTheMeshAreTold"),
     "edges_of_surfaces_unread": ("io/meshes/read_ply.cpp", 'element.name == "edge"', 'element.name == "line"',
                                  "OtherCells.CellsBesideThoseOfTheMeshAreTold"),
+    "groups_left_out_unsaid": ("io/meshes/cell_lists.cpp", "warnings.insert(warnings.end(), warnings_.begin(), warnings_.end());", ";",
+                               "Vtk.NumbersThatAreNotWholeAreNoTags"),
     "groups_of_all_pieces_or_none": ("io/meshes/read_vtu.cpp", "std::vector<double>(cells_in_[static_cast<std::size_t>(piece)])", "std::vector<double>()",
                                      "OddFiles.PiecesOfAGridAreOneMesh"),
     "arrays_of_any_length": ("io/meshes/vtu_arrays.cpp", "if (array.numbers && static_cast<double>(values.size())", "if (false && static_cast<double>(values.size())",

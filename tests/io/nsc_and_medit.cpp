@@ -65,7 +65,9 @@ TEST(Medit, ReferencesAreTagsUnlessAllAreZero) {
     EXPECT_EQ(read_from("a.mesh", medit + "Triangles\n2\n1 2 3 0\n1 3 4 7\n").tags,
               (std::vector<Index>{0, 7}));
     EXPECT_TRUE(read_from("a.mesh", medit + "Triangles\n1\n1 2 3 0\n").tags.empty());
-    EXPECT_TRUE(read_from("a.mesh", medit + "Triangles\n1\n1 2 3 0.5\n").tags.empty());
+    const auto mesh = read_from("a.mesh", medit + "Triangles\n1\n1 2 3 0.5\n");
+    EXPECT_TRUE(mesh.tags.empty());
+    EXPECT_EACH_SAYS(mesh.warnings, {"groups", "1 cell", "0.5"});
 }
 
 TEST(Medit, TagsAreWrittenAndReadBack) {

@@ -141,7 +141,14 @@ TEST(Vtk, StripsPixelsAndPolylinesBecomeTrianglesQuadsAndEdges) {
 TEST(Vtk, NumbersThatAreNotWholeAreNoTags) {
     const auto text = one_cell(5, "0 1 2", 3) + "CELL_DATA 1\nSCALARS material float\n"
                                                 "LOOKUP_TABLE default\n";
-    EXPECT_TRUE(read_from("a.vtk", text + "1.5\n").tags.empty());
+    const auto mesh = read_from("a.vtk", text + "1.5\n");
+    EXPECT_TRUE(mesh.tags.empty());
+    EXPECT_EACH_SAYS(mesh.warnings, {"groups", "1 cell", "1.5"});
+    EXPECT_EACH_SAYS(read_from("a.vtk", one_cell(5, "0 1 2", 3) +
+                                            "CELL_DATA 2\nSCALARS material "
+                                            "int\nLOOKUP_TABLE default\n4 5\n")
+                         .warnings,
+                     {"groups", "1 cell", "2 numbers"});
     EXPECT_EQ(read_from("a.vtk", text + "2\n").tags, (std::vector<Index>{2}));
 }
 
