@@ -79,6 +79,9 @@ std::variant<Mesh, LengthMesh, PeriodicMesh> read_glued(const MeshArguments& arg
                 fmt::format("{}: a file of lengths has no points that could coincide; to join "
                             "vertices, give them the same number",
                             arguments.joining.hanging ? "--join-hanging" : "--weld"));
+        if (arguments.peel)
+            throw InvalidInput("--peel: a file of lengths has no points to tell flat cells by; "
+                               "remove the cells from the file");
         return read_lengths(arguments.mesh);
     }
     Mesh mesh = read_joined(arguments.mesh, arguments.joining);

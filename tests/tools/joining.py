@@ -93,6 +93,7 @@ class SplitVertices(TestCase):
         self.write("a.nsl", "2 3 1\n0 1 2\n0 1 1\n0 2 1\n1 2 1\n")
         for option in ("--weld", "--join-hanging"):
             self.assertSays(self.fail_with(2, "info", "a.nsl", option), option, "lengths")
+        self.assertSays(self.fail_with(2, "info", "a.nsl", "--peel"), "--peel", "lengths")
 
 
 class HangingNodes(TestCase):
