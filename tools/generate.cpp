@@ -102,6 +102,7 @@ CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
     command->callback([out, options, make = std::move(make)] {
         check_output_file(*out,
                           and_pages({".off", ".obj", ".ply", ".stl", ".mesh", ".nsc", ".pdm"}));
+        check_page_options(*out);
         Log log;
         write_generated(*out, make(), log, *options);
     });

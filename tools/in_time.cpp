@@ -80,6 +80,7 @@ void add_time(CLI::App& command, TimeArguments& arguments, const std::string& ow
 }
 
 void check_time(const TimeArguments& arguments) {
+    check_page_options(arguments.out);
     if (!arguments.out.empty())
         check_output_file(arguments.out, and_pages({".pvd"}));
     if (arguments.resume && is_page(arguments.out))

@@ -205,6 +205,7 @@ void draw(const InfoArguments& arguments, const Discretization& mesh, const Info
 
 void run(const InfoArguments& arguments) {
     Log log;
+    check_page_options(arguments.out);
     if (!arguments.out.empty())
         check_output_file(arguments.out, and_pages({}));
     const Discretization mesh = load(arguments.mesh, log, arguments.out);

@@ -43,6 +43,7 @@ void run_merge(const MergeArguments& arguments) {
     const auto& out = arguments.picture.out;
     check_output_file(out, and_pages({".off", ".obj", ".ply", ".vtu"}));
     check_float32(arguments.picture);
+    check_page_options(out);
     const Discretization mesh = load(arguments.mesh, log);
     log.timing.begin("write");
     write_merged(arguments, mesh, log);

@@ -83,6 +83,14 @@ void add_page_options(CLI::App& command) {
                        "NAME\tunit of length for the scale bar of a page, such as mm");
 }
 
+void check_page_options(const std::filesystem::path& out) {
+    const PageText& options = kept_options();
+    if ((options.up || !options.length_unit.empty()) && !is_page(out))
+        throw InvalidInput(fmt::format("{} needs a page or its picture: add -o NAME.html, .png or "
+                                       ".svg, or omit it",
+                                       options.up ? "--up" : "--length-unit"));
+}
+
 std::vector<const char*> and_pages(std::vector<const char*> extensions) {
     extensions.insert(extensions.end(), {".html", ".png", ".svg"});
     return extensions;
@@ -125,6 +133,7 @@ void check_float32(const PictureArguments& picture) {
 }
 
 void check_picture(const PictureArguments& picture) {
+    check_page_options(picture.out);
     if (picture.out.empty())
         return;
     check_output_file(picture.out,

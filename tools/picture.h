@@ -32,7 +32,7 @@ void add_isolines(CLI::App& command, PictureArguments& picture);
 /// Throws for --float32 with files other than .vtu.
 void check_float32(const PictureArguments& picture);
 
-/// Checks the requested file, if any, by check_float32 and check_output_file.
+/// Checks the page options, and the requested file, if any, by check_float32 and check_output_file.
 void check_picture(const PictureArguments& picture);
 
 /// The command line as text, for pages; main sets it once.
@@ -40,6 +40,9 @@ void set_command_text(int argc, const char* const* argv);
 
 /// Adds --up and --length-unit, for commands that write a page; in_page applies them.
 void add_page_options(CLI::App& command);
+
+/// Throws for --up and --length-unit with files other than pages.
+void check_page_options(const std::filesystem::path& out);
 
 /// Whether a path has the extension of a page or of its picture: .html, .png, .svg.
 bool is_page(const std::filesystem::path& out);

@@ -118,6 +118,17 @@ class Misuse(TestCase):
                 (("poisson", mesh, "--rhs"), ("--rhs: ", "expected", "values"))):
             self.assertSays(self.fail_with(1, *arguments), *words)
 
+    def test_options_without_effect_are_refused(self):
+        mesh = golden("grid4.nsc")
+        solve = ("poisson", mesh, "--rhs", "1")
+        for option in (("--up", "x"), ("--length-unit", "mm")):
+            for words in (solve, (*solve, "-o", "u.vtu"), ("info", mesh),
+                          ("merge", mesh, "-o", "m.vtu"), ("generate", "grid", "-o", "g.off"),
+                          ("distance", mesh, "--from", 0), ("spectrum", mesh),
+                          ("hodge", mesh, "--form", "y; x"),
+                          ("heat", mesh, "--initial", "x", "--until", 1, "-o", "h.pvd")):
+                self.assertSays(self.fail_with(2, *words, *option), option[0], "page", "-o")
+        self.succeed(*solve, "-o", "u.html", "--up", "x")
     def test_side_and_degree_have_defaults(self):
         mesh = golden("grid4.nsc")
         self.assertEqual(self.ask("spectrum", mesh, "--count", 2)["eigenvalues"],
