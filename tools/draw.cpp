@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "base/errors.h"
 #include "base/printable.h"
 #include "io/pictures/draw_structure.h"
 #include "io/pictures/svg_drawing.h"
+#include "io/pictures/upright_view.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/outputs.h"
@@ -24,6 +26,9 @@ void run_draw(DrawArguments arguments) {
     check_output_file(arguments.out, {".svg", ".png", ".pdf"});
     check_drawing_file(arguments.out);
     const Discretization mesh = load(arguments.mesh, log);
+    if (!arguments.eye.empty() && is_flat(mesh.measured_points()))
+        throw InvalidInput(fmt::format("--eye: {} lies in a plane, seen from above: omit it",
+                                       printable(log.mesh.string())));
     if (!arguments.eye.empty())
         arguments.shown.structure.view.eye = Eigen::Map<const Vector>(arguments.eye.data(), 3);
     const SvgDrawing drawing =

@@ -129,6 +129,7 @@ class Misuse(TestCase):
                           ("heat", mesh, "--initial", "x", "--until", 1, "-o", "h.pvd")):
                 self.assertSays(self.fail_with(2, *words, *option), option[0], "page", "-o")
         self.succeed(*solve, "-o", "u.html", "--up", "x")
+        self.assertSays(self.fail_with(2, "draw", mesh, "--eye", 1, 2, 3), "--eye", "plane")
     def test_side_and_degree_have_defaults(self):
         mesh = golden("grid4.nsc")
         self.assertEqual(self.ask("spectrum", mesh, "--count", 2)["eigenvalues"],
