@@ -38,7 +38,8 @@ void add_robin(CLI::App& command, ConditionArguments& arguments, const std::stri
         .add_option("--robin", arguments.robin,
                     "ALPHA\tRobin: outward derivative + ALPHA u = " + data +
                         " except at --essential-* facets")
-        ->check(check_positive);
+        ->check(check_positive)
+        ->excludes("--natural");
 }
 
 ConditionValues::ConditionValues(const ConditionArguments& arguments)

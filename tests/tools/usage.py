@@ -130,6 +130,9 @@ class Misuse(TestCase):
                 self.assertSays(self.fail_with(2, *words, *option), option[0], "page", "-o")
         self.succeed(*solve, "-o", "u.html", "--up", "x")
         self.assertSays(self.fail_with(2, "draw", mesh, "--eye", 1, 2, 3), "--eye", "plane")
+        self.assertSays(self.fail_with(1, *solve, "--natural", "--robin", 2), "--natural",
+                        "--robin")
+
     def test_side_and_degree_have_defaults(self):
         mesh = golden("grid4.nsc")
         self.assertEqual(self.ask("spectrum", mesh, "--count", 2)["eigenvalues"],
