@@ -24,10 +24,18 @@ std::string text_after(std::string_view page, std::string_view open) {
     return std::string(rest.substr(0, rest.find_first_of("<>\"'")));
 }
 
-/// The title of a page, in HTML; empty if the text is no page of ours.
-std::string title_of(std::string_view page) {
-    return page.find("id=\"page-header\"") != std::string_view::npos ? text_after(page, "<title>")
-                                                                     : "";
+/// The title of a page, in HTML. Throws if the text, named so, is no page of ours.
+std::string title_of(std::string_view page, const std::string& name,
+                     const std::filesystem::path& path = {}) {
+    if (page.find("id=\"page-header\"") != std::string_view::npos)
+        if (auto title = text_after(page, "<title>"); !title.empty())
+            return title;
+    const bool is_album = page.find("<section id=\"page-0\"") != std::string_view::npos;
+    throw InvalidInput(
+        fmt::format("{} {}", name,
+                    is_album ? "is an album; expected a page; name the pages that the album holds"
+                             : "was not written by polydec; write the page with write_page"),
+        {.path = path});
 }
 
 } // namespace
@@ -37,10 +45,7 @@ std::string album_html(const std::string& title, const std::vector<std::string>&
         throw InvalidInput("an album needs pages: name at least one");
     std::string links, sections, chosen;
     for (std::size_t i = 0; i < pages.size(); ++i) {
-        const std::string name = title_of(pages[i]);
-        if (name.empty())
-            throw InvalidInput(fmt::format(
-                "page {} of an album was not written by polydec; write it with write_page", i));
+        const std::string name = title_of(pages[i], fmt::format("page {} of an album", i));
         links += fmt::format("\n<a id=\"to-{0}\" href=\"#page-{0}\"><img alt=\"\" src=\"{2}\">"
                              "<span><strong>{1}</strong> {3}</span></a>",
                              i, name, text_after(pages[i], "<link rel=\"icon\" href=\""),
@@ -66,11 +71,7 @@ void write_album(const std::filesystem::path& path, const std::string& title,
     std::vector<std::string> texts;
     for (const auto& page : pages) {
         texts.push_back(read_source_file(page).text);
-        if (title_of(texts.back()).empty())
-            throw InvalidInput(
-                fmt::format("{} was not written by polydec; write the page with write_page",
-                            printable(page.string())),
-                {.path = page});
+        title_of(texts.back(), printable(page.string()), page);
     }
     AtomicFile file(path);
     file.write(album_html(title, texts));

@@ -159,4 +159,6 @@ MUTANTS = {
                              "VtuReading.ArraysHaveTheNumbersThatTheirPieceTells"),
     "points_blamed_on_cells": ("io/meshes/read_vtk.cpp", "check_points(arrays_.points, 0, place);", "check_points(arrays_.points, 0, cells_place_);",
                                "Vtk.RefusesWhatDoesNotFit"),
+    "albums_are_foreign": ("io/pages/album.cpp", "is_album = page.find", "is_album = page.empty() && page.find",
+                           "Pages.AreBoundIntoAnAlbum"),
 }

@@ -199,6 +199,7 @@ TEST(Pages, AreBoundIntoAnAlbum) {
     EXPECT_REFUSED(album_html("none", {}), "album", "pages");
     EXPECT_REFUSED(album_html("a", {pages[0], "<html><title>x</title></html>"}), "page 1", "album",
                    "write_page");
+    EXPECT_REFUSED(album_html("a", {pages[0], album}), "page 1", "is an album", "pages");
 }
 
 TEST(Pages, RefuseWhatDoesNotFit) {
