@@ -26,6 +26,10 @@ namespace {
 
 constexpr std::size_t most_unlisted = 32; ///< one of so many steps may be missing in the list
 
+std::string name_of_step(const std::string& stem, std::size_t step) {
+    return fmt::format("{}_{:04}.vtu", stem, step);
+}
+
 /// The number of a step in the name of its file; none for other files.
 std::optional<std::size_t> step_of(const std::string& name, const std::string& stem) {
     if (name.size() <= stem.size() + 5)
@@ -33,14 +37,13 @@ std::optional<std::size_t> step_of(const std::string& name, const std::string& s
     const auto digits = name.substr(stem.size() + 1, name.size() - stem.size() - 5);
     std::size_t step = 0;
     const auto end = digits.data() + digits.size();
-    if (name != fmt::format("{}_{}.vtu", stem, digits) ||
-        std::from_chars(digits.data(), end, step).ptr != end)
+    if (std::from_chars(digits.data(), end, step).ptr != end || name != name_of_step(stem, step))
         return std::nullopt;
     return step;
 }
 
-/// The folder of the steps, with so many of an earlier series.
-void make_folder(const std::filesystem::path& series, std::size_t kept) {
+/// The folder of the steps.
+void make_folder(const std::filesystem::path& series) {
     const auto folder = std::filesystem::path(series).replace_extension();
     std::error_code error;
     std::filesystem::create_directory(folder, error);
@@ -49,8 +52,6 @@ void make_folder(const std::filesystem::path& series, std::size_t kept) {
                                   printable(folder.string()),
                                   error ? ": " + error.message() : std::string()),
                       {.path = folder});
-    for (const auto& file : files_of_steps(series, kept))
-        std::filesystem::remove(file, error);
 }
 
 } // namespace
@@ -89,13 +90,20 @@ Series::Series(std::filesystem::path path, const Discretization& mesh, PageText 
                         ".pvd file, and convert it to a page at the end",
                         printable(path_.string())),
             {.path = path_});
+    const bool replaces = std::filesystem::exists(path_); // else steps of this name are not ours
     keep_steps(times);
-    if (!is_page_)
-        make_folder(path_, begun_);
+    if (is_page_)
+        return;
+    make_folder(path_);
+    std::error_code error;
+    if (replaces || begun_ > 0)
+        for (const auto& file : files_of_steps(path_, begun_))
+            std::filesystem::remove(file, error);
 }
 
 std::string Series::file_of_step(std::size_t step) const {
-    return fmt::format("{0}/{0}_{1:04}.vtu", path_.stem().string(), step);
+    const std::string stem = path_.stem().string();
+    return stem + "/" + name_of_step(stem, step);
 }
 
 std::string mark_of(std::uint64_t run) {

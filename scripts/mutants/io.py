@@ -159,6 +159,10 @@ MUTANTS = {
                              "VtuReading.ArraysHaveTheNumbersThatTheirPieceTells"),
     "points_blamed_on_cells": ("io/meshes/read_vtk.cpp", "check_points(arrays_.points, 0, place);", "check_points(arrays_.points, 0, cells_place_);",
                                "Vtk.RefusesWhatDoesNotFit"),
+    "steps_of_any_digits": ("io/pages/series.cpp", "|| name != name_of_step(stem, step))", "|| name != fmt::format(\"{}_{}.vtu\", stem, digits))",
+                            "Series.RemovesStepsOfAnEarlierOneAndNothingElse"),
+    "steps_of_no_series": ("io/pages/series.cpp", "if (replaces || begun_ > 0)", "if (replaces || begun_ + 1 > 0)",
+                           "Series.RemovesStepsOfAnEarlierOneAndNothingElse"),
     "albums_are_foreign": ("io/pages/album.cpp", "is_album = page.find", "is_album = page.empty() && page.find",
                            "Pages.AreBoundIntoAnAlbum"),
 }

@@ -141,8 +141,12 @@ TEST(Series, RemovesStepsOfAnEarlierOneAndNothingElse) {
     Series(folder.path("a.pvd"), mesh).close();
     EXPECT_FALSE(std::filesystem::exists(folder.path("a/a_0000.vtu")));
     EXPECT_FALSE(std::filesystem::exists(folder.path("a/a_0007.vtu")));
-    for (const char* name : {"a_x.vtu", "b_0001.vtu", "notes.txt"})
+    for (const char* name : {"a_7.vtu", "a_x.vtu", "b_0001.vtu", "notes.txt"})
         EXPECT_TRUE(std::filesystem::exists(folder.path("a") / name)) << name;
+    std::filesystem::create_directory(folder.path("b"));
+    folder.write("b/b_0007.vtu", "text");
+    Series(folder.path("b.pvd"), mesh).close();
+    EXPECT_TRUE(std::filesystem::exists(folder.path("b/b_0007.vtu")));
 }
 
 TEST(Series, GoesOnAsIfItHadNotEnded) {
