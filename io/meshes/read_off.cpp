@@ -87,13 +87,17 @@ Eigen::Index count_axes(Scanner scanner, Index vertices) {
     return 2;
 }
 
-/// Colors, normals and texture behind the coordinates are left out with the rest of the line.
-Points read_vertices(Scanner& scanner, Index count, Eigen::Index axes) {
+/// Colors, normals and texture behind the coordinates are left out with the rest of the line;
+/// `alone` are coordinates that the lines themselves have told to be all.
+Points read_vertices(Scanner& scanner, Index count, Eigen::Index axes, bool alone) {
     Points points(count, axes);
     for (Index vertex = 0; vertex < count; ++vertex) {
         for (Eigen::Index axis = 0; axis < axes; ++axis)
             points(vertex, axis) = scanner.coordinate(vertex);
-        scanner.next_line();
+        if (alone)
+            scanner.end_line("a vertex of two coordinates, as of the first");
+        else
+            scanner.next_line();
     }
     return points;
 }
@@ -124,9 +128,10 @@ Mesh read_off(const SourceFile& file) {
     scanner.integer("the number of edges");
 
     PolygonMesh polygons;
-    if (axes == 0)
+    const bool is_told = axes != 0;
+    if (!is_told)
         axes = count_axes(scanner, vertices);
-    polygons.points = read_vertices(scanner, vertices, axes);
+    polygons.points = read_vertices(scanner, vertices, axes, !is_told && axes == 2);
     read_faces(scanner, faces, polygons, file);
 
     const bool is_curve = polygons.all_have(2);

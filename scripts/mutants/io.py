@@ -163,6 +163,8 @@ MUTANTS = {
                             "Series.RemovesStepsOfAnEarlierOneAndNothingElse"),
     "steps_of_no_series": ("io/pages/series.cpp", "if (replaces || begun_ > 0)", "if (replaces || begun_ + 1 > 0)",
                            "Series.RemovesStepsOfAnEarlierOneAndNothingElse"),
+    "third_coordinates_dropped": ("io/meshes/read_off.cpp", "if (alone)", "if (alone && axes > 2)",
+                                  "Off.RefusesAThirdCoordinateAfterVerticesOfTwo"),
     "albums_are_foreign": ("io/pages/album.cpp", "is_album = page.find", "is_album = page.empty() && page.find",
                            "Pages.AreBoundIntoAnAlbum"),
 }

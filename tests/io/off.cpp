@@ -107,6 +107,11 @@ TEST(Off, RefusesWhatIsNoNumber) {
                       "large", "vertices");
 }
 
+TEST(Off, RefusesAThirdCoordinateAfterVerticesOfTwo) {
+    EXPECT_UNREADABLE("a.off", "OFF\n3 1 0\n0 0\n1 0\n0.5 1 7\n3 0 1 2\n", "a.off:5", "7", "line",
+                      "two coordinates");
+}
+
 TEST(Off, RefusesCoordinatesThatAreNotFinite) {
     for (const std::string word :
          {"nan", "-NaN", "inf", "+Inf", "-infinity", "1e400", "-1e999999"}) {
