@@ -10,8 +10,8 @@
 
 namespace polydec {
 
-/// The existing files of the steps from the first-th on of a .pvd series: a new series of this path
-/// removes them.
+/// The existing files of the steps from the first-th on of a .pvd series: a new series that
+/// replaces one at this path removes them.
 std::vector<std::filesystem::path> files_of_steps(const std::filesystem::path& series,
                                                   std::size_t first = 0);
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace polydec {
 
@@ -121,23 +122,24 @@ SaddleSolver::SaddleSolver(Vector scales, const SparseMatrix& M, const SparseMat
 Vector SaddleSolver::accelerated(Vector step, double enough) const {
     constexpr int most = 100;
     constexpr double kernel = 1e-7;
-    DenseMatrix parts(step.size(), most), changes(step.size(), most);
+    std::vector<Vector> parts, changes; // changes are orthonormal
     Vector result = Vector::Zero(step.size());
     for (int j = 0; j < most && step.norm() > enough; ++j) {
         Vector part = step, change = solver_->solve(A_ * step);
-        for (int pass = 0; pass < 2; ++pass) {
-            const Vector along = changes.leftCols(j).transpose() * change;
-            change -= changes.leftCols(j) * along;
-            part -= parts.leftCols(j) * along;
-        }
+        for (int pass = 0; pass < 2; ++pass)
+            for (int i = 0; i < j; ++i) {
+                const double along = changes[i].dot(change);
+                change -= along * changes[i];
+                part -= along * parts[i];
+            }
         const double size = change.norm();
         if (!(size > kernel * part.norm()))
             break;
-        parts.col(j) = part / size;
-        changes.col(j) = change / size;
-        const double length = changes.col(j).dot(step);
-        result += length * parts.col(j);
-        step -= length * changes.col(j);
+        parts.emplace_back(part / size);
+        changes.emplace_back(change / size);
+        const double length = changes[j].dot(step);
+        result += length * parts[j];
+        step -= length * changes[j];
     }
     return result;
 }
