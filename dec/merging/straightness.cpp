@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/straightness.h"
 
-#include "complex/components.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/metric/angle_sums.h"
 #include "dec/metric/rounding.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <utility>
 
 namespace polydec {
 
@@ -22,11 +23,17 @@ StraightnessTest::StraightnessTest(const Geometry& geometry, double tolerance, d
     for (int k = 1; k <= complex_.dimension(); ++k)
         degrees_.push_back(
             {complex_.faces(k), volumes.primal(k), volumes.dual(k), volumes.terms(k)});
-    is_flat_ = geometry_.metric().ambient_dimension() == complex_.dimension();
-    if (complex_.dimension() > 2)
-        must_be_coplanar_ = boundary_cells(complex_);
-    if (!must_be_coplanar_.empty() && !is_flat_)
-        angles_ = angle_sums(complex_, geometry_.metric());
+    const int n = complex_.dimension();
+    if (n < 3)
+        return;
+    on_boundary_ = boundary_cells(complex_);
+    if (geometry_.metric().ambient_dimension() == n)
+        return;
+    SimplexFaces ridges(complex_, n, n - 2);
+    DenseMatrix angles = DenseMatrix::Zero(complex_.size(n), std::ssize(ridges.positions()));
+    for_each_angle(complex_, geometry_.metric(),
+                   [&](Index t, Index i, Index, double radians) { angles(t, i) = radians; });
+    angles_.emplace(Angles{std::move(ridges), std::move(angles), Cofaces(complex_, n)});
 }
 
 StraightnessTest::Wing StraightnessTest::look(int k, Index s, Index f) {
@@ -38,21 +45,41 @@ StraightnessTest::Wing StraightnessTest::look(int k, Index s, Index f) {
     return {apex, height, sphere_.uncertainty().of(height), k * degrees_[k - 1].primal[f] / base};
 }
 
-Vector StraightnessTest::upwards(int k, Index s, Index f, int apex) const {
+double StraightnessTest::bend(int k, Index s, Index a, Index b) {
     const auto& base = complex_.simplices(k - 1).row(s);
     const Points& points = *geometry_.metric().points(); // a flat complex in R^N has points
-    DenseMatrix edges(points.cols(), k - 1);
-    for (int i = 1; i < k; ++i)
-        edges.col(i - 1) = (points.row(base[i]) - points.row(base[0])).transpose();
-    Vector away = (points.row(complex_.simplices(k)(f, apex)) - points.row(base[0])).transpose();
+    edges_.resize(points.cols(), k + 1);
+    for (int i = 0; i <= k; ++i) {
+        const Index end = i < k - 1 ? base[i + 1] : i < k ? a : b;
+        edges_.col(i) = (points.row(end) - points.row(base[0])).transpose();
+    }
     for (int pass = 0; pass < 2; ++pass) // the second pass removes the rounding of the first
-        for (int i = 0; i < k - 1; ++i) {
-            for (int j = 0; j < i; ++j)
-                edges.col(i) -= edges.col(j) * edges.col(j).dot(edges.col(i));
-            edges.col(i).normalize();
-            away -= edges.col(i) * edges.col(i).dot(away);
+        for (int i = 0; i <= k; ++i) {
+            for (int j = 0; j < std::min(i, k - 1); ++j)
+                edges_.col(i) -= edges_.col(j) * edges_.col(j).dot(edges_.col(i));
+            edges_.col(i) /= edges_.col(i).norm();
         }
-    return away / away.norm();
+    return (edges_.col(k - 1) + edges_.col(k)).norm();
+}
+
+bool StraightnessTest::is_unfolded(Index s, Index f, Index g, double limit) {
+    auto& [ridges, angles, cofaces] = *angles_;
+    for (Coface at : cofaces.of(f)) {
+        double sum = 0;
+        Index facet = f;
+        do {
+            const auto& list = ridges.of(at.cell);
+            const auto i = std::find(list.begin(), list.end(), s) - list.begin();
+            sum += angles(at.cell, i);
+            const auto& corners = ridges.omitted()[i]; // each is lacking in a facet around s
+            facet = degrees_.back().faces(at.cell, corners[corners[0] == at.omitted ? 1 : 0]);
+            const auto sides = cofaces.of(facet);
+            at = sides.front().cell == at.cell ? sides.back() : sides.front();
+        } while (facet != f && facet != g);
+        if (facet != g || std::abs(sum - std::numbers::pi) > limit)
+            return false;
+    }
+    return true;
 }
 
 bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
@@ -73,13 +100,12 @@ bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
     if (std::abs(V - W) > tolerance_ * size + noise)
         return false;
 
-    if (must_be_coplanar_.empty() || !must_be_coplanar_[k - 1][s])
-        return true;
-    const double angle_rounding = rounding_of(terms) / lower;
-    if (!is_flat_)
-        return k < complex_.dimension() - 1 ||
-               std::abs(angles_[s] - std::numbers::pi) <= angle_ + angle_rounding;
-    return (upwards(k, s, f, a.apex) + upwards(k, s, g, b.apex)).norm() <= angle_ + angle_rounding;
+    const double angle = on_boundary_[k - 1][s] ? angle_ : tolerance_;
+    const double limit = angle + rounding_of(terms) / lower;
+    if (angles_)
+        return k < complex_.dimension() - 1 || is_unfolded(s, f, g, limit);
+    const auto& simplices = complex_.simplices(k);
+    return bend(k, s, simplices(f, a.apex), simplices(g, b.apex)) <= limit;
 }
 
 } // namespace polydec

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "complex/components.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/geometry.h"
+#include "dec/metric/simplex_faces.h"
+
+#include <optional>
+#include <vector>
 
 namespace polydec {
 
 /// Decides whether k-simplices f and g form one flat piece across their common (k-1)-face s. Their
-/// circumcenters must coincide, also relative to their heights over s, and their duals agree. If s
-/// is on the boundary, they must lie in one k-plane up to an angle; inside, this follows. Curved
+/// circumcenters must coincide, also relative to their heights over s, and their duals agree. They
+/// must lie in one k-plane up to an angle: the tolerance, or on the boundary `angle`. Curved
 /// complexes, and lengths alone, have no such plane: for k = n-1 the angles of the n-simplices
-/// around s must sum to pi; for smaller k there is no third condition.
+/// around s, from f to g on each side, must sum to pi; for smaller k there is no third condition.
 class StraightnessTest {
 public:
     StraightnessTest(const Geometry& geometry, double tolerance, double angle);
@@ -19,6 +24,7 @@ public:
     StraightnessTest(const StraightnessTest&) = delete;
     StraightnessTest& operator=(const StraightnessTest&) = delete;
 
+    /// f and g are all that remains of the k-simplices around s.
     bool operator()(int k, Index s, Index f, Index g);
 
 private:
@@ -38,18 +44,29 @@ private:
         const Bounds& terms;
     };
 
-    /// The unit vector orthogonal to s from s to the apex.
-    Vector upwards(int k, Index s, Index f, int apex) const;
+    /// Whether the angles sum to pi.
+    bool is_unfolded(Index s, Index f, Index g, double limit);
+
+    /// The length of the sum of the unit vectors orthogonal to s from s to vertices a and b: the
+    /// angle by which these planes differ.
+    double bend(int k, Index s, Index a, Index b);
 
     Geometry geometry_;
     const Pieces& complex_;
     std::vector<Degree> degrees_; // at k - 1: for k = 1, .., n
     double tolerance_, angle_;
     SimplexLayout layout_;
-    Circumsphere sphere_; // looks at one simplex at a time
-    bool is_flat_ = false;
-    std::vector<std::vector<bool>> must_be_coplanar_; // by degree of s
-    Vector angles_;                                   // around (n-2)-simplices, unless it is flat
+    Circumsphere sphere_;   // looks at one simplex at a time
+    DenseMatrix edges_;     // of the simplices that are compared
+    CellMarks on_boundary_; // where n > 2
+
+    /// What is known of n-simplices without a common space.
+    struct Angles {
+        SimplexFaces faces; ///< of dimension n-2
+        DenseMatrix of;     ///< each simplex (row) at each of these faces
+        Cofaces cofaces;    ///< of facets
+    };
+    std::optional<Angles> angles_; // unless the complex is flat
 };
 
 } // namespace polydec

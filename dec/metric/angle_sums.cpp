@@ -90,20 +90,25 @@ private:
 
 } // namespace
 
-Vector angle_sums(const Pieces& complex, const SimplexMetric& metric) {
+void for_each_angle(const Pieces& complex, const SimplexMetric& metric,
+                    const std::function<void(Index, Index, Index, double)>& take) {
     const int n = complex.dimension();
     SimplexFaces faces(complex, n, n - 2);
     SimplexLayout layout(complex, metric);
     Dihedral dihedral(n, metric.points() ? metric.points()->cols() : n);
-    Vector sums = Vector::Zero(complex.size(n - 2));
     for (Index t = 0; t < complex.size(n); ++t) {
         const Corners corners = layout.at(n, t);
         if (dihedral.is_flat(corners))
             continue;
         const auto& list = faces.of(t);
-        for (std::size_t s = 0; s < list.size(); ++s)
-            sums[list[s]] += dihedral.angle(corners, faces.positions()[s], faces.omitted()[s]);
+        for (Index i = 0; i < std::ssize(list); ++i)
+            take(t, i, list[i], dihedral.angle(corners, faces.positions()[i], faces.omitted()[i]));
     }
+}
+
+Vector angle_sums(const Pieces& complex, const SimplexMetric& metric) {
+    Vector sums = Vector::Zero(complex.size(complex.dimension() - 2));
+    for_each_angle(complex, metric, [&](Index, Index, Index s, double angle) { sums[s] += angle; });
     return sums;
 }
 

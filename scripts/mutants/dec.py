@@ -249,9 +249,11 @@ MUTANTS = {
     "carriers_of_the_largest": ("complex/blocks.cpp", "own[g].dimension < below[s].dimension",
                                 "own[g].dimension > below[s].dimension",
                                 "Tesseract.has_a_boundary_of_eight_cubes"),
-    "bends_unseen": ("dec/merging/straightness.cpp", "std::abs(angles_[s] - std::numbers::pi) <=",
-                     "0 * angles_[s] <=",
+    "bends_unseen": ("dec/merging/straightness.cpp", "std::abs(sum - std::numbers::pi) > limit",
+                     "sum > 9 + limit",
                      "Lengths.know_the_planes_of_the_boundary_of_flat_boxes_by_angles"),
+    "walls_may_bend": ("dec/merging/straightness.cpp", "b.apex)) <= limit", "b.apex)) < 3",
+                       "Family/MaterialsOf.flat_meshes_lie_in_planes_cell_by_cell/kuhn3"),
     "space_keeps_what_lies_on_the_boundary": (
         "dec/boundary/form_space.cpp", "fixed(), on_the_boundary());", "fixed());",
         "WaveOrders.are_2_on_hexagons"),

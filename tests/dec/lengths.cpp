@@ -53,8 +53,8 @@ TEST_P(Lengths, give_the_volumes_that_points_give) {
         << shape;
 }
 
-/// The same points in a space of one more dimension, where a complex may be curved: whether faces
-/// on its boundary lie in one plane is then not asked.
+/// The same points in a space of one more dimension, where a complex may be curved: angles say
+/// whether facets lie in one plane, and faces of lower degree are not asked.
 Points in_more_dimensions(const Points& points) {
     Points result = Points::Zero(points.rows(), points.cols() + 1);
     result.leftCols(points.cols()) = points;

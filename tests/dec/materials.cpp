@@ -54,6 +54,48 @@ TEST_P(MaterialsOf, one_kind_merge_as_if_there_were_none) {
     }
 }
 
+/// How far vertices lie from the nearest k-plane, in parts of how far they lie apart.
+double bend(const Points& points, const std::vector<Index>& vertices, int k) {
+    const Points corners = points(vertices, Eigen::seqN(0, points.cols()));
+    const DenseMatrix centered = corners.rowwise() - corners.colwise().mean();
+    const Vector sizes = Eigen::JacobiSVD<DenseMatrix>(centered).singularValues();
+    return k < sizes.size() ? sizes[k] / sizes[0] : 0;
+}
+
+TEST_P(MaterialsOf, flat_meshes_lie_in_planes_cell_by_cell) {
+    if (mesh().points.cols() != mesh().n())
+        return;
+    const auto mesh = discretize(tagged(GetParam(), 2), apart);
+    const int n = mesh.dimension();
+    for (int k = 1; k <= n; ++k)
+        for (Index c = 0; c < mesh.complex().size(k); ++c) {
+            const auto vertices = mesh.merging().vertices(k, c);
+            EXPECT_LE(bend(mesh.points(), vertices, k), 1e-7) << "cell " << c;
+            EXPECT_GT(bend(mesh.points(), vertices, k - 1), 1e-7) << "cell " << c;
+        }
+}
+
+TEST_P(MaterialsOf, flat_meshes_known_by_lengths_alone_have_the_same_facets) {
+    const Merged& one = mesh();
+    if (one.points.cols() != one.n())
+        return;
+    const auto tags = tagged(GetParam(), 2).tags;
+    KeptFacets kept{std::vector<bool>(one.K().size(one.n() - 1), false), {}};
+    const Cofaces cofaces(one.K(), one.n());
+    for (Index f = 0; f < std::ssize(kept.stay); ++f)
+        for (const Coface& t : cofaces.of(f))
+            kept.stay[f] = kept.stay[f] || tags[t.cell] != tags[cofaces.of(f).front().cell];
+    const auto merge = [&](const SimplexMetric& metric) {
+        const auto volumes = circumcentric_volumes(one.K(), metric);
+        return merge_cospherical({one.K(), metric, volumes}, {.tolerance = tolerance}, kept)
+            .merging.merged();
+    };
+    const auto ours = merge({one.K(), edge_lengths(one.K(), one.points)});
+    const auto theirs = merge(one.points);
+    for (int k = std::max(0, one.n() - 1); k <= one.n(); ++k)
+        EXPECT_EQ(ours.size(k), theirs.size(k)) << k;
+}
+
 POLYDEC_OVER_MESHES(MaterialsOf);
 
 TEST(MaterialsOfCubes, are_joined_unless_they_are_to_be_kept_apart) {
