@@ -25,14 +25,11 @@ const char* option(Remedy remedy) {
 DiscretizeOptions with(Remedy remedy, DiscretizeOptions options) {
     if (remedy == Remedy::stars)
         options.star = StarKind::automatic;
-    if (remedy != Remedy::flips && remedy != Remedy::splits)
-        return options;
-    if (options.criterion == MergeCriterion::angle)
-        options = {.star = options.star};
-    return {.criterion = options.criterion,
-            .tolerance = options.tolerance,
-            .delaunay = remedy == Remedy::flips ? Delaunay::flips : Delaunay::flips_and_splits,
-            .star = options.star};
+    if (remedy == Remedy::flips)
+        options.delaunay = Delaunay::flips;
+    if (remedy == Remedy::splits)
+        options.delaunay = Delaunay::flips_and_splits;
+    return options;
 }
 
 namespace {
@@ -76,11 +73,17 @@ bool are_cure(const SimplicialComplex& triangles, const Vector& lengths,
     }
 }
 
+/// Whether discretize flips edges with these options.
+bool allow_flips(const DiscretizeOptions& options) {
+    return options.criterion != MergeCriterion::angle && options.materials == Materials::join &&
+           options.centers.are_circumcenters();
+}
+
 } // namespace
 
 Remedy remedy(const SimplicialComplex& input, const Vector& lengths,
               const DiscretizeOptions& options) {
-    if (GluedSurface::accepts(input))
+    if (allow_flips(options) && GluedSurface::accepts(input))
         for (const Remedy next : {Remedy::flips, Remedy::splits}) {
             const auto tried = with(next, options);
             if (tried.delaunay > options.delaunay && are_cure(input, lengths, tried))

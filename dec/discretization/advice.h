@@ -19,13 +19,14 @@ enum class Remedy {
 /// C++ name of the option: "DiscretizeOptions::delaunay"; empty for Remedy::none.
 const char* option(Remedy remedy);
 
-/// The options with the remedy applied. Flips exclude the test of opposite angles, keeping
-/// materials apart, and other centers: these three are reset to their defaults.
+/// The options with the remedy applied.
 DiscretizeOptions with(Remedy remedy, DiscretizeOptions options);
 
 /// The remedy for a mesh some of whose duals are not positive: the first of flips and splits that
 /// makes every dual positive, else stars. Flips and splits are tried out, on surfaces with at most
-/// two triangles per edge. `lengths`: one per edge of the input. Takes the time of the flips.
+/// two triangles per edge, unless the options exclude them: by the test of opposite angles, by
+/// keeping materials apart, or by other centers. `lengths`: one per edge of the input. Takes the
+/// time of the flips.
 Remedy remedy(const SimplicialComplex& input, const Vector& lengths,
               const DiscretizeOptions& options);
 

@@ -65,11 +65,20 @@ TEST(Advice, gives_options_that_discretize_takes) {
     mesh.tags = {1, 2};
     for (auto options : {DiscretizeOptions{.criterion = MergeCriterion::angle, .tolerance = 1e-3},
                          DiscretizeOptions{.materials = Materials::keep_apart},
-                         DiscretizeOptions{.centers = Centers::centroids()}})
-        for (const auto remedy : {Remedy::flips, Remedy::splits, Remedy::stars}) {
-            options.star = StarKind::circumcentric;
-            EXPECT_EQ(not_positive(discretize(mesh, with(remedy, options))), 0U);
-        }
+                         {}}) {
+        const auto hybrid = discretize(mesh, options);
+        options.star = StarKind::circumcentric;
+        const auto told = diagnose(discretize(mesh, options)).advice;
+        ASSERT_EQ(told.size(), 1U);
+        EXPECT_EQ(not_positive(discretize(mesh, with(told[0].remedy, options))), 0U);
+        const bool flips = told[0].remedy == Remedy::flips;
+        EXPECT_EQ(flips, options.criterion == MergeCriterion::dual_length &&
+                             options.materials == Materials::join);
+        EXPECT_EQ(hybrid.warnings().size(), flips ? 1U : 0U);
+        EXPECT_EQ(flip_advice(hybrid).empty(), !flips);
+    }
+    for (const auto remedy : {Remedy::flips, Remedy::splits, Remedy::stars})
+        EXPECT_EQ(not_positive(discretize(mesh, with(remedy, {}))), 0U);
 }
 
 } // namespace polydec::test::in_advice
