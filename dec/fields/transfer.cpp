@@ -118,7 +118,10 @@ Cochain to_merged(const Discretization& discretization, const Cochain& form) {
     const Vector values = form.side == Side::primal
                               ? Vector(discretization.passage().forth(form.degree, form.values))
                               : Vector(forth(discretization, kind) * form.values);
-    return {form.side, form.degree, merged_from(discretization, kind) * values};
+    if (form.side == Side::primal || discretization.passage().is_identity())
+        return {form.side, form.degree, merged_from(discretization, kind) * values};
+    const auto& lift = discretization.merged().lift()[discretization.dimension() - form.degree];
+    return {form.side, form.degree, lift.transpose() * values};
 }
 
 Cochain on_pieces(const Discretization& mesh, const Cochain& form) {

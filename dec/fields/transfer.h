@@ -39,9 +39,9 @@ struct FormKind {
 SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& O, FormKind from,
                       FormKind to);
 
-/// Maps a form on the input's simplices, primal or dual, to the merged cells. After intrinsic flips
-/// only primal forms, by the product of the flips, a cochain map.
-/// Throws InvalidInput if the form does not live on the pieces.
+/// Maps a form on the input's simplices, primal or dual, to the merged cells. After intrinsic
+/// flips, by cochain maps: primal forms by the product of the flips, dual ones by the transpose of
+/// lifted. Throws InvalidInput if the form does not live on the pieces.
 Cochain to_merged(const Discretization& discretization, const Cochain& form);
 
 /// Maps a primal form on merged cells to the pieces by the lift of the mesh (see commuting_lift);
