@@ -33,6 +33,10 @@ OwnedMat part(const Ranks& ranks, Mat A, const std::vector<Index>& unknowns) {
     return result;
 }
 
+Vector times_two_to_the(int power, const Vector& values) {
+    return values.unaryExpr([power](double x) { return std::ldexp(x, power); });
+}
+
 } // namespace
 
 struct SharedSolver::State {
@@ -91,7 +95,7 @@ struct SharedSolver::State {
                 .backward_error = largest(rest) / (matrix_norm * largest(x) + largest(b))};
     }
 
-    Vector solve(const Vector& b, SolveReport& report);
+    Vector solve(const Vector& right_side, SolveReport& report);
 
     Ranks ranks;
     SharedSystem system;
@@ -106,12 +110,16 @@ struct SharedSolver::State {
     std::string name;
 };
 
-/// Refined until the residual does not shrink any more, or is small enough.
-Vector SharedSolver::State::solve(const Vector& b, SolveReport& report) {
+/// Refined until the residual does not shrink any more, or is small enough. In the unit of the
+/// data, a power of two, whose squares stay in range.
+Vector SharedSolver::State::solve(const Vector& right_side, SolveReport& report) {
     constexpr double enough = 1e-12;
     constexpr int most_refinements = 3;
-    if (norm(b) == 0)
-        return Vector::Zero(b.size());
+    const double size = largest(right_side);
+    if (size == 0)
+        return right_side;
+    const int unit = std::ilogb(size);
+    const Vector b = times_two_to_the(-unit, right_side);
     while (true) {
         try {
             Vector x = Vector::Zero(b.size()), r = b;
@@ -130,7 +138,7 @@ Vector SharedSolver::State::solve(const Vector& b, SolveReport& report) {
                 throw SolverFailure(fmt::format("{}: {}", name, reached.failure()));
             report.residual = reached.residual;
             report.backward_error = reached.backward_error;
-            return x;
+            return times_two_to_the(unit, x);
         } catch (const SolverFailure& failure) { // of all ranks
             tried.emplace_back(failure.what());
             next_engine();

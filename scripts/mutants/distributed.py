@@ -9,4 +9,6 @@ MUTANTS = {
     "flow_out_of_essential_facets": ("distributed/poisson.cpp", "outflow = signs.cwiseProduct(facets.natural)",
                                      "outflow = signs.cwiseProduct(facets.essential)",
                                      "DistributedPoisson.has_the_solution_of_one_process_with_all_conditions_on_both_sides"),
+    "squares_of_data_out_of_range": ("distributed/shared_solver.cpp", "const int unit = std::ilogb(size);", "const int unit = 0;",
+                                     "DistributedPoisson.solutions_are_as_large_as_the_data"),
 }

@@ -125,6 +125,27 @@ TEST(DistributedPoisson, a_constant_source_on_a_closed_mesh_has_the_solution_0) 
     EXPECT_GT(solved, 3U);
 }
 
+TEST(DistributedPoisson, solutions_are_as_large_as_the_data) {
+    const auto ranks = Ranks::all();
+    const DistributedMesh mesh = discretized(ranks, meshes().front().mesh, Ownership::morton);
+    for (const Side side : {Side::primal, Side::dual}) {
+        const SharedPoissonSolver solver(ranks, mesh, {.side = side});
+        const auto solved = [&](double size) {
+            return solver.solve(size * data(solver.sites(), 0),
+                                size * data(solver.boundary_sites(), 1),
+                                size * data(solver.flux_sites(), 2));
+        };
+        const Vector usual = solved(1).values;
+        for (const int exponent : {-1000, -600, 600, 1000}) {
+            const double size = std::ldexp(1.0, exponent);
+            const Vector values = solved(size).values / size;
+            EXPECT_LE(ranks.largest((values - usual).cwiseAbs().sum()),
+                      1e-9 * ranks.largest(usual.cwiseAbs().sum()))
+                << polydec::name(side) << ", 2^" << exponent;
+        }
+    }
+}
+
 TEST(DistributedPoisson, every_engine_gives_the_same_and_options_that_nobody_reads_are_refused) {
     const auto ranks = Ranks::all();
     const Mesh& given = meshes().front().mesh;
