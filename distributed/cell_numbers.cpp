@@ -115,7 +115,7 @@ std::vector<PieceSum> sums_of_volumes(const Ranks& ranks, const LocalComplex& lo
 CellVolumes own_volumes(const CellVolumes& all,
                         const std::vector<DistributedCells::Degree>& cells) {
     return all.mapped(
-        [&](int k, int, const Vector& numbers) -> Vector { return numbers(cells[k].first); });
+        [&](int k, const Vector& numbers) -> Vector { return numbers(cells[k].first); });
 }
 
 /// By which messages name cells; none if they do not fit.

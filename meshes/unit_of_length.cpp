@@ -114,6 +114,14 @@ Vector in_input_units(const Vector& values, double unit, double power, std::stri
     return result;
 }
 
+SparseMatrix in_input_units(SparseMatrix matrix, double unit, double power, std::string_view what) {
+    if (unit == 1)
+        return matrix;
+    matrix.makeCompressed();
+    matrix.coeffs() = in_input_units(Vector(matrix.coeffs()), unit, power, what).array();
+    return matrix;
+}
+
 Vector form_in_input_units(const Vector& values, double unit, double power, std::string_view what) {
     if (unit == 1 || values.size() == 0)
         return values;

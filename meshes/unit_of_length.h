@@ -34,6 +34,7 @@ std::optional<double> in_input_units(double value, double unit, double power);
 /// The same for many values; values at rounding level relative to the largest may underflow. Throws
 /// InvalidInput, naming the quantity, if another one leaves the range.
 Vector in_input_units(const Vector& values, double unit, double power, std::string_view what);
+SparseMatrix in_input_units(SparseMatrix matrix, double unit, double power, std::string_view what);
 
 /// The same for values whose errors count relative to the largest, such as a form's: near the
 /// limits of the range, smaller ones lose digits at rounding level. Throws if the largest leaves

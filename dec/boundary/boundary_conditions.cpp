@@ -226,8 +226,8 @@ CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes&
         check_fit(relative.complex, volumes);
         return volumes;
     }
-    const CellVolumes kept = volumes.mapped(
-        [&](int k, int, const Vector& numbers) { return relative.restrict(k, numbers); });
+    const CellVolumes kept =
+        volumes.mapped([&](int k, const Vector& numbers) { return relative.restrict(k, numbers); });
     auto numbers = relative.cells;
     for (int k = 0; k <= relative.complex.dimension(); ++k)
         numbers[k] = volumes.numbers(k, std::move(numbers[k]));

@@ -2,8 +2,8 @@
 #include "dec/forms/cells.h"
 
 #include "base/checks.h"
-#include "dec/forms/input_units.h"
 #include "dec/merging/merged_cells.h"
+#include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,14 +33,30 @@ const ChosenStars& Cells::chosen_stars() const& {
     return stars_->get(make_stars_);
 }
 
-const CellVolumes& Cells::input_volumes() const& {
-    return unit_ == 1 ? volumes_
-                      : input_volumes_->get([this] { return in_input_units(volumes_, unit_); });
+namespace {
+
+/// Each by itself: a volume that underflows is refused, however small it is beside others.
+Vector positive_in_input_units(const Vector& volumes, double unit, int k) {
+    const std::string what = fmt::format("volumes of degree {}", k);
+    return volumes.unaryExpr(
+        [&](double volume) { return in_input_units(Vector{{volume}}, unit, k, what)[0]; });
 }
 
-const HodgeStars& Cells::input_stars() const& {
-    return unit_ == 1 ? stars()
-                      : input_stars_->get([this] { return in_input_units(stars(), unit_); });
+} // namespace
+
+const Vector& Cells::input_volumes(int k) const& {
+    const Vector& measured = volumes_.primal(k);
+    return unit_ == 1 ? measured : (*input_volumes_)[k][0].get([&] {
+        return positive_in_input_units(measured, unit_, k);
+    });
+}
+
+const Vector& Cells::input_dual_volumes(int k) const& {
+    const Vector& measured = volumes_.dual(k);
+    return unit_ == 1 ? measured : (*input_volumes_)[k][1].get([&] {
+        return in_input_units(measured, unit_, dimension() - k,
+                              fmt::format("dual volumes of degree {}", k));
+    });
 }
 
 Cells Cells::with_stars(const ChosenStars& chosen) const {
@@ -49,7 +65,6 @@ Cells Cells::with_stars(const ChosenStars& chosen) const {
                   complex_.size(dimension()));
     Cells result = *this;
     result.stars_ = std::make_shared<Lazy<ChosenStars>>(chosen);
-    result.input_stars_ = std::make_shared<Lazy<HodgeStars>>();
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include "complex/cell_complex.h"
 #include "dec/stars/star.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -46,12 +47,12 @@ public:
     /// and solvers, take and return numbers in the units of the input.
     double unit() const { return unit_; }
 
-    /// Volumes and stars in the units of the input. Throw InvalidInput, naming the degree, for
-    /// overflow or underflow.
-    const CellVolumes& input_volumes() const&;
-    CellVolumes input_volumes() && { return input_volumes(); }
-    const HodgeStars& input_stars() const&;
-    HodgeStars input_stars() && { return input_stars(); }
+    /// Volumes of the k-cells and of their duals in the units of the input. Throw InvalidInput,
+    /// naming the degree, for overflow or underflow.
+    const Vector& input_volumes(int k) const&;
+    Vector input_volumes(int k) && { return input_volumes(k); }
+    const Vector& input_dual_volumes(int k) const&;
+    Vector input_dual_volumes(int k) && { return input_dual_volumes(k); }
 
     /// The same with other stars, or with a matrix as the star of k-forms, in the units of the
     /// input. Products of dual forms and integrals over duals still use the volumes. Throws
@@ -92,15 +93,17 @@ private:
     CellVolumes volumes_;
     Shared<const MergedCells> merged_; // null for cells of your own
     std::function<ChosenStars()> make_stars_;
-    Shared<const Lazy<CellVolumes>> input_volumes_{std::make_shared<Lazy<CellVolumes>>()};
     Shared<const Lazy<ChosenStars>> stars_;
-    Shared<const Lazy<HodgeStars>> input_stars_{std::make_shared<Lazy<HodgeStars>>()};
     double unit_;
+    /// Primal and dual volumes, by degree.
+    using InputVolumes = std::vector<std::array<Lazy<Vector>, 2>>;
+    Shared<const InputVolumes> input_volumes_{
+        std::make_shared<InputVolumes>(complex_.dimension() + 1)};
 };
 
 /// The star of k-cells in the units of the input.
 inline HodgeStar star(const Cells& cells, int k) {
-    return cells.input_stars()[k];
+    return cells.stars()[k].in_input_units(cells.unit());
 }
 
 } // namespace polydec

@@ -139,7 +139,7 @@ Cochain star(const Cells& cells, const Cochain& form) {
     check(cells.complex(), form);
     const int n = cells.dimension();
     const int k = cell_degree(cells.complex(), form.side, form.degree);
-    const HodgeStar star = cells.input_stars()[k];
+    const HodgeStar star = polydec::star(cells, k);
     if (form.side == Side::primal)
         return {Side::dual, n - k, star * form.values};
     const double star_star = k * (n - k) % 2 == 0 ? 1 : -1;

@@ -80,8 +80,8 @@ CellVolumes CellVolumes::mapped(const Map& of) const {
     const int n = dimension();
     std::vector<Degree> degrees;
     for (int k = 0; k <= n; ++k)
-        degrees.push_back({of(k, k, primal(k)), of(k, n - k, dual(k)),
-                           of(k, n - k, terms(k).vector()), of(k, n - k, rounding(k).vector())});
+        degrees.push_back({of(k, primal(k)), of(k, dual(k)), of(k, terms(k).vector()),
+                           of(k, rounding(k).vector())});
     return CellVolumes(std::move(degrees));
 }
 

@@ -70,9 +70,9 @@ public:
     CellVolumes with_dual(int k, Vector dual) const;
     CellVolumes with_dual(int k, Vector dual, Vector terms, Vector rounding) const;
 
-    /// Volumes of other cells, or in another unit: of(k, power, numbers) maps one list of numbers
-    /// of the k-cells, whose units are length^power. Throws like the constructor.
-    using Map = std::function<Vector(int k, int power, const Vector& numbers)>;
+    /// Volumes of other cells: of(k, numbers) maps one list of numbers of the k-cells. Throws like
+    /// the constructor.
+    using Map = std::function<Vector(int k, const Vector& numbers)>;
     CellVolumes mapped(const Map& of) const;
 
     /// The same with other numbers for the cells in messages: cells of a relative complex are named

@@ -6,6 +6,7 @@
 #include "base/checks.h"
 #include "complex/surfaces/glued_surface.h"
 #include "dec/metric/rounding.h"
+#include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -61,6 +62,30 @@ HodgeStar::HodgeStar(const CellVolumes& volumes, int k, SparseMatrix matrix)
         0.5 * (matrix + SparseMatrix(matrix.transpose()))); // removes rounding across the diagonal
 }
 
+HodgeStar HodgeStar::in_input_units(double unit) const {
+    HodgeStar result = *this;
+    result.unit_ *= unit;
+    return result;
+}
+
+std::string HodgeStar::name() const {
+    return fmt::format("the star of degree {}", degree_);
+}
+
+/// Of the star, of power 1, or its inverse, of power -1.
+Vector HodgeStar::entries(Vector measured, int power) const {
+    if (unit_ == 1)
+        return measured;
+    return polydec::in_input_units(measured, unit_, power * (dimension() - 2 * degree_), name());
+}
+
+/// What the star, or its inverse, makes of a form.
+Vector HodgeStar::form(Vector measured, int power) const {
+    if (unit_ == 1)
+        return measured;
+    return form_in_input_units(measured, unit_, power * (dimension() - 2 * degree_), name());
+}
+
 void HodgeStar::check(const Vector& values) const {
     check_as_many(fmt::format("values of {}-cells", degree_), values.size(), size());
 }
@@ -75,22 +100,26 @@ void HodgeStar::require_diagonal() const {
 
 Vector HodgeStar::diagonal() const {
     require_diagonal();
-    return volumes_.ratios(degree_);
+    return entries(volumes_.ratios(degree_), 1);
 }
 
 SparseMatrix HodgeStar::matrix() const {
-    return is_diagonal() ? diagonal_matrix(diagonal()) : *matrix_->entries;
+    if (is_diagonal())
+        return diagonal_matrix(diagonal());
+    return polydec::in_input_units(*matrix_->entries, unit_, dimension() - 2 * degree_, name());
 }
 
 Vector HodgeStar::operator*(const Vector& values) const {
     check(values);
-    return is_diagonal() ? Vector(diagonal().cwiseProduct(values)) : *matrix_->entries * values;
+    return form(is_diagonal() ? Vector(volumes_.ratios(degree_).cwiseProduct(values))
+                              : *matrix_->entries * values,
+                1);
 }
 
 Vector HodgeStar::solve(const Vector& values) const {
     check(values);
     if (is_diagonal())
-        return inverse().cwiseProduct(values);
+        return form(measured_inverse().cwiseProduct(values), -1);
     const std::lock_guard lock(matrix_->solving);
     if (!matrix_->solver) {
         auto solver = make_linear_solver("auto");
@@ -105,21 +134,26 @@ Vector HodgeStar::solve(const Vector& values) const {
                                {.degree = degree_});
         matrix_->solver = std::move(solver);
     }
-    return matrix_->solver->solve(values);
+    return form(matrix_->solver->solve(values), -1);
 }
 
-Vector HodgeStar::inverse() const {
+Vector HodgeStar::measured_inverse() const {
+    require_diagonal();
     if (const auto cells = zeros(); !cells.empty())
         throw InvalidInput(fmt::format("the inverse star of degree {} divides by zero: the duals "
                                        "of {} {}-cells have no volume (cells {})",
                                        degree_, cells.size(), degree_, numbers(cells)),
                            place(cells));
-    return diagonal().cwiseInverse();
+    return volumes_.ratios(degree_).cwiseInverse();
+}
+
+Vector HodgeStar::inverse() const {
+    return entries(measured_inverse(), -1);
 }
 
 Vector HodgeStar::uncertainty() const {
     require_diagonal();
-    return volumes_.rounding(degree_).vector().cwiseQuotient(volumes_.primal(degree_));
+    return entries(volumes_.rounding(degree_).vector().cwiseQuotient(volumes_.primal(degree_)), 1);
 }
 
 template <class Is>

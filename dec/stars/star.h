@@ -25,6 +25,11 @@ public:
     /// Throws InvalidInput, naming the shape or the entry.
     HodgeStar(const CellVolumes& volumes, int k, SparseMatrix matrix);
 
+    /// The same measured in this unit of length, a power of 4: it takes and returns numbers in the
+    /// units of the input (see Cells::unit). Copies share one factorization. Functions throw
+    /// InvalidInput, naming the degree, if what they return overflows or underflows.
+    HodgeStar in_input_units(double unit) const;
+
     /// Dimension n and degree k.
     int dimension() const { return volumes_.dimension(); }
     int degree() const { return degree_; }
@@ -70,12 +75,17 @@ private:
     struct Matrix;
 
     void check(const Vector& values) const;
+    std::string name() const;
+    Vector measured_inverse() const;
+    Vector entries(Vector measured, int power) const;
+    Vector form(Vector measured, int power) const;
     template <class Is>
     std::vector<Index> cells_whose_dual(Is is) const;
 
     CellVolumes volumes_;
     int degree_;
     Shared<Matrix> matrix_; // none: diagonal
+    double unit_ = 1;       // of volumes and matrix
 };
 
 /// The stars of all degrees. Volumes convert implicitly to the diagonal stars made from them.

@@ -68,33 +68,27 @@ void add_matrices(py::class_<Cells>& calculus) {
 }
 
 void add_stars(py::class_<Cells>& calculus) {
-    calculus
-        .def("is_diagonal",
-             [](const Cells& of, int k) { return of.input_stars()[k].is_diagonal(); })
+    calculus.def("is_diagonal", [](const Cells& of, int k) { return of.stars()[k].is_diagonal(); })
         .def("star",
              [](const Cells& of, int k) -> py::object {
-                 const HodgeStar star = of.input_stars()[k];
+                 const HodgeStar star = polydec::star(of, k);
                  if (star.is_diagonal())
                      return array(star.diagonal());
                  return csr(star.matrix());
              })
-        .def("inverse_star", [](const Cells& of, int k) { return of.input_stars()[k].inverse(); })
+        .def("inverse_star", [](const Cells& of, int k) { return star(of, k).inverse(); })
         .def(
             "solve_star",
-            [](const Cells& of, int k, const Vector& values) {
-                return of.input_stars()[k].solve(values);
-            },
+            [](const Cells& of, int k, const Vector& values) { return star(of, k).solve(values); },
             Unlocking())
-        .def("zeros", [](const Cells& of, int k) { return of.input_stars()[k].zeros(); })
-        .def("negatives", [](const Cells& of, int k) { return of.input_stars()[k].negatives(); })
+        .def("zeros", [](const Cells& of, int k) { return of.stars()[k].zeros(); })
+        .def("negatives", [](const Cells& of, int k) { return of.stars()[k].negatives(); })
         .def("with_star", [](const Cells& of, int k,
                              const MatrixParts& star) { return of.with_star(k, sparse(star)); })
-        .def("volumes",
-             [](const py::object& self, int k) {
-                 return shown(self.cast<Cells&>().input_volumes().primal(k), self);
-             })
+        .def("volumes", [](const py::object& self,
+                           int k) { return shown(self.cast<Cells&>().input_volumes(k), self); })
         .def("dual_volumes", [](const py::object& self, int k) {
-            return shown(self.cast<Cells&>().input_volumes().dual(k), self);
+            return shown(self.cast<Cells&>().input_dual_volumes(k), self);
         });
 }
 

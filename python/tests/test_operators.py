@@ -236,6 +236,21 @@ def test_volumes_are_of_the_mesh_whatever_its_stars(name):
             assert np.array_equal(other.dual_volumes(k), c.dual_volumes(k))
 
 
+@pytest.mark.filterwarnings("ignore:the lengths of the mesh")
+def test_operators_ask_only_for_what_they_are_made_of():
+    c = polydec.discretize(polydec.meshes.kuhn([1, 1, 1], [1e-110] * 3))
+    a = c.cochain(np.arange(float(c.size(1))), 1)
+    assert near(c.laplacian(1) @ a.values, a.laplacian().values)
+    assert near(c.codifferential(1) @ a.values, a.delta().values)
+    assert near(c.star(1), c.dual_volumes(1) / c.volumes(1))
+    assert near(c.star(1) * a.values, a.star().values)
+    assert near(c.inverse_star(1), 1 / c.star(1))
+    for k in range(4):
+        assert len(c.zeros(k)) == len(c.negatives(k)) == 0
+    refused(lambda: c.volumes(3), "degree 3", "range")
+    refused(lambda: c.star(0), "degree 0", "range")
+
+
 def test_names_of_pydec(square):
     for k in range(3):
         assert near(square[k].d, square.d(k), 0) if k < 2 else square[k].d.nnz == 0

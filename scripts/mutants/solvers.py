@@ -93,7 +93,7 @@ MUTANTS = {
     "coexact_spectra_in_the_unit": ("solvers/spectra/coexact_spectrum.cpp",
                                     "use_input_units(found, complex.dimension(), inside.unit());", ";",
                                     "InputUnits.are_those_of_coexact_spectra"),
-    "hodge_in_the_unit": ("solvers/sources/hodge.cpp", "inside.input_stars()[k]", "inside.stars()[k]",
+    "hodge_in_the_unit": ("solvers/sources/hodge.cpp", "polydec::star(inside, k)", "inside.stars()[k]",
                           "InputUnits.are_those_of_hodge_decompositions"),
     "growth_unseen": ("solvers/time/diffusion.cpp", "if (!(std::ldexp(to.part,", "if (false && !(std::ldexp(to.part,",
                       "Heat.does_not_grow_where_duals_of_facets_are_negative"),

@@ -153,7 +153,7 @@ HodgeSolver::HodgeSolver(const FormSpace& space, const std::string& linear_solve
     const Cells inside = space.inside();
     const CellComplex& complex = inside.complex();
     const int n = complex.dimension(), k = space.cell_degree();
-    const HodgeStar mass = inside.input_stars()[k];
+    const HodgeStar mass = polydec::star(inside, k);
     check_positive_mass(mass, space.side(), space.degree());
     parts_ = std::make_shared<Parts>(Parts{ScaledStar(mass)});
     auto& [star, exact, coexact] = *parts_;

@@ -104,12 +104,52 @@ TEST(InputUnits, are_those_of_the_volumes_of_a_mesh_whatever_its_stars) {
         const Vector weights = Vector::LinSpaced(mesh.complex().size(n), 1, 9);
         const auto other =
             with_material(mesh.with_stars(StarKind::barycentric), k, CellData::on_cells(weights));
-        const auto of = [&](const CellVolumes& volumes) -> const Vector& {
-            return side == Side::primal ? volumes.primal(k) : volumes.dual(n - k);
+        const auto volumes = [&](const Cells& of) -> const Vector& {
+            return side == Side::primal ? of.input_volumes(k) : of.input_dual_volumes(n - k);
         };
-        EXPECT_EQ(of(other.input_volumes()), of(mesh.input_volumes()));
-        return k == 0 ? Vector() : Vector(of(other.input_volumes()) / std::pow(size, k));
+        EXPECT_EQ(volumes(other), volumes(mesh));
+        return k == 0 ? Vector() : Vector(volumes(other) / std::pow(size, k));
     });
+}
+
+TEST(InputUnits, are_those_of_stars_and_of_their_inverses) {
+    for (const StarKind kind : {StarKind::circumcentric, StarKind::galerkin})
+        expect_no_unit({}, [kind](const Discretization& given, double size, Side, int k) {
+            const auto mesh = given.with_stars(kind);
+            if (mesh.dimension() == 2 * k)
+                return Vector(); // stars have no unit
+            const double factor = std::pow(size, mesh.dimension() - 2 * k);
+            const HodgeStar M = star(mesh, k);
+            std::vector<Vector> all{M.matrix() * Vector::Ones(M.size()) / factor,
+                                    M * Vector::Ones(M.size()) / factor};
+            if (M.zeros().empty())
+                all.push_back(factor * M.solve(Vector::Ones(M.size())));
+            if (M.is_diagonal() && M.zeros().empty())
+                all.push_back(factor * M.inverse());
+            return joined(all);
+        });
+}
+
+TEST(InputUnits, are_those_of_one_degree_wherever_double_precision_holds_it) {
+    const Mesh cube = kuhn(3, 1);
+    for (const double size : {1e-110, 1e110}) {
+        Mesh scaled = cube;
+        scaled.points *= size;
+        const auto mesh = discretize(scaled), one = discretize(cube);
+        for (const int k : {1, 2}) {
+            const double factor = std::pow(size, 3 - 2 * k);
+            EXPECT_CLOSE(star(mesh, k).diagonal() / factor, star(one, k).diagonal(), 1e-13);
+            EXPECT_CLOSE(mesh.input_volumes(k) / std::pow(size, k), one.input_volumes(k), 1e-13);
+            EXPECT_CLOSE(mesh.input_dual_volumes(k) / std::pow(size, 3 - k),
+                         one.input_dual_volumes(k), 1e-13);
+            const Cochain form = any_form(mesh, Side::primal, k);
+            EXPECT_CLOSE(star(mesh, star(mesh, form)).values, form.values, 1e-13);
+        }
+        for (const int k : {0, 3})
+            EXPECT_REFUSED(star(mesh, k).diagonal(), "star of degree", "range");
+        EXPECT_REFUSED(mesh.input_volumes(3), "volumes of degree 3", "range");
+        EXPECT_REFUSED(mesh.input_dual_volumes(0), "dual volumes of degree 0", "range");
+    }
 }
 
 TEST(InputUnits, are_those_of_operators) {

@@ -85,13 +85,14 @@ constexpr bool are_values = (!std::is_reference_v<Given> && ...);
 template <class Handle>
 Handle&& of() noexcept;
 
-static_assert(are_values<decltype(of<Cells>().input_stars()), decltype(of<Cells>().input_volumes()),
-                         decltype(of<HodgeStars>().volumes()),
-                         decltype(of<MergedCells>().complex()), decltype(of<MergedCells>().lift()),
-                         decltype(of<MergedCells>().volumes()), decltype(of<Geometry>().pieces()),
-                         decltype(of<MergedCells>().merging()), decltype(of<Geometry>().metric()),
-                         decltype(of<MergedCells>().geometry()), decltype(of<Geometry>().flat()),
-                         decltype(of<Geometry>().volumes()), decltype(of<Geometry>().centers())>);
+static_assert(
+    are_values<decltype(of<Cells>().input_volumes(0)), decltype(of<Cells>().input_dual_volumes(0)),
+               decltype(of<HodgeStars>().volumes()), decltype(of<MergedCells>().complex()),
+               decltype(of<MergedCells>().lift()), decltype(of<MergedCells>().volumes()),
+               decltype(of<Geometry>().pieces()), decltype(of<MergedCells>().merging()),
+               decltype(of<Geometry>().metric()), decltype(of<MergedCells>().geometry()),
+               decltype(of<Geometry>().flat()), decltype(of<Geometry>().volumes()),
+               decltype(of<Geometry>().centers())>);
 static_assert(are_values<decltype(of<Incidences>().matrix()), decltype(of<Values>().vector()),
                          decltype(of<CellVolumes>().degree(0)), decltype(of<Passage>().flips()),
                          decltype(of<Discretization>().measured_points()),
