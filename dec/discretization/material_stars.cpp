@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "dec/metric/rounding.h"
 #include "dec/metric/simplex_geometry.h"
+#include "dec/stars/choose_stars.h"
 #include "dec/stars/galerkin_mass.h"
 
 #include <fmt/format.h>
@@ -53,12 +54,13 @@ SparseMatrix parts_of_star(const Discretization& mesh, int k) {
     if (chosen.is_over_duals(k))
         return mesh.merged().parts(k, mesh.geometry().centers());
     SparseMatrix thirds = mesh.merged().parts(k, Centers::centroids());
-    if (chosen.kind != StarKind::hybrid)
+    if (chosen.kind != StarKind::hybrid || !chosen.stars[k].is_diagonal())
         return thirds;
+    // materials make all cells Galerkin's in their degree alone
+    const auto marks = choose_stars(mesh.merged(), chosen.kind).galerkin;
     SparseMatrix parts = mesh.merged().parts(k, mesh.geometry().centers());
     const auto of = [&](SparseMatrix& matrix, bool galerkin) {
-        matrix.prune(
-            [&](Eigen::Index t, Eigen::Index, double) { return chosen.galerkin[t] == galerkin; });
+        matrix.prune([&](Eigen::Index t, Eigen::Index, double) { return marks[t] == galerkin; });
         return matrix;
     };
     return of(parts, false) + of(thirds, true);
@@ -161,8 +163,15 @@ HodgeStars weighted_stars(const Discretization& mesh, int k, const CellData& giv
 }
 
 Discretization with_material(const Discretization& mesh, int k, const CellData& weights) {
-    const ChosenStars& now = mesh.chosen_stars();
-    return mesh.with_stars(ChosenStars(weighted_stars(mesh, k, weights), now.kind, now.galerkin));
+    ChosenStars result = mesh.chosen_stars();
+    result.stars = weighted_stars(mesh, k, weights);
+    if (!result.stars[k].is_diagonal()) {
+        const Vector ones = Vector::Ones(mesh.complex().size(mesh.dimension()));
+        result.geometric =
+            result.geometric.with(k, material_star(mesh, k, CellData::on_cells(ones)));
+        result.galerkin.assign(result.galerkin.size(), true);
+    }
+    return mesh.with_stars(result);
 }
 
 Discretization with_conductivity(const Discretization& mesh, Side side, const CellData& kappa) {

@@ -42,7 +42,9 @@ Vector cell_means(const Discretization& mesh, int k, const CellData& weights);
 /// that are matrices.
 HodgeStars weighted_stars(const Discretization& mesh, int k, const CellData& weights);
 
-/// The mesh with these stars; the kind of stars is unchanged. with_stars(kind) removes all weights.
+/// The mesh with these stars; the kind of stars is unchanged, but a star that is a matrix makes all
+/// cells Galerkin's (see ChosenStars). Forms of smooth fields, products and proxy vectors do not
+/// depend on weights (see Cells::geometric_star). with_stars(kind) removes all weights.
 Discretization with_material(const Discretization& mesh, int k, const CellData& weights);
 
 /// The mesh with stars for which Delta of functions is -div kappa grad, kappa > 0. For primal

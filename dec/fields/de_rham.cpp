@@ -270,8 +270,8 @@ Cochain dual_integrals(const Discretization& mesh, int j, const SmoothForm& form
     const int k = cell_degree(mesh.pieces(), Side::dual, j);
     if (!mesh.chosen_stars().is_over_duals(k)) {
         const Vector primal = inverse_star_de_rham(mesh, j, form, quadrature_degree);
-        return star(Cells(mesh.complex(), mesh.stars()),
-                    to_merged(mesh, {Side::primal, k, primal}));
+        return {Side::dual, j,
+                mesh.geometric_star(k) * to_merged(mesh, {Side::primal, k, primal}).values};
     }
     if (j == 0)
         return values_at_sites(mesh, form); // integrals over duals use the volumes

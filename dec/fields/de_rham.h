@@ -57,7 +57,8 @@ Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothF
 Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form,
                 int quadrature_degree = 5);
 
-/// The de Rham map of dual j-forms, by the stars of the mesh. Stars over duals (see
+/// The de Rham map of dual j-forms, by the stars of the mesh without their materials, on which
+/// integrals do not depend (see Cells::geometric_star). Stars over duals (see
 /// ChosenStars::is_over_duals): integrals over the circumcentric duals *s of the pieces s of degree
 /// k = n-j, averaged by volume over the pieces of a cell; s followed by *s has the orientation of
 /// the n-pieces. *s consists of the elementary simplices [c(s_k), .., c(s_n)] over all flags s =

@@ -175,7 +175,7 @@ Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& 
     const Geometry& geometry = mesh.geometry();
     const auto lifted = [&](const Cochain& form) {
         const int p = n - form.degree;
-        return on_pieces(mesh, {Side::primal, p, mesh.stars()[p].solve(form.values)});
+        return on_pieces(mesh, {Side::primal, p, mesh.geometric_star(p).solve(form.values)});
     };
     const auto product = [&](const Points& parts) {
         return product_of_stars(geometry, lifted(a), lifted(b), parts);
@@ -184,7 +184,8 @@ Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& 
         return on_cells(
             mesh, {Side::dual, j, product(parts_of_duals(geometry, geometry.centers(), m, n))});
     const Vector means = product(parts_of_means(geometry, m));
-    return star(Cells(mesh.complex(), mesh.stars()), on_cells(mesh, {Side::primal, m, means}));
+    return {Side::dual, j,
+            mesh.geometric_star(m) * on_cells(mesh, {Side::primal, m, means}).values};
 }
 
 } // namespace polydec

@@ -146,8 +146,8 @@ Cochain star_of_fluxes(const Discretization& mesh, bool at_vertices, const Dense
                          inverse_star_means(K, points, corners, 1, [&](Index t, Index f) {
                              return at_vertices ? of_facets.row(f) : of_cells.row(t);
                          })};
-    return star(Cells(mesh.complex(), mesh.stars()),
-                at_vertices ? to_merged(mesh, fluxes) : on_cells(mesh, fluxes));
+    const Cochain of_mesh = at_vertices ? to_merged(mesh, fluxes) : on_cells(mesh, fluxes);
+    return {Side::dual, 1, mesh.geometric_star(n - 1) * of_mesh.values};
 }
 
 /// For vectors in the unit of the mesh.

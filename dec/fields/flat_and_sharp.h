@@ -28,16 +28,16 @@ enum class Flat {
 /// mapped to merged cells by sums (primal) or means by volume (dual). The dual edge of a boundary
 /// facet ends at the facet's circumcenter. Source: Hirani 2003, ch. 5. If the star of (n-1)-cells
 /// knows no duals (see ChosenStars::is_over_duals), a dual form is the star of fluxes through the
-/// facets, by the mean vector at a facet's vertices or, for vectors at n-cells, by the mean by
-/// volume over the cells beside it.
-/// After flips, ppp and pdp use the edges of the input and the passage. For dpp an edge is the
-/// segment between its ends: the integral of a constant depends on nothing else. Dual edges are
-/// straight between the cell_centers; ppd integrates the field that is linear on the input's
-/// simplices. Constants remain exact; for smooth fields on smooth surfaces ppp and ppd are of
-/// second order, the others at least of first. Throws InvalidInput for a field of another shape,
-/// naming the row if it is not finite; for fields at vertices if seams of a glued mesh turn, for
-/// others if such a seam cuts a merged cell; for dpp also, naming the vertices, for edges whose
-/// dual volume is zero (HodgeStar::zeros of degree 1).
+/// facets, without materials (see Cells::geometric_star), by the mean vector at a facet's vertices
+/// or, for vectors at n-cells, by the mean by volume over the cells beside it. After flips, ppp and
+/// pdp use the edges of the input and the passage. For dpp an edge is the segment between its ends:
+/// the integral of a constant depends on nothing else. Dual edges are straight between the
+/// cell_centers; ppd integrates the field that is linear on the input's simplices. Constants remain
+/// exact; for smooth fields on smooth surfaces ppp and ppd are of second order, the others at least
+/// of first. Throws InvalidInput for a field of another shape, naming the row if it is not finite;
+/// for fields at vertices if seams of a glued mesh turn, for others if such a seam cuts a merged
+/// cell; for dpp also, naming the vertices, for edges whose dual volume is zero (HodgeStar::zeros
+/// of degree 1).
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field);
 
 /// Vectors at the vertices of a primal 1-form a: the mean, weighted by the parts |*v part in t| of
@@ -82,8 +82,9 @@ bool has_proxy(const Discretization& mesh, const Cochain& form);
 
 /// Proxy vectors of a form at the merged n-cells: the field whose circulations a 1-form holds, or
 /// whose fluxes an (n-1)-form holds, by sharp_pd or flux_sharp; of a dual form after the inverse
-/// star. Attach them to cell_centroids. One row per n-cell, N columns; units: values over
-/// length^degree. No rows without has_proxy. Throws InvalidInput like these functions.
+/// star without materials (see Cells::geometric_star). Attach them to cell_centroids. One row per
+/// n-cell, N columns; units: values over length^degree. No rows without has_proxy. Throws
+/// InvalidInput like these functions.
 DenseMatrix vectors_at_cells(const Discretization& mesh, const Cochain& form,
                              Proxy proxy = Proxy::automatic);
 

@@ -16,8 +16,10 @@ bool is_along(const Cochain& form, Proxy proxy) {
 /// The primal form whose star a dual form is.
 Cochain primal_of(const Discretization& mesh, const Cochain& form) {
     const int k = mesh.dimension() - form.degree;
-    return form.side == Side::primal ? form
-                                     : Cochain{Side::primal, k, star(mesh, k).solve(form.values)};
+    if (form.side == Side::primal)
+        return form;
+    const HodgeStar star = mesh.geometric_star(k).in_input_units(mesh.unit());
+    return {Side::primal, k, star.solve(form.values)};
 }
 
 } // namespace

@@ -43,14 +43,14 @@ Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
 /// Throws like check, and InvalidInput unless a is primal, b dual, and the degrees add up to n.
 Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Cochain& b);
 
-/// Exterior product of a dual k-form and a dual l-form, a dual (k+l)-form: star^-1 of both forms is
-/// lifted to the pieces, multiplied there, and averaged by volume over the pieces of each cell. The
-/// product on pieces is the integral over each dual cell *s, s an (n-k-l)-simplex, of the product
-/// of two fields that are constant on n-simplices. The field of a form on an n-simplex is the Hodge
-/// star, in its plane, of the mean of the Whitney form of star^-1 of the form. The product is
-/// integrated over the part of *s in that simplex. Where dual forms are stars of primal ones (see
-/// ChosenStars::is_over_duals), the product is the star of star^-1 of it, averaged by volume over
-/// the n-simplices.
+/// Exterior product of a dual k-form and a dual l-form, a dual (k+l)-form. Stars are those without
+/// materials (see Cells::geometric_star): star^-1 of both forms is lifted to the pieces, multiplied
+/// there, and averaged by volume over the pieces of each cell. The product on pieces is the
+/// integral over each dual cell *s, s an (n-k-l)-simplex, of the product of two fields that are
+/// constant on n-simplices. The field of a form on an n-simplex is the Hodge star, in its plane, of
+/// the mean of the Whitney form of star^-1 of the form. The product is integrated over the part of
+/// *s in that simplex. Where dual forms are stars of primal ones (see ChosenStars::is_over_duals),
+/// the product is the star of star^-1 of it, averaged by volume over the n-simplices.
 ///
 /// Anticommutative, a ^ b = (-1)^(kl) b ^ a. Exact for constant forms on flat complexes, also on
 /// dual cells that the boundary cuts off; so the constant 1 is the unit for constant forms.

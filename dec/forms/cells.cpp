@@ -59,6 +59,11 @@ const Vector& Cells::input_dual_volumes(int k) const& {
     });
 }
 
+HodgeStar Cells::geometric_star(int k) const {
+    const ChosenStars& chosen = chosen_stars();
+    return chosen.is_over_duals(k) ? HodgeStar(volumes_, k) : chosen.geometric[k];
+}
+
 Cells Cells::with_stars(const ChosenStars& chosen) const {
     check_fit(complex_, chosen.stars);
     check_as_many("marks of cells with Galerkin's stars", std::ssize(chosen.galerkin),
@@ -70,7 +75,9 @@ Cells Cells::with_stars(const ChosenStars& chosen) const {
 
 Cells Cells::with_star(int k, const SparseMatrix& star) const {
     SparseMatrix measured = in_input_units(star, unit_, 2 * k - dimension(), "the star");
-    return with_stars(ChosenStars(stars().with(k, std::move(measured))));
+    ChosenStars own(stars().with(k, measured));
+    own.geometric = chosen_stars().geometric.with(k, std::move(measured));
+    return with_stars(own);
 }
 
 std::vector<bool> Cells::boundary_facets_without_dual() const {

@@ -54,6 +54,12 @@ public:
     const Vector& input_dual_volumes(int k) const&;
     Vector input_dual_volumes(int k) && { return input_dual_volumes(k); }
 
+    /// The star of k-cells without a material, in unit(): it maps the integrals of a smooth form's
+    /// inverse star to the dual form that stands for the smooth form. Over duals (see
+    /// ChosenStars::is_over_duals) it is the ratio of the volumes. A matrix of your own counts as
+    /// one without a material.
+    HodgeStar geometric_star(int k) const;
+
     /// The same with other stars, or with a matrix as the star of k-forms, in the units of the
     /// input. Products of dual forms and integrals over duals still use the volumes. Throws
     /// InvalidInput unless the sizes match, and like HodgeStar.

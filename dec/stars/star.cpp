@@ -238,7 +238,7 @@ void check_fit(const CellComplex& complex, const HodgeStars& stars) {
 }
 
 ChosenStars::ChosenStars(const HodgeStars& stars_, StarKind kind_, std::vector<bool> galerkin_)
-    : stars(stars_), kind(kind_), galerkin(std::move(galerkin_)) {
+    : stars(stars_), kind(kind_), galerkin(std::move(galerkin_)), geometric(stars_) {
     if (galerkin.empty() && stars.dimension() >= 0)
         galerkin.resize(static_cast<std::size_t>(stars[stars.dimension()].size()));
 }

@@ -151,6 +151,8 @@ struct ChosenStars {
     /// For each n-cell, whether it has Galerkin's stars: then a dual 0-form has its value at the
     /// centroid, else at the circumcenter.
     std::vector<bool> galerkin;
+    /// The stars without the materials that stars have (see Cells::geometric_star).
+    HodgeStars geometric;
 
     /// Without Galerkin cells if no marks are given.
     ChosenStars(const HodgeStars& stars, StarKind kind = StarKind::own,

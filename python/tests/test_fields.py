@@ -72,6 +72,17 @@ def test_products_of_duals(square):
     refused(lambda: a.wedge(a).wedge(a))
 
 
+@pytest.mark.parametrize("star", ["circumcentric", "galerkin", "barycentric"])
+def test_circulations_and_products_do_not_know_materials(star):
+    c = polydec.discretize(polydec.meshes.well_centered(4), star=star)
+    glass = c.with_electric_material(4.0, side="dual")
+    E = polydec.de_rham(glass, 1, lambda x: np.tile([1.0, 0.0], (len(x), 1)), side="dual")
+    assert np.isclose(0.5 * glass.norm(E, 1, "dual") ** 2, 2, rtol=0.05)
+    heavy = c.with_material(2, 2.0)
+    one = heavy.cochain(np.ones(c.size(2)), 0, "dual")
+    assert np.allclose(one.wedge(one), 1)
+
+
 @pytest.mark.parametrize("kind, places", [("ppp", "p"), ("pdp", "p"), ("dpp", "d"), ("ppd", "p"),
                                           ("pdd", "p"), ("dpd", "d")])
 @pytest.mark.parametrize("name", ["well_centered", "kuhn"])

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "tests/support/all_sizes.h"
 #include "tests/support/test.h"
 
 namespace polydec::test::in_material_stars {
@@ -43,10 +44,11 @@ void expect_same_stars(const Discretization& found, const Discretization& expect
 /// Meshes with stars of each kind that there is in their dimension.
 std::vector<Discretization> of_all_kinds() {
     std::vector<Discretization> result;
-    for (const char* title : {"obtuse_planar", "hex4", "kuhn3", "icosphere3"})
+    for (const Mesh& given : {mesh_named("obtuse_planar"), shaken(grid(6, 6), 0.2, 1),
+                              mesh_named("hex4"), mesh_named("kuhn3"), mesh_named("icosphere3")})
         for (const auto kind : {StarKind::circumcentric, StarKind::galerkin, StarKind::hybrid,
                                 StarKind::barycentric, StarKind::automatic}) {
-            const auto mesh = circumcentric(mesh_named(title));
+            const auto mesh = circumcentric(given);
             if (kind != StarKind::hybrid || mesh.dimension() == 2)
                 result.push_back(mesh.with_stars(kind));
         }
@@ -105,6 +107,75 @@ TEST(Materials, multiply_diagonal_stars_of_ones_own_and_refuse_matrices) {
         const auto by_matrix = mesh.with_star(k, mesh.stars()[k].matrix());
         EXPECT_REFUSED(with_material(by_matrix, k, of(2)), "your own", "matrix", "material_star");
     }
+}
+
+/// A constant dual (n-k)-form, and what flats, products and vectors make of constants.
+Vector of_constants(const Discretization& mesh, int k) {
+    const int n = mesh.dimension(), j = n - k;
+    const Index N = mesh.ambient_dimension();
+    const Cochain form = dual_de_rham(mesh, j, constant_form(random_vector(coefficients(N, j), 3)));
+    std::vector<Vector> all{form.values};
+    if (mesh.geometric_star(k).zeros().empty()) {
+        const Cochain one{Side::dual, 0, Vector::Ones(mesh.complex().size(n))};
+        all.push_back(dual_wedge(mesh, one, form).values);
+        all.push_back(vectors_at_cells(mesh, form).reshaped());
+    }
+    if (j == 1) {
+        const Vector X = random_vector(N, 4);
+        const auto everywhere = [&](int degree) -> DenseMatrix {
+            return X.transpose().replicate(mesh.complex().size(degree), 1);
+        };
+        all.push_back(flat(mesh, Flat::pdd, everywhere(0)).values);
+        all.push_back(flat(mesh, Flat::dpd, everywhere(n)).values);
+    }
+    return joined(all);
+}
+
+TEST(Materials, leave_the_forms_and_vectors_of_smooth_fields_alone) {
+    for (const Discretization& mesh : of_all_kinds())
+        for (int k = 0; k <= mesh.dimension(); ++k) {
+            const Vector ones = Vector::Ones(mesh.complex().size(mesh.dimension()));
+            const auto empty = with_material(mesh, k, CellData::on_cells(ones)),
+                       heavy = with_material(mesh, k, any_weights(mesh, 1));
+            SCOPED_TRACE(fmt::format("{} stars, k = {}", name(mesh.chosen_stars().kind), k));
+            EXPECT_CLOSE(of_constants(heavy, k), of_constants(empty, k), 1e-10);
+            if (mesh.stars()[k].is_diagonal()) {
+                EXPECT_EQ(of_constants(heavy, k), of_constants(mesh, k));
+            }
+        }
+}
+
+TEST(Materials, weight_the_energies_of_constant_dual_forms) {
+    for (const Discretization& mesh : of_all_kinds()) {
+        const int n = mesh.dimension();
+        const auto kind = mesh.chosen_stars().kind;
+        const bool are_exact = kind == StarKind::galerkin || kind == StarKind::hybrid;
+        if (!are_exact || mesh.ambient_dimension() > n)
+            continue;
+        const double volume = mesh.volumes().primal(n).sum();
+        for (int k = 1; k <= n; ++k) {
+            const Vector a = random_vector(coefficients(n, n - k), 3),
+                         quarters = Vector::Constant(mesh.complex().size(n), 0.25);
+            const auto light = with_material(mesh, k, CellData::on_cells(quarters));
+            const double length = norm(light, dual_de_rham(light, n - k, constant_form(a)));
+            EXPECT_NEAR(length * length / (4 * a.squaredNorm() * volume), 1, 1e-9)
+                << name(kind) << " stars, k = " << k;
+        }
+    }
+}
+
+TEST(Materials, of_facets_make_all_cells_galerkins_beside_hybrid_stars) {
+    const auto mesh = circumcentric(shaken(grid(6, 6), 0.2, 1)).with_stars(StarKind::hybrid);
+    const double share = mesh.chosen_stars().galerkin_share();
+    ASSERT_GT(share, 0);
+    ASSERT_LT(share, 1);
+    const auto of_facets = with_material(mesh, 1, any_weights(mesh, 1)),
+               of_vertices = with_material(mesh, 0, any_weights(mesh, 2)),
+               both = with_material(of_facets, 0, any_weights(mesh, 2));
+    EXPECT_EQ(of_facets.chosen_stars().galerkin_share(), 1);
+    EXPECT_EQ(of_vertices.chosen_stars().galerkin_share(), share);
+    expect_same_stars(both, of_vertices, 0);
+    EXPECT_WITHIN(dual_sites(of_facets), cell_centroids(mesh, 2), 1e-14);
 }
 
 } // namespace polydec::test::in_material_stars
