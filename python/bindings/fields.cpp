@@ -85,24 +85,18 @@ void add_periodic(py::module_& module) {
         .def_readonly("points", &PeriodicMesh::points);
 }
 
-using Product = Cochain (*)(const Discretization&, const Cochain&, const Cochain&);
 using Map = Cochain (*)(const Discretization&, const Cochain&);
 using Sharp = DenseMatrix (*)(const Discretization&, const Cochain&);
 
 void add_products(py::module_& module) {
-    module.def("product", [](const Discretization& mesh, const std::string& what, const Cochain& a,
+    module.def("product", [](const Discretization& mesh, const std::string& named, const Cochain& a,
                              const Cochain& b) {
-        const auto product =
-            chosen<Product>("weights", what,
-                            {{"uniform", [](const Discretization& on, const Cochain& x,
-                                            const Cochain& y) { return wedge(on, x, y); }},
-                             {"circumcentric",
-                              [](const Discretization& on, const Cochain& x, const Cochain& y) {
-                                  return wedge(on, x, y, WedgeWeights::circumcentric);
-                              }},
-                             {"dual", [](const Discretization& on, const Cochain& x,
-                                         const Cochain& y) { return dual_wedge(on, x, y); }}});
-        return unlocked([&] { return product(mesh, a, b); });
+        const auto weights = chosen<WedgeWeights>(
+            "weights", named,
+            {{"uniform", WedgeWeights::uniform}, {"circumcentric", WedgeWeights::circumcentric}});
+        const bool have_no_weights = a.side == Side::dual && weights == WedgeWeights::uniform;
+        return unlocked(
+            [&] { return have_no_weights ? dual_wedge(mesh, a, b) : wedge(mesh, a, b, weights); });
     });
     module.def("primal_dual_wedge",
                [](const Discretization& mesh, const Cochain& a, const Cochain& b) {

@@ -180,5 +180,5 @@ def made(form: tuple[str, int, Floats], cells: Cells) -> Cochain:
 
 def product(cells: Cells, left: tuple[str, int, Floats], right: tuple[str, int, Floats],
             weights: str = "uniform") -> tuple[str, int, Floats]:
-    """Exterior product of two forms on one side; these weights are for primal ones."""
-    return _core.product(mesh_of(cells), weights if left[0] == "primal" else "dual", left, right)
+    """Exterior product of two forms on one side."""
+    return _core.product(mesh_of(cells), weights, left, right)

@@ -123,7 +123,7 @@ def wedge(complex: Complex, a: Form, b: Form, *, degrees: tuple[int, int] | None
         Arrays need `degrees` and `side`. Returns a Cochain if a or b is a Cochain.
     weights : {"uniform", "circumcentric"}
         Weights for primal forms. Uniform weights satisfy Leibniz' rule exactly; circumcentric
-        weights are Hirani's.
+        weights are Hirani's. Dual forms take none, so only the default.
 
     Examples
     --------

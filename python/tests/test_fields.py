@@ -70,6 +70,17 @@ def test_products_of_duals(square):
     dx, dy = (square.cochain(x, 0).d().star() for x in square.points.T)
     assert np.allclose(polydec.wedge(square, dx, dy), -polydec.wedge(square, dy, dx).values)
     refused(lambda: a.wedge(a).wedge(a))
+    one = square.cochain(np.ones(square.size(2)), 0, "dual")
+    assert np.allclose(polydec.wedge(square, one, dx, weights="uniform"), dx)
+    refused(lambda: polydec.wedge(square, one, dx, weights="circumcentric"), "dual 0-form", "wedge")
+
+
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_weights_of_products_are_two(square, side):
+    one = square.cochain(np.ones(square.size(0, side)), 0, side)
+    for name in ("nonsense", "dual"):
+        refused(lambda: polydec.wedge(square, one, one, weights=name), name, "uniform",
+                "circumcentric")
 
 
 @pytest.mark.parametrize("star", ["circumcentric", "galerkin", "barycentric"])
