@@ -54,9 +54,11 @@ Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Coc
 ///
 /// Anticommutative, a ^ b = (-1)^(kl) b ^ a. Exact for constant forms on flat complexes, also on
 /// dual cells that the boundary cuts off; so the constant 1 is the unit for constant forms.
-/// Leibniz' rule holds for constants only. The combinatorial product of dual cells, which counts
-/// corners (Desbrun, Hirani, Leok, Marsden 2005), is not exact for constants. Time linear in the
-/// number of incidences.
+/// Duals between centers other than circumcenters are not orthogonal to their cells, and star^-1
+/// of constant forms of degree 0 < k < n is then not exact, nor are their products. Leibniz' rule
+/// holds for constants only. The combinatorial product of dual cells, which counts corners
+/// (Desbrun, Hirani, Leok, Marsden 2005), is not exact for constants. Time linear in the number of
+/// incidences.
 ///
 /// Throws like check; like HodgeStar::inverse, naming the cells, where star_(n-k) or star_(n-l) has
 /// a zero; and InvalidInput for primal forms and for k + l > n.

@@ -114,6 +114,22 @@ TEST(DualWedgesByStars, multiply_constant_forms_exactly) {
         }
 }
 
+TEST(DualWedgesBetweenCentroids, are_exact_for_constants_of_the_first_and_last_degree_alone) {
+    for (const Mesh& mesh : {well_centered(3), shaken(kuhn(3, 2), 0.1, 2)}) {
+        const auto on =
+            discretize(mesh, {.centers = Centers::centroids(), .star = StarKind::circumcentric});
+        const int n = on.dimension();
+        const Cochain one{Side::dual, 0, Vector::Ones(on.complex().size(n))};
+        for (int j = 0; j <= n; ++j) {
+            const Vector a = random_vector(coefficients(n, j), 3);
+            const auto form = dual_de_rham(on, j, constant_form(a), 1);
+            const Vector product = dual_wedge(on, one, form).values;
+            const double error = relative_difference(product, form.values);
+            EXPECT_EQ(error < 1e-12, j == 0 || j == n) << error << ", j = " << j;
+        }
+    }
+}
+
 /// L2 error of the product of two smooth 1-forms on the merged cells of the unit square, as a
 /// mean over the dual cells. Duals cut off by the boundary, which have their values off the middle
 /// of their primal cells, are kept away from.
