@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/chosen_cells.h"
-#include "dec/fields/flat_and_sharp.h"
 #include "io/diagnosis_json.h"
 #include "solvers/flow/flow_data.h"
 #include "tools/commands.h"
@@ -189,9 +188,8 @@ double own_step(const IncompressibleFlow& flow, const Vector& w, const FlowArgum
 std::vector<NamedForm> shown(const IncompressibleFlow& flow, const Vector& w) {
     const Discretization& mesh = flow.mesh();
     const int n = mesh.dimension();
-    return {NamedForm("velocity", Side::primal,
-                      vectors_at_vertices(mesh, {Side::primal, n - 1, w}, Proxy::flux),
-                      "the velocity, in units of length/time"),
+    return {flux_vectors("velocity", mesh, {Side::primal, n - 1, w},
+                         "the velocity, in units of length/time"),
             NamedForm("vorticity", {Side::primal, n - 2, flow.vorticity(w)},
                       n > 2 ? "the vorticity" : "the vorticity, in units of 1/time"),
             NamedForm("pressure", flow.pressure(w),

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "dec/fields/flat_and_sharp.h"
 #include "examples/paper/console.h"
 #include "io/march.h"
 #include "io/pages/series.h"
@@ -96,6 +97,15 @@ void check_time(const TimeArguments& arguments) {
 TimeSteps time_steps(const TimeArguments& arguments, double length) {
     return arguments.time_step > 0 ? polydec::time_steps(arguments.until, arguments.time_step)
                                    : polydec::time_steps(arguments.until, length, arguments.frames);
+}
+
+NamedForm flux_vectors(const std::string& name, const Discretization& mesh, const Cochain& flux,
+                       const std::string& about) {
+    try {
+        return {name, Side::primal, vectors_at_vertices(mesh, flux, Proxy::flux), about};
+    } catch (const InvalidInput&) {
+        return {name, Side::dual, vectors_at_cells(mesh, flux, Proxy::flux), about};
+    }
 }
 
 Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,

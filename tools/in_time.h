@@ -45,6 +45,11 @@ struct March {
     std::function<std::vector<NamedForm>(const Run&)> shown;
 };
 
+/// The vectors of a flux through facets: at vertices, or at cells where vertices have none because
+/// seams of a glued mesh turn.
+NamedForm flux_vectors(const std::string& name, const Discretization& mesh, const Cochain& flux,
+                       const std::string& about);
+
 /// The start of a run: a checkpoint, or step 0.
 struct Ran {
     Index resumed_at = 0;

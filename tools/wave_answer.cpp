@@ -61,8 +61,7 @@ std::vector<NamedForm> shown(const WaveWords& words, const Discretization& mesh,
                              std::vector<Cochain> forms) {
     NamedForm upper(words.upper, std::move(forms[1]), words.upper_words);
     if (words.upper_is_flux && upper.form.degree == 1 && has_proxy(mesh, upper.form))
-        upper = NamedForm(words.upper, Side::primal,
-                          vectors_at_vertices(mesh, upper.form, Proxy::flux), words.upper_words);
+        upper = flux_vectors(words.upper, mesh, upper.form, words.upper_words);
     return {NamedForm(words.form, std::move(forms[0]), words.form_words), std::move(upper)};
 }
 

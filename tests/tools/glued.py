@@ -89,6 +89,19 @@ class Glued(TestCase):
                           "--glue", "x+1; 1-y", "--periodic", "0,1", "-o", "u.html")
         self.assertAlmostEqual(answer["max"], 1 / (4 * math.pi ** 2 * self.slower), delta=1e-9)
 
+    def test_flow_around_the_tip_of_a_cone_is_shown_at_cells(self):
+        cone = self.write("cone.off", "OFF\n45 64 0\n" + "".join(
+            f"{x / 4 - 1} {y / 4} 0\n" for y in range(5) for x in range(9)) + "".join(
+                f"3 {v} {v + 1} {v + 10}\n3 {v} {v + 10} {v + 9}\n"
+                for v in range(36) if v % 9 < 8))
+        for out in ("f.pvd", "f.html"):
+            answer = self.ask("flow", cone, "--glue=-x; -y", "--vorticity", "x*x+y*y", "--until", .1,
+                              "-o", out)
+            self.assertAlmostEqual(answer["relative_energy"], 1, delta=1e-9)
+        with open(self.path("f/f_0000.vtu"), "rb") as step:
+            text = step.read()
+        self.assertLess(text.index(b"<CellData"), text.index(b'"velocity"'))
+
     def test_after_flips_there_are_lengths_alone(self):
         refused = self.fail_with(2, "poisson", self.square, "--side", "primal", "--rhs", "sin(2*pi*x)",
                               "--delaunay", *TORUS)
