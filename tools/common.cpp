@@ -144,8 +144,7 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, std::option
     command
         .add_option(
             "--periodic", arguments.periods,
-            "X,Y\tglue along this translation, repeatable; renumbers vertices; expressions and "
-            "pictures stay unglued")
+            "X,Y\tglue along this translation, repeatable; expressions and pictures stay unglued")
         ->check(check_vector);
     command
         .add_option("--glue", arguments.glue,

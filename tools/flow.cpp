@@ -79,34 +79,24 @@ struct Given {
         return options;
     }
 
-    /// What a flow begins with.
-    struct Start {
-        Vector fluxes; ///< to be projected
-        Vector given;  ///< the numbers that they are from
-    };
-
-    Start start(const Discretization& mesh) const {
+    /// Fluxes that a flow begins with; to be projected.
+    Vector start(const Discretization& mesh, Log& log) const {
         const Points sites = cell_centers(mesh, 0);
+        const auto moving = [&](const Vector& numbers, Vector fluxes) {
+            log.warn(warning_of_rest(numbers, fluxes));
+            return fluxes;
+        };
         if (vorticity) {
-            const Vector given = vertex_values(mesh, *vorticity, sites);
-            return {flow_of_vorticity(mesh, given), given};
+            const Vector numbers = vertex_values(mesh, *vorticity, sites);
+            return moving(numbers, flow_of_vorticity(mesh, numbers));
         }
         if (velocity.given()) {
-            const Points given = velocity.at(sites, sites.cols());
-            return {flow_of_velocity(mesh, given), given.reshaped()};
+            const Points vectors = velocity.at(sites, sites.cols());
+            return moving(vectors.reshaped(), flow_of_velocity(mesh, vectors));
         }
-        return {Vector::Zero(mesh.complex().size(mesh.dimension() - 1)), {}};
+        return Vector::Zero(mesh.complex().size(mesh.dimension() - 1));
     }
 };
-
-/// A warning if nothing that is to move the fluid does, from the start or by its walls.
-std::vector<std::string> warning_of_rest(const IncompressibleFlow& flow, const Vector& given,
-                                         const Vector& start) {
-    const Points& walls = flow.options().wall_velocity;
-    if (given.size() > 0 || walls.size() == 0 || !start.isZero(0))
-        return polydec::warning_of_rest(given, start);
-    return polydec::warning_of_rest(walls.reshaped(), flow.rate(start));
-}
 
 std::string boundary_in_words(const std::vector<FlowBoundary>& facets, const CellComplex& complex) {
     const std::vector<BoundaryFacet> boundary = boundary_facets(complex);
@@ -207,9 +197,8 @@ void run_flow(const FlowArguments& arguments) {
     const FlowOptions options = given.options(mesh, arguments.flow);
     log.timing.begin("solve");
     const auto flow = computed(log, "factorize", [&] { return IncompressibleFlow(mesh, options); });
-    const auto [fluxes, asked] = given.start(mesh);
-    const Vector start = flow.project(fluxes);
-    log.warn(warning_of_rest(flow, asked, start));
+    const Vector asked = given.start(mesh, log), start = flow.project(asked);
+    log.warn(warning_of_rest(asked, start));
     const TimeSteps steps = time_steps(arguments.time, own_step(flow, start, arguments));
     Flow moving(flow, start, {.time_step = steps.length, .scheme = arguments.scheme});
     log.warn(moving.warnings());

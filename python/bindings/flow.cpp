@@ -135,8 +135,16 @@ void add_stokes(py::module_& module) {
 } // namespace
 
 void add_flows(py::module_& module) {
-    module.def("flow_of_vorticity", &flow_of_vorticity, Unlocking());
-    module.def("flow_of_velocity", &flow_of_velocity, Unlocking());
+    module.def("flow_of_vorticity", [](const Discretization& mesh, const Vector& vorticity) {
+        Vector fluxes = unlocked([&] { return flow_of_vorticity(mesh, vorticity); });
+        warn(warning_of_rest(vorticity, fluxes));
+        return fluxes;
+    });
+    module.def("flow_of_velocity", [](const Discretization& mesh, const Points& velocity) {
+        Vector fluxes = unlocked([&] { return flow_of_velocity(mesh, velocity); });
+        warn(warning_of_rest(velocity.reshaped(), fluxes));
+        return fluxes;
+    });
     module.def("flux_through_boundary", &flux_through_boundary, Unlocking());
     add_flow(module);
     add_shallow_water(module);

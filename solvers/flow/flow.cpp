@@ -73,16 +73,19 @@ std::vector<Cochain> Flow::forms() const {
 }
 
 std::vector<std::string> Flow::warnings() const {
-    if (steps_.scheme != FlowScheme::implicit_midpoint)
-        return {};
-    const double rate = equations_.friction_rate();
-    if (!(rate * time_step() > 2))
-        return {};
-    return {
-        fmt::format("friction takes the smallest eddies away at rates of up to {:.3g}, too fast "
-                    "for steps of {:.3g} by the midpoint: they change sign in each step instead "
-                    "of dying away; use FlowScheme::imex, or steps below {:.3g}",
-                    rate, time_step(), 2 / rate)};
+    std::vector<std::string> result;
+    if (const Points& walls = equations_.options().wall_velocity;
+        walls.size() > 0 && flux().isZero(0))
+        result = warning_of_rest(walls.reshaped(), equations_.rate(flux()));
+    const double rate =
+        steps_.scheme == FlowScheme::implicit_midpoint ? equations_.friction_rate() : 0;
+    if (rate * time_step() > 2)
+        result.push_back(fmt::format(
+            "friction takes the smallest eddies away at rates of up to {:.3g}, too fast for steps "
+            "of {:.3g} by the midpoint: they change sign in each step instead of dying away; use "
+            "FlowScheme::imex, or steps below {:.3g}",
+            rate, time_step(), 2 / rate));
+    return result;
 }
 
 std::optional<Fingerprint> Flow::fingerprint() const {

@@ -18,6 +18,8 @@ SECONDS = 300
 
 # options in the words of Python, and in those of the command
 WORDING = {'delaunay="flips_and_splits"': "--delaunay=split-boundary",
+           "give boundary_flux, or open facets (open)": "give --boundary-velocity, or open facets "
+                                                        "(--open-where)",
            'delaunay="flips"': "--delaunay", 'star="automatic"': "--star automatic",
            'side="primal"': "--side primal", "polydec.meshes.peeled(mesh)": "--peel",
            "polydec.meshes.weld(mesh)": "--weld",
