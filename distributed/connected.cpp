@@ -165,6 +165,8 @@ SharedComponents::SharedComponents(const Ranks& ranks, Mat graph, const HeldUnkn
         if (part >= 0 && holds[part] > 0)
             part = -1;
     parts_ = {std::move(part_of), parts, std::move(weights), std::move(over_all)};
+    if (ranks.any(!parts_.have_means()))
+        refuse_means();
 }
 
 Compatibility SharedComponents::balance(Vector& b) const {

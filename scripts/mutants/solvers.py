@@ -9,7 +9,7 @@ MUTANTS = {
                             "weights_(N_ * Vector::Ones(N_.cols())),",
                             "weights_((N_ * Vector::Ones(N_.cols())).cwiseAbs()),",
                             "PoissonSystems.of_functions_remove_constants_where_areas_are_signed"),
-    "weights_of_any_sum": ("solvers/sources/constrained_system.cpp", "if (sum <= 0)", "if (false)",
+    "weights_of_any_sum": ("solvers/sources/constrained_system.cpp", "if (!have_means())", "if (false)",
                            "ConstrainedSystem.has_signed_weights_with_a_positive_sum"),
     "spectra_without_modes_fail": ("solvers/spectra/spectrum.cpp", "spectrum.modes.resize(spectrum.modes.rows(), 0);", "throw;",
                                    "Spectra.have_no_modes_where_these_are_out_of_range"),

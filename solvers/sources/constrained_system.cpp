@@ -36,17 +36,6 @@ Vector normalized(Vector weights) {
     return weights;
 }
 
-/// The sums of weights on free components, where they define a mean.
-FreeComponents::Sums positive(FreeComponents::Sums weights) {
-    for (const long double sum : weights)
-        if (sum <= 0)
-            throw InvalidInput(fmt::format(
-                "the weights of the mean on a component without boundary data sum to {:.3g}: "
-                "expected a positive sum; use another star, or give boundary values",
-                static_cast<double>(sum)));
-    return weights;
-}
-
 /// The rows and columns of A in the list.
 SparseMatrix part(const SparseMatrix& A, const std::vector<Index>& list) {
     std::vector<Index> place(A.rows(), -1);
@@ -111,13 +100,26 @@ FreeComponents::FreeComponents(std::vector<Index> component, Index count, Vector
     : component_(std::move(component)),
       weights_(std::move(weights)),
       over_all_(std::move(over_all)),
-      weights_of_all_(positive(sums(count, [&](Index i) { return weights_[i]; }))) {}
+      weights_of_all_(sums(count, [&](Index i) { return weights_[i]; })) {}
 
 FreeComponents::FreeComponents(const SparseMatrix& graph, const std::vector<bool>& fixed,
                                const std::vector<bool>& tied, Vector weights)
     : component_(free_components(graph, fixed, tied)),
       weights_(normalized(std::move(weights))),
-      weights_of_all_(positive(sums(count_of(component_), [&](Index i) { return weights_[i]; }))) {}
+      weights_of_all_(sums(count_of(component_), [&](Index i) { return weights_[i]; })) {
+    if (!have_means())
+        refuse_means();
+}
+
+bool FreeComponents::have_means() const {
+    return std::all_of(component_.begin(), component_.end(),
+                       [&](Index c) { return c < 0 || weights_of_all_[c] > 0; });
+}
+
+void refuse_means() {
+    throw InvalidInput("the weights of the mean on a component without boundary data have no "
+                       "positive sum: use another star, or give boundary values");
+}
 
 template <typename Term>
 FreeComponents::Sums FreeComponents::sums(Index count, Term term) const {

@@ -46,6 +46,10 @@ public:
     FreeComponents(std::vector<Index> component, Index count, Vector weights,
                    std::function<Sums(Sums)> over_all);
 
+    /// Whether the weights of each component have a positive sum; the first constructor throws
+    /// InvalidInput if not.
+    bool have_means() const;
+
     Index count() const { return static_cast<Index>(weights_of_all_.size()); }
     /// The component of an unknown; -1 if it is not free.
     Index of(Index unknown) const { return component_[unknown]; }
@@ -66,6 +70,9 @@ private:
     std::function<Sums(Sums)> over_all_ = [](Sums own) { return own; };
     Sums weights_of_all_; // of components
 };
+
+/// Throws InvalidInput for weights without means.
+[[noreturn]] void refuse_means();
 
 /// Throws InvalidInput, naming the cell, if a right-hand side on cells of a degree is not finite,
 /// as products of finite data with volumes and weights can be.
