@@ -27,7 +27,9 @@ public:
         const std::int64_t header = begin_ + static_cast<std::int64_t>(place->offset);
         const auto width = static_cast<std::int64_t>(encoding_.header_bytes);
         const auto bytes = number_of_bytes(header, width);
-        if (bytes > file_.size - header - width || bytes % table.reach() != 0)
+        const auto each = static_cast<double>(size_of(place->type));
+        if (bytes > file_.size - header - width || bytes % table.reach() != 0 ||
+            (array.numbers && static_cast<double>(bytes) != *array.numbers * each))
             refuse_layout(file_, "an array does not have the announced length");
         table.runs = {{bytes / table.reach(), header + width, table.reach()}};
         return table;
