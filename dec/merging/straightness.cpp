@@ -74,6 +74,8 @@ bool StraightnessTest::is_unfolded(Index s, Index f, Index g, double limit) {
             const auto& corners = ridges.omitted()[i]; // each is lacking in a facet around s
             facet = degrees_.back().faces(at.cell, corners[corners[0] == at.omitted ? 1 : 0]);
             const auto sides = cofaces.of(facet);
+            if (facet != g && sides.size() != 2)
+                return false;
             at = sides.front().cell == at.cell ? sides.back() : sides.front();
         } while (facet != f && facet != g);
         if (facet != g || std::abs(sum - std::numbers::pi) > limit)
