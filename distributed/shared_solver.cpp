@@ -3,6 +3,7 @@
 
 #include "backends/linear/solution_quality.h"
 #include "base/errors.h"
+#include "base/exponent.h"
 #include "distributed/ksp.h"
 #include "distributed/petsc_calls.h"
 
@@ -31,10 +32,6 @@ OwnedMat part(const Ranks& ranks, Mat A, const std::vector<Index>& unknowns) {
     });
     ISDestroy(&set);
     return result;
-}
-
-Vector times_two_to_the(int power, const Vector& values) {
-    return values.unaryExpr([power](double x) { return std::ldexp(x, power); });
 }
 
 } // namespace
@@ -119,7 +116,7 @@ Vector SharedSolver::State::solve(const Vector& right_side, SolveReport& report)
     if (size == 0)
         return right_side;
     const int unit = std::ilogb(size);
-    const Vector b = times_two_to_the(-unit, right_side);
+    const Vector b = times_power(right_side, -unit);
     while (true) {
         try {
             Vector x = Vector::Zero(b.size()), r = b;
@@ -138,7 +135,7 @@ Vector SharedSolver::State::solve(const Vector& right_side, SolveReport& report)
                 throw SolverFailure(fmt::format("{}: {}", name, reached.failure()));
             report.residual = reached.residual;
             report.backward_error = reached.backward_error;
-            return times_two_to_the(unit, x);
+            return times_power(x, unit);
         } catch (const SolverFailure& failure) { // of all ranks
             tried.emplace_back(failure.what());
             next_engine();

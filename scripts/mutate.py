@@ -34,7 +34,7 @@ ROOT = Path(__file__).resolve().parent.parent
 # The test programs that each folder's flaws are asked of, one after the other.
 PROGRAMS = {folder: (f"{folder}/test_{folder}",) for folder in ("distributed", "io", "shape")}
 for lower in ("base", "complex", "meshes"):
-    PROGRAMS[lower] = (f"{lower}/test_{lower}", "dec/test_dec")
+    PROGRAMS[lower] = (f"{lower}/test_{lower}", "dec/test_dec", "solvers/test_solvers")
 PROGRAMS["dec"] = ("dec/test_dec", "shape/test_shape", "solvers/test_solvers")
 PROGRAMS["backends"] = ("backends/test_backends", "solvers/test_solvers")
 PROGRAMS["solvers"] = ("solvers/test_solvers", "io/test_io")

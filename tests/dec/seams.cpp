@@ -42,7 +42,7 @@ const std::vector<Turned>& samples() {
     return all;
 }
 
-/// A rhombus of squares, two sides of which are glued by a glide reflection that cuts squares.
+/// A rhombus made of squares. A glide reflection glues two of its sides, and cuts squares there.
 PeriodicMesh cut_squares(int m) {
     return glue(diamond(m).box, {[m](const Vector& x) { return Vector{{x[1] - m, x[0] - m}}; }});
 }
