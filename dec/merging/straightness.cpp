@@ -42,24 +42,28 @@ StraightnessTest::Wing StraightnessTest::look(int k, Index s, Index f) {
         ++apex;
     sphere_.look_at(layout_, k, f);
     const double base = degrees_[k - 2].primal[s], height = sphere_.height(apex, base);
-    return {apex, height, sphere_.uncertainty().of(height), k * degrees_[k - 1].primal[f] / base};
+    return {complex_.simplices(k)(f, apex), height, sphere_.uncertainty().of(height),
+            k * degrees_[k - 1].primal[f] / base};
 }
 
-double StraightnessTest::bend(int k, Index s, Index a, Index b) {
+double StraightnessTest::bend(int k, Index s, const Wing& a, const Wing& b) {
     const auto& base = complex_.simplices(k - 1).row(s);
     const Points& points = *geometry_.metric().points(); // a flat complex in R^N has points
-    edges_.resize(points.cols(), k + 1);
-    for (int i = 0; i <= k; ++i) {
-        const Index end = i < k - 1 ? base[i + 1] : i < k ? a : b;
-        edges_.col(i) = (points.row(end) - points.row(base[0])).transpose();
-    }
+    const auto edge = [&](Index end) {
+        return (points.row(end) - points.row(base[0])).transpose();
+    };
+    edges_.resize(points.cols(), k);
+    for (int i = 0; i < k - 1; ++i)
+        edges_.col(i) = edge(base[i + 1]);
+    edges_.col(k - 1) = edge(a.apex) / a.altitude + edge(b.apex) / b.altitude;
     for (int pass = 0; pass < 2; ++pass) // the second pass removes the rounding of the first
-        for (int i = 0; i <= k; ++i) {
-            for (int j = 0; j < std::min(i, k - 1); ++j)
+        for (int i = 0; i < k; ++i) {
+            for (int j = 0; j < i; ++j)
                 edges_.col(i) -= edges_.col(j) * edges_.col(j).dot(edges_.col(i));
-            edges_.col(i) /= edges_.col(i).norm();
+            if (i < k - 1)
+                edges_.col(i).normalize();
         }
-    return (edges_.col(k - 1) + edges_.col(k)).norm();
+    return edges_.col(k - 1).norm();
 }
 
 bool StraightnessTest::is_unfolded(Index s, Index f, Index g, double limit) {
@@ -106,8 +110,7 @@ bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
     const double limit = angle + rounding_of(terms) / lower;
     if (angles_)
         return k < complex_.dimension() - 1 || is_unfolded(s, f, g, limit);
-    const auto& simplices = complex_.simplices(k);
-    return bend(k, s, simplices(f, a.apex), simplices(g, b.apex)) <= limit;
+    return bend(k, s, a, b) <= limit;
 }
 
 } // namespace polydec

@@ -30,7 +30,7 @@ public:
 private:
     /// Geometry of f or g relative to s.
     struct Wing {
-        int apex;        ///< the simplex's vertex that is not in s
+        Index apex;      ///< the simplex's vertex that is not in s
         double height;   ///< signed distance from the circumcenter of s to the simplex's
         double terms;    ///< terms that cancel in it
         double altitude; ///< of the apex over s
@@ -49,7 +49,7 @@ private:
 
     /// The length of the sum of the unit vectors orthogonal to s from s to vertices a and b: the
     /// angle by which these planes differ.
-    double bend(int k, Index s, Index a, Index b);
+    double bend(int k, Index s, const Wing& a, const Wing& b);
 
     Geometry geometry_;
     const Pieces& complex_;
