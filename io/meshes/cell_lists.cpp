@@ -36,9 +36,11 @@ std::vector<Index> CellLists::tags_from(const std::vector<double>& numbers, std:
 /// Cells of smaller dimension mostly bound those of the mesh. Others would be missed.
 std::vector<std::string> CellLists::warnings_of_lesser(int dimension, Eigen::Index vertices) const {
     std::vector<std::string> warnings;
-    const auto used = marks_at(lists_[dimension].cells.corners, vertices);
+    std::vector<bool> used;
     for (int k = dimension - 1; k > 0; --k) {
         const PolygonMesh& cells = lists_[k].cells;
+        if (cells.size() > 0 && used.empty())
+            used = marks_at(lists_[dimension].cells.corners, vertices);
         std::size_t count = 0, most_corners = 0;
         std::span<const Index> first;
         for (Index cell = 0; cell < cells.size(); ++cell) {
