@@ -9,21 +9,14 @@
 #include <cstdint>
 #include <dlfcn.h>
 #include <fstream>
-#include <memory>
 #include <mutex>
 #include <set>
 #include <sys/resource.h>
 #include <unistd.h>
-#include <utility>
 
 namespace polydec {
 
 namespace {
-
-struct CloseModule {
-    void operator()(void* handle) const { dlclose(handle); }
-};
-using Module = std::unique_ptr<void, CloseModule>;
 
 // A library that is loaded, its threads and their storage may need so much of address space. Where
 // that is not available, the system's loader ends the program instead of failing.
@@ -44,10 +37,11 @@ void require_room(const std::filesystem::path& path) {
                         path.string(), used >> 20, limit.rlim_cur >> 20, room_of_module >> 20));
 }
 
-// A name without a slash would be searched for in the system's folders instead of here.
-Module open_module(const std::filesystem::path& path) {
+// A name without a slash would be searched for in the system's folders instead of here. No file is
+// closed again: one that is no module may have registered engines as it was loaded.
+void* open_module(const std::filesystem::path& path) {
     const std::string file = std::filesystem::absolute(path).string();
-    Module module(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
+    void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!module) {
         const char* reason = dlerror();
         throw IoError(fmt::format("{}: cannot be loaded as an engine module: {}", path.string(),
@@ -58,8 +52,8 @@ Module open_module(const std::filesystem::path& path) {
 }
 
 template <typename Function>
-Function* find_function(const Module& module, const char* name, const std::filesystem::path& path) {
-    void* const symbol = dlsym(module.get(), name);
+Function* find_function(void* module, const char* name, const std::filesystem::path& path) {
+    void* const symbol = dlsym(module, name);
     if (!symbol)
         throw IoError(
             fmt::format("{}: not an engine module: it exports no function {}", path.string(), name),
@@ -76,8 +70,8 @@ void load_engine_module(const std::filesystem::path& path, EngineRegistrar& regi
 
     require_room(path);
     prepare_blas();
-    Module module = open_module(path);
-    if (loaded.contains(module.get()))
+    void* const module = open_module(path);
+    if (loaded.contains(module))
         return;
     const int version = find_function<int()>(module, "polydec_engine_module_version", path)();
     if (version != engine_module_version)
@@ -87,12 +81,9 @@ void load_engine_module(const std::filesystem::path& path, EngineRegistrar& regi
                         path.string(), version, engine_module_version));
     const auto register_engines =
         find_function<void(EngineRegistrar&)>(module, "polydec_register_engines", path);
-
-    // From here on its code may be in use, so it is never unloaded.
-    void* const handle = module.release();
-    find_blas(handle);
+    find_blas(module);
     register_engines(registrar);
-    loaded.insert(handle);
+    loaded.insert(module);
 }
 
 } // namespace polydec

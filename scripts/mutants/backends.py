@@ -2,6 +2,9 @@
 """Flaws of backends/; see mutate.py."""
 
 MUTANTS = {
+    "refused_modules_unloaded": ("backends/engine_module.cpp", "if (version != engine_module_version)",
+                                 "if (version != engine_module_version && dlclose(module) == 0)",
+                                 "engine_module.engines_that_a_refused_file_registered_as_it_was_loaded_stay_in_use"),
     "names_of_modules_free": ("backends/registry.cpp", "if (!found_now({kind_of(factory), name}).info.name.empty())", "if (false)",
                               "registry.names_are_taken_once"),
     "groups_as_if_orthogonal": ("backends/spectra/found_pairs.cpp",

@@ -33,6 +33,15 @@ TEST(engine_module, a_module_for_another_version_is_refused_before_it_runs) {
                  std::to_string(engine_module_version));
 }
 
+TEST(engine_module, engines_that_a_refused_file_registered_as_it_was_loaded_stay_in_use) {
+    EXPECT_THROW(load_engine_module(POLYDEC_TEST_OLD_MODULE), BackendUnavailable);
+    const auto solver = make_linear_solver("registered-as-loaded");
+    const auto A = grid_laplacian(6);
+    const DenseMatrix B = random_matrix(36, 2, 1);
+    solver->factorize(A, positive());
+    EXPECT_PRED3(solves, A, solver->solve(B), B);
+}
+
 TEST(engine_module, what_is_no_module_is_refused) {
     EXPECT_THROW(load_engine_module("/nowhere/module.so"), IoError);
     EXPECT_THROW(load_engine_module("."), IoError);
