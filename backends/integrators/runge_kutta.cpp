@@ -195,13 +195,14 @@ private:
     bool take_stage(Eigen::Index i, double step, double end) {
         const double part = table_->times[i];
         const double time = part == 1 ? end : this->time() + part * step;
-        stage_ = before_stage(i, step);
+        Vector known = before_stage(i, step);
         if (is_stiff()) {
-            const Vector known = stage_;
             const double gamma = step * table_->implicit_part(i, i);
             if (!solve_stage(time, gamma, known, stage_))
                 return false;
             g_.col(i) = (stage_ - known) / gamma;
+        } else {
+            stage_ = std::move(known);
         }
         if (!stage_.allFinite())
             return false;

@@ -203,8 +203,10 @@ CheckedSolver::Solution CheckedSolver::invert(const DenseMatrix& B) {
     Solution solution;
     if (treated_->rows() == 0)
         solution.columns = DenseMatrix::Zero(treated_->rows(), B.cols());
+    else if (grounded)
+        solution = apply_inverse(kernel_->restrict(B));
     else
-        solution = apply_inverse(grounded ? kernel_->restrict(B) : B);
+        solution = apply_inverse(B);
     if (grounded)
         solution.columns = kernel_->extend(solution.columns);
     if (kernel_)

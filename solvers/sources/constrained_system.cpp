@@ -95,9 +95,23 @@ Index count_of(const std::vector<Index>& component) {
 
 } // namespace
 
+std::vector<FreeComponents::Run> FreeComponents::runs_of(const std::vector<Index>& component) {
+    std::vector<Run> runs;
+    for (Index i = 0; i < std::ssize(component); ++i) {
+        const Index c = component[i];
+        if (c < 0)
+            continue;
+        if (i == 0 || component[i - 1] != c)
+            runs.push_back({c, i, i});
+        runs.back().end = i + 1;
+    }
+    return runs;
+}
+
 FreeComponents::FreeComponents(std::vector<Index> component, Index count, Vector weights,
                                std::function<Sums(Sums)> over_all)
     : component_(std::move(component)),
+      runs_(runs_of(component_)),
       weights_(std::move(weights)),
       over_all_(std::move(over_all)),
       weights_of_all_(sums(count, [&](Index i) { return weights_[i]; })) {}
@@ -105,6 +119,7 @@ FreeComponents::FreeComponents(std::vector<Index> component, Index count, Vector
 FreeComponents::FreeComponents(const SparseMatrix& graph, const std::vector<bool>& fixed,
                                const std::vector<bool>& tied, Vector weights)
     : component_(free_components(graph, fixed, tied)),
+      runs_(runs_of(component_)),
       weights_(normalized(std::move(weights))),
       weights_of_all_(sums(count_of(component_), [&](Index i) { return weights_[i]; })) {
     if (!have_means())
@@ -112,8 +127,8 @@ FreeComponents::FreeComponents(const SparseMatrix& graph, const std::vector<bool
 }
 
 bool FreeComponents::have_means() const {
-    return std::all_of(component_.begin(), component_.end(),
-                       [&](Index c) { return c < 0 || weights_of_all_[c] > 0; });
+    return std::all_of(runs_.begin(), runs_.end(),
+                       [&](const Run& run) { return weights_of_all_[run.component] > 0; });
 }
 
 void refuse_means() {
@@ -124,14 +139,11 @@ void refuse_means() {
 template <typename Term>
 FreeComponents::Sums FreeComponents::sums(Index count, Term term) const {
     Sums own = Sums::Zero(count);
-    const auto size = static_cast<Index>(component_.size());
-    for (Index i = 0; i < size;) {
-        const Index c = component_[i];
-        long double sum = 0; // of a run of unknowns
-        for (; i < size && component_[i] == c; ++i)
+    for (const Run& run : runs_) {
+        long double sum = 0;
+        for (Index i = run.begin; i < run.end; ++i)
             sum += term(i);
-        if (c >= 0)
-            own[c] += sum;
+        own[run.component] += sum;
     }
     return over_all_(std::move(own));
 }
@@ -146,14 +158,14 @@ Compatibility FreeComponents::balance(Vector& b) const {
             compatibility.worst = share;
             compatibility.excess = static_cast<double>(sum[c]);
         }
-    for (Index i = 0; i < b.size(); ++i)
-        if (const Index c = component_[i]; c >= 0)
+    for (const auto& [c, begin, end] : runs_)
+        for (Index i = begin; i < end; ++i)
             b[i] -= static_cast<double>(sum[c] * weights_[i] / weights_of_all_[c]);
     const Sums rest = sums(count(), magnitude);
     constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-    for (Index i = 0; i < b.size(); ++i)
-        if (const Index c = component_[i]; c >= 0 && rest[c] <= rounding * size[c])
-            b[i] = 0;
+    for (const auto& [c, begin, end] : runs_)
+        if (rest[c] <= rounding * size[c])
+            b.segment(begin, end - begin).setZero();
     return compatibility;
 }
 
@@ -161,9 +173,8 @@ void FreeComponents::remove_means(Vector& u) const {
     const Sums weighted =
         sums(count(), [&](Index i) { return static_cast<long double>(weights_[i]) * u[i]; });
     const Vector means = weighted.cwiseQuotient(weights_of_all_).cast<double>();
-    for (Index i = 0; i < u.size(); ++i)
-        if (const Index c = component_[i]; c >= 0)
-            u[i] -= means[c];
+    for (const auto& [c, begin, end] : runs_)
+        u.segment(begin, end - begin).array() -= means[c];
 }
 
 void check_loads(const char* what, const Vector& loads, int degree) {

@@ -65,7 +65,13 @@ private:
     template <typename Term>
     Sums sums(Index count, Term term) const;
 
+    struct Run {
+        Index component, begin, end; ///< of unknowns one after the other
+    };
+    static std::vector<Run> runs_of(const std::vector<Index>& component);
+
     std::vector<Index> component_; // of unknowns
+    std::vector<Run> runs_;        // of those that are free
     Vector weights_;
     std::function<Sums(Sums)> over_all_ = [](Sums own) { return own; };
     Sums weights_of_all_; // of components

@@ -143,13 +143,16 @@ bool Diffusion::keeps_means() const {
     return space_ && space_->constants.count() > 0;
 }
 
-Vector Diffusion::without_means(const Vector& w) const {
+Vector Diffusion::without_means(Vector w) const {
     if (!keeps_means())
         return w;
     const bool has_values = mass_.degree() == 0;
-    Vector values = has_values ? w : mass_ * w;
-    space_->constants.remove_means(values);
-    return has_values ? values : mass_.solve(values);
+    if (!has_values)
+        w = mass_ * w;
+    space_->constants.remove_means(w);
+    if (!has_values)
+        w = mass_.solve(w);
+    return w;
 }
 
 Vector Diffusion::rate(const Vector& values) const {
@@ -281,20 +284,23 @@ Vector Resolvent::solved(const Vector& w) const {
 
 Vector Resolvent::solve(const Vector& values) const {
     // dual forms are stars of primal ones, and stars commute with the Laplacian
-    const bool primal = of_.side_ == Side::primal;
-    const Vector all = primal ? values : of_.mass_.solve(values);
+    return of_.side_ == Side::primal ? of_primal(values)
+                                     : of_.mass_ * of_primal(of_.mass_.solve(values));
+}
+
+Vector Resolvent::of_primal(const Vector& values) const {
     // steps lose means in their rounding, and long steps the rounding of means
     constexpr double is_long = 1e4;
-    Vector w = of_.without_means(all);
+    Vector w = of_.without_means(values);
     if (largest_ > is_long)
-        w = of_.without_means(w);
+        w = of_.without_means(std::move(w));
     Vector next = solved(w);
     // undoes the shift s of the mass: (M + t K + s M) x = M (w + s x)
     for (int i = 0; i < 2 && shift_ > 0; ++i)
         next = solved(w + shift_ * next);
     check_growth(w, next);
-    next += all - w;
-    return primal ? next : of_.mass_ * next;
+    next += values - w;
+    return next;
 }
 
 } // namespace polydec

@@ -73,7 +73,7 @@ private:
 
     /// Removes the means of a function on components through whose boundary nothing flows, which
     /// diffusion keeps. Of primal forms whose stars are the dual ones.
-    Vector without_means(const Vector& w) const;
+    Vector without_means(Vector w) const;
     bool keeps_means() const;
 
     std::vector<Index> kept_;
@@ -111,6 +111,7 @@ private:
 
     /// The solution of the factorized system for w, without the mean that rounding leaves.
     Vector solved(const Vector& w) const;
+    Vector of_primal(const Vector& values) const;
 
     Diffusion of_;
     std::unique_ptr<LinearSolver> solver_;
