@@ -2,6 +2,10 @@
 """Flaws of solvers/; see mutate.py."""
 
 MUTANTS = {
+    "star_of_densities_ignored": ("solvers/sources/function_systems.cpp",
+                                  "stars.volumes().primal(n).cwiseQuotient(stars.volumes().dual(n)).asDiagonal()",
+                                  "stars.volumes().primal(n).asDiagonal()",
+                                  "PoissonSystems.have_the_solution_of_the_equations_of_all_forms"),
     "slow_refinement_given_up": ("solvers/sources/saddle_solver.cpp",
                                  "step = accelerated(std::move(step), 1e-12 * y.norm());", "break;",
                                  "FormSources.of_thin_cells_have_the_solution_of_dense_equations"),

@@ -131,16 +131,21 @@ private:
     ConstrainedSolver solver_;
 };
 
-SparseMatrix volumes_of(const FormSpace& space) {
+/// The inverse star of n-cells: their volumes, over the weights of a material. Throws InvalidInput
+/// for a star with zeros.
+SparseMatrix inverse_star(const FormSpace& space) {
+    const HodgeStars& stars = space.cells().stars();
+    const int n = stars.dimension();
+    static_cast<void>(stars[n].inverse()); // refuses zeros
     return SparseMatrix(
-        space.cells().stars().volumes().primal(space.cells().dimension()).asDiagonal());
+        stars.volumes().primal(n).cwiseQuotient(stars.volumes().dual(n)).asDiagonal());
 }
 
 /// Balances of densities on n-cells: inflow and outflow.
 class Balances : public Functions {
 protected:
     explicit Balances(const FormSpace& space)
-        : Functions(space, volumes_of(space)),
+        : Functions(space, inverse_star(space)),
           divergence_(derivative(space.cells().complex(), of_.dimension - 1)),
           tied_(static_cast<std::size_t>(N_.rows()), false) {
         const CellComplex& complex = space.cells().complex();
