@@ -14,7 +14,7 @@ namespace polydec {
 namespace {
 
 /// A side of a triangle, directed as the boundary of the merged cell runs. The three sides of a
-/// triangle are neighbors in the list.
+/// triangle are neighbors in the list and follow each other around it.
 struct HalfEdge {
     Index edge, tail, head;
     Index twin = -1; // the other side of a removed edge
@@ -23,12 +23,16 @@ struct HalfEdge {
 std::vector<HalfEdge> half_edges(const Merging& merging, Index cell) {
     const auto& K = merging.pieces();
     std::vector<HalfEdge> sides;
-    for (IncidenceMatrix::InnerIterator piece(merging.diamond(2), cell); piece; ++piece)
-        for (const auto& [edge, sign] : K.incidences(1)[static_cast<Index>(piece.col())]) {
+    for (IncidenceMatrix::InnerIterator piece(merging.diamond(2), cell); piece; ++piece) {
+        const auto around = K.incidences(1)[static_cast<Index>(piece.col())];
+        const bool is_forward = piece.value() * around[0].sign > 0;
+        for (const Index place : {0, is_forward ? 2 : 1, is_forward ? 1 : 2}) {
+            const auto [edge, sign] = around[place];
             const auto ends = K.simplices(1).row(edge);
             const bool ascending = piece.value() * sign > 0;
             sides.push_back({edge, ends[ascending ? 0 : 1], ends[ascending ? 1 : 0]});
         }
+    }
     return sides;
 }
 
@@ -44,13 +48,9 @@ void link_twins(const Merging& merging, std::vector<HalfEdge>& sides) {
     }
 }
 
-/// The side that follows in the same triangle.
-Index follower(const std::vector<HalfEdge>& sides, Index h) {
-    const Index first = h - h % 3;
-    for (Index g = first; g < first + 3; ++g)
-        if (sides[g].tail == sides[h].head)
-            return g;
-    return h;
+/// The side that follows in the same triangle, whose vertices need not differ.
+Index follower(Index side) {
+    return side % 3 == 2 ? side - 2 : side + 1;
 }
 
 } // namespace
@@ -70,9 +70,9 @@ std::vector<Index> corners(const Merging& merging, Index cell) {
     Index side = start;
     do {
         walk.push_back(sides[side].tail);
-        side = follower(sides, side);
+        side = follower(side);
         while (sides[side].twin >= 0)
-            side = follower(sides, sides[side].twin);
+            side = follower(sides[side].twin);
     } while (side != start && walk.size() <= sides.size());
     return walk;
 }

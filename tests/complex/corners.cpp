@@ -168,6 +168,69 @@ TEST(Corners, of_the_spike_pass_the_edge_inside_it_twice) {
     EXPECT_EQ(lengths, (std::vector<std::size_t>{3, 5}));
 }
 
+/// A strip of triangles wound around a tube so thin that flipped edges close to loops. The numbers
+/// of vertices are those of `order`.
+Mesh thin_tube(const std::vector<Index>& order) {
+    const auto vertices = static_cast<Index>(order.size());
+    Mesh mesh{Points(vertices, 3), Simplices(2 * (vertices - 3), 3), {}};
+    for (Index i = 0; i < vertices; ++i)
+        mesh.points.row(order[i]) << std::cos(2.3 * i), std::sin(2.3 * i), 4.0 * i;
+    for (Index i = 0; i + 3 < vertices; ++i) {
+        mesh.simplices.row(2 * i) << order[i], order[i + 1], order[i + 3];
+        mesh.simplices.row(2 * i + 1) << order[i], order[i + 3], order[i + 2];
+    }
+    return mesh;
+}
+
+TEST(Corners, of_triangles_with_loops_are_theirs) {
+    Index loops = 0;
+    for (const auto& order : {std::vector<Index>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9},
+                              {4, 1, 2, 3, 0, 5, 6, 7, 8, 9},
+                              {9, 3, 5, 1, 8, 0, 2, 7, 6, 4}}) {
+        const auto mesh = discretize(thin_tube(order), {.criterion = MergeCriterion::none,
+                                                        .delaunay = Delaunay::flips,
+                                                        .star = StarKind::circumcentric});
+        for (Index t = 0; t < mesh.size(2); ++t) {
+            auto walk = corners(mesh.merging(), t);
+            const auto row = mesh.pieces().simplices(2).row(t);
+            std::vector<Index> known(row.begin(), row.end());
+            std::sort(walk.begin(), walk.end());
+            std::sort(known.begin(), known.end());
+            EXPECT_EQ(walk, known) << "triangle " << t;
+            loops += std::adjacent_find(known.begin(), known.end()) != known.end() ? 1 : 0;
+        }
+    }
+    EXPECT_GT(loops, 30);
+}
+
+TEST(Corners, of_merged_triangles_with_loops_are_as_many_as_sides) {
+    // a flat cylinder of circumference 1 with vertex i at (i/2, i/2): squares i-1, i, i+1, i
+    constexpr double rise = 0.50001;
+    Index squares = 0;
+    for (const std::vector<Index>& order :
+         {std::vector<Index>{0, 1, 2, 3, 4, 5, 6, 7}, {1, 2, 3, 4, 0, 5, 6, 7}}) {
+        LengthMesh tube = length_mesh(thin_tube(order));
+        std::vector<Index> place(order.size());
+        for (std::size_t i = 0; i < order.size(); ++i)
+            place[order[i]] = static_cast<Index>(i);
+        for (Index e = 0; e < tube.edges.rows(); ++e) {
+            const Index steps = std::abs(place[tube.edges(e, 0)] - place[tube.edges(e, 1)]);
+            tube.lengths[e] = std::hypot(steps % 2 == 0 ? 0 : 0.5, steps * rise);
+        }
+        const auto mesh =
+            discretize(tube, {.delaunay = Delaunay::flips, .star = StarKind::circumcentric});
+        for (Index cell = 0; cell < mesh.size(2); ++cell) {
+            std::size_t sides = 0;
+            for (const Index piece : mesh.merging().pieces_of(2, cell))
+                for (const auto& [edge, sign] : mesh.pieces().incidences(1)[piece])
+                    sides += mesh.merging().carriers(1)[edge].dimension == 1 ? 1 : 0;
+            EXPECT_EQ(corners(mesh.merging(), cell).size(), sides) << "cell " << cell;
+            squares += sides == 4 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(squares, 4);
+}
+
 TEST(Spike, has_an_edge_with_two_cofaces_and_no_coefficient) {
     const auto& mesh = merged("spike");
     Index found = 0;
