@@ -153,6 +153,25 @@ DistributedMesh discretize(const Ranks& ranks, MeshSlice slice, const std::vecto
     return mesh;
 }
 
+std::string facet_name(const DistributedMesh& mesh, Index f) {
+    const int k = mesh.dimension() - 1;
+    const auto& cells = mesh.cells.degree(k);
+    return fmt::format("facet {} (which contains vertices {})", cells.number[f],
+                       fmt::join(mesh.local.complex.vertex_numbers(k, cells.first[f]), ", "));
+}
+
+void check_not_branching(const DistributedMesh& mesh) {
+    const int k = mesh.dimension() - 1;
+    const auto& counts = mesh.local.complex.coface_counts(k);
+    const auto& pieces = mesh.cells.degree(k).first;
+    for (Index f = 0; f < std::ssize(pieces); ++f)
+        if (const Index cofaces = counts[pieces[f]]; cofaces > 2)
+            throw InvalidInput(
+                fmt::format("{} cells meet at {}, so the flux through it is not a difference of "
+                            "two values of a dual 0-form: use primal 0-forms",
+                            cofaces, facet_name(mesh, f)));
+}
+
 void check_stars(const Ranks& ranks, const DistributedMesh& mesh) {
     if (mesh.star == StarKind::circumcentric)
         return;

@@ -30,6 +30,13 @@ struct DistributedMesh {
 /// mesh.star selects circumcentric stars. Several ranks support only these.
 void check_stars(const Ranks& ranks, const DistributedMesh& mesh);
 
+/// Own facet f in messages, by its number and its vertices.
+std::string facet_name(const DistributedMesh& mesh, Index f);
+
+/// Throws InvalidInput, naming an own facet with more than two cofaces: the difference of a dual
+/// 0-form along its dual is undefined.
+void check_not_branching(const DistributedMesh& mesh);
+
 /// Collective: complex, volumes and merged cells of a mesh given by slices, which are freed as
 /// early as possible. `owners` belong to the slice's vertices. Throws like local_complex and
 /// merge_cospherical, and if a cell has no volume. `stage`, if any, is called at the start of each

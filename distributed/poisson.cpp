@@ -67,34 +67,23 @@ Vector edge_weights(const CellVolumes& volumes) {
     return weights;
 }
 
-std::string named(const DistributedMesh& mesh, Index own_facet) {
-    const int k = mesh.dimension() - 1;
-    const auto& cells = mesh.cells.degree(k);
-    return fmt::format(
-        "facet {} (which contains vertices {})", cells.number[own_facet],
-        fmt::join(mesh.local.complex.vertex_numbers(k, cells.first[own_facet]), ", "));
-}
-
 /// Throws where dual 0-forms are no functions, or what flows through a facet is not defined.
 void check_fluxes(const DistributedMesh& mesh, const OwnFacets& facets) {
+    check_not_branching(mesh);
     const auto& cells = facets.cells;
     const auto zeros = HodgeStar(mesh.cells.volumes, mesh.dimension() - 1).zeros();
     for (Index f = 0; f < facets.essential.size(); ++f) {
         double sum = 0;
         for (Index e = cells.begins[f]; e < cells.begins[f + 1]; ++e)
             sum += cells.signs[e];
-        if (facets.coface_counts[f] > 2)
-            throw InvalidInput(fmt::format("{} cells meet at {}, so the flux through it is not a "
-                                           "difference of two values: use primal 0-forms",
-                                           facets.coface_counts[f], named(mesh, f)));
         if (facets.coface_counts[f] == 2 && sum != 0)
             throw InvalidInput(fmt::format("the mesh is non-orientable, so dual 0-forms change "
                                            "sign around it, at {}: use primal 0-forms",
-                                           named(mesh, f)));
+                                           facet_name(mesh, f)));
         if (facets.coface_counts[f] == 2 && std::binary_search(zeros.begin(), zeros.end(), f))
             throw InvalidInput(fmt::format("the dual of {} has no length, so the flux through it "
                                            "is not defined: merge cospherical cells",
-                                           named(mesh, f)));
+                                           facet_name(mesh, f)));
     }
 }
 

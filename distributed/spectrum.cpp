@@ -189,6 +189,8 @@ Spectrum spectrum(const Ranks& ranks, const DistributedMesh& mesh, Side side, in
         throw InvalidInput(fmt::format("there are no {} {}-forms: expected a degree from 0 to {}",
                                        name(side), degree, n));
     check_stars(ranks, mesh);
+    if (side == Side::dual && degree == 0)
+        ranks.together("facets", [&] { check_not_branching(mesh); });
     const GlobalIndex size = mesh.cells.degree(k).count;
     if (options.count < 1 || options.count > size)
         throw InvalidInput(

@@ -2,6 +2,8 @@
 """Flaws of distributed/, which a single rank sees; see mutate.py."""
 
 MUTANTS = {
+    "spectra_of_books": ("distributed/spectrum.cpp", "if (side == Side::dual && degree == 0)", "if (side == Side::dual && degree < 0)",
+                         "DistributedSpectrum.of_dual_functions_is_refused_where_three_cells_meet"),
     "ties_turned_as_one_likes": ("distributed/orientation.cpp", "balance == 0 ? given", "balance == 0 ? 1",
                                  "LocalComplexes.are_oriented_like_the_whole_however_cells_are_given"),
     "cofaces_of_pieces_unsigned": ("distributed/cell_numbers.cpp", "merged.carriers[k + 1][t].sign * local", "local",

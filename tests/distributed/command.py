@@ -25,6 +25,7 @@ MESHES = {
     "sphere": ["uv-sphere", "--meridians", "12", "--bands", "7"],
     "torus": ["torus", "--major", "12", "--minor", "8"],
     "cubes": ["kuhn", "--cells", "3", "3", "3"],
+    "bcc": ["bcc", "--cells", "2", "2", "2"],
     "tesseracts": ["kuhn", "--cells", "1", "1", "2", "1"],
 }
 EXACT = ["dimension", "ambient_dimension", "cells", "euler", "components", "orientable", "facets",
@@ -98,6 +99,9 @@ def hold_poisson(commands, ranks, name, mesh):
                        f"{words}: {key} {several[key]} for {one[key]}")
             for key in ["side", "boundary", "unknowns", "free_components", "conditions", "star"]:
                 expect(one[key] == several[key], f"{words}: {key} {several[key]} for {one[key]}")
+            doubts, others = [[text.split(":")[0] for text in answer["warnings"]
+                               if "negative dual" in text] for answer in (one, several)]
+            expect(doubts == others, f"{words}: warnings {others} for {doubts}")
 
 
 def hold_spectrum(commands, ranks, name, mesh):

@@ -67,6 +67,15 @@ TEST_P(DistributedSpectra, are_those_of_one_process_with_their_certificates) {
 
 INSTANTIATE_TEST_SUITE_P(Degrees, DistributedSpectra, testing::Range(0, 5));
 
+TEST(DistributedSpectrum, of_dual_functions_is_refused_where_three_cells_meet) {
+    const auto ranks = Ranks::all();
+    const Mesh book = made_of({{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 1}, {0.5, -1, 0.5}},
+                              {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
+    const DistributedMesh mesh = discretized(ranks, book, Ownership::morton);
+    EXPECT_REFUSED(spectrum(ranks, mesh, Side::dual, 0, {.count = 1}), "3 cells meet at facet");
+    EXPECT_EQ(spectrum(ranks, mesh, Side::primal, 0, {.count = 1}).eigenvalues.size(), 1);
+}
+
 TEST(DistributedSpectrum, of_all_eigenvalues_needs_no_count) {
     const auto ranks = Ranks::all();
     const Mesh& given = mesh_named("grid4");

@@ -76,7 +76,7 @@ Errors errors_of(const Ranks& ranks, const DistributedMesh& mesh, Side side,
 }
 
 void warn_of_negative(const Ranks& ranks, const DistributedMesh& mesh, Side side, Log& log) {
-    const int k = side == Side::primal ? 0 : mesh.dimension() - 1;
+    const int n = mesh.dimension(), k = side == Side::primal ? std::min(1, n) : n - 1;
     const auto count =
         ranks.sum(static_cast<GlobalIndex>(HodgeStar(mesh.cells.volumes, k).negatives().size()));
     if (count > 0)
