@@ -97,7 +97,7 @@ void examine_metric(const Discretization& mesh, Diagnosis& found) {
     found.merged_pairs = merged_pairs(mesh.merging());
     if (mesh.options().centers.are_circumcenters())
         found.looser = looser_tolerance(mesh.geometry(), mesh.options());
-    if (!mesh.passage().is_identity())
+    if (mesh.options().delaunay != Delaunay::off)
         found.flips = flip_numbers(mesh);
     else
         found.pairs = facet_kinds(mesh.input_geometry(), mesh.options());

@@ -128,17 +128,21 @@ struct Measured {
 
 Measured measure(Given& given, const DiscretizeOptions& options) {
     auto& [complex, mesh, places, metric, isolated, unit, flat] = given;
-    if (options.delaunay == Delaunay::off) {
+    Passage passage(complex);
+    Vector sides;
+    if (options.delaunay != Delaunay::off) {
+        sides = given.has_points() ? edge_lengths(complex, *places) : *metric.lengths();
+        passage = Passage(complex, flipped(complex, sides, options),
+                          static_cast<Index>(places->rows() + isolated.rows()));
+        warn_of_flips(passage.flips().statistics, unit, mesh.warnings);
+    }
+    if (passage.is_identity()) {
         const Geometry input(complex, metric, options.centers,
                              flat.rows.empty() ? FlatSimplices::refused
                                                : FlatSimplices::passed_over);
-        return {Passage(complex), input, input, places};
+        return {std::move(passage), input, input, places};
     }
-    const Vector sides = given.has_points() ? edge_lengths(complex, *places) : *metric.lengths();
-    Passage passage(complex, flipped(complex, sides, options),
-                    static_cast<Index>(places->rows() + isolated.rows()));
     const auto& flips = passage.flips();
-    warn_of_flips(flips.statistics, unit, mesh.warnings);
     const Vector longer = sides.array() + flips.statistics.added_length;
     const Geometry input(complex, metric, circumcentric_volumes(complex, {complex, longer}));
     const Geometry pieces(passage.pieces(), {passage.pieces(), flips.lengths});
@@ -270,6 +274,9 @@ Discretization Discretization::with_volumes(const CellVolumes& volumes) const {
 
 Discretization Discretization::with_box(std::shared_ptr<const GluedBox> box) const {
     Parts parts = *parts_;
+    if (!box)
+        parts.warnings.emplace_back("edges of a glued mesh were flipped: only its lengths are "
+                                    "known, no positions in its box");
     parts.box = std::move(box);
     Discretization result = *this;
     result.parts_ = std::make_shared<Parts>(std::move(parts));
@@ -369,13 +376,9 @@ Discretization discretize(const PeriodicMesh& given, const DiscretizeOptions& op
     about.bisections = mesh.quotient.bisections;
     for (Index& v : about.facet_tags.simplices.reshaped())
         v = mesh.vertices[v];
-    if (options.delaunay != Delaunay::off)
-        about.warnings.emplace_back("edges of a glued mesh were flipped: only its lengths are "
-                                    "known, no positions in its box");
     const Discretization result = of_lengths(mesh.quotient, std::move(about), options, stage);
-    return result.passage().is_identity()
-               ? result.with_box(std::make_shared<const GluedBox>(mesh, result))
-               : result;
+    return result.with_box(
+        result.passage().is_identity() ? std::make_shared<const GluedBox>(mesh, result) : nullptr);
 }
 
 std::vector<Index> cell_vertices(const Discretization& discretization, int k, Index cell) {

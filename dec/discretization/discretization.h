@@ -105,7 +105,8 @@ public:
     /// unless the volumes fit.
     Discretization with_volumes(const CellVolumes& volumes) const;
 
-    /// The same, marked as glued from this box.
+    /// The same, marked as glued from this box; null: edges were flipped, so it has no places in
+    /// its box, and a warning says so.
     Discretization with_box(std::shared_ptr<const GluedBox> box) const;
 
     /// The merged cells, the merging that made them, and the pieces that were merged.

@@ -257,6 +257,8 @@ Points Overlay::at_points(const Points& at_vertices) const {
 
 Overlay overlay(const Passage& passage, const Points& points) {
     const auto& flips = passage.flips("an overlay of the input's triangles and those after flips");
+    if (passage.is_identity())
+        throw InvalidInput("an overlay needs triangles after flips, but no edge was flipped");
     require_points(passage.pieces(), points, "an overlay");
     return Cutter(passage, flips, points).cut();
 }

@@ -38,10 +38,15 @@ Passage::Passage(SimplicialComplex input) : input_(input), pieces_(input) {}
 
 Passage::Passage(SimplicialComplex input, IntrinsicDelaunay flips, Index first_new_vertex)
     : Passage(std::move(input)) {
-    OrderedSurface surface = ordered(input_, flips.surface, first_new_vertex);
-    pieces_ = surface.pieces;
-    flipped_ =
-        std::make_shared<const Flipped>(Flipped{std::move(flips), std::move(surface.directions)});
+    const auto& done = flips.statistics;
+    is_identity_ = done.flips == 0 && done.splits == 0 && done.added_length == 0;
+    Vector directions;
+    if (!is_identity_) {
+        OrderedSurface surface = ordered(input_, flips.surface, first_new_vertex);
+        pieces_ = surface.pieces;
+        directions = std::move(surface.directions);
+    }
+    flipped_ = std::make_shared<const Flipped>(Flipped{std::move(flips), std::move(directions)});
 }
 
 const IntrinsicDelaunay& Passage::flips(std::string_view what) const& {
@@ -70,7 +75,7 @@ void check_values(const Pieces& cells, int k, Eigen::Index given) {
 
 DenseMatrix Passage::forth(int k, const DenseMatrix& values) const {
     check_values(input_, k, values.rows());
-    if (!flipped_)
+    if (is_identity_)
         return values;
     DenseMatrix result(pieces_.size(k), values.cols());
     for (Eigen::Index c = 0; c < values.cols(); ++c)
@@ -80,7 +85,7 @@ DenseMatrix Passage::forth(int k, const DenseMatrix& values) const {
 
 DenseMatrix Passage::back(int k, const DenseMatrix& values) const {
     check_values(pieces_, k, values.rows());
-    if (!flipped_)
+    if (is_identity_)
         return values;
     DenseMatrix result(input_.size(k), values.cols());
     for (Eigen::Index c = 0; c < values.cols(); ++c)
@@ -90,7 +95,7 @@ DenseMatrix Passage::back(int k, const DenseMatrix& values) const {
 
 SparseMatrix Passage::matrix(int k) const {
     check_number("the passage of cochains of degree", k, 0, pieces_.dimension());
-    if (flipped_)
+    if (!is_identity_)
         return turned(k, Vector::Ones(pieces_.size(k))).asDiagonal() *
                flipped_->flips.history.matrix(k);
     return diagonal_matrix(Vector::Ones(input_.size(k)));
@@ -98,7 +103,7 @@ SparseMatrix Passage::matrix(int k) const {
 
 SparseMatrix Passage::matrix_back(int k) const {
     check_number("the passage of cochains of degree", k, 0, pieces_.dimension());
-    if (flipped_)
+    if (!is_identity_)
         return flipped_->flips.history.matrix_back(k) *
                turned(k, Vector::Ones(pieces_.size(k))).asDiagonal();
     return matrix(k);

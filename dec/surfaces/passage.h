@@ -12,14 +12,15 @@ namespace polydec {
 struct IntrinsicDelaunay;
 
 /// The passage from the simplices of a mesh to the pieces that are measured and merged, and back.
-/// Both are the same unless the edges of a surface were flipped; no other class knows of flips.
+/// Both are the same unless edges of a surface were flipped; no other class knows of flips.
 class Passage {
 public:
     /// The identity: the pieces are the simplices.
     explicit Passage(SimplicialComplex input);
 
     /// From a surface to its triangles after flips and splits of GluedSurface(input). Vertices
-    /// added by splits are numbered from first_new_vertex on.
+    /// added by splits are numbered from first_new_vertex on. The identity where nothing was
+    /// flipped or split, and no length added.
     Passage(SimplicialComplex input, IntrinsicDelaunay flips, Index first_new_vertex);
 
     const SimplicialComplex& input() const& { return input_; }
@@ -28,9 +29,10 @@ public:
     Pieces pieces() && { return pieces_; }
 
     /// Whether the pieces are the simplices.
-    bool is_identity() const { return flipped_ == nullptr; }
+    bool is_identity() const { return is_identity_; }
 
-    /// The flips. Throws InvalidInput if nothing was flipped; `what` names the caller.
+    /// The flips, of which there may be none. Throws InvalidInput if none were asked for; `what`
+    /// names the caller.
     const IntrinsicDelaunay& flips(std::string_view what = "what edges were flipped") const&;
     IntrinsicDelaunay flips(std::string_view what = "what edges were flipped") &&;
 
@@ -54,7 +56,8 @@ private:
 
     SimplicialComplex input_;
     Pieces pieces_;
-    Shared<const Flipped> flipped_; // null: the identity
+    Shared<const Flipped> flipped_; // null: none were asked for
+    bool is_identity_ = true;
 };
 
 /// The input's triangles cut along the edges of the flipped triangles: convex flat pieces, each in
@@ -88,8 +91,8 @@ struct Overlay {
 /// Follows every edge of the input across the flipped triangles by the normal coordinates, and lays
 /// the strips of triangles flat to locate the crossings. Drops pieces whose area is zero up to
 /// rounding. Time of the order of all crossings, and log(triangles) for each. `points`: the points
-/// of the input, then of the vertices added by splits, as in Discretization. Throws InvalidInput if
-/// no edges were flipped, that is, without DiscretizeOptions::delaunay.
+/// of the input, then of the vertices added by splits, as in Discretization. Throws InvalidInput
+/// for the identity.
 Overlay overlay(const Passage& passage, const Points& points);
 
 } // namespace polydec

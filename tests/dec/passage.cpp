@@ -250,4 +250,24 @@ INSTANTIATE_TEST_SUITE_P(Family, AfterFlips,
                                                           Delaunay::flips_and_splits)),
                          with_delaunay);
 
+TEST(NoFlips, leave_tags_points_and_boxes_as_they_are) {
+    Mesh mesh = well_centered(4);
+    for (Index t = 0; t < mesh.simplices.rows(); ++t)
+        mesh.tags.push_back(t % 2 + 1);
+    const auto plain = discretize(mesh), flipped = discretize(mesh, {.delaunay = Delaunay::flips});
+    EXPECT_EQ(flipped.passage().flips().statistics.flips, 0);
+    EXPECT_EQ(diagnose(flipped).flips->statistics.flips, 0);
+    EXPECT_TRUE(flipped.passage().is_identity());
+    EXPECT_EQ(flipped.tags(), plain.tags());
+    EXPECT_EQ(flipped.warnings(), plain.warnings());
+    for (int k = 0; k <= 2; ++k)
+        EXPECT_EQ(flipped.stars()[k].diagonal(), plain.stars()[k].diagonal()) << k;
+    EXPECT_THROW(overlay(flipped.passage(), flipped.points()), InvalidInput);
+
+    const PeriodicMesh box = periodic(grid(4, 4), {Vector{{1, 0}}, Vector{{0, 1}}});
+    const auto glued = discretize(box, {.delaunay = Delaunay::flips});
+    EXPECT_TRUE(glued.warnings().empty());
+    EXPECT_EQ(glued.points(), discretize(box).points());
+}
+
 } // namespace polydec::test::in_passage
