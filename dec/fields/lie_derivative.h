@@ -41,10 +41,10 @@ SparseMatrix interior_product(const Discretization& mesh, const Points& field, i
                               Sampling sampling);
 
 /// Lie derivative of primal k-forms by Cartan's formula i_X d + d i_X: size(k) x size(k), k = 0..n.
-/// Commutes with d, also on merged cells, because the lift and dia do. Exact for constant forms if
-/// X is linear on the n-simplices. Units: X over length. Throws like interior_product, and for
-/// upwind sampling of functions with vertices that Delaunay::flips_and_splits has added, where
-/// transport would not be monotone.
+/// Commutes with d if sampling is centered, also on merged cells, because the lift and dia do.
+/// Exact for constant forms if X is linear on the n-simplices. Units: X over length. Throws like
+/// interior_product, and for upwind sampling of functions with vertices that
+/// Delaunay::flips_and_splits has added, where transport would not be monotone.
 ///
 /// Upwind sampling is meant for transport, da/dt = -L_X a, which needs values of the form that flow
 /// in. This matrix assumes that the form is 0 outside: where no simplex lies upwind, the simplex

@@ -299,7 +299,8 @@ def interior_product(complex: Complex, field: npt.ArrayLike, k: int, *,
 
 def lie_derivative(complex: Complex, field: npt.ArrayLike, k: int, *,
                    sampling: str = "centered") -> Any:
-    """Lie derivative of primal k-forms, ``i_X d + d i_X``, a sparse matrix; commutes with d.
+    """Lie derivative of primal k-forms, ``i_X d + d i_X``, a sparse matrix. It commutes with
+    d; with upwind sampling, the matrix minus `inflow` does.
 
     For the parameters see `interior_product`. Upwind sampling of functions needs a mesh without
     vertices added by splits: use ``delaunay="flips"``.

@@ -239,6 +239,8 @@ MUTANTS = {
     "sizes_bounded_too_low": ("dec/merging/facet_defects.cpp", "return edge * edge * sum / (k_ * facets_[f]);",
                               "return 1e-3 * edge + 0 * (sum + facets_[f]);",
                               "FacetDefects.miss_no_facet_within_the_tolerance"),
+    "sides_in_any_order": ("complex/corners.cpp", "{0, is_forward ? 2 : 1, is_forward ? 1 : 2}", "{0, 1, 2}",
+                           "Corners.of_triangles_with_loops_are_theirs"),
     "facets_of_one_coface": ("complex/blocks.cpp", "removed_facets[f] && cofaces[f] == 2", "removed_facets[f]",
                              "Blocks.ignore_marks_of_facets_without_two_cofaces"),
     "restored_by_rounding": ("dec/merging/merge.cpp", "is_among_the_worst(defects.ratio(s), worst)",
@@ -252,7 +254,7 @@ MUTANTS = {
     "bends_unseen": ("dec/merging/straightness.cpp", "std::abs(sum - std::numbers::pi) > limit",
                      "sum > 9 + limit",
                      "Lengths.know_the_planes_of_the_boundary_of_flat_boxes_by_angles"),
-    "walls_may_bend": ("dec/merging/straightness.cpp", "b.apex)) <= limit", "b.apex)) < 3",
+    "walls_may_bend": ("dec/merging/straightness.cpp", "bend(k, s, a, b) <= limit", "bend(k, s, a, b) < 3",
                        "Family/MaterialsOf.flat_meshes_lie_in_planes_cell_by_cell/kuhn3"),
     "space_keeps_what_lies_on_the_boundary": (
         "dec/boundary/form_space.cpp", "fixed(), on_the_boundary());", "fixed());",
