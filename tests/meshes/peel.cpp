@@ -11,16 +11,19 @@ void add(Mesh& mesh, const std::vector<std::array<Index, 4>>& cells) {
             mesh.simplices(before + Index(t), i) = cells[t][i];
 }
 
+/// The vertex at the place, or -1.
+Index vertex_at(const Mesh& mesh, const Eigen::RowVectorXd& place) {
+    for (Index v = 0; v < mesh.points.rows(); ++v)
+        if ((mesh.points.row(v) - place).norm() < 1e-9)
+            return v;
+    return -1;
+}
+
 /// m^3 cubes, one vertex of the bottom a little inside, and under it the flat cells of the hull: a
 /// fan over the hexagon around it.
 Mesh dented_cubes(int m, double depth) {
     Mesh mesh = kuhn(3, m);
-    const auto at = [&](int i, int j) {
-        for (Index v = 0; v < mesh.points.rows(); ++v)
-            if ((mesh.points.row(v) * m - Eigen::RowVector3d(i, j, 0)).norm() < 1e-9)
-                return v;
-        return Index(-1);
-    };
+    const auto at = [&](int i, int j) { return vertex_at(mesh, Eigen::RowVector3d(i, j, 0) / m); };
     const Index dent = at(1, 1);
     const std::array ring{at(0, 0), at(1, 0), at(2, 1), at(2, 2), at(1, 2), at(0, 1)};
     mesh.points(dent, 2) = depth / m;
@@ -46,14 +49,9 @@ TEST(Peeling, does_not_depend_on_numbers) {
 
 TEST(Peeling, of_a_plane_takes_triangles_off_an_edge) {
     Mesh mesh = grid(3, 3);
-    const auto at = [&](double x, double y) {
-        for (Index v = 0; v < mesh.points.rows(); ++v)
-            if ((mesh.points.row(v) - Eigen::RowVector2d(x, y)).norm() < 1e-9)
-                return v;
-        return Index(-1);
-    };
     const double step = mesh.points.col(0).maxCoeff() / 3;
-    const Index a = at(0, 0), b = at(step, 0), c = at(2 * step, 0);
+    const auto at = [&](int i) { return vertex_at(mesh, Eigen::RowVector2d(i * step, 0)); };
+    const Index a = at(0), b = at(1), c = at(2);
     mesh.points(b, 1) = 1e-7 * step;
     const auto before = mesh.simplices.rows();
     add(mesh, {{a, c, b, 0}});

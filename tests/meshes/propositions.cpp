@@ -25,12 +25,6 @@ bool sort_is_odd(std::vector<Index>& list) {
     return odd;
 }
 
-std::vector<Index> identity(const Mesh& mesh) {
-    std::vector<Index> result(static_cast<std::size_t>(mesh.points.rows()));
-    std::iota(result.begin(), result.end(), 0);
-    return result;
-}
-
 } // namespace
 
 std::vector<Index> face_counts(const Mesh& mesh) {
@@ -101,22 +95,29 @@ std::vector<Index> matching_vertices(const Mesh& a, const Mesh& b, double distan
     return result;
 }
 
-std::vector<std::vector<Index>> cell_set(const Mesh& mesh, const std::vector<Index>& renumbered) {
-    std::vector<std::vector<Index>> result;
-    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
-        std::vector<Index> vertices;
-        for (Index i = 0; i < mesh.simplices.cols(); ++i)
-            vertices.push_back(renumbered[mesh.simplices(cell, i)]);
-        std::sort(vertices.begin(), vertices.end());
-        result.push_back(vertices);
-    }
-    std::sort(result.begin(), result.end());
+Vector cell_volumes(const Mesh& mesh) {
+    Vector result(mesh.simplices.rows());
+    for (Index cell = 0; cell < result.size(); ++cell)
+        result[cell] = test::total_volume({mesh.points, mesh.simplices.row(cell), {}});
     return result;
 }
 
+std::vector<std::vector<Index>> sorted_rows(const Simplices& cells) {
+    std::vector<std::vector<Index>> rows;
+    for (Index cell = 0; cell < cells.rows(); ++cell) {
+        rows.emplace_back(cells.row(cell).begin(), cells.row(cell).end());
+        std::sort(rows.back().begin(), rows.back().end());
+    }
+    std::sort(rows.begin(), rows.end());
+    return rows;
+}
+
 bool same_geometry(const Mesh& a, const Mesh& b) {
-    return a.points.rows() == b.points.rows() && a.points.cols() == b.points.cols() &&
-           cell_set(a, matching_vertices(a, b, 1e-12)) == cell_set(b, identity(b));
+    if (a.points.rows() != b.points.rows() || a.points.cols() != b.points.cols())
+        return false;
+    const auto in_b = matching_vertices(a, b, 1e-12);
+    const Simplices cells = a.simplices.unaryExpr([&](Index v) { return in_b[v]; });
+    return sorted_rows(cells) == sorted_rows(b.simplices);
 }
 
 PolygonMesh mesh_of(const Points& points, const std::vector<std::vector<Index>>& cells) {

@@ -28,8 +28,11 @@ FacetTally tally_facets(const Mesh& mesh);
 /// For each vertex of a the vertex of b within the distance, or -1. N and sizes are equal.
 std::vector<Index> matching_vertices(const Mesh& a, const Mesh& b, double distance);
 
-/// The cells as a sorted list of ascending vertex lists, under a renumbering of vertices.
-std::vector<std::vector<Index>> cell_set(const Mesh& mesh, const std::vector<Index>& renumbered);
+/// The volume of each cell.
+Vector cell_volumes(const Mesh& mesh);
+
+/// The cells as a sorted list of ascending vertex lists.
+std::vector<std::vector<Index>> sorted_rows(const Simplices& cells);
 
 /// Whether points (within 1e-12) and cells are the same up to numbering.
 bool same_geometry(const Mesh& a, const Mesh& b);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/tetgen/run_tetgen.h"
 
+#include "tests/meshes/propositions.h"
 #include "tests/meshes/tetgen_support.h"
 
 namespace polydec::test::in_run_tetgen {
@@ -10,14 +11,7 @@ namespace fs = std::filesystem;
 TEST_F(TetgenTest, volumes_are_bounded_if_asked_for) {
     with_tetgen([] {
         const auto largest = [](const MesherOptions& options) {
-            const auto mesh = tetrahedralize(cube(1e3), options);
-            double most = 0.0;
-            for (Eigen::Index i = 0; i < mesh.simplices.rows(); ++i) {
-                Mesh cell = mesh;
-                cell.simplices = mesh.simplices.row(i);
-                most = std::max(most, total_volume(cell));
-            }
-            return most;
+            return cell_volumes(tetrahedralize(cube(1e3), options)).maxCoeff();
         };
         EXPECT_LE(largest({.largest_volume = 1e7}), 1e7 * (1 + 1e-12));
         EXPECT_GT(largest({}), 1e7);
@@ -26,7 +20,7 @@ TEST_F(TetgenTest, volumes_are_bounded_if_asked_for) {
 
 TEST_F(TetgenTest, parts_within_are_filled_unless_they_are_holes) {
     with_tetgen([] {
-        const auto surface = both(cube(), cube(0.5, 0.25));
+        const auto surface = united(cube(), cube(0.5, 0.25));
         EXPECT_NEAR(total_volume(tetrahedralize(surface)), 1.0, 1e-14);
         const Points hole = Points::Constant(1, 3, 0.5);
         EXPECT_NEAR(total_volume(tetrahedralize(surface, {}, hole)), 1.0 - 0.125, 1e-14);
@@ -68,7 +62,7 @@ TEST_F(TetgenTest, facets_that_cross_are_named) {
         spike.points << 0.7, 0.2, 0.5, 0.8, 0.2, 0.5, 0.7, 0.3, 0.5, 0.7, 0.2, 2;
         spike.simplices.resize(4, 3);
         spike.simplices << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
-        EXPECT_SAYS(refusal_of(both(cube(), spike)), "mesher", "3 pairs", "facets", "2 (4 5 7)",
+        EXPECT_SAYS(refusal_of(united(cube(), spike)), "mesher", "3 pairs", "facets", "2 (4 5 7)",
                     "13 (8 9 11)", "2 (4 5 7)", "14 (8 11 10)", "2 (4 5 7)", "15 (9 10 11)");
     });
 }

@@ -38,7 +38,7 @@ TEST_F(TetgenTest, holes_are_inside_of_a_surface) {
 }
 
 TEST(TetgenInput, triangles_in_one_plane_that_meet_at_edges_are_a_patch) {
-    const auto input = tetgen_input(both(cube(), cube(1.0, 3.0)), Points(0, 3));
+    const auto input = tetgen_input(united(cube(), cube(1.0, 3.0)), Points(0, 3));
     for (std::size_t f = 0; f < input.patches.size(); ++f)
         EXPECT_EQ(input.patches[f], static_cast<Index>(f - f % 2)) << "two triangles a side";
 

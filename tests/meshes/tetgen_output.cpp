@@ -160,7 +160,7 @@ TEST(TetgenOutput, holes_and_only_holes_are_empty) {
 }
 
 TEST(TetgenOutput, parts_beside_each_other_are_all_filled) {
-    const auto input = both(cube(), cube(1.0, 3.0));
+    const auto input = united(cube(), cube(1.0, 3.0));
     TetgenOutput mesh{input.points, Simplices(0, 4), Simplices(0, 3)};
     add_cube(mesh, 0, 0);
     const auto half = mesh;

@@ -66,16 +66,6 @@ inline Mesh cube(double scale = 1.0, double shift = 0.0) {
     return mesh;
 }
 
-/// Both surfaces, the points and triangles of b behind those of a.
-inline Mesh both(const Mesh& a, const Mesh& b) {
-    Mesh mesh;
-    mesh.points.resize(a.points.rows() + b.points.rows(), 3);
-    mesh.points << a.points, b.points;
-    mesh.simplices.resize(a.simplices.rows() + b.simplices.rows(), 3);
-    mesh.simplices << a.simplices, b.simplices.array() + static_cast<Index>(a.points.rows());
-    return mesh;
-}
-
 inline std::string refusal_of(const Mesh& surface, const MesherOptions& options = {},
                               const Points& holes = Points(0, 3)) {
     return refusal([&] { tetrahedralize(surface, options, holes); });

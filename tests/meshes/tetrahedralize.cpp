@@ -35,40 +35,6 @@ double worst_quality(const Mesh& mesh) {
     return worst;
 }
 
-/// The triangles in one tetrahedron, each ascending, in order.
-std::vector<std::vector<Index>> boundary(const Mesh& mesh) {
-    std::vector<std::vector<Index>> facets;
-    for (Eigen::Index i = 0; i < mesh.simplices.rows(); ++i)
-        for (int without = 0; without < 4; ++without) {
-            std::vector<Index> facet;
-            for (int j = 0; j < 4; ++j)
-                if (j != without)
-                    facet.push_back(mesh.simplices(i, j));
-            std::sort(facet.begin(), facet.end());
-            facets.push_back(facet);
-        }
-    std::sort(facets.begin(), facets.end());
-    std::vector<std::vector<Index>> single;
-    for (std::size_t i = 0; i < facets.size(); ++i)
-        if (std::count(facets.begin() + static_cast<std::ptrdiff_t>(i - (i > 0)),
-                       facets.begin() + static_cast<std::ptrdiff_t>(std::min(i + 2, facets.size())),
-                       facets[i]) == 1)
-            single.push_back(facets[i]);
-    return single;
-}
-
-std::vector<std::vector<Index>> triangles(const Mesh& surface) {
-    std::vector<std::vector<Index>> result;
-    for (Eigen::Index i = 0; i < surface.simplices.rows(); ++i) {
-        std::vector<Index> corners{surface.simplices(i, 0), surface.simplices(i, 1),
-                                   surface.simplices(i, 2)};
-        std::sort(corners.begin(), corners.end());
-        result.push_back(corners);
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-}
-
 class Tetrahedralize : public TetgenTest, public testing::WithParamInterface<Case> {
 protected:
     template <typename F>
@@ -119,11 +85,11 @@ TEST_P(Tetrahedralize, a_boundary_that_may_not_be_split_is_the_surface) {
         const double volume = enclosed_volume(surface) / 2000;
         const auto kept = tetrahedralize(
             surface, {.largest_volume = volume, .boundary = BoundarySplitting::forbidden});
-        EXPECT_EQ(boundary(kept), triangles(surface));
+        EXPECT_EQ(sorted_rows(boundary_of(kept).simplices), sorted_rows(surface.simplices));
         EXPECT_EQ(kept.points.topRows(surface.points.rows()), surface.points);
 
         const auto split = tetrahedralize(surface, {.largest_volume = volume});
-        EXPECT_NE(boundary(split), triangles(surface));
+        EXPECT_NE(sorted_rows(boundary_of(split).simplices), sorted_rows(surface.simplices));
         EXPECT_EQ(split.points.topRows(surface.points.rows()), surface.points);
     });
 }
@@ -156,7 +122,7 @@ TEST_P(Tetrahedralize, a_surface_that_crosses_another_is_named_by_triangles) {
     with_tetgen([](const Mesh& surface) {
         Mesh moved = surface;
         moved.points.rowwise() += Eigen::RowVector3d(0.31, 0.23, 0.17);
-        EXPECT_SAYS(refusal_of(both(surface, moved)), "facets", "overlap");
+        EXPECT_SAYS(refusal_of(united(surface, moved)), "facets", "overlap");
     });
 }
 
@@ -165,7 +131,7 @@ TEST_P(Tetrahedralize, vertices_of_no_triangle_are_left_out_with_a_warning) {
         Mesh single;
         single.points = Points::Constant(1, 3, 0.123);
         single.simplices.resize(0, 3);
-        const auto more = both(single, both(surface, single));
+        const auto more = united(single, united(surface, single));
         const auto mesh = tetrahedralize(more), plain = tetrahedralize(surface);
         EXPECT_EQ(mesh.points, plain.points);
         EXPECT_EACH_SAYS(mesh.warnings, {"2 vertices", "without a triangle"});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/point_tree.h"
 #include "tests/meshes/propositions.h"
+#include "tests/meshes/tetgen_support.h"
 
 namespace polydec::test::in_weld {
 
@@ -42,22 +43,8 @@ void expect_edges_kept(const Joined& welded, const Mesh& mesh, double length) {
 
 /// The surface of a box, closed.
 Mesh plate(double thickness) {
-    Mesh mesh{Points(8, 3),
-              Simplices{{0, 2, 1},
-                        {1, 2, 3},
-                        {4, 5, 6},
-                        {5, 7, 6},
-                        {0, 1, 4},
-                        {1, 5, 4},
-                        {2, 6, 3},
-                        {3, 6, 7},
-                        {0, 4, 2},
-                        {2, 4, 6},
-                        {1, 3, 5},
-                        {3, 7, 5}},
-              {}};
-    for (Index v = 0; v < 8; ++v)
-        mesh.points.row(v) << v % 2, v / 2 % 2, thickness * (v / 4);
+    Mesh mesh = cube();
+    mesh.points.col(2) *= thickness;
     return mesh;
 }
 
