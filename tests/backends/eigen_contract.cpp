@@ -9,12 +9,6 @@ SymmetricOperator by_matrix(const SparseMatrix& A) {
     return {static_cast<Index>(A.rows()), [A](const Vector& x, Vector& y) { y = A * x; }};
 }
 
-Vector dense_eigenvalues(const SparseMatrix& A) {
-    return Eigen::SelfAdjointEigenSolver<DenseMatrix>(DenseMatrix(A), Eigen::EigenvaluesOnly)
-        .eigenvalues()
-        .reverse();
-}
-
 /// Whether these are eigenpairs of A: descending, orthonormal, with small residuals.
 bool are_eigenpairs(const SparseMatrix& A, const EigenPairs& pairs) {
     const auto count = static_cast<Eigen::Index>(pairs.converged);
@@ -41,7 +35,7 @@ protected:
 TEST_P(EigenContract, largest_eigenvalues_agree_with_dense_ones_at_every_size_and_count) {
     for (const Index size : {1, 2, 3, 12, 39, 41, 60}) {
         const auto A = sparse(random_symmetric(size, 100u + static_cast<unsigned>(size)));
-        const Vector expected = dense_eigenvalues(A);
+        const Vector expected = dense_eigenvalues(A).reverse();
         for (const Index count : {Index{0}, Index{1}, size / 3, size / 2, size - 1, size}) {
             const auto pairs = largest(A, count);
             ASSERT_EQ(pairs.converged, count) << "size " << size;
@@ -55,7 +49,7 @@ TEST_P(EigenContract, algebraically_largest_means_so_for_negative_operators) {
     const SparseMatrix A = -grid_laplacian(12);
     const auto pairs = largest(A, 1);
     ASSERT_EQ(pairs.converged, 1);
-    EXPECT_NEAR(pairs.values[0], dense_eigenvalues(A)[0], 1e-9);
+    EXPECT_NEAR(pairs.values[0], dense_eigenvalues(A).maxCoeff(), 1e-9);
 }
 
 TEST_P(EigenContract, multiplets_give_eigenpairs_and_never_nan) {
@@ -63,7 +57,7 @@ TEST_P(EigenContract, multiplets_give_eigenpairs_and_never_nan) {
     const auto pairs = largest(A, 12);
     EXPECT_TRUE(are_eigenpairs(A, pairs));
     EXPECT_GE(pairs.converged, 6);
-    EXPECT_NEAR(pairs.values[0], dense_eigenvalues(A)[0], 1e-9);
+    EXPECT_NEAR(pairs.values[0], dense_eigenvalues(A).maxCoeff(), 1e-9);
 }
 
 TEST_P(EigenContract, the_check_of_the_tests_catches_wrong_pairs) {
@@ -118,7 +112,7 @@ TEST_P(EigenContract, start_vectors_in_the_kernel_or_an_eigenspace_are_taken) {
     options.start = Vector::Unit(81, 0);
     const auto pairs = largest(A, 3, options);
     EXPECT_TRUE(are_eigenpairs(A, pairs));
-    EXPECT_NEAR(pairs.values[0], dense_eigenvalues(A)[0], 1e-9);
+    EXPECT_NEAR(pairs.values[0], dense_eigenvalues(A).maxCoeff(), 1e-9);
 }
 
 TEST_P(EigenContract, scale_does_not_matter) {

@@ -5,32 +5,12 @@
 
 namespace polydec::test::in_inertia {
 
-MatrixFacts counted() {
-    MatrixFacts facts = indefinite();
-    facts.inertia = Inertia::wanted;
-    return facts;
-}
-
 std::vector<std::string> counting_engines() {
     std::vector<std::string> names;
     for (const auto& name : linear_engine_names())
         if (make_linear_solver(name)->traits().inertia == Inertia::wanted)
             names.push_back(name);
     return names;
-}
-
-/// Eigenvalues of a grid Laplacian: sums of 2 - 2 cos(i pi / (m + 1)), ascending.
-std::vector<double> grid_eigenvalues(Index m, int dimension) {
-    std::vector<double> sums{0.0};
-    for (int axis = 0; axis < dimension; ++axis) {
-        std::vector<double> longer;
-        for (const double sum : sums)
-            for (Index i = 1; i <= m; ++i)
-                longer.push_back(sum + 2.0 - 2.0 * std::cos(i * 3.14159265358979323846 / (m + 1)));
-        sums = longer;
-    }
-    std::sort(sums.begin(), sums.end());
-    return sums;
 }
 
 class CountsNegative : public testing::TestWithParam<std::string> {};

@@ -111,6 +111,12 @@ MatrixFacts indefinite() {
     return {.symmetry = Symmetry::symmetric, .definiteness = Definiteness::indefinite};
 }
 
+MatrixFacts counted() {
+    MatrixFacts facts = indefinite();
+    facts.inertia = Inertia::wanted;
+    return facts;
+}
+
 MatrixFacts general() {
     return {};
 }
@@ -125,9 +131,31 @@ bool solves(const SparseMatrix& A, const DenseMatrix& X, const DenseMatrix& B) {
     return true;
 }
 
+Vector dense_eigenvalues(const SparseMatrix& A) {
+    return Eigen::SelfAdjointEigenSolver<DenseMatrix>(DenseMatrix(A), Eigen::EigenvaluesOnly)
+        .eigenvalues();
+}
+
 Index negative_eigenvalues(const SparseMatrix& A) {
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(DenseMatrix(A), Eigen::EigenvaluesOnly);
-    return static_cast<Index>((solver.eigenvalues().array() < 0.0).count());
+    return static_cast<Index>((dense_eigenvalues(A).array() < 0.0).count());
+}
+
+std::vector<double> grid_eigenvalues(Index m, int dimension) {
+    std::vector<double> sums{0.0};
+    for (int axis = 0; axis < dimension; ++axis) {
+        std::vector<double> longer;
+        for (const double sum : sums)
+            for (Index i = 1; i <= m; ++i)
+                longer.push_back(sum + 2.0 - 2.0 * std::cos(i * std::numbers::pi / (m + 1)));
+        sums = longer;
+    }
+    std::sort(sums.begin(), sums.end());
+    return sums;
+}
+
+double orthonormality_defect(const DenseMatrix& columns) {
+    const DenseMatrix gram = columns.transpose() * columns;
+    return (gram - DenseMatrix::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff();
 }
 
 } // namespace polydec::test

@@ -34,6 +34,9 @@ MatrixFacts semidefinite(const DenseMatrix& kernel = {});
 MatrixFacts indefinite();
 MatrixFacts general();
 
+/// Indefinite, with negative pivots counted.
+MatrixFacts counted();
+
 /// Whether X solves A X = B: finite, |b - A x| <= 1e-9 |b| for each column.
 bool solves(const SparseMatrix& A, const DenseMatrix& X, const DenseMatrix& B);
 
@@ -44,7 +47,14 @@ struct DenseLu {
     Eigen::PartialPivLU<DenseMatrix> lu;
 };
 
-/// Number of negative eigenvalues by a dense eigensolver.
+/// By a dense eigensolver, ascending, and how many of them are negative.
+Vector dense_eigenvalues(const SparseMatrix& A);
 Index negative_eigenvalues(const SparseMatrix& A);
+
+/// Eigenvalues of grid_laplacian: sums of 2 - 2 cos(i pi / (m + 1)), ascending.
+std::vector<double> grid_eigenvalues(Index m, int dimension);
+
+/// How far columns are from orthonormal.
+double orthonormality_defect(const DenseMatrix& columns);
 
 } // namespace polydec::test

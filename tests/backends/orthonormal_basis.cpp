@@ -5,11 +5,6 @@
 
 namespace polydec::test::in_orthonormal_basis {
 
-double defect(const DenseMatrix& Q) {
-    const DenseMatrix gram = Q.transpose() * Q;
-    return (gram - DenseMatrix::Identity(Q.cols(), Q.cols())).cwiseAbs().maxCoeff();
-}
-
 DenseMatrix all_columns(const OrthonormalBasis& basis) {
     return basis.columns(0, basis.size());
 }
@@ -30,7 +25,7 @@ TEST(OrthonormalBasis, stays_orthonormal_and_returns_the_factor_of_what_is_new_a
                                        : random_of_rank(300, 6, rank, 10 * block + 1));
                 DenseMatrix work = W;
                 const DenseMatrix R = basis.append(work, 1e-14 * scale);
-                EXPECT_LE(defect(all_columns(basis)), 1e-14);
+                EXPECT_LE(orthonormality_defect(all_columns(basis)), 1e-14);
                 const DenseMatrix outside = W - before * (before.transpose() * W);
                 EXPECT_LE((outside - basis.columns(6 * block, 6) * R).norm(),
                           1e-13 * (W.norm() + scale));
@@ -54,7 +49,7 @@ TEST(OrthonormalBasis, takes_columns_that_lie_nearly_in_its_span) {
     basis.append(first, 0.0);
     DenseMatrix W = nearly_inside(all_columns(basis));
     const DenseMatrix R = basis.append(W, 1e-14);
-    EXPECT_LE(defect(all_columns(basis)), 1e-14);
+    EXPECT_LE(orthonormality_defect(all_columns(basis)), 1e-14);
     EXPECT_GT(R.diagonal().minCoeff(), 1e-10);
 }
 
@@ -76,7 +71,7 @@ TEST(OrthonormalBasis, fills_the_whole_space) {
         DenseMatrix zero = DenseMatrix::Zero(24, 8);
         EXPECT_TRUE(basis.append(zero, 0.0).isZero(0.0));
     }
-    EXPECT_LE(defect(all_columns(basis)), 1e-14);
+    EXPECT_LE(orthonormality_defect(all_columns(basis)), 1e-14);
 }
 
 TEST(OrthonormalBasis, combines_its_first_columns_and_keeps_the_others) {
