@@ -43,13 +43,10 @@ TEST(ExactDistance, between_opposite_corners_of_a_cube_is_the_root_of_5) {
     for (const int n : {1, 2, 5}) {
         const Mesh mesh = cube(n);
         const MeasuredSurface shape = test::measured(mesh);
-        Index corner = -1, opposite = -1;
-        for (Index v = 0; v < shape.surface.vertices(); ++v) {
-            const auto point = mesh.points.row(shape.vertices[v]);
-            corner = point.maxCoeff() < 1e-12 ? v : corner;
-            opposite = point.minCoeff() > 1 - 1e-12 ? v : opposite;
-        }
-        EXPECT_NEAR(from(shape, {corner})[opposite], std::sqrt(5.0), 1e-14) << n;
+        const Index corner = vertex_at(shape, mesh, Eigen::Vector3d::Zero());
+        EXPECT_NEAR(from(shape, {corner})[vertex_at(shape, mesh, Eigen::Vector3d::Ones())],
+                    std::sqrt(5.0), 1e-14)
+            << n;
     }
 }
 
@@ -166,17 +163,7 @@ TEST(ExactDistance, in_the_plane_is_straight_on_any_triangles_and_bends_around_h
         }
     }
     // a square without its upper right quarter: its corner at (1/2, 1/2) is in the way
-    Mesh mesh = grid(8, 8);
-    Simplices kept(mesh.simplices.rows() * 3 / 4, 3);
-    Index t = 0;
-    for (Index s = 0; s < mesh.simplices.rows(); ++s) {
-        Eigen::RowVector2d center = Eigen::RowVector2d::Zero();
-        for (int i = 0; i < 3; ++i)
-            center += mesh.points.row(mesh.simplices(s, i)) / 3;
-        if (center.minCoeff() < 0.5)
-            kept.row(t++) = mesh.simplices.row(s);
-    }
-    mesh.simplices = kept;
+    const Mesh mesh = without(grid(8, 8), [](const Vector& x) { return x.minCoeff() > 0.5; });
     const MeasuredSurface shape = test::measured(mesh);
     const auto place = [&](Index v) -> Eigen::RowVector2d {
         return mesh.points.row(shape.vertices[v]);
@@ -193,15 +180,6 @@ TEST(ExactDistance, in_the_plane_is_straight_on_any_triangles_and_bends_around_h
             EXPECT_NEAR(d[v], in_the_way ? p.norm() + q.norm() : (p - q).norm(), 1e-14);
         }
     }
-}
-
-/// A vertex of a grid moved to its neighbor but for this part of the way.
-Mesh with_needle(double width) {
-    Mesh mesh = grid(16, 16);
-    const Index moved = 8 * 17 + 8;
-    const Eigen::RowVector2d step = mesh.points.row(moved - 17) - mesh.points.row(moved);
-    mesh.points.row(moved) += (1 - width) * step;
-    return mesh;
 }
 
 TEST(ExactDistance, does_not_mind_needles) {
@@ -278,14 +256,9 @@ TEST(ExactDistance, is_kept_by_intrinsic_flips) {
 }
 
 TEST(ExactDistance, between_components_is_refused_and_of_each_is_its_own) {
-    Mesh two = grid(5, 5);
-    const Mesh one = two;
+    const Mesh one = grid(5, 5);
     const Index n = static_cast<Index>(one.points.rows());
-    two.points.conservativeResize(2 * n, 2);
-    two.points.bottomRows(n) = one.points;
-    two.simplices.conservativeResize(2 * one.simplices.rows(), 3);
-    two.simplices.bottomRows(one.simplices.rows()) = one.simplices.array() + n;
-    const auto sample = glued(two);
+    const auto sample = glued(united(one, one));
     for (const double size : {1.0, 1e-5, 1e-200}) {
         Vector lengths = sample.lengths;
         lengths.tail(lengths.size() / 2) *= size;

@@ -282,16 +282,8 @@ Mesh tetrahedron_surface(int n) {
 }
 
 Mesh l_shape(int n) {
-    Mesh mesh = kuhn({2 * n, 2 * n}, {2, 2});
-    std::vector<bool> out(mesh.simplices.rows());
-    for (Index t = 0; t < mesh.simplices.rows(); ++t) {
-        Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(2);
-        for (int i = 0; i < 3; ++i)
-            sum += mesh.points.row(mesh.simplices(t, i)) / 3;
-        out[t] = sum[0] > 1 && sum[1] < 1;
-    }
-    keep_rows(mesh, out);
-    return mesh;
+    return without(kuhn({2 * n, 2 * n}, {2, 2}),
+                   [](const Vector& x) { return x[0] > 1 && x[1] < 1; });
 }
 
 Mesh pillow(int n) {
@@ -348,6 +340,15 @@ KnownShape random_shape(std::mt19937& random) {
         return random_box(random, {static_cast<int>(6 + random() % 3)});
     default:
         return random_box(random, {3, static_cast<int>(2 + random() % 3)});
+    }
+}
+
+void expect_enclosed(const ShapeSpectrum& found, const std::vector<double>& eigenvalues,
+                     double share) {
+    const auto count = std::min<Index>(found.upper.size(), std::ssize(eigenvalues));
+    for (Index j = 0; j < count; ++j) {
+        EXPECT_LE(found.lower[j], eigenvalues[j] * (1 + share)) << j;
+        EXPECT_GE(found.upper[j], eigenvalues[j] * (1 - share)) << j;
     }
 }
 

@@ -60,6 +60,11 @@ Mesh pillow(int n);
 /// Each triangle divided into four: the same surface.
 Mesh divided(const Mesh& mesh);
 
+/// Expects bounds of as many eigenvalues as there are of both to enclose these, but for a share of
+/// them.
+void expect_enclosed(const ShapeSpectrum& found, const std::vector<double>& eigenvalues,
+                     double share = 0);
+
 /// Small shapes of every kind, with names: domains, surfaces, a solid, conditions, materials.
 std::vector<std::pair<std::string, Shape>> small_shapes();
 

@@ -24,6 +24,21 @@ inline MeasuredSurface measured(const Mesh& mesh) {
     return result;
 }
 
+/// Where a vertex lies in space.
+inline Eigen::Vector3d place(const MeasuredSurface& shape, const Mesh& mesh, Index v) {
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    point.head(mesh.points.cols()) = mesh.points.row(shape.vertices[v]);
+    return point;
+}
+
+/// The vertex that lies there.
+inline Index vertex_at(const MeasuredSurface& shape, const Mesh& mesh, const Eigen::Vector3d& at) {
+    Index v = 0;
+    while ((place(shape, mesh, v) - at).norm() > 1e-9)
+        ++v;
+    return v;
+}
+
 /// Triangles in space, each divided into n x n by lines along its sides; equal points are one
 /// vertex.
 inline Mesh divided(const std::vector<Eigen::Matrix3d>& triangles, int n) {

@@ -86,14 +86,7 @@ TEST(ShortestPaths, know_the_distance_of_every_point_as_a_finer_mesh_has_it) {
     for (const Mesh& mesh : {cube(2), perturbed(torus(9, 6), 0.1, 1), hills(3, 5), moebius(7, 2)}) {
         const Mesh fine_mesh = divided(corners(mesh), n);
         const MeasuredSurface coarse = measured(mesh), fine = measured(fine_mesh);
-        const auto place = [](const Mesh& of, const MeasuredSurface& shape, Index v) {
-            Eigen::Vector3d point = Eigen::Vector3d::Zero();
-            point.head(of.points.cols()) = of.points.row(shape.vertices[v]);
-            return point;
-        };
-        Index source = 0;
-        while ((place(fine_mesh, fine, source) - place(mesh, coarse, 0)).norm() > 1e-9)
-            ++source;
+        const Index source = vertex_at(fine, fine_mesh, place(coarse, mesh, 0));
         const ShortestPaths paths(coarse.surface, coarse.lengths, std::vector<Index>{0});
         const Vector d = exact_distance(fine.surface, fine.lengths, std::vector<Index>{source});
         for (Index t = 0; t < coarse.surface.triangles(); ++t)
@@ -104,12 +97,10 @@ TEST(ShortestPaths, know_the_distance_of_every_point_as_a_finer_mesh_has_it) {
                     double linear = 0;
                     for (int k = 0; k < 3; ++k) {
                         const Index v = coarse.surface.tail(3 * t + k);
-                        point += at[k] * place(mesh, coarse, v);
+                        point += at[k] * place(coarse, mesh, v);
                         linear += at[k] * paths.distances()[v];
                     }
-                    Index v = 0;
-                    while ((place(fine_mesh, fine, v) - point).norm() > 1e-9)
-                        ++v;
+                    const Index v = vertex_at(fine, fine_mesh, point);
                     EXPECT_NEAR(paths.at(t, at), d[v], 1e-13);
                     linear_error = std::max(linear_error, std::abs(linear - d[v]));
                 }
@@ -120,14 +111,9 @@ TEST(ShortestPaths, know_the_distance_of_every_point_as_a_finer_mesh_has_it) {
 TEST(ShortestPaths, over_a_cube_cross_an_edge_in_its_middle_and_diagonals_in_thirds) {
     const Mesh mesh = cube(1);
     const MeasuredSurface shape = measured(mesh);
-    Index corner = -1, opposite = -1;
-    for (Index v = 0; v < 8; ++v) {
-        const auto point = mesh.points.row(shape.vertices[v]);
-        corner = point.maxCoeff() == 0 ? v : corner;
-        opposite = point.minCoeff() == 1 ? v : opposite;
-    }
+    const Index corner = vertex_at(shape, mesh, Eigen::Vector3d::Zero());
     const ShortestPaths paths(shape.surface, shape.lengths, std::vector<Index>{corner});
-    const auto path = paths.from(opposite);
+    const auto path = paths.from(vertex_at(shape, mesh, Eigen::Vector3d::Ones()));
     EXPECT_NEAR(path.length, std::sqrt(5.0), 1e-15);
     ASSERT_GE(path.pieces.size(), 2U);
     for (std::size_t i = 1; i < path.pieces.size(); ++i) {

@@ -239,14 +239,10 @@ TEST(GeodesicDistance, by_an_engine_that_iterates_is_less_sharp_but_right) {
 }
 
 TEST(GeodesicDistance, of_each_component_is_its_own) {
-    Mesh two = grid(8, 8);
-    const Mesh one = two;
+    const Mesh one = grid(8, 8);
     const Index n = static_cast<Index>(one.points.rows());
-    two.points.conservativeResize(2 * n, 2);
-    two.points.bottomRows(n) = 1e-5 * one.points;
-    two.simplices.conservativeResize(2 * one.simplices.rows(), 3);
-    two.simplices.bottomRows(one.simplices.rows()) = one.simplices.array() + n;
-    const auto a = glued(one), b = glued(two);
+    const auto a = glued(one);
+    const auto b = glued(united(one, transformed(one, DenseMatrix::Identity(2, 2), 1e-5)));
     const Index sources[] = {0, n};
     const Vector d = heat_distance(a.surface, a.lengths, from_0);
     const Vector e = heat_distance(b.surface, b.lengths, sources);
@@ -255,27 +251,18 @@ TEST(GeodesicDistance, of_each_component_is_its_own) {
     EXPECT_REFUSED(heat_distance(b.surface, b.lengths, from_0), "source", "vertex 81");
 }
 
-/// A vertex of a grid moved towards its neighbor, nearly onto the edge there.
-GluedSample with_needle(double width) {
-    Mesh mesh = grid(16, 16);
-    const Index moved = 8 * 17 + 8;
-    const Eigen::RowVector2d step = mesh.points.row(moved - 17) - mesh.points.row(moved);
-    mesh.points.row(moved) += (1 - width) * step;
-    return glued(mesh);
-}
-
 TEST(GeodesicDistance, hardly_depends_on_how_thin_needles_are) {
-    const auto wide = with_needle(1e-2);
+    const auto wide = glued(with_needle(1e-2));
     const Vector exact = heat_distance(wide.surface, wide.lengths, from_0);
     for (const double width : {1e-3, 1e-6, 1e-9}) {
-        const auto thin = with_needle(width);
+        const auto thin = glued(with_needle(width));
         const Vector d = heat_distance(thin.surface, thin.lengths, from_0);
         EXPECT_LT((d - exact).cwiseAbs().maxCoeff(), 0.1 / 16) << width;
     }
 }
 
 TEST(GeodesicDistance, is_refused_where_needles_leave_no_digits) {
-    const auto sample = with_needle(1e-13);
+    const auto sample = glued(with_needle(1e-13));
     EXPECT_ERROR(SolverFailure, heat_distance(sample.surface, sample.lengths, from_0), "cotangent",
                  "2e+13", "vertex 145", "triangle 241", "Delaunay");
 }

@@ -23,6 +23,15 @@ inline GluedSample glued(const Mesh& mesh) {
     return sample;
 }
 
+/// A grid, a vertex of which is moved to its neighbor but for this part of the way.
+inline Mesh with_needle(double width) {
+    Mesh mesh = grid(16, 16);
+    const Index moved = 8 * 17 + 8;
+    const Eigen::RowVector2d step = mesh.points.row(moved - 17) - mesh.points.row(moved);
+    mesh.points.row(moved) += (1 - width) * step;
+    return mesh;
+}
+
 enum class Closing { torus, klein_bottle };
 
 /// The unit square in n x n squares cut in two, with opposite sides glued; for the bottle the left
