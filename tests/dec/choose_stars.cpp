@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
+#include "tests/dec/discretized.h"
 #include "tests/support/slivers.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_choose_stars {
 
@@ -129,24 +129,12 @@ double flux_defect(const Discretization& mesh, const HodgeStars& stars, const Po
                     (measured + differences).cwiseAbs().maxCoeff());
 }
 
-/// Whether all triangles of a plane mesh turn one way as they are oriented.
-bool lies_unfolded(const Discretization& mesh) {
-    int sides = 0;
-    for (Index t = 0; t < mesh.pieces().size(2); ++t) {
-        const auto corners = mesh.pieces().simplices(2).row(t);
-        const Eigen::RowVector2d a = mesh.points().row(corners[1]) - mesh.points().row(corners[0]),
-                                 b = mesh.points().row(corners[2]) - mesh.points().row(corners[0]);
-        sides += (a[0] * b[1] - a[1] * b[0] > 0 ? 1 : -1) * mesh.pieces().orientation(t);
-    }
-    return std::abs(sides) == mesh.pieces().size(2);
-}
-
 TEST_P(StarsOf, planar_pass_the_patch_test_of_fluxes) {
     const Mesh& input = mesh_named(GetParam());
     if (input.simplices.cols() != 3 || !is_flat(input))
         return;
     for (const auto& mesh : both(shaken(input, 0.15, 5))) {
-        if (!lies_unfolded(mesh))
+        if (turn(mesh) == 0)
             continue;
         for (const StarKind kind : consistent) {
             const auto chosen = mesh.with_stars(kind);
@@ -272,7 +260,7 @@ TEST(ChosenStars, hybrid_mix_both_kinds_and_pass_the_patch_test) {
         const auto mesh = discretize(shaken(grid(6, 6), 0.2, seed), {.tolerance = tolerance});
         const auto chosen = mesh.with_stars(StarKind::hybrid);
         const double share = chosen.chosen_stars().galerkin_share();
-        if (!lies_unfolded(mesh) || share == 0 || share == 1)
+        if (turn(mesh) == 0 || share == 0 || share == 1)
             continue;
         ++mixed;
         EXPECT_LE(flux_defect(mesh, chosen.stars(), dual_sites(chosen)), 1e-12);

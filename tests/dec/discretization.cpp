@@ -77,17 +77,6 @@ TEST(Discretize, warns_of_boundaries_that_are_not_joined_with_the_remedy) {
                      {"1 vertex", "hangs", "vertex 3", "join_hanging"});
 }
 
-TEST(Discretize, tidies_first) {
-    Mesh mesh = grid(1, 1);
-    mesh.simplices.conservativeResize(4, Eigen::NoChange);
-    mesh.simplices.row(2) = mesh.simplices.row(0);
-    mesh.simplices.row(3) << 0, 0, 1;
-    const auto result = discretize(mesh);
-    EXPECT_EQ(result.input().size(2), 2);
-    EXPECT_EQ(result.complex().size(2), 1);
-    EXPECT_EQ(result.warnings().size(), 2U);
-}
-
 TEST(Discretize, is_the_same_for_a_mesh_with_flaws_as_for_the_tidied_one) {
     const Mesh clean = grid(3, 1);
     const Simplices corner{{0, 1, 1}}, twin = clean.simplices.row(0).reverse(), flat{{0, 8, 1}};

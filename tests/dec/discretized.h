@@ -41,6 +41,79 @@ inline Vector orientations_in_space(const Discretization& mesh) {
     return result;
 }
 
+/// 1 or -1 as all simplices of a flat mesh are oriented against its coordinates; 0 if it is folded.
+inline int turn(const Discretization& mesh) {
+    const Vector turns = orientations_in_space(mesh);
+    return std::abs(turns.sum()) == turns.size() ? static_cast<int>(turns[0]) : 0;
+}
+
+/// Numbers of cells of each degree in a grid of m boxes along each of n axes.
+inline std::vector<Index> sizes_of_boxes(int n, Index m) {
+    std::vector<Index> result;
+    for (int k = 0; k <= n; ++k)
+        result.push_back(static_cast<Index>(
+            std::lround(binomial(n, k) * std::pow(m, k) * std::pow(m + 1, n - k))));
+    return result;
+}
+
+/// Steps of length 1 along the first axes.
+inline std::vector<Vector> unit_translations(int n, int axes) {
+    std::vector<Vector> result;
+    for (int axis = 0; axis < axes; ++axis)
+        result.push_back(Vector::Unit(n, axis));
+    return result;
+}
+
+/// Three near and three far spokes in the ratio at which the negative parts of the dual in the
+/// middle cancel the positive.
+inline Mesh fan_without_dual() {
+    const double far = 2 + std::sqrt(3.0), third = std::numbers::pi / 3;
+    std::vector<std::vector<double>> points{{0, 0}};
+    std::vector<std::vector<Index>> triangles;
+    for (Index i = 0; i < 6; ++i) {
+        const double r = i % 2 == 0 ? 1 : far;
+        points.push_back({r * std::cos(i * third), r * std::sin(i * third)});
+        triangles.push_back({0, i + 1, (i + 1) % 6 + 1});
+    }
+    return made_of(points, triangles);
+}
+
+/// Fixture of laws on surfaces whose edges are flipped, and split or not.
+class OverFlippedSurfaces : public testing::TestWithParam<std::tuple<std::string, Delaunay>> {};
+
+inline std::string
+with_delaunay(const testing::TestParamInfo<std::tuple<std::string, Delaunay>>& instance) {
+    const auto& [name, delaunay] = instance.param;
+    return name + (delaunay == Delaunay::flips ? "_flips" : "_splits");
+}
+
+#define POLYDEC_OVER_FLIPPED_SURFACES(suite)                                                       \
+    INSTANTIATE_TEST_SUITE_P(                                                                      \
+        Family, suite,                                                                             \
+        testing::Combine(testing::ValuesIn(names_of_surfaces()),                                   \
+                         testing::Values(Delaunay::flips, Delaunay::flips_and_splits)),            \
+        with_delaunay)
+
+/// Vectors at cells of unbent curves and surfaces: the sharp is adjoint to the dpp flat.
+inline void expect_adjoint_to_the_dpp_flat(const Discretization& mesh, double difference) {
+    const int n = mesh.dimension();
+    const auto N = static_cast<Index>(mesh.points().cols());
+    const Cochain a{Side::primal, 1, random_vector(mesh.complex().size(1), 7)};
+    const DenseMatrix X =
+        random_vector(mesh.complex().size(n) * N, 8).reshaped(mesh.complex().size(n), N);
+    const Vector products = sharp_pd(mesh, a).cwiseProduct(X).rowwise().sum();
+    const Vector by_cell = products.cwiseProduct(mesh.volumes().primal(n));
+    EXPECT_NEAR(inner_product({mesh.complex(), mesh.volumes()}, a, flat(mesh, Flat::dpp, X)),
+                by_cell.sum(), difference * by_cell.cwiseAbs().sum());
+}
+
+/// Whether facets have a cell on each side at most, and orientations of cells agree across them.
+inline bool is_two_sided(const Discretization& mesh) {
+    const auto& counts = mesh.complex().coface_counts(mesh.dimension() - 1);
+    return mesh.input().orientable() &&
+           std::all_of(counts.begin(), counts.end(), [](Index count) { return count <= 2; });
+}
+
 /// How many entries of stars of all degrees are not.
 inline std::size_t not_positive(const Discretization& mesh) {
     std::size_t count = 0;

@@ -69,18 +69,6 @@ TEST_P(DualWedges, multiply_constant_forms_exactly_on_flat_meshes) {
     });
 }
 
-TEST_P(DualWedges, have_the_constant_function_1_as_unit_of_constant_forms_on_flat_meshes) {
-    if (!is_flat(mesh_named(GetParam())))
-        return;
-    for_products(GetParam(), [&](const Discretization& on, int k, int l) {
-        if (k > 0)
-            return;
-        const Cochain one{Side::dual, 0, Vector::Ones(on.complex().size(mesh().n()))};
-        const auto b = constant(on, l, random_vector(coefficients(N(), l), 4));
-        EXPECT_CLOSE(dual_wedge(on, one, b).values, b.values, tolerance_of(on, k, l));
-    });
-}
-
 TEST_P(DualWedges, of_functions_on_cells_are_their_products) {
     for_products(GetParam(), [&](const Discretization& on, int k, int l) {
         if (k + l > 0)
@@ -175,17 +163,6 @@ TEST(DualWedgesBroken, obey_the_rule_of_leibniz_for_constants_alone) {
     const auto left = d(K, dual_wedge(mesh, f, g));
     const auto right = dual_wedge(mesh, d(K, f), g) + dual_wedge(mesh, f, d(K, g));
     EXPECT_GT(relative_difference(left.values, right.values), 0.1);
-}
-
-TEST(DualWedgesOfConstants, are_areas_and_those_of_a_form_with_itself_are_not) {
-    const auto& mesh = discretized("grid4");
-    const auto form = [&](const Vector& coefficients) {
-        return dual_de_rham(mesh, 1, [=](const Vector&) { return coefficients; });
-    };
-    const auto dx = form(Eigen::Vector2d(1, 0)), dy = form(Eigen::Vector2d(0, 1));
-    const auto& areas = mesh.volumes().dual(0);
-    EXPECT_CLOSE(dual_wedge(mesh, dx, dy).values, areas, rounding);
-    EXPECT_GT(relative_difference(dual_wedge(mesh, dx, dx).values, areas), 0.1);
 }
 
 TEST(DualWedgeErrors, name_the_forms_and_the_zeros_of_the_star) {

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/simplex_geometry.h"
+#include "tests/dec/discretized.h"
 #include "tests/support/diamond.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_glued_box {
 
 using std::numbers::pi;
-
-std::vector<Vector> unit_translations(int n, int axes) {
-    std::vector<Vector> result;
-    for (int axis = 0; axis < axes; ++axis)
-        result.push_back(Vector::Unit(n, axis));
-    return result;
-}
 
 struct Sample {
     PeriodicMesh glued;
@@ -42,10 +35,6 @@ SmoothForm waves(Index coefficients) {
             result[i] = std::sin(2 * pi * x[0] + 0.7 * i) + 0.3 * std::cos(2 * pi * x.sum());
         return result;
     };
-}
-
-SmoothForm constant(const Vector& coefficients) {
-    return [=](const Vector&) { return coefficients; };
 }
 
 Vector direction(Index n) {
@@ -210,7 +199,7 @@ TEST(GluedBox, has_constant_dual_forms) {
         const int n = mesh.dimension();
         const Vector X = direction(n);
         const auto fluxes = de_rham(mesh, n - 1, flux_form([&](const Vector&) { return X; }));
-        const auto along = dual_de_rham(mesh, 1, constant(X));
+        const auto along = dual_de_rham(mesh, 1, constant_form(X));
         const double sign = n % 2 == 0 ? -1 : 1;
         EXPECT_CLOSE(Vector(sign * star(mesh, fluxes).values), along.values, 1e-12) << n;
         const auto by_matrices = discretize(glued, {.star = StarKind::galerkin});
@@ -218,7 +207,7 @@ TEST(GluedBox, has_constant_dual_forms) {
             Vector(sign * star(by_matrices, de_rham(by_matrices, n - 1,
                                                     flux_form([&](const Vector&) { return X; })))
                               .values),
-            dual_de_rham(by_matrices, 1, constant(X)).values, 1e-12)
+            dual_de_rham(by_matrices, 1, constant_form(X)).values, 1e-12)
             << n;
     }
 }
@@ -232,8 +221,8 @@ TEST(GluedBox, has_flats_and_sharps_of_constants) {
         };
         const DenseMatrix at_vertices = field(mesh.complex().size(0)),
                           at_cells = field(mesh.complex().size(n));
-        const Cochain primal = de_rham(mesh, 1, constant(X)),
-                      dual = dual_de_rham(mesh, 1, constant(X));
+        const Cochain primal = de_rham(mesh, 1, constant_form(X)),
+                      dual = dual_de_rham(mesh, 1, constant_form(X));
         for (const auto kind : {Flat::ppp, Flat::pdp})
             EXPECT_CLOSE(flat(mesh, kind, at_vertices).values, primal.values, 1e-12);
         if (star(mesh.volumes(), 1).zeros().empty()) {
@@ -249,7 +238,7 @@ TEST(GluedBox, has_flats_and_sharps_of_constants) {
         const DenseMatrix found = whitney_at_centroids(mesh, primal);
         EXPECT_WITHIN(found, field(mesh.input().size(n)), 1e-12);
         EXPECT_CLOSE(Vector(interior_product(mesh, at_vertices, n, Sampling::centered) *
-                            de_rham(mesh, n, constant(Vector::Ones(1))).values),
+                            de_rham(mesh, n, constant_form(Vector::Ones(1))).values),
                      fluxes.values, 1e-12);
         if (closed) { // what is constant stays
             for (const auto sampling : {Sampling::centered, Sampling::upwind})

@@ -103,20 +103,6 @@ TEST_P(InteriorProducts, of_constant_forms_with_linear_fields_are_exact_on_flat_
         }
 }
 
-TEST_P(InteriorProducts, twice_vanish_on_constant_forms_with_constant_fields) {
-    const Points field = linear_field(DenseMatrix::Zero(N(), N()), random_vector(N(), 2));
-    for (const auto& transport : transports(GetParam(), field))
-        for (int k = 2; flat() && k <= mesh().n(); ++k) {
-            const SparseMatrix first = transport.interior(k), second = transport.interior(k - 1);
-            const Vector a =
-                integrals(transport, k, constant_form(random_vector(coefficients(N(), k), 3)));
-            const Vector twice = second * (first * a);
-            EXPECT_LE(twice.cwiseAbs().maxCoeff(),
-                      rounding * largest(second) * largest(first) * a.cwiseAbs().maxCoeff())
-                << transport.name << ", k = " << k;
-        }
-}
-
 TEST_P(InteriorProducts, of_the_volume_form_are_the_flux_of_the_field) {
     const int n = mesh().n();
     const Points field = random_field();

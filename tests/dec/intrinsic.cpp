@@ -145,17 +145,7 @@ TEST_P(Flipped, give_functions_and_their_derivatives_back_unchanged) {
 
 TEST_P(Flipped, do_not_depend_on_the_order_of_vertices_and_triangles) {
     const Mesh input = mesh();
-    Mesh other = input;
-    std::vector<Index> number(static_cast<std::size_t>(input.points.rows()));
-    std::iota(number.begin(), number.end(), 0);
-    std::mt19937 random(11);
-    std::shuffle(number.begin(), number.end(), random);
-    for (std::size_t v = 0; v < number.size(); ++v)
-        other.points.row(number[v]) = input.points.row(static_cast<Index>(v));
-    for (Index& v : other.simplices.reshaped())
-        v = number[v];
-    other.simplices.colwise().reverseInPlace();
-
+    const Mesh other = shuffled(input, 11).mesh;
     for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
         const auto a = flipped(input, delaunay), b = flipped(other, delaunay);
         for (int k = 0; k <= 2; ++k)

@@ -1,25 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/facet_defects.h"
+#include "tests/dec/discretized.h"
 #include "tests/support/scales.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_layers {
-
-/// Cells of a grid of m boxes along each of n axes.
-std::vector<Index> sizes_of_boxes(int n, Index m) {
-    std::vector<Index> result(static_cast<std::size_t>(n) + 1, 0);
-    for (int axes = 0; axes < 1 << n; ++axes) { // those along which a cell extends
-        Index cells = 1;
-        int k = 0;
-        for (int i = 0; i < n; ++i) {
-            const bool extends = (axes >> i & 1) != 0;
-            cells *= extends ? m : m + 1;
-            k += extends ? 1 : 0;
-        }
-        result[k] += cells;
-    }
-    return result;
-}
 
 TEST(Layers, stay_layers_however_thin_they_are) {
     for (const double thickness : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {

@@ -5,7 +5,8 @@ namespace polydec::test::in_length_mesh {
 
 class LengthMeshes : public OverMeshes {
 protected:
-    /// With one more coordinate: a complex that may be curved, as one of lengths may.
+    /// With one more coordinate: a complex that may be curved, as one of lengths may. There angles
+    /// say whether facets lie in one plane, and faces of lower degree are not asked.
     Discretization with_points() const {
         Mesh mesh = mesh_named(GetParam());
         mesh.points.conservativeResize(Eigen::NoChange, mesh.points.cols() + 1);
@@ -33,6 +34,7 @@ TEST_P(LengthMeshes, are_made_ready_for_calculus_as_curved_meshes_with_points_ar
         EXPECT_CLOSE(ours.volumes().dual(k), theirs.volumes().dual(k), 1e-10);
     }
     EXPECT_EQ(ours.degenerate().interior, theirs.degenerate().interior);
+    EXPECT_EQ(ours.degenerate().boundary, theirs.degenerate().boundary);
     EXPECT_EQ(ours.warnings(), theirs.warnings());
 }
 

@@ -53,28 +53,6 @@ TEST_P(Lengths, give_the_volumes_that_points_give) {
         << shape;
 }
 
-/// The same points in a space of one more dimension, where a complex may be curved: angles say
-/// whether facets lie in one plane, and faces of lower degree are not asked.
-Points in_more_dimensions(const Points& points) {
-    Points result = Points::Zero(points.rows(), points.cols() + 1);
-    result.leftCols(points.cols()) = points;
-    return result;
-}
-
-TEST_P(Lengths, give_the_merging_that_points_of_a_complex_that_may_be_curved_give) {
-    const auto volumes = circumcentric_volumes(K(), metric());
-    const auto ours = merge_cospherical({K(), metric(), volumes}, {.tolerance = tolerance});
-    const Points lifted = in_more_dimensions(mesh().points);
-    const auto theirs =
-        merge_cospherical({K(), lifted, mesh().input_volumes}, {.tolerance = tolerance});
-    for (int k = 0; k <= mesh().n(); ++k) {
-        EXPECT_TRUE(equal(integers(ours.merging.diamond(k)), integers(theirs.merging.diamond(k))))
-            << k;
-    }
-    EXPECT_EQ(ours.degenerate.interior, theirs.degenerate.interior);
-    EXPECT_EQ(ours.degenerate.boundary, theirs.degenerate.boundary);
-}
-
 TEST(Lengths, know_the_planes_of_the_boundary_of_flat_boxes_by_angles) {
     // halves of octahedra meet at the edges of the box, where their triangles' centers coincide
     const auto& box = merged("fcc1");

@@ -14,12 +14,6 @@ SparseMatrix diamond(const Merged& mesh, int k) {
     return mesh.merging().diamond(k).cast<double>();
 }
 
-/// The paper's way back: each piece has its fraction of the cell's value, removed simplices 0.
-SparseMatrix by_fraction(const Merged& mesh, int k) {
-    return mesh.input_volumes.primal(k).asDiagonal() * SparseMatrix(diamond(mesh, k).transpose()) *
-           mesh.volumes.primal(k).cwiseInverse().asDiagonal();
-}
-
 double commutation_defect(const Merged& mesh, const SparseMatrix& upper, const SparseMatrix& lower,
                           int k) {
     return largest(derivative(mesh.K(), k) * lower - upper * derivative(mesh.P(), k));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/dual_parts.h"
-#include "tests/support/test.h"
+#include "tests/dec/discretized.h"
 
 namespace polydec::test::in_passage {
 
 constexpr double rounding = 1e-11;
 
 /// What holds of forms on simplices and merged cells holds after flips and splits as well.
-class AfterFlips : public testing::TestWithParam<std::tuple<std::string, Delaunay>> {
+class AfterFlips : public OverFlippedSurfaces {
 protected:
     Discretization mesh() const {
         const auto& [name, delaunay] = GetParam();
@@ -239,16 +239,7 @@ TEST(WithoutFlips, the_passage_takes_cochains_of_the_simplices_alone) {
     EXPECT_THROW(passage.matrix_back(-1), InvalidInput);
 }
 
-std::string with_delaunay(const testing::TestParamInfo<std::tuple<std::string, Delaunay>>& info) {
-    const auto& [name, delaunay] = info.param;
-    return name + (delaunay == Delaunay::flips ? "_flips" : "_splits");
-}
-
-INSTANTIATE_TEST_SUITE_P(Family, AfterFlips,
-                         testing::Combine(testing::ValuesIn(names_of_surfaces()),
-                                          testing::Values(Delaunay::flips,
-                                                          Delaunay::flips_and_splits)),
-                         with_delaunay);
+POLYDEC_OVER_FLIPPED_SURFACES(AfterFlips);
 
 TEST(NoFlips, leave_tags_points_and_boxes_as_they_are) {
     Mesh mesh = well_centered(4);

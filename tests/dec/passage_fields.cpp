@@ -14,7 +14,7 @@ DenseMatrix sampled(const Discretization& mesh, Flat kind, const SmoothForm& fie
 }
 
 /// Vector fields on surfaces whose edges were flipped.
-class FieldsAfterFlips : public testing::TestWithParam<std::tuple<std::string, Delaunay>> {
+class FieldsAfterFlips : public OverFlippedSurfaces {
 protected:
     Discretization mesh(MergeCriterion criterion = MergeCriterion::dual_length) const {
         const auto& [name, delaunay] = GetParam();
@@ -125,13 +125,7 @@ TEST_P(FieldsAfterFlips, at_cells_are_adjoint_to_the_dpp_flat_where_the_surface_
     const auto mesh = this->mesh();
     if (!is_flat_surface(mesh) || !star(mesh.volumes(), 1).zeros().empty())
         return;
-    const Cochain a{Side::primal, 1, random_vector(mesh.complex().size(1), 7)};
-    const DenseMatrix X =
-        random_vector(mesh.complex().size(2) * 2, 8).reshaped(mesh.complex().size(2), 2);
-    const Vector products = sharp_pd(mesh, a).cwiseProduct(X).rowwise().sum();
-    const Vector by_cell = products.cwiseProduct(mesh.volumes().primal(2));
-    EXPECT_NEAR(inner_product({mesh.complex(), mesh.volumes()}, a, flat(mesh, Flat::dpp, X)),
-                by_cell.sum(), 1e-7 * by_cell.cwiseAbs().sum());
+    expect_adjoint_to_the_dpp_flat(mesh, 1e-7);
 }
 
 TEST_P(FieldsAfterFlips, at_triangles_have_the_circulations_that_they_are_made_of) {
@@ -150,16 +144,7 @@ TEST_P(FieldsAfterFlips, at_triangles_have_the_circulations_that_they_are_made_o
         }
 }
 
-std::string with_delaunay(const testing::TestParamInfo<std::tuple<std::string, Delaunay>>& info) {
-    const auto& [name, delaunay] = info.param;
-    return name + (delaunay == Delaunay::flips ? "_flips" : "_splits");
-}
-
-INSTANTIATE_TEST_SUITE_P(Family, FieldsAfterFlips,
-                         testing::Combine(testing::ValuesIn(names_of_surfaces()),
-                                          testing::Values(Delaunay::flips,
-                                                          Delaunay::flips_and_splits)),
-                         with_delaunay);
+POLYDEC_OVER_FLIPPED_SURFACES(FieldsAfterFlips);
 
 constexpr double slope = 2.3;
 
@@ -248,17 +233,11 @@ Vector turned(const Vector& x) {
     return axis.cross(X);
 }
 
-Cochain difference(Cochain a, const Cochain& b) {
-    a.values -= b.values;
-    return a;
-}
-
 double error_of_flat(const Discretization& mesh, Flat kind) {
     const auto circulation = circulation_form(tangential);
     const Cochain form = flat(mesh, kind, sampled(mesh, kind, tangential));
-    return norm(mesh,
-                difference(form, form.side == Side::primal ? de_rham(mesh, 1, circulation)
-                                                           : dual_de_rham(mesh, 1, circulation)));
+    return norm(mesh, form - (form.side == Side::primal ? de_rham(mesh, 1, circulation)
+                                                        : dual_de_rham(mesh, 1, circulation)));
 }
 
 double error_of_sharp(const Discretization& mesh, bool of_fluxes) {
@@ -275,10 +254,9 @@ double error_of_sharp(const Discretization& mesh, bool of_fluxes) {
 
 /// How far dual integrals are from the star of primal ones.
 double error_of_star(const Discretization& mesh, double sign) {
-    Cochain dual = dual_de_rham(mesh, 1, circulation_form(tangential));
-    dual.values *= sign;
+    const Cochain dual = dual_de_rham(mesh, 1, circulation_form(tangential));
     const Cochain primal = de_rham(mesh, 1, circulation_form(turned));
-    return norm(mesh, difference(dual, star({mesh.complex(), mesh.volumes()}, primal)));
+    return norm(mesh, sign * dual - star({mesh.complex(), mesh.volumes()}, primal));
 }
 
 /// The order at which an error falls from one sphere to one twice as fine.

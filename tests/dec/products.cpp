@@ -24,6 +24,12 @@ const std::vector<SparseMatrix>& lift_of(const std::string& name) {
     return entry;
 }
 
+SparseMatrix by_fraction(const Merged& mesh, int k) {
+    return mesh.input_volumes.primal(k).asDiagonal() *
+           SparseMatrix(mesh.merging().diamond(k).cast<double>().transpose()) *
+           mesh.volumes.primal(k).cwiseInverse().asDiagonal();
+}
+
 Cochain random_form(const CellComplex& complex, Side side, int degree, unsigned seed) {
     return {side, degree, random_vector(complex.size(cell_degree(complex, side, degree)), seed)};
 }

@@ -8,6 +8,10 @@ namespace polydec::test {
 /// The commuting lift of a mesh of the family, made once.
 const std::vector<SparseMatrix>& lift_of(const std::string& name);
 
+/// The way back of Schier's paper: each piece has its fraction of the cell's value, removed
+/// simplices 0.
+SparseMatrix by_fraction(const Merged& mesh, int k);
+
 /// A cochain with random values, the same for the same seed.
 Cochain random_form(const CellComplex& complex, Side side, int degree, unsigned seed);
 

@@ -118,15 +118,7 @@ TEST_P(Sharps, at_polygons_are_adjoint_to_the_dpp_flat) {
     const auto& mesh = discretized(GetParam());
     if (!has_isotropic_weights(mesh) || !star(mesh.volumes(), 1).zeros().empty())
         return;
-    const int n = mesh.dimension();
-    const Cochain a{Side::primal, 1, random_vector(mesh.complex().size(1), 7)};
-    const DenseMatrix X = random_vector(mesh.complex().size(n) * space(mesh), 8)
-                              .reshaped(mesh.complex().size(n), space(mesh));
-    const Vector products = sharp_pd(mesh, a).cwiseProduct(X).rowwise().sum();
-    const Vector by_cell = products.cwiseProduct(mesh.volumes().primal(n));
-    const Cochain flattened = flat(mesh, Flat::dpp, X);
-    EXPECT_NEAR(inner_product({mesh.complex(), mesh.volumes()}, a, flattened), by_cell.sum(),
-                rounding * by_cell.cwiseAbs().sum());
+    expect_adjoint_to_the_dpp_flat(mesh, rounding);
 }
 
 /// How far sum |*v| X_v is from the integral of the gradients of the above, relative to their size.
@@ -269,16 +261,7 @@ TEST(SharpsBroken, of_fluxes_about_circumcenters_of_facets_are_wrong_in_space) {
 }
 
 TEST(SharpsRefuse, vertices_without_dual_cell) {
-    // three near and three far spokes in the ratio at which the kites cancel
-    const double far = 2 + std::sqrt(3.0), pi = std::acos(-1.0);
-    std::vector<std::vector<double>> points = {{0, 0}};
-    std::vector<std::vector<Index>> triangles;
-    for (Index i = 0; i < 6; ++i) {
-        const double radius = i % 2 == 0 ? 1 : far;
-        points.push_back({radius * std::cos(i * pi / 3), radius * std::sin(i * pi / 3)});
-        triangles.push_back({0, i + 1, (i + 1) % 6 + 1});
-    }
-    const auto mesh = discretize(made_of(points, triangles), {MergeCriterion::none, 0});
+    const auto mesh = discretize(fan_without_dual(), {MergeCriterion::none, 0});
     EXPECT_REFUSED(sharp_pp(mesh, constant_circulation(mesh, Vector::Ones(2))), "sharp", "zero",
                    "1 vertices", "vertices 0");
 }

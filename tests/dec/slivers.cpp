@@ -4,17 +4,11 @@
 #include "dec/merging/facet_defects.h"
 #include "dec/merging/flat_simplices.h"
 #include "dec/merging/lift.h"
-#include "tests/support/test.h"
+#include "tests/dec/discretized.h"
 
 namespace polydec::test::in_slivers {
 
 using Sizes = std::vector<Index>;
-
-/// Cells of m^3 cubes.
-Sizes cubes(Index m) {
-    const Index p = m + 1;
-    return {p * p * p, 3 * m * p * p, 3 * m * m * p, m * m * m};
-}
 
 Index count_flat(const Discretization& mesh) {
     Index count = 0;
@@ -34,10 +28,6 @@ double off_cubes(const Discretization& mesh, double h) {
             worst = std::max(worst, least);
         }
     return worst;
-}
-
-double largest(const SparseMatrix& matrix) {
-    return matrix.nonZeros() == 0 ? 0 : matrix.coeffs().cwiseAbs().maxCoeff();
 }
 
 /// The integrals over the k-pieces of a constant form: dx_axis, or the one that is its star.
@@ -72,7 +62,7 @@ TEST(Slivers, of_jittered_points_become_pieces_of_cubes) {
     for (const int m : {3, 5})
         for (const double jitter : jitters) {
             const auto mesh = discretize(delaunay_grid(m, jitter));
-            EXPECT_EQ(sizes(mesh.complex()), cubes(m)) << jitter;
+            EXPECT_EQ(sizes(mesh.complex()), sizes_of_boxes(3, m)) << jitter;
             EXPECT_LE(off_cubes(mesh, 1.0 / m), 5 * jitter + 1e-14) << jitter;
             if (jitter > 1e-7) {
                 EXPECT_GT(count_flat(mesh), 10) << jitter;
@@ -83,7 +73,7 @@ TEST(Slivers, of_jittered_points_become_pieces_of_cubes) {
 TEST(Slivers, without_any_volume_become_pieces_of_cubes) {
     for (const int m : {2, 3, 4}) {
         const auto mesh = discretize(five_to_a_cube(m));
-        EXPECT_EQ(sizes(mesh.complex()), cubes(m));
+        EXPECT_EQ(sizes(mesh.complex()), sizes_of_boxes(3, m));
         EXPECT_EQ(count_flat(mesh), mesh.pieces().size(3) - 5 * m * m * m);
         EXPECT_GT(count_flat(mesh), 0);
         EXPECT_LE(off_cubes(mesh, 1), 1e-14);
@@ -133,8 +123,9 @@ TEST(SliversBroken, by_their_own_circumcenters_would_stay) {
 }
 
 TEST(SliversBroken, by_jitter_above_the_tolerance_would_not_be_cubes) {
-    EXPECT_NE(sizes(discretize(delaunay_grid(3, 1e-3)).complex()), cubes(3));
-    EXPECT_EQ(sizes(discretize(delaunay_grid(3, 3e-4), {.tolerance = 1e-3}).complex()), cubes(3));
+    EXPECT_NE(sizes(discretize(delaunay_grid(3, 1e-3)).complex()), sizes_of_boxes(3, 3));
+    EXPECT_EQ(sizes(discretize(delaunay_grid(3, 3e-4), {.tolerance = 1e-3}).complex()),
+              sizes_of_boxes(3, 3));
 }
 
 TEST(Slivers, do_not_depend_on_numbers) {
@@ -160,7 +151,7 @@ TEST(Slivers, leave_the_lift_a_cochain_map_exact_for_constants) {
         for (const Mesh& given :
              {delaunay_grid(3, jitter), perturbed(five_to_a_cube(3), jitter, 1)}) {
             const auto mesh = discretize(given);
-            ASSERT_EQ(sizes(mesh.complex()), cubes(3));
+            ASSERT_EQ(sizes(mesh.complex()), sizes_of_boxes(3, 3));
             const auto& S = mesh.merged().lift();
             for (int k = 0; k < 3; ++k) {
                 const SparseMatrix d = mesh.pieces().coboundary(k).cast<double>() * S[k];
@@ -235,7 +226,7 @@ TEST(FlatSimplices, are_none_in_thin_layers) {
         Mesh mesh = five_to_a_cube(3, true);
         mesh.points.col(2) *= thickness;
         const auto thin = discretize(mesh);
-        EXPECT_EQ(sizes(thin.complex()), cubes(3)) << thickness;
+        EXPECT_EQ(sizes(thin.complex()), sizes_of_boxes(3, 3)) << thickness;
         EXPECT_TRUE(flat_simplices(thin.geometry()).empty());
     }
 }

@@ -13,18 +13,6 @@ bool invertible(const CellVolumes& volumes, int k) {
     return star(volumes, k).zeros().empty();
 }
 
-TEST_P(Stars, twice_is_a_sign) {
-    for (const auto& [name, complex, volumes] : both(mesh()))
-        for (int k = 0; k <= mesh().n(); ++k) {
-            if (!invertible(volumes, k))
-                continue;
-            const Cochain ones{Side::primal, k, Vector::Ones(complex.size(k))};
-            const auto twice = star({complex, volumes}, star({complex, volumes}, ones));
-            EXPECT_CLOSE(twice.values, sign(mesh().n(), k) * ones.values, 1e-14)
-                << name << ", k = " << k;
-        }
-}
-
 TEST_P(Stars, and_their_inverses_alone_are_the_identity) {
     for (int k = 0; k <= mesh().n(); ++k)
         if (invertible(mesh().volumes, k)) {

@@ -41,14 +41,6 @@ TEST_P(Stencils, are_those_of_finite_differences_inside_merged_kuhn_grids) {
     EXPECT_EQ(inner, std::lround(std::pow(side() - 1, n())));
 }
 
-TEST_P(Stencils, have_no_zero_and_no_negative_star) {
-    const auto grid = mesh();
-    for (int k = 0; k <= n(); ++k) {
-        EXPECT_TRUE(star(grid.volumes, k).zeros().empty()) << "k = " << k;
-        EXPECT_TRUE(star(grid.volumes, k).negatives().empty()) << "k = " << k;
-    }
-}
-
 TEST_P(Stencils, unmerged_have_zero_stars_in_all_degrees_between_the_ends) {
     const auto grid = mesh();
     for (int k = 1; k < n(); ++k)
@@ -56,13 +48,5 @@ TEST_P(Stencils, unmerged_have_zero_stars_in_all_degrees_between_the_ends) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Dimensions, Stencils, testing::Values(1, 2, 3, 4));
-
-TEST(StencilsOfCubes, have_positive_stars_in_five_dimensions) {
-    const auto& grid = merged("kuhn5");
-    for (int k = 0; k <= 5; ++k) {
-        EXPECT_TRUE(star(grid.volumes, k).zeros().empty()) << "k = " << k;
-        EXPECT_TRUE(star(grid.volumes, k).negatives().empty()) << "k = " << k;
-    }
-}
 
 } // namespace polydec::test::in_stencils

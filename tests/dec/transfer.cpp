@@ -117,40 +117,11 @@ TEST_P(Transfers, copies_are_consistent_and_nothing_else_is) {
 
 POLYDEC_OVER_MESHES(Transfers);
 
-TEST(TransfersBroken, shares_are_no_cochain_map) {
-    const auto bundle = discretize(grid(3, 3));
-    const SparseMatrix up = derivative(bundle.input(), 0) *
-                            primal_to_input(bundle.merging(), bundle.input_geometry().volumes(), 0);
-    const SparseMatrix down =
-        primal_to_input(bundle.merging(), bundle.input_geometry().volumes(), 1) *
-        derivative(bundle.complex(), 0);
-    EXPECT_GE(largest(up - down), 1);
-}
-
-TEST(TransfersBroken, the_transposed_sum_is_no_right_inverse_for_cells_of_several_pieces) {
-    const auto bundle = discretize(grid(3, 3));
-    const SparseMatrix dia = primal_to_merged(bundle.merging(), 2);
-    EXPECT_GE(relative_difference(product(dia, SparseMatrix(dia.transpose())),
-                                  identity(bundle.complex().size(2))),
-              1);
-}
-
 TEST(TransfersBroken, adding_the_entries_of_star_2_is_not_the_star_of_merged_cells) {
     const auto bundle = discretize(grid(3, 3));
     const Vector sums = primal_to_merged(bundle.merging(), 2) *
                         star(bundle.input_geometry().volumes(), 2).diagonal();
     EXPECT_GT(relative_difference(sums, star(bundle.volumes(), 2).diagonal()), 1);
-}
-
-TEST(Transfers, a_laplacian_of_the_merged_mesh_runs_on_the_triangle_mesh) {
-    const auto bundle = discretize(grid(4, 4));
-    const SparseMatrix L = on_input(bundle, dual_laplacian({bundle.complex(), bundle.volumes()}, 0),
-                                    {Side::dual, 0}, {Side::dual, 0});
-    EXPECT_EQ(L.rows(), 32);
-    const Vector image = L * Vector::Ones(32);
-    const Vector linear = Vector::LinSpaced(32, 0, 1);
-    EXPECT_TRUE(consistency(bundle, {Side::dual, 0, L * linear}).within(1e-10));
-    EXPECT_GT(image.cwiseAbs().maxCoeff(), 1) << "the boundary is open to dual 0-forms";
 }
 
 TEST(Consistency, names_the_worst_offender) {

@@ -16,9 +16,10 @@ std::vector<Index> removed_facets(const Discretization& mesh) {
 }
 
 std::vector<Mesh> meshes_of_boxes() {
-    return {grid(8, 8),         kuhn(3, 4),         kuhn(4, 2),         uv_sphere(16, 12),
-            torus(12, 8),       layers(2, 6, 1e-3), layers(2, 6, 1e-6), layers(3, 3, 1e-3),
-            layers(3, 3, 1e-6), graded(2, 8, 3e4),  graded(3, 5, 3e4)};
+    return {kuhn(1, 4),          grid(8, 8),         kuhn(3, 4),         kuhn(4, 4),
+            mesh_named("kuhn5"), uv_sphere(16, 12),  torus(12, 8),       layers(2, 6, 1e-3),
+            layers(2, 6, 1e-6),  layers(3, 3, 1e-3), layers(3, 3, 1e-6), graded(2, 8, 3e4),
+            graded(3, 5, 3e4)};
 }
 
 /// In directions that no coordinate is exact for.
