@@ -9,10 +9,7 @@ constexpr double rounding = 1e-11;
 /// The advection of a mesh of the family; none where there can be none, and then it is refused.
 std::optional<Advection> advection_of(const Discretization& mesh) {
     const int n = mesh.dimension();
-    bool two_sided = n >= 2 && mesh.input().orientable() && mesh.complex().canceled(n - 1).empty();
-    for (Index f = 0; n >= 2 && f < mesh.complex().size(n - 1); ++f)
-        two_sided = two_sided && mesh.complex().coface_counts(n - 1)[f] <= 2;
-    if (two_sided)
+    if (n >= 2 && is_two_sided(mesh) && mesh.complex().canceled(n - 1).empty())
         return Advection(mesh);
     EXPECT_THROW(Advection{mesh}, InvalidInput);
     return std::nullopt;

@@ -30,15 +30,6 @@ Vector vector(const std::vector<double>& entries) {
     return Eigen::Map<const Vector>(entries.data(), static_cast<Index>(entries.size()));
 }
 
-TEST(ConstrainedSystem, with_both_ends_fixed_is_a_straight_line) {
-    ConstrainedSolver solver(system_of(paths({4}), {true, false, false, true}), "auto");
-    const auto [u, report, compatibility, warnings] =
-        solver.solve(Vector::Zero(4), vector({1, 99, 99, 7}));
-    EXPECT_TRUE(u.isApprox(vector({1, 3, 5, 7}), 1e-14)) << u;
-    EXPECT_EQ(compatibility.free_components, 0);
-    EXPECT_LE(report.residual, 1e-14);
-}
-
 TEST(ConstrainedSystem, with_everything_fixed_returns_what_it_is_given) {
     ConstrainedSolver solver(system_of(paths({3}), {true, true, true}), "auto");
     const auto found = solver.solve(vector({5, 5, 5}), vector({1, 2, 4}));
@@ -148,8 +139,12 @@ TEST(ConstrainedSystem, of_one_unknown_is_solved) {
 TEST(ConstrainedSystem, is_solved_by_every_engine_that_takes_it) {
     for (const char* engine : {"auto", "eigen.ldlt", "eigen.lu", "eigen.cg"}) {
         ConstrainedSolver solver(system_of(paths({4}), {true, false, false, true}), engine);
-        const Vector u = solver.solve(Vector::Zero(4), vector({1, 0, 0, 7})).values;
-        EXPECT_TRUE(u.isApprox(vector({1, 3, 5, 7}), 1e-10)) << engine;
+        const auto found = solver.solve(Vector::Zero(4), vector({1, 99, 99, 7}));
+        const bool is_direct = std::string_view(engine) != "eigen.cg";
+        EXPECT_TRUE(found.values.isApprox(vector({1, 3, 5, 7}), is_direct ? 1e-14 : 1e-10))
+            << engine;
+        EXPECT_EQ(found.compatibility.free_components, 0);
+        EXPECT_LE(found.report.residual, is_direct ? 1e-14 : 1e-10);
     }
 }
 

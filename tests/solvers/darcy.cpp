@@ -5,12 +5,6 @@
 
 namespace polydec::test::in_darcy {
 
-/// 1 or -1 as all simplices of a flat mesh are oriented against its coordinates; 0 if it is folded.
-int turn(const Discretization& mesh) {
-    const Vector turns = orientations_in_space(mesh);
-    return std::abs(turns.sum()) == turns.size() ? static_cast<int>(turns[0]) : 0;
-}
-
 /// Values are given where the first coordinate is small, what flows out elsewhere.
 BoundaryConditions mixed(const Discretization& mesh) {
     const auto x = mesh.points().col(0);
@@ -128,17 +122,6 @@ protected:
                     SCOPED_TRACE(title);
                     law(mesh, chosen);
                 }
-    }
-
-    static bool is_two_sided(const Discretization& mesh) {
-        const int n = mesh.dimension();
-        const auto& counts = mesh.complex().coface_counts(n - 1);
-        const Vector sums =
-            derivative(mesh.complex(), n - 1).transpose() * Vector::Ones(mesh.complex().size(n));
-        for (Index f = 0; f < sums.size(); ++f)
-            if (counts[f] > 2 || (counts[f] == 2 && sums[f] != 0))
-                return false;
-        return true;
     }
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "tests/dec/discretized.h"
 #include "tests/solvers/cases.h"
 #include "tests/solvers/flow_samples.h"
 
@@ -10,11 +11,8 @@ class FluxTransports : public OverMeshes {};
 TEST_P(FluxTransports, keep_the_mass_to_rounding) {
     const auto mesh = circumcentric(mesh_named(GetParam()));
     const int n = mesh.dimension();
-    bool two_sided = mesh.input().orientable();
-    for (Index f = 0; f < mesh.complex().size(n - 1); ++f)
-        two_sided = two_sided && mesh.complex().coface_counts(n - 1)[f] <= 2;
     for (const auto sampling : {Sampling::centered, Sampling::upwind}) {
-        if (!two_sided) {
+        if (!is_two_sided(mesh)) {
             EXPECT_THROW(FluxTransport(mesh, sampling), InvalidInput);
             continue;
         }

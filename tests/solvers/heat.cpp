@@ -44,14 +44,6 @@ TEST(HeatByStars, shrinks_eigenforms_on_obtuse_surfaces) {
         expect_eigenforms_to_shrink(mesh.complex(), stars, k);
 }
 
-TEST(HeatByStars, shrinks_eigenforms_on_obtuse_tets) {
-    const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
-    const auto chosen = mesh.with_stars(StarKind::automatic).chosen_stars();
-    ASSERT_EQ(chosen.kind, StarKind::galerkin);
-    for (const int k : {0, 1})
-        expect_eigenforms_to_shrink(mesh.complex(), chosen.stars, k);
-}
-
 TEST(HeatByStars, keeps_conditions_on_the_boundary) {
     const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, 3));
     const auto stars = mesh.with_stars(StarKind::automatic).stars();

@@ -8,37 +8,10 @@ Discretization flipped(const Mesh& mesh) {
     return circumcentric(mesh, {.delaunay = Delaunay::flips_and_splits});
 }
 
-class OnFlippedSurfaces : public testing::TestWithParam<std::string> {
-protected:
-    Mesh mesh() const { return shaken(mesh_named(GetParam()), 0.25, 7); }
-};
-
-TEST_P(OnFlippedSurfaces, harmonic_forms_are_as_many_as_betti_numbers_say) {
-    const auto mesh = flipped(this->mesh());
-    const auto betti = betti_numbers(mesh.complex());
-    for (int k = 0; k <= 2; ++k)
-        EXPECT_EQ(harmonic_forms({{mesh.complex(), mesh.volumes()}, Side::primal, k}).cols(),
-                  betti[k])
-            << "degree " << k;
-}
-
-TEST_P(OnFlippedSurfaces, forms_are_sums_of_orthogonal_parts) {
-    const auto mesh = flipped(this->mesh());
-    const Cochain form{Side::primal, 1, random_vector(mesh.complex().size(1), 5)};
-    const auto parts =
-        hodge_decomposition({{mesh.complex(), mesh.volumes()}, form.side, form.degree}, form);
-    const Vector mass = star(mesh.volumes(), 1).diagonal();
-    const Vector sum = parts.exact.values + parts.coexact.values + parts.harmonic.values;
-    EXPECT_LT(relative_difference(sum, form.values), 1e-9);
-    const double size = form.values.dot(mass.cwiseProduct(form.values));
-    EXPECT_LT(std::abs(parts.exact.values.dot(mass.cwiseProduct(parts.coexact.values))),
-              1e-9 * size);
-    EXPECT_LT(std::abs(parts.exact.values.dot(mass.cwiseProduct(parts.harmonic.values))),
-              1e-9 * size);
-}
+class OnFlippedSurfaces : public testing::TestWithParam<std::string> {};
 
 TEST_P(OnFlippedSurfaces, spectra_of_all_degrees_and_sides_are_certified_and_not_negative) {
-    const auto mesh = flipped(this->mesh());
+    const auto mesh = flipped(shaken(mesh_named(GetParam()), 0.25, 7));
     for (const Side side : {Side::primal, Side::dual})
         for (int degree = 0; degree <= 2; ++degree) {
             const auto found = spectrum({mesh, side, degree}, {.count = 6});
@@ -68,12 +41,6 @@ double error_in_the_plane(Side side, const std::function<double(double, double)>
         solved(PoissonSolver(functions(mesh, side)), Vector::Constant(exact.size(), f),
                at(boundary_sites(mesh, side), given));
     return (found.form.values - exact).cwiseAbs().maxCoeff();
-}
-
-TEST(PoissonOnFlippedSquare, gives_linear_functions_back_on_both_sides) {
-    const auto linear = [](double x, double y) { return 1 + 2 * x - 3 * y; };
-    EXPECT_LT(error_in_the_plane(Side::primal, linear, 0), 1e-11);
-    EXPECT_LT(error_in_the_plane(Side::dual, linear, 0), 1e-11);
 }
 
 TEST(PoissonOnFlippedSquare, takes_a_conductivity_for_each_polygon) {

@@ -169,16 +169,22 @@ TEST(CertifiedEigensolver, names_values_that_rounding_hides) {
     EXPECT_TRUE(CertifiedEigensolver(A, Vector::Ones(3)).smallest(3).radii[2] < 1e-6 * 1e20);
 }
 
-TEST(ManyComponents, have_all_their_zeros_at_once) {
+/// The first eigenvalues of so many spheres, and in how many rounds they are found.
+std::pair<Spectrum, Index> of_spheres(Index copies, Index count) {
     Mesh spheres = icosphere(1);
-    for (int i = 1; i < 44; ++i)
+    for (Index i = 1; i < copies; ++i)
         spheres = united(spheres, icosphere(1));
     const Complex cells(spheres);
     Index rounds = 0;
     const auto found = spectrum({{cells.complex, cells.volumes}, Side::primal, 0},
-                                {.count = 10, .progress = [&](std::string_view what) {
+                                {.count = count, .progress = [&](std::string_view what) {
                                      rounds += what == "iterating" ? 1 : 0;
                                  }});
+    return {found, rounds};
+}
+
+TEST(ManyComponents, have_all_their_zeros_at_once) {
+    const auto [found, rounds] = of_spheres(44, 10);
     EXPECT_EQ(found.certificate.below_shift, 44);
     EXPECT_LE(found.eigenvalues.cwiseAbs().maxCoeff(), 1e-12);
     EXPECT_LE(rounds, 4);
@@ -186,15 +192,7 @@ TEST(ManyComponents, have_all_their_zeros_at_once) {
 
 TEST(ManyComponents, have_all_copies_of_an_eigenvalue_by_a_count_of_them) {
     constexpr Index copies = 60;
-    Mesh spheres = icosphere(1);
-    for (Index i = 1; i < copies; ++i)
-        spheres = united(spheres, icosphere(1));
-    const Complex cells(spheres);
-    Index rounds = 0;
-    const auto found = spectrum({{cells.complex, cells.volumes}, Side::primal, 0},
-                                {.count = copies + 1, .progress = [&](std::string_view what) {
-                                     rounds += what == "iterating" ? 1 : 0;
-                                 }});
+    const auto [found, rounds] = of_spheres(copies, copies + 1);
     EXPECT_EQ(found.certificate.below_shift, 4 * copies);
     EXPECT_TRUE(found.certificate.complete);
     EXPECT_LE(rounds, 3);

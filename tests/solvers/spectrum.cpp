@@ -99,17 +99,9 @@ TEST_P(Spectra, have_as_many_zeros_as_the_Betti_number) {
 TEST(SpectraOfManyPieces, have_a_zero_for_each_and_for_each_hole) {
     const Index pieces = 60;
     const Mesh square = grid(2, 2);
-    Mesh many{Points(pieces * square.points.rows(), 2),
-              Simplices(pieces * square.simplices.rows(), 3),
-              {}};
-    for (Index i = 0; i < pieces; ++i) {
-        const Index vertices = static_cast<Index>(square.points.rows());
-        const Index triangles = static_cast<Index>(square.simplices.rows());
-        many.points.middleRows(i * vertices, vertices) = square.points;
-        many.points.middleRows(i * vertices, vertices).col(0).array() += 2 * i;
-        many.simplices.middleRows(i * triangles, triangles) =
-            square.simplices.array() + i * vertices;
-    }
+    Mesh many = square;
+    for (Index i = 1; i < pieces; ++i)
+        many = united(many, transformed(square, DenseMatrix::Identity(2, 2), 1, 2.0 * i));
     const auto mesh = discretize(many);
     for (const Side side : {Side::primal, Side::dual})
         for (const Index count : {4, 60}) {
