@@ -2,12 +2,14 @@
 #include "complex/homology.h"
 
 #include "base/errors.h"
-#include "complex/coreduction.h"
+#include "complex/disjoint_sets.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <deque>
 #include <map>
 #include <utility>
 #include <vector>
@@ -15,6 +17,122 @@
 namespace polydec {
 
 namespace {
+
+/// Simplifies a complex without changing its homology: starting from one vertex of each component,
+/// a cell that is the only remaining face of another is removed together with it. The remaining
+/// core is usually a handful of cells. On a closed surface the pairs are a spanning tree of edges
+/// and a cotree of faces. Linear time. Source: Mrozek and Batko 2009.
+class Coreduction {
+public:
+    explicit Coreduction(const CellComplex& complex);
+
+    /// A removed pair: a k-cell `face` and a (k+1)-cell `coface` whose only remaining face it was.
+    struct Pair {
+        Index face, coface;
+    };
+
+    /// The pairs of k-cells with (k+1)-cells in the order of removal; none for k = -1, n.
+    const std::vector<Pair>& pairs(int k) const { return pairs_.at(k + 1); }
+
+    /// The starting vertices of the components that have a 0-cocycle.
+    const std::vector<Index>& base_vertices() const { return base_vertices_; }
+
+    /// Whether each k-cell belongs to the core.
+    const std::vector<bool>& core(int k) const { return alive_.at(k); }
+
+private:
+    void remove_base_vertices();
+    void remove(int k, Index s);
+    void pair_with_last_face(int k, Index t);
+
+    const CellComplex& complex_;
+    std::vector<Index> base_vertices_;
+    std::vector<std::vector<Pair>> pairs_; // at k + 1: of k-cells
+    std::vector<std::vector<bool>> alive_;
+    std::vector<std::vector<Index>> faces_left_;
+    std::vector<IncidenceMatrix> cofaces_;
+    std::deque<std::pair<int, Index>> queue_;
+};
+
+Coreduction::Coreduction(const CellComplex& complex) : complex_(complex) {
+    const int n = complex.dimension();
+    pairs_.resize(n + 2);
+    cofaces_.resize(n + 1);
+    for (int k = 0; k <= n; ++k) {
+        alive_.emplace_back(complex.size(k), true);
+        complex.boundary(k + 1).swap(cofaces_[k]); // Eigen's matrices cannot be moved
+        auto& count = faces_left_.emplace_back(complex.size(k), 0);
+        for (Index t = 0; t < complex.size(k); ++t)
+            count[t] = complex.incidences(k - 1)[t].size();
+    }
+    remove_base_vertices();
+    for (int k = 1; k <= n; ++k) {
+        pairs_[k].reserve(static_cast<std::size_t>(std::min(complex.size(k - 1), complex.size(k))));
+        for (Index t = 0; t < complex.size(k); ++t)
+            if (faces_left_[k][t] == 1)
+                queue_.emplace_back(k, t);
+    }
+    while (!queue_.empty()) {
+        const auto [k, t] = queue_.front();
+        queue_.pop_front();
+        pair_with_last_face(k, t);
+    }
+    cofaces_.clear();
+}
+
+/// One vertex of each component with a 0-cocycle stands for it. A component has none if an edge
+/// has one end only, as in a complex relative to its boundary, or if signs clash around a loop.
+void Coreduction::remove_base_vertices() {
+    const Incidences& D = complex_.incidences(0);
+    DisjointSets parts(complex_.size(0));
+    std::vector<Index> without_cocycle;
+    for (Index e = 0; e < D.rows(); ++e) {
+        const IncidenceRow ends = D[e];
+        if (ends.size() != 2 || std::abs(ends[0].sign) != std::abs(ends[1].sign)) {
+            for (const SignedFace& v : ends)
+                without_cocycle.push_back(v.face);
+            continue;
+        }
+        const int relative_sign = ends[0].sign == ends[1].sign ? -1 : 1;
+        if (!parts.join(ends[0].face, ends[1].face, relative_sign))
+            without_cocycle.push_back(ends[0].face);
+    }
+
+    std::vector<bool> done(complex_.size(0), false); // at roots
+    for (const Index v : without_cocycle)
+        done[parts.find(v).element] = true;
+    for (Index v = 0; v < complex_.size(0); ++v) {
+        const auto root = parts.find(v).element;
+        if (done[root])
+            continue;
+        done[root] = true;
+        base_vertices_.push_back(v);
+        remove(0, v);
+    }
+}
+
+void Coreduction::remove(int k, Index s) {
+    alive_[k][s] = false;
+    for (IncidenceMatrix::InnerIterator t(cofaces_[k], s); t; ++t) {
+        const auto cell = static_cast<Index>(t.col());
+        if (--faces_left_[k + 1][cell] == 1)
+            queue_.emplace_back(k + 1, cell);
+    }
+}
+
+void Coreduction::pair_with_last_face(int k, Index t) {
+    if (!alive_[k][t] || faces_left_[k][t] != 1)
+        return;
+    for (const auto& [face, sign] : complex_.incidences(k - 1)[t]) {
+        // only an incidence that is invertible over the integers may cancel
+        if (!alive_[k - 1][face] || std::abs(sign) != 1)
+            continue;
+        pairs_[k].push_back({face, t});
+        remove(k - 1, face);
+        remove(k, t);
+        return;
+    }
+}
 
 /// Elimination computes modulo this prime, 2^31 - 1: products of residues fit 64 bits.
 constexpr std::int64_t prime = 2147483647;
