@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <type_traits>
 #include <vector>
 
 namespace polydec {
@@ -18,8 +17,8 @@ void sort_unique(std::vector<Item>& list) {
 }
 
 /// How many items of a sorted list come before one: the place of the first equal to it, if any.
-template <class Item>
-Index place_in(const std::vector<Item>& sorted, const std::type_identity_t<Item>& item) {
+template <class List>
+Index place_in(const List& sorted, const typename List::value_type& item) {
     return static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), item) -
                               sorted.begin());
 }
@@ -37,6 +36,16 @@ std::vector<bool> marks_at(const Numbers& numbers, Eigen::Index count) {
     std::vector<bool> result(count, false);
     for (const Index number : numbers)
         result[number] = true;
+    return result;
+}
+
+/// The numbers of the marks that are set, ascending.
+template <class Marks>
+std::vector<Index> marked(const Marks& marks) {
+    std::vector<Index> result;
+    for (std::size_t number = 0; number < marks.size(); ++number)
+        if (marks[number])
+            result.push_back(static_cast<Index>(number));
     return result;
 }
 

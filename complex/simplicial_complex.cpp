@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "base/lists.h"
 #include "complex/blocks.h"
 #include "complex/faces.h"
 #include "complex/size_estimate.h"
@@ -46,9 +47,7 @@ Used used_vertices(const Simplices& tops) {
         marks[vertex] = 1;
     Used used{static_cast<Index>(std::count(marks.begin(), marks.end(), 1)), {}};
     if (std::size_t(used.count) < marks.size())
-        for (std::size_t v = 0; v < marks.size(); ++v)
-            if (marks[v])
-                used.numbers.push_back(static_cast<Index>(v));
+        used.numbers = marked(marks);
     return used;
 }
 

@@ -2,6 +2,7 @@
 #include "dec/fields/chosen_cells.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "complex/components.h"
 
 #include <fmt/format.h>
@@ -58,14 +59,6 @@ std::string reason_for_none(const Discretization& mesh, Index tag) {
            "use Materials::keep_apart, or MergeCriterion::none";
 }
 
-std::vector<Index> numbers_of(const std::vector<bool>& marks) {
-    std::vector<Index> numbers;
-    for (std::size_t v = 0; v < marks.size(); ++v)
-        if (marks[v])
-            numbers.push_back(static_cast<Index>(v));
-    return numbers;
-}
-
 } // namespace
 
 std::vector<bool> facets_in(const Discretization& mesh, const std::vector<std::string>& groups) {
@@ -97,7 +90,7 @@ BoundaryConditions essential_on(const Discretization& mesh,
 }
 
 std::vector<Index> boundary_vertices(const Discretization& mesh) {
-    auto numbers = numbers_of(boundary_cells(mesh.complex())[0]);
+    auto numbers = marked(boundary_cells(mesh.complex())[0]);
     if (numbers.empty())
         throw InvalidInput(
             "the mesh has no boundary, and so no boundary vertices: choose other vertices");
@@ -114,11 +107,11 @@ std::vector<Index> vertices_on(const Discretization& mesh, const std::vector<std
             if (tag && mesh.tags()[t] == *tag)
                 marks[n][t] = any = true;
         if (!any)
-            for (const Index f : numbers_of(facets_in(mesh, {group})))
+            for (const Index f : marked(facets_in(mesh, {group})))
                 marks[n - 1][f] = true;
     }
     mark_faces(mesh.complex(), marks);
-    return numbers_of(marks[0]);
+    return marked(marks[0]);
 }
 
 } // namespace polydec

@@ -73,11 +73,6 @@ struct RowStore {
     }
 };
 
-Index position(std::span<const Index> ascending, Index item) {
-    return static_cast<Index>(std::lower_bound(ascending.begin(), ascending.end(), item) -
-                              ascending.begin());
-}
-
 /// A full p x p matrix takes p^3 products: for this number of pieces, 20 seconds.
 constexpr std::size_t most_pieces = 2000;
 
@@ -155,14 +150,14 @@ private:
         for (std::size_t r = 0; r < equations.size(); ++r) {
             rows_[j + 1].visit(equations[r], [&](Index upper, double value) {
                 for (const auto& [E, sign] : P_.incidences(j)[upper])
-                    right_side(r, position(cells, E)) += value * sign;
+                    right_side(r, place_in(cells, E)) += value * sign;
             });
             for (const SignedFace& s : K_.incidences(j)[equations[r]])
                 if (is_inside(m, F, j, s.face))
-                    entries.emplace_back(r, position(unknown, s.face), s.sign);
+                    entries.emplace_back(r, place_in(unknown, s.face), s.sign);
                 else
                     rows_[j].visit(s.face, [&](Index E, double value) {
-                        right_side(r, position(cells, E)) -= s.sign * value;
+                        right_side(r, place_in(cells, E)) -= s.sign * value;
                     });
         }
         ColumnMajor D(equations.size(), unknown.size());
@@ -208,7 +203,7 @@ private:
         for (std::size_t i = 0; i < unknown.size(); ++i)
             for (const auto& [s, sign] : K_.incidences(j - 1)[unknown[i]])
                 if (is_inside(m, F, j - 1, s))
-                    D(i, position(free, s)) = sign;
+                    D(i, place_in(free, s)) = sign;
 
         if (j == K_.dimension() - 1 && !geometry_.flat().empty())
             equate_densities(m, F, cells, D, x);
@@ -227,15 +222,15 @@ private:
             for (std::size_t a = 0; a < faces.size(); ++a) {
                 if (!is_inside(m, F, j, faces[a]))
                     continue;
-                const Index row = position(unknown, faces[a]);
+                const Index row = place_in(unknown, faces[a]);
                 for (std::size_t b = 0; b < faces.size(); ++b) {
                     if (is_inside(m, F, j, faces[b])) {
-                        const Index column = position(unknown, faces[b]);
+                        const Index column = place_in(unknown, faces[b]);
                         W(row, column) += mass(a, b);
                         force.row(row) += mass(a, b) * x.row(column);
                     } else {
                         rows_[j].visit(faces[b], [&](Index E, double value) {
-                            force(row, position(cells, E)) += mass(a, b) * value;
+                            force(row, place_in(cells, E)) += mass(a, b) * value;
                         });
                     }
                 }
@@ -275,10 +270,10 @@ private:
                 Vector& right_side = right_sides.emplace_back(Vector::Zero(std::ssize(cells)));
                 const auto add = [&](Index facet, double factor) {
                     if (is_inside(m, F, m - 1, facet))
-                        row[position(unknown, facet)] += factor;
+                        row[place_in(unknown, facet)] += factor;
                     else
                         rows_[m - 1].visit(facet, [&](Index E, double value) {
-                            right_side[position(cells, E)] -= factor * value;
+                            right_side[place_in(cells, E)] -= factor * value;
                         });
                 };
                 add(K_.face(m, piece, i), 1);

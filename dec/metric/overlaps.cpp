@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/decompositions.h"
+#include "base/lists.h"
 #include "base/parallel.h"
 #include "complex/disjoint_sets.h"
 #include "dec/metric/angle_sums.h"
@@ -129,11 +130,7 @@ std::vector<Index> find_wound(const Pieces& complex, const Points& points,
         if (angles[s] > turn)
             for (const Index v : complex.simplices(n - 2).row(s))
                 found[v] = !left_out[v];
-    std::vector<Index> result;
-    for (Index v = 0; v < points.rows(); ++v)
-        if (found[v])
-            result.push_back(v);
-    return result;
+    return marked(found);
 }
 
 } // namespace
