@@ -81,10 +81,6 @@ private:
 using Vector = Column<double>;
 using DenseMatrix = Eigen::MatrixXd;
 
-/// Matrix types with a dynamic number of columns: several vectors at once.
-template <class Matrix>
-concept SeveralColumns = Matrix::ColsAtCompileTime == Eigen::Dynamic;
-
 /// Operators: real, compressed sparse rows.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, Index>;
 

@@ -96,12 +96,15 @@ SparseMatrix inclusion(const std::vector<Index>& cells, Index size) {
     return result;
 }
 
-RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& dropped) {
-    return relative_complex(complex, dropped, no_marks(complex));
+SparseMatrix RelativeComplex::block(int k, const SparseMatrix& of_whole) const {
+    const SparseMatrix kept = inclusion(cells[k], whole_sizes[k]);
+    return SparseMatrix(kept.transpose()) * of_whole * kept;
 }
 
 RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& closed,
                                  const CellMarks& open) {
+    if (open.empty())
+        return relative_complex(complex, closed, no_marks(complex));
     check_closed(complex, closed);
     check_open(complex, open);
     const int n = complex.dimension();

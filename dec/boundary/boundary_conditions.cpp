@@ -188,32 +188,22 @@ BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coeffic
     return conditions;
 }
 
-CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions) {
-    check_facets(complex, conditions);
-    if (!conditions.fixed_vertices.empty())
-        throw InvalidInput("values are given at vertices, which only primal 0-forms support: give "
-                           "values of other forms on boundary facets");
-    const int n = complex.dimension();
-    CellMarks marks = no_marks(complex);
-    for (const BoundaryFacet& on : boundary_facets(complex))
-        marks[n - 1][on.facet] = conditions.at(on.facet) == BoundaryCondition::essential;
-    mark_faces(complex, marks);
-    return marks;
-}
-
 CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions,
                           Side side, int degree) {
-    if (side == Side::dual)
-        return essential_cells(complex, exchanged(conditions));
-    auto on_facets = conditions;
-    if (degree == 0)
-        on_facets.fixed_vertices = {};
-    auto marks = essential_cells(complex, on_facets);
-    if (degree > 0 || conditions.fixed_vertices.empty())
-        return marks;
-    check_as_many("marks of fixed vertices", std::ssize(conditions.fixed_vertices),
-                  complex.size(0));
-    for (Index v = 0; v < complex.size(0); ++v)
+    check_facets(complex, conditions);
+    const auto vertices = static_cast<Index>(conditions.fixed_vertices.size());
+    if (vertices > 0 && (side == Side::dual || degree > 0))
+        throw InvalidInput("values are given at vertices, which only primal 0-forms support: give "
+                           "values of other forms on boundary facets");
+    const BoundaryConditions on_facets = side == Side::primal ? conditions : exchanged(conditions);
+    CellMarks marks = no_marks(complex);
+    for (const BoundaryFacet& on : boundary_facets(complex))
+        marks[complex.dimension() - 1][on.facet] =
+            on_facets.at(on.facet) == BoundaryCondition::essential;
+    mark_faces(complex, marks);
+    if (vertices > 0)
+        check_as_many("marks of fixed vertices", vertices, complex.size(0));
+    for (Index v = 0; v < vertices; ++v)
         marks[0][v] = marks[0][v] || conditions.fixed_vertices[v];
     return marks;
 }
@@ -236,12 +226,9 @@ CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes&
 
 HodgeStars relative_stars(const RelativeComplex& relative, const HodgeStars& stars) {
     HodgeStars result = relative_volumes(relative, stars.volumes());
-    for (int k = 0; k <= stars.dimension(); ++k) {
-        if (stars[k].is_diagonal())
-            continue;
-        const SparseMatrix kept = inclusion(relative.cells[k], relative.whole_sizes[k]);
-        result = result.with(k, SparseMatrix(kept.transpose()) * stars[k].matrix() * kept);
-    }
+    for (int k = 0; k <= stars.dimension(); ++k)
+        if (!stars[k].is_diagonal())
+            result = result.with(k, relative.block(k, stars[k].matrix()));
     return result;
 }
 

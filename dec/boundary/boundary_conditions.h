@@ -113,17 +113,15 @@ void require_facets(const std::string& what, bool is_used, std::int64_t facets,
 /// The conditions with Robin's in place of natural.
 BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coefficient);
 
-/// Marks the cells on which essential conditions fix primal forms: essential boundary facets and
-/// all their faces, in every degree. A complex relative to these cells carries the forms that
-/// vanish there; without marks, relative_complex is the absolute complex, natural everywhere.
-/// Throws InvalidInput for fixed vertices, and unless conditions are uniform or one per facet.
-CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions);
-
-/// The same for forms of one side and degree: for dual forms the conditions are exchanged first,
-/// and for primal 0-forms fixed vertices are included. Throws InvalidInput for fixed vertices with
-/// other forms, and for a wrong number of marks.
+/// Marks the cells on which essential conditions fix forms of one side and degree (by default,
+/// primal forms that are no functions): essential boundary facets and all their faces, in every
+/// degree. For dual forms the conditions are exchanged first; for primal 0-forms fixed vertices are
+/// included. A complex relative to these cells carries the forms that vanish there; without marks,
+/// relative_complex is the absolute complex, natural everywhere. Throws InvalidInput for fixed
+/// vertices with other forms, for a wrong number of marks, and unless conditions are uniform or one
+/// per facet.
 CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions,
-                          Side side, int degree);
+                          Side side = Side::primal, int degree = 1);
 
 /// Volumes of the cells of a relative complex. With them, every operator of a complex and its
 /// volumes acts on forms that vanish on the dropped cells. Errors name cells by their numbers in

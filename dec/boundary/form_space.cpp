@@ -155,17 +155,13 @@ const RelativeComplex& FormSpace::relative() const& {
         [&] { return relative_complex(parts_->cells.complex(), fixed(), on_the_boundary()); });
 }
 
-SparseMatrix FormSpace::free_part(int k, const SparseMatrix& of_all) const {
-    const SparseMatrix P = inclusion(relative().cells[k], relative().whole_sizes[k]);
-    return P.transpose() * of_all * P;
-}
-
 Cells FormSpace::inside() const {
     return parts_->inside.get([&] {
         HodgeStars stars = relative_stars(relative(), parts_->cells.stars());
         const int below = cell_degree() - 1;
         if (robin_layer().size() > 0)
-            stars = stars.with(below, with_layer(stars[below], free_part(below, robin_layer())));
+            stars =
+                stars.with(below, with_layer(stars[below], relative().block(below, robin_layer())));
         return Cells(relative().complex, stars, parts_->cells.unit());
     });
 }
@@ -188,7 +184,8 @@ const SparseMatrix& FormSpace::robin_layer() const& {
 }
 
 SparseMatrix FormSpace::free_robin_weights() const {
-    return robin_weights().size() > 0 ? free_part(cell_degree(), robin_weights()) : SparseMatrix();
+    return robin_weights().size() > 0 ? relative().block(cell_degree(), robin_weights())
+                                      : SparseMatrix();
 }
 
 Operator FormSpace::stiffness() const {

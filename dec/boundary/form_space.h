@@ -135,7 +135,6 @@ private:
     explicit FormSpace(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
 
     const CellMarks& on_the_boundary() const;
-    SparseMatrix free_part(int k, const SparseMatrix& of_all) const;
 
     Shared<const Parts> parts_;
 };
