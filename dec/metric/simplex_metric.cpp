@@ -9,7 +9,6 @@
 #include "meshes/distance.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -26,15 +25,6 @@ constexpr double few_last_digits = 16 * std::numeric_limits<double>::epsilon();
 
 /// Squares of lengths, and products of a few of them, must neither overflow nor underflow.
 constexpr double largest_length = 1e100;
-
-/// The lengths of the edges of a triangle, the largest last.
-std::array<double, 3> sorted_lengths(const Pieces& complex, const Vector& lengths, Index s) {
-    std::array<double, 3> sides{};
-    for (int i = 0; i < 3; ++i)
-        sides[i] = lengths[complex.face(2, s, i)];
-    std::sort(sides.begin(), sides.end());
-    return sides;
-}
 
 } // namespace
 
@@ -167,24 +157,6 @@ Vector edge_lengths(const Pieces& complex, const Points& points) {
     for (Index e = 0; e < edges.rows(); ++e)
         lengths[e] = distance(points, edges(e, 0), edges(e, 1));
     return lengths;
-}
-
-std::string flaw_of_lengths(const Pieces& complex, const SimplexMetric& metric, int k, Index s) {
-    const auto list = complex.vertex_numbers(k, s);
-    const auto name = fmt::format("{}-simplex {} with vertices {}", k, s, fmt::join(list, ", "));
-    if (constexpr int triangle = 2; k == triangle) {
-        const auto [a, b, c] = sorted_lengths(complex, *metric.lengths(), s);
-        if (c > a + b)
-            return fmt::format("the lengths of {} violate the triangle inequality: {} is more than "
-                               "{} + {}; correct the lengths",
-                               name, c, a, b);
-        return fmt::format(
-            "the lengths of {}, {}, {} and {}, leave it no area; correct the lengths", name, a, b,
-            c);
-    }
-    return fmt::format("the lengths of {} leave it no volume: the products of its edges are not "
-                       "positive definite; correct the lengths",
-                       name);
 }
 
 Points vertex_points(const Pieces& complex, const Points& by_number) {

@@ -55,9 +55,6 @@ private:
 /// Lengths of the 1-simplices between points. Size size(1). Throws like require_points.
 Vector edge_lengths(const Pieces& complex, const Points& points);
 
-/// Explains why k-simplex s, whose faces all exist, cannot have its given lengths.
-std::string flaw_of_lengths(const Pieces& complex, const SimplexMetric& metric, int k, Index s);
-
 /// Points of the vertices of a complex, from a table with one row per vertex number. Throws
 /// InvalidInput if the table has too few rows.
 Points vertex_points(const Pieces& complex, const Points& by_number);

@@ -9,6 +9,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 namespace polydec {
 
@@ -26,6 +28,34 @@ void check_points(const Pieces& complex, const Points& points) {
             throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite",
                                            complex.vertex_number(v)),
                                {.vertices = {complex.vertex_number(v)}});
+}
+
+/// The lengths of the edges of a triangle, the largest last.
+std::array<double, 3> sorted_lengths(const Pieces& complex, const Vector& lengths, Index s) {
+    std::array<double, 3> sides{};
+    for (int i = 0; i < 3; ++i)
+        sides[i] = lengths[complex.face(2, s, i)];
+    std::sort(sides.begin(), sides.end());
+    return sides;
+}
+
+/// Explains why k-simplex s, whose faces all exist, cannot have its given lengths.
+std::string flaw_of_lengths(const Pieces& complex, const SimplexMetric& metric, int k, Index s) {
+    const auto list = complex.vertex_numbers(k, s);
+    const auto name = fmt::format("{}-simplex {} with vertices {}", k, s, fmt::join(list, ", "));
+    if (constexpr int triangle = 2; k == triangle) {
+        const auto [a, b, c] = sorted_lengths(complex, *metric.lengths(), s);
+        if (c > a + b)
+            return fmt::format("the lengths of {} violate the triangle inequality: {} is more than "
+                               "{} + {}; correct the lengths",
+                               name, c, a, b);
+        return fmt::format(
+            "the lengths of {}, {}, {} and {}, leave it no area; correct the lengths", name, a, b,
+            c);
+    }
+    return fmt::format("the lengths of {} leave it no volume: the products of its edges are not "
+                       "positive definite; correct the lengths",
+                       name);
 }
 
 } // namespace
