@@ -56,25 +56,23 @@ public:
 
     /// |*E| from good cells only, over |E|.
     Vector edge_star() const {
-        Vector sums = Vector::Zero(parts_[1].cols());
-        for (Index t = 0; t < parts_[1].rows(); ++t)
-            for (Entry part(parts_[1], t); part; ++part)
-                if (!bad_[t])
-                    sums[part.col()] += part.value();
         const Vector& lengths = cells_.volumes().primal(1);
-        return sums.cwiseQuotient(lengths).cwiseQuotient(lengths);
+        const SparseMatrix none(parts_[1].rows(), parts_[1].cols());
+        return sums(parts_[1], none).cwiseQuotient(lengths).cwiseQuotient(lengths);
     }
 
     /// For vertices: circumcentric in good cells, a third of each triangle in bad cells.
-    Vector vertex_duals() const {
-        Vector sums = Vector::Zero(parts_[0].cols());
-        for (Index t = 0; t < parts_[0].rows(); ++t)
-            for (Entry part(bad_[t] ? thirds_ : parts_[0], t); part; ++part)
-                sums[part.col()] += part.value();
-        return sums;
-    }
+    Vector vertex_duals() const { return sums(parts_[0], thirds_); }
 
 private:
+    Vector sums(const SparseMatrix& of_good, const SparseMatrix& of_bad) const {
+        Vector result = Vector::Zero(of_good.cols());
+        for (Index t = 0; t < of_good.rows(); ++t)
+            for (Entry part(bad_[t] ? of_bad : of_good, t); part; ++part)
+                result[part.col()] += part.value();
+        return result;
+    }
+
     bool add(Index t) {
         const bool is_new = !bad_[t];
         bad_[t] = true;
