@@ -59,9 +59,9 @@ Contraction::Contraction(const Pieces& complex, const PlacedSimplices& places, i
       on_boundary_(boundary_cells(complex)[k - 1]) {
     const int n = complex.dimension();
     const auto N = places.points.cols();
-    const auto faces = SimplexFaces(complex, n, k - 1).positions();
+    SimplexFaces faces(complex, n, k - 1);
     const SimplexFaces cofaces(complex, n, k);
-    for (const auto& face : faces)
+    for (const auto& face : faces.positions())
         extensions_.push_back(extensions_of(face, cofaces.positions()));
     gradients_.resize(Eigen::Index{complex.size(n)} * (n + 1), N);
     normals_.resize(complex.size(n) * N, N - n);
@@ -73,9 +73,10 @@ Contraction::Contraction(const Pieces& complex, const PlacedSimplices& places, i
         plane.leftCols(n) = gradients.bottomRows(n).transpose();
         normals_.middleRows(t * N, N) = orthonormal_columns(plane).rightCols(N - n);
     }
-    all_ = with_volumes({DenseMatrix::Zero(complex.size(n), std::ssize(faces)),
-                         Vector::Zero(complex.size(k - 1)),
-                         {}});
+    around_ = Vector::Zero(complex.size(k - 1));
+    for (Index t = 0; t < complex.size(n); ++t)
+        for (const Index s : faces.of(t))
+            around_[s] += volumes_[t];
 }
 
 std::vector<Contraction::Extension>
@@ -94,7 +95,9 @@ Contraction::extensions_of(const std::vector<int>& face,
 
 Contraction::Nearest Contraction::nearest(const Points& field) const {
     const auto N = field.cols();
-    Nearest result{0 * all_.distance.array() + infinity, 0 * all_.least.array() + infinity, {}};
+    SimplexFaces faces(complex_, complex_.dimension(), k_ - 1);
+    Nearest result{DenseMatrix::Constant(volumes_.size(), std::ssize(extensions_), infinity),
+                   Vector::Constant(around_.size(), infinity), Vector::Zero(around_.size())};
     for (const bool outside : {false, true})
         visit_faces(
             field,
@@ -120,19 +123,13 @@ Contraction::Nearest Contraction::nearest(const Points& field) const {
                 distance = std::hypot(beside, distance_from_cone(gradients, v));
                 least = std::min(least, distance);
             });
-    return with_volumes(std::move(result));
-}
-
-Contraction::Nearest Contraction::with_volumes(Nearest nearest) const {
-    SimplexFaces faces(complex_, complex_.dimension(), k_ - 1);
-    nearest.volume = Vector::Zero(nearest.least.size());
-    for (Index t = 0; t < nearest.distance.rows(); ++t) {
+    for (Index t = 0; t < volumes_.size(); ++t) {
         const auto& list = faces.of(t);
         for (Index i = 0; i < std::ssize(list); ++i)
-            if (nearest.has(t, i, list[i]))
-                nearest.volume[list[i]] += volumes_[t];
+            if (result.has(t, i, list[i]))
+                result.volume[list[i]] += volumes_[t];
     }
-    return nearest;
+    return result;
 }
 
 } // namespace polydec

@@ -85,11 +85,12 @@ private:
     /// shares are in proportion to their volumes and sum to 1.
     template <class Visit>
     void visit_samples(const Points& field, Sampling sampling, Visit visit) const {
-        const Nearest upwind = sampling == Sampling::upwind ? nearest(field) : Nearest();
-        const Nearest& samples = sampling == Sampling::upwind ? upwind : all_;
+        const bool is_upwind = sampling == Sampling::upwind;
+        const Nearest samples = is_upwind ? nearest(field) : Nearest();
+        const Vector& around = is_upwind ? samples.volume : around_;
         visit_faces(
-            field, [&](Index t, Index i, Index s) { return samples.has(t, i, s); },
-            [&](const Place& at) { visit(at, volumes_[at.t] / samples.volume[at.s]); });
+            field, [&](Index t, Index i, Index s) { return !is_upwind || samples.has(t, i, s); },
+            [&](const Place& at) { visit(at, volumes_[at.t] / around[at.s]); });
     }
 
     /// Calls visit(place) for the (k-1)-faces of the n-simplices where wanted(t, i, s).
@@ -130,16 +131,13 @@ private:
     /// and beside one that contains it.
     Nearest nearest(const Points& field) const;
 
-    /// The same with the volumes at the least distances.
-    Nearest with_volumes(Nearest nearest) const;
-
     Pieces complex_;
     int k_;
     std::vector<std::vector<Extension>> extensions_; // by face of the n-simplex
     Points gradients_;                               // n + 1 rows for each n-simplex
     Points normals_;                                 // N rows, in columns
     Vector volumes_;                                 // of n-simplices
-    Nearest all_;                                    // at the same distance
+    Vector around_;                                  // sums of these around each face
     std::vector<bool> on_boundary_;                  // of faces
 };
 

@@ -308,7 +308,7 @@ MUTANTS = {
                                           "Family/DeRham.of_a_constant_is_the_constant_on_duals_if_the_star_of_n_cells_is_a_matrix/grid4"),
     "upwind_by_depth": ("dec/fields/contraction.cpp", "std::hypot(beside, distance_from_cone(gradients, v))", "std::hypot(beside, behind)",
                         "InteriorProductsUpwind.take_the_simplices_nearest_to_the_opposite_of_the_field"),
-    "equally_near_simplices_added": ("dec/fields/contraction.cpp", "nearest.volume[list[i]] += volumes_[t];", "nearest.volume[list[i]] = volumes_[t];",
+    "equally_near_simplices_added": ("dec/fields/contraction.cpp", "result.volume[list[i]] += volumes_[t];", "result.volume[list[i]] = volumes_[t];",
                                      "InteriorProductsUpwind.take_the_simplices_nearest_to_the_opposite_of_the_field"),
     "stiffness_in_the_unit": ("dec/forms/laplacian.cpp", "in_input_units(result, cells.unit(),", "in_input_units(result, 1,",
                               "InputUnits.are_those_of_the_stiffness_wherever_double_precision_holds_it"),
