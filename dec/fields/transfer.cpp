@@ -114,14 +114,14 @@ SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& 
 
 Cochain to_merged(const Discretization& discretization, const Cochain& form) {
     check(discretization.input(), form);
-    const FormKind kind{form.side, form.degree};
-    const Vector values = form.side == Side::primal
-                              ? Vector(discretization.passage().forth(form.degree, form.values))
-                              : Vector(forth(discretization, kind) * form.values);
-    if (form.side == Side::primal || discretization.passage().is_identity())
-        return {form.side, form.degree, merged_from(discretization, kind) * values};
-    const auto& lift = discretization.merged().lift()[discretization.dimension() - form.degree];
-    return {form.side, form.degree, lift.transpose() * values};
+    const auto& [side, degree, values] = form;
+    if (discretization.passage().is_identity())
+        return on_cells(discretization, form);
+    if (side == Side::primal)
+        return on_cells(discretization,
+                        {side, degree, discretization.passage().forth(degree, values)});
+    const auto& lift = discretization.merged().lift()[discretization.dimension() - degree];
+    return {side, degree, lift.transpose() * (forth(discretization, {side, degree}) * values)};
 }
 
 Cochain on_pieces(const Discretization& mesh, const Cochain& form) {

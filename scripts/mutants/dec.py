@@ -273,8 +273,9 @@ MUTANTS = {
     "robin_in_the_unit_of_the_mesh": ("dec/boundary/form_space.cpp", "coefficient *= cells.unit();",
                                       "coefficient *= 1;",
                                       "Family/AtAllSizes.weights_of_robins_condition_are_in_their_units/kuhn1d"),
-    "means_after_flips": ("dec/fields/transfer.cpp", "if (form.side == Side::primal || discretization.passage().is_identity())",
-                          "if (true)",
+    "means_after_flips": ("dec/fields/transfer.cpp", "    const auto& lift = discretization.merged().lift()[discretization.dimension() - degree];\n"
+                          "    return {side, degree, lift.transpose()",
+                          "    return {side, degree, merged_from(discretization, {side, degree})",
                           "OnASquashedTorus.dual_forms_are_merged_by_transposed_maps"),
     "robin_marks_ignored": ("dec/boundary/boundary_conditions.cpp",
                             "            result.coefficients[f] = coefficient;\n", "",
