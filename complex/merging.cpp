@@ -89,9 +89,6 @@ Coboundary merge_degree(const Pieces& complex, const std::vector<Merging::Carrie
 
 } // namespace
 
-Merging::Merging(Pieces pieces, Blocks blocks)
-    : Merging(of_blocks(std::move(pieces), std::move(blocks))) {}
-
 Merging::Merging(Pieces pieces, CellComplex merged, std::vector<std::vector<Carrier>> carriers,
                  std::vector<IncidenceMatrix> diamonds)
     : pieces_(std::move(pieces)),
@@ -99,8 +96,8 @@ Merging::Merging(Pieces pieces, CellComplex merged, std::vector<std::vector<Carr
       maps_(std::make_shared<Lazy<Maps>>(Maps{std::move(carriers), std::move(diamonds)})),
       merged_(std::move(merged)) {}
 
-Merging Merging::of_blocks(Pieces pieces, Blocks blocks) {
-    const int n = pieces.dimension();
+Merging::Merging(Pieces pieces, Blocks blocks) : Merging(std::move(pieces)) {
+    const int n = pieces_.dimension();
     Carriers carriers = std::move(blocks.carriers);
     std::vector<IncidenceMatrix> diamonds(carriers.size());
     std::vector<Coboundary> coboundaries;
@@ -110,10 +107,10 @@ Merging Merging::of_blocks(Pieces pieces, Blocks blocks) {
         diamonds[k].swap(diamond);
         if (k < n)
             coboundaries.insert(coboundaries.begin(),
-                                merge_degree(pieces, carriers[k], numbered, diamonds[k + 1], k));
+                                merge_degree(pieces_, carriers[k], numbered, diamonds[k + 1], k));
     }
-    const CellComplex merged(CellComplex::Unchecked{}, std::move(coboundaries));
-    return {std::move(pieces), merged, std::move(carriers), std::move(diamonds)};
+    *this = Merging(pieces_, CellComplex(CellComplex::Unchecked{}, std::move(coboundaries)),
+                    std::move(carriers), std::move(diamonds));
 }
 
 std::vector<Index> Merging::vertices(int k, Index cell) const {

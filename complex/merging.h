@@ -52,8 +52,6 @@ public:
         return maps().diamonds[k];
     }
     IncidenceMatrix diamond(int k) && { return diamond(k); }
-    const std::vector<IncidenceMatrix>& diamonds() const& { return maps().diamonds; }
-    std::vector<IncidenceMatrix> diamonds() && { return diamonds(); }
 
     /// The pieces of k-cell F, ascending. For inner loops: the cell is not checked.
     std::span<const Index> pieces_of(int k, Index cell) const& {
@@ -78,7 +76,6 @@ private:
     const Maps& maps() const {
         return maps_->get([this] { return identity(); });
     }
-    static Merging of_blocks(Pieces pieces, Blocks blocks);
     Maps identity() const;
 
     Pieces pieces_;
@@ -86,10 +83,6 @@ private:
     Shared<const Lazy<Maps>> maps_;
     CellComplex merged_;
 };
-
-inline Merging unmerged(Pieces complex) {
-    return Merging(std::move(complex));
-}
 
 /// The corners of a merged 2-cell in the order of its boundary, as vertex numbers, starting with
 /// the smallest edge. A cell glued to itself passes some corners twice. Any dimension n >= 2; time

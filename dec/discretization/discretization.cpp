@@ -268,7 +268,7 @@ Discretization::Discretization(Parts parts)
 
 Discretization Discretization::with_volumes(const CellVolumes& volumes) const {
     Parts parts = *parts_;
-    parts.merged = merged().with_volumes(volumes);
+    parts.merged = {merging(), geometry(), volumes};
     return Discretization(std::move(parts)).with_stars({volumes, StarKind::circumcentric});
 }
 
@@ -328,7 +328,7 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Pro
         complex, std::move(mesh), points, metric_in_plane(complex, points), std::move(isolated),
         unit,    std::move(flat)};
     if (!can_do_with_flat_cells(given, options))
-        refuse_flat_cells(given, unmerged(complex));
+        refuse_flat_cells(given, Merging(complex));
     if (options.delaunay != Delaunay::off)
         given.flat = {};
     return measured(std::move(given), options, stage);

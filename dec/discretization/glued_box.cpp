@@ -49,7 +49,7 @@ template <class Onto>
 Merging cut_cells(const SimplicialComplex& box, const Merging& glued, Onto onto) {
     const int n = box.dimension();
     if (glued.is_identity())
-        return unmerged(box);
+        return Merging(box);
     const auto dimension_of_cell = [&](int k, Index s) {
         return glued.carriers(k)[onto(k, s)].dimension;
     };
@@ -59,7 +59,7 @@ Merging cut_cells(const SimplicialComplex& box, const Merging& glued, Onto onto)
     const Blocks blocks = join_blocks(box, removed, [&](int k, Index s, Index, Index) {
         return dimension_of_cell(k - 1, s) == k;
     });
-    return inadmissible_blocks(box, blocks).empty() ? Merging(box, blocks) : unmerged(box);
+    return inadmissible_blocks(box, blocks).empty() ? Merging(box, blocks) : Merging(box);
 }
 
 /// The box with these cells, measured between its points.

@@ -47,7 +47,7 @@ View view(const Discretization& mesh, Stage stage) {
     const Geometry& given = mesh.input_geometry();
     const Geometry by_lengths(given.pieces(), {given.pieces(), given.volumes().primal(1)},
                               given.volumes());
-    return {unmerged(given.pieces()), given.volumes(),
+    return {Merging(given.pieces()), given.volumes(),
             facet_defects(by_lengths, mesh.options()).degenerate, true};
 }
 

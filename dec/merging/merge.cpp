@@ -154,7 +154,7 @@ CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOption
     const auto defects = facet_defects(geometry, options);
     if (options.criterion == MergeCriterion::none ||
         (defects.degenerate.interior == 0 && defects.flat.empty()))
-        return {unmerged(complex), defects.degenerate, 0, geometry};
+        return {Merging(complex), defects.degenerate, 0, geometry};
 
     CellMarks kept = no_marks(complex); // that must not be removed
     if (!facets.stay.empty())
@@ -166,10 +166,10 @@ CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOption
         TopCells cells = choice.cells(kept[n - 1]);
         const auto& removed = cells.removed;
         if (std::find(removed.begin(), removed.end(), true) == removed.end())
-            return {unmerged(complex), defects.degenerate, rounds, geometry};
+            return {Merging(complex), defects.degenerate, rounds, geometry};
         const Centers centers = choice.centers(cells);
         const Geometry shared =
-            centers.are_circumcenters() ? geometry : geometry.with_centers(centers);
+            centers.are_circumcenters() ? geometry : Geometry(complex, geometry.metric(), centers);
         StraightnessTest test(shared, spread_limit * options.tolerance, options.tolerance);
         const auto straight = [&](int k, Index s, Index f, Index g) {
             const bool are_alike =

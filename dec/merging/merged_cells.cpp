@@ -18,12 +18,6 @@ MergedCells::MergedCells(const Merging& merging, const Geometry& geometry,
     check_fit(merging.merged(), volumes);
 }
 
-MergedCells MergedCells::with_volumes(const CellVolumes& volumes) const {
-    MergedCells result(merging_, geometry_, volumes);
-    result.lift_ = lift_;
-    return result;
-}
-
 const std::vector<SparseMatrix>& MergedCells::lift() const& {
     return lift_->get([this] { return commuting_lift(merging_, geometry_); });
 }
@@ -63,24 +57,21 @@ CellVolumes volumes_of(const std::vector<std::vector<PieceSum>>& sums) {
     return CellVolumes(std::move(degrees));
 }
 
-CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const CellVolumes& input) {
+CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input) {
+    if (merging.is_identity())
+        return input;
     std::vector<CellVolumes::Degree> degrees;
-    for (int k = 0; k < std::ssize(diamonds); ++k) {
-        const Index* const begins = diamonds[k].outerIndexPtr();
-        const Index* const pieces = diamonds[k].innerIndexPtr();
+    for (int k = 0; k <= merging.merged().dimension(); ++k) {
+        const IncidenceMatrix& diamond = merging.diamond(k);
         const CellVolumes::Degree& of_pieces = input.degree(k);
-        degrees.push_back(volumes_from(static_cast<Index>(diamonds[k].rows()), [&](Index cell) {
+        degrees.push_back(volumes_from(static_cast<Index>(diamond.rows()), [&](Index cell) {
             PieceSum sum;
-            for (Index i = begins[cell]; i < begins[cell + 1]; ++i)
-                sum.add(of_pieces, pieces[i]);
+            for (IncidenceMatrix::InnerIterator piece(diamond, cell); piece; ++piece)
+                sum.add(of_pieces, static_cast<Index>(piece.col()));
             return sum;
         }));
     }
     return CellVolumes(std::move(degrees));
-}
-
-CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input) {
-    return merging.is_identity() ? input : merged_volumes(merging.diamonds(), input);
 }
 
 } // namespace polydec

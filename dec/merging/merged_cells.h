@@ -7,7 +7,6 @@
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/geometry.h"
 
-#include <span>
 #include <vector>
 
 namespace polydec {
@@ -29,9 +28,6 @@ public:
     Merging merging() && { return merging(); }
     const Geometry& geometry() const& { return geometry_; }
     Geometry geometry() && { return geometry(); }
-
-    /// The same with other volumes of the cells. Throws like the constructor.
-    MergedCells with_volumes(const CellVolumes& volumes) const;
 
     /// The lift of forms on the cells to the pieces (see commuting_lift); computed on first use,
     /// once for all copies.
@@ -70,9 +66,7 @@ struct PieceSum {
 /// Volumes of cells of degrees 0..n from these sums.
 CellVolumes volumes_of(const std::vector<std::vector<PieceSum>>& sums);
 
-/// Volumes of merged cells: |F| = sum |s| over the pieces, |*F| = (sum |s||*s|) / |F|. `diamonds`
-/// lists the pieces for degrees 0..n.
-CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const CellVolumes& input);
+/// Volumes of merged cells: |F| = sum |s| over the pieces, |*F| = (sum |s||*s|) / |F|.
 CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input);
 
 } // namespace polydec

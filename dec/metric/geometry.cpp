@@ -29,8 +29,4 @@ Geometry::Geometry(const Pieces& pieces, const SimplexMetric& metric, const Cell
                       pieces.size(pieces.dimension()));
 }
 
-Geometry Geometry::with_centers(const Centers& centers) const {
-    return {pieces_, metric_, dual_volumes(pieces_, metric_, centers), centers, *flat_};
-}
-
 } // namespace polydec

@@ -46,9 +46,6 @@ public:
     std::vector<bool> flat() && { return flat(); }
     bool is_flat(Index t) const { return !flat_->empty() && (*flat_)[t]; }
 
-    /// The same simplices with duals between other centers. Throws like dual_volumes.
-    Geometry with_centers(const Centers& centers) const;
-
     /// The same with other marks.
     Geometry with_flat(std::vector<bool> flat) const {
         return {pieces_, metric_, volumes_, centers_, std::move(flat)};

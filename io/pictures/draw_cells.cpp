@@ -179,7 +179,7 @@ void add_cochain(VtuGrid& grid, const CellComplex& complex, int k, std::string n
 
 Merging drawn_cells(const Discretization& given) {
     const Discretization& mesh = placed(given);
-    return mesh.passage().is_identity() ? mesh.merging() : unmerged(mesh.input());
+    return mesh.passage().is_identity() ? mesh.merging() : Merging(mesh.input());
 }
 
 VtuGrid draw_cells(const Discretization& given, int k) {

@@ -214,7 +214,7 @@ TEST(Blocks, need_straightness_below_the_top) {
 TEST(Unmerged, leaves_every_simplex_a_cell) {
     for (const auto& [name, mesh] : meshes()) {
         const SimplicialComplex K(mesh.simplices);
-        const Merging merging = unmerged(K);
+        const Merging merging(K);
         for (int k = 0; k <= K.dimension(); ++k) {
             EXPECT_TRUE(equal(integers(merging.merged().coboundary(k)), integers(K.coboundary(k))))
                 << name;

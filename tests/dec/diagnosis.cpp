@@ -46,7 +46,7 @@ TEST_P(KindsOf, cospherical_pairs_are_those_that_merge_unless_a_guard_forbids) {
     // each cell of P that has m pieces takes at least m - 1 facets away
     EXPECT_GE(merged.facets, m.K().size(m.n()) - m.P().size(m.n()));
     EXPECT_GE(merged.simplices, 2 * (merged.facets > 0));
-    const auto none = merged_pairs(unmerged(m.K()));
+    const auto none = merged_pairs(Merging(m.K()));
     EXPECT_EQ(none.facets, 0);
     EXPECT_EQ(none.simplices, 0);
 }

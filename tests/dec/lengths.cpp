@@ -91,7 +91,7 @@ Discretization measured(const SimplicialComplex& K, const SimplexMetric& metric,
     const Geometry geometry(K, metric, volumes);
     return Discretization({.input = geometry,
                            .passage = Passage(K),
-                           .merged = {unmerged(K), geometry, volumes},
+                           .merged = {Merging(K), geometry, volumes},
                            .input_points = std::make_shared<const Points>(K.size(0), 0),
                            .options = {.star = StarKind::circumcentric}});
 }

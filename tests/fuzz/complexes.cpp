@@ -62,7 +62,7 @@ void complex(std::string_view bytes) {
     require_topology(*complex);
     require_cycles(*complex);
     require_topology(relative_to_boundary(*complex).complex);
-    require_topology(unmerged(*complex).merged());
+    require_topology(Merging(*complex).merged());
     accepts([&] {
         const GluedSurface surface(*complex);
         const Pieces cells = in_order(surface, std::vector<Index>(surface.vertices())).pieces;

@@ -68,7 +68,7 @@ void ask_of_merged_cells(const Asking& ask, const Sample& s, int k) {
                    !cell_vertices(s.mesh, in.degree(k), 0).empty());
     });
     ask("unmerged",
-        [&](Inputs&) { return fit(unmerged(s.pieces()).merged().size(k) == s.pieces().size(k)); });
+        [&](Inputs&) { return fit(Merging(s.pieces()).merged().size(k) == s.pieces().size(k)); });
     ask("join_blocks", [&](Inputs& in) {
         const auto facets = in.list<bool>(s.pieces().size(n - 1), true);
         const auto blocks =
