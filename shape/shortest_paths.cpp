@@ -20,16 +20,15 @@ using Place = Eigen::Vector2d;
 
 /// Where the straight line from a point to the place of a window crosses its side, or the nearest
 /// that is seen: where rounding has opened gaps, ways bend at the end of what is.
-double crossing(const PassedWindow& window, const Place& point) {
-    const double height = point[1] + window.below;
-    const double share = height > 0 ? window.below / height : 0;
-    return std::clamp(window.along + (point[0] - window.along) * share, window.begin, window.end);
+double crossing(const Fan& fan, const Place& point) {
+    const double height = point[1] + fan.below;
+    const double share = height > 0 ? fan.below / height : 0;
+    return std::clamp(fan.along + (point[0] - fan.along) * share, fan.begin, fan.end);
 }
 
-double length_through(const PassedWindow& window, const Place& point) {
-    const double x = crossing(window, point);
-    return window.offset + std::hypot(x - window.along, window.below) +
-           std::hypot(point[0] - x, point[1]);
+double length_through(const Fan& fan, const Place& point) {
+    const double x = crossing(fan, point);
+    return fan.offset + std::hypot(x - fan.along, fan.below) + std::hypot(point[0] - x, point[1]);
 }
 
 } // namespace
@@ -46,8 +45,7 @@ struct ShortestPaths::Parts {
     UnfoldedTriangles surface;
     WindowTrace trace;
     Vector distances, unfolded; ///< in units of lengths, and of the unfolded triangles
-    std::vector<Index> begins;  ///< of the windows at each half-edge, in `order`
-    std::vector<Index> order;
+    Groups windows;             ///< by half-edges
 
     /// The corner opposite to a side, in the plane of the side.
     Place apex(Index h) const {
@@ -78,7 +76,7 @@ struct ShortestPaths::Parts {
         Index before = arrival.before;
         while (before >= 0) {
             const PassedWindow& window = trace.windows[before];
-            const double x = crossing(window, in_plane(at, window.side));
+            const double x = crossing(window.fan, in_plane(at, window.side));
             const SidePoint on{window.side, x / surface.side(window.side).length};
             pieces.push_back({at, on});
             before = window.before;
@@ -101,7 +99,7 @@ struct ShortestPaths::Parts {
 
 ShortestPaths::ShortestPaths(const Triangles& surface, const Vector& lengths,
                              std::span<const Index> sources)
-    : parts_(std::make_shared<Parts>(Parts{{surface, lengths}, {}, {}, {}, {}, {}})) {
+    : parts_(std::make_shared<Parts>(Parts{{surface, lengths}, {}, {}, {}, {}})) {
     Parts& parts = *parts_;
     check_sources(surface, sources);
     parts.unfolded = distances_by_windows(parts.surface, sources, most_windows(surface.triangles()),
@@ -109,15 +107,8 @@ ShortestPaths::ShortestPaths(const Triangles& surface, const Vector& lengths,
                          .distances;
     parts.distances = in_units_of_lengths(surface, parts.unfolded, parts.surface.exponent());
     const auto& windows = parts.trace.windows;
-    parts.begins.assign(3 * std::size_t(surface.triangles()) + 1, 0);
-    for (const auto& window : windows)
-        ++parts.begins[window.side + 1];
-    for (std::size_t h = 1; h < parts.begins.size(); ++h)
-        parts.begins[h] += parts.begins[h - 1];
-    parts.order.resize(windows.size());
-    std::vector<Index> next(parts.begins.begin(), parts.begins.end() - 1);
-    for (std::size_t w = 0; w < windows.size(); ++w)
-        parts.order[next[windows[w].side]++] = static_cast<Index>(w);
+    parts.windows = Groups(static_cast<Index>(windows.size()), 3 * surface.triangles(),
+                           [&](Index w) { return windows[w].side; });
 }
 
 const Vector& ShortestPaths::distances() const& {
@@ -138,8 +129,8 @@ double ShortestPaths::at(Index triangle, const Eigen::Vector3d& coordinates) con
         const Place point = coordinates[(i + 1) % 3] * Place(parts.surface.side(h).length, 0) +
                             coordinates[(i + 2) % 3] * parts.apex(h);
         nearest = std::min(nearest, parts.unfolded[parts.surface.side(h).tail] + point.norm());
-        for (Index w = parts.begins[h]; w < parts.begins[h + 1]; ++w)
-            nearest = std::min(nearest, length_through(parts.trace.windows[parts.order[w]], point));
+        for (const Index w : parts.windows.of(h))
+            nearest = std::min(nearest, length_through(parts.trace.windows[w].fan, point));
     }
     return std::ldexp(nearest, parts.surface.exponent());
 }

@@ -9,25 +9,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace polydec {
 
 namespace {
-
-/// The half-edges, sorted by a number that each has, and where each number begins.
-template <class Number>
-void group(Index halfedges, Index numbers, Number number, std::vector<Index>& begins,
-           std::vector<Index>& members) {
-    begins.assign(std::size_t(numbers) + 1, 0);
-    for (Index h = 0; h < halfedges; ++h)
-        ++begins[number(h) + 1];
-    std::partial_sum(begins.begin(), begins.end(), begins.begin());
-    members.resize(halfedges);
-    std::vector<Index> next(begins.begin(), begins.end() - 1);
-    for (Index h = 0; h < halfedges; ++h)
-        members[next[number(h)]++] = h;
-}
 
 /// Cosine and sine of the angle opposite to a in a triangle, of any size.
 std::array<double, 2> corner(double a, double b, double c) {
@@ -39,7 +24,8 @@ std::array<double, 2> corner(double a, double b, double c) {
 
 } // namespace
 
-UnfoldedTriangles::UnfoldedTriangles(const Triangles& surface, const Vector& lengths) {
+UnfoldedTriangles::UnfoldedTriangles(const Triangles& surface, const Vector& lengths)
+    : edges_(surface.edges()) {
     check_lengths(surface, lengths);
     const Index halfedges = 3 * surface.triangles();
     if (halfedges > 0)
@@ -52,12 +38,8 @@ UnfoldedTriangles::UnfoldedTriangles(const Triangles& surface, const Vector& len
         sides_.push_back({std::ldexp(c, -exponent_), angle[0], angle[1], surface.tail(h),
                           surface.edge(h), surface.sign(h)});
     }
-    group(
-        halfedges, surface.edges(), [&](Index h) { return surface.edge(h); }, side_begins_,
-        sides_of_);
-    group(
-        halfedges, surface.vertices(), [&](Index h) { return surface.tail(h); }, corner_begins_,
-        corners_of_);
+    sides_of_ = Groups(halfedges, surface.edges(), [&](Index h) { return surface.edge(h); });
+    corners_of_ = Groups(halfedges, surface.vertices(), [&](Index h) { return surface.tail(h); });
     find_bends(surface);
 }
 

@@ -6,21 +6,37 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 namespace polydec {
 
 /// The points of a triangle side that are visible from one place along straight lines through the
-/// crossed triangles, and the triangle behind the side. The side runs along the first axis of a
-/// plane from its tail at 0; the triangle is above it, the place below.
-struct Window {
+/// crossed triangles. The side runs along the first axis of a plane from its tail at 0; the place
+/// is below it.
+struct Fan {
     double begin, end;   ///< along the side
     double along, below; ///< the place is at (along, -below)
     double offset;       ///< distance from the source to the place
-    Index side;          ///< half-edge of the triangle behind; or -1 - v, for vertex v itself
-    Index turns;         ///< consecutive turns around the tail, or, negative, around the head
-    Index before;        ///< the preceding window, see PassedWindow
+
+    /// From the source to a point of the side.
+    double distance(double x) const {
+        return offset + std::sqrt((x - along) * (x - along) + below * below);
+    }
+
+    /// As the side looks from its other end.
+    Fan reversed(double length) const {
+        return {length - end, length - begin, length - along, below, offset};
+    }
+};
+
+/// A fan at a side, and the triangle behind the side, which is above it.
+struct Window {
+    Fan fan;
+    Index side;   ///< half-edge of the triangle behind; or -1 - v, for vertex v itself
+    Index turns;  ///< consecutive turns around the tail, or, negative, around the head
+    Index before; ///< the preceding window, see PassedWindow
     std::uint32_t has_branched : 1; ///< whether it crossed an edge of three or more triangles
     std::uint32_t key : 31;         ///< key in the queue
 };

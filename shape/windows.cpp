@@ -2,7 +2,6 @@
 #include "shape/windows.h"
 
 #include "base/errors.h"
-#include "shape/window_queue.h"
 
 #include <fmt/format.h>
 
@@ -27,24 +26,13 @@ double norm(double x, double y) {
     return std::sqrt(x * x + y * y);
 }
 
-/// What a place sees of a side, which runs from one of its ends, at 0, along the first axis.
-struct Fan {
-    double begin, end, along, below, offset;
-
-    double distance(double x) const { return offset + norm(x - along, below); }
-
-    Fan reversed(double length) const {
-        return {length - end, length - begin, length - along, below, offset};
-    }
-
-    /// Whether its distances are no longer than those of another one, from x to y. Their
-    /// difference is greatest at an end, or where the line through both places meets the side.
-    bool is_no_longer(const Fan& other, double x, double y) const {
-        const auto at = [&](double z) { return shorter * distance(z) <= other.distance(z); };
-        const double z = along + (other.along - along) * below / (below - other.below);
-        return at(x) && at(y) && (!(x < z && z < y) || at(z));
-    }
-};
+/// Whether the distances of a fan are no longer than those of another one, from x to y. Their
+/// difference is greatest at an end, or where the line through both places meets the side.
+bool is_no_longer(const Fan& fan, const Fan& other, double x, double y) {
+    const auto at = [&](double z) { return shorter * fan.distance(z) <= other.distance(z); };
+    const double z = fan.along + (other.along - fan.along) * fan.below / (fan.below - other.below);
+    return at(x) && at(y) && (!(x < z && z < y) || at(z));
+}
 
 /// A side by which a fan leaves a triangle, as it runs from `pivot` to `apex`.
 struct Exit {
@@ -67,7 +55,7 @@ public:
     void step() {
         const Window next = queue_.pop();
         if (next.side < 0)
-            spread(-1 - next.side, next.offset);
+            spread(-1 - next.side, next.fan.offset);
         else
             cross(next);
     }
@@ -83,7 +71,7 @@ private:
 
     void start(Index v, double distance) {
         distances_[v] = distance;
-        queue_.push({0, 0, 0, 0, distance, -1 - v, 0, -1, false, 0}, distance);
+        queue_.push({{0, 0, 0, 0, distance}, -1 - v, 0, -1, false, 0}, distance);
     }
 
     /// At a corner, by a straight line that came from `before`.
@@ -101,8 +89,7 @@ private:
     Index kept(const Window& window) const {
         if (trace_ == nullptr)
             return -1;
-        trace_->windows.push_back({window.begin, window.end, window.along, window.below,
-                                   window.offset, window.side, window.before});
+        trace_->windows.push_back({window.fan, window.side, window.before});
         return static_cast<Index>(trace_->windows.size()) - 1;
     }
 
@@ -153,7 +140,7 @@ void Wavefront::spread(Index v, double distance) {
 }
 
 void Wavefront::cross(const Window& window) {
-    const Fan fan{window.begin, window.end, window.along, window.below, window.offset};
+    const Fan& fan = window.fan;
     const Index to_right = Triangles::next(window.side), to_left = Triangles::previous(window.side);
     const auto &base = surface_.side(window.side), &right = surface_.side(to_right),
                &left = surface_.side(to_left);
@@ -242,8 +229,7 @@ void Wavefront::pass(const Fan& fan, const Exit& exit) {
         if (h == exit.halfedge)
             continue;
         const int sign = surface_.side(h).sign;
-        const Fan there = sign > 0 ? known : known.reversed(exit.length);
-        queue_.push({there.begin, there.end, there.along, there.below, there.offset, h,
+        queue_.push({sign > 0 ? known : known.reversed(exit.length), h,
                      sign == exit.sense ? exit.turns : -exit.turns, exit.before,
                      exit.has_branched || branches, 0},
                     nearest);
@@ -256,7 +242,7 @@ void Wavefront::pass(const Fan& fan, const Exit& exit) {
 void Wavefront::cut_off_known(Fan& fan, Index edge) {
     for (const Fan& earlier : passed_[edge]) {
         const double x = std::max(fan.begin, earlier.begin), y = std::min(fan.end, earlier.end);
-        if (!(x < y) || !earlier.is_no_longer(fan, x, y))
+        if (!(x < y) || !is_no_longer(earlier, fan, x, y))
             continue;
         if (x == fan.begin)
             fan.begin = y;

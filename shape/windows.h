@@ -3,6 +3,7 @@
 
 #include "base/types.h"
 #include "shape/unfolded_triangles.h"
+#include "shape/window_queue.h"
 
 #include <cstddef>
 #include <span>
@@ -16,11 +17,10 @@ struct WindowDistances {
     std::size_t windows; ///< number of windows followed
 };
 
-/// A window that was followed. From (along, -below), at distance `offset` from the source, it sees
-/// the part of a side from `begin` to `end`, and the triangle behind the side. See Window.
+/// A window that was followed: what it sees of a side, and the triangle behind the side.
 struct PassedWindow {
-    double begin, end, along, below, offset;
-    Index side;
+    Fan fan;
+    Index side;   ///< half-edge of the triangle behind
     Index before; ///< the previous window of its lines, or -1 - the corner where they start
 };
 
