@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "shape/facet_unknowns.h"
 #include "shape/forms.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace polydec {
 
@@ -45,30 +43,35 @@ LongMatrix products(int n, int degree, const std::vector<Pair>& pairs, int omitt
     return result;
 }
 
-/// Products of the gradients of the basis.
+/// Products of the gradients of the basis; that of lambda_i lambda_j has two terms, lambda_a grad
+/// lambda_b for (a, b) = (i, j) and (j, i).
 LongMatrix stiffness(const MeasuredSimplex& simplex, int degree, const std::vector<Pair>& pairs) {
     const int n = simplex.dimension();
     if (degree == 1)
         return simplex.volume * simplex.gradients;
     const auto size = static_cast<Eigen::Index>(pairs.size());
     LongMatrix result = LongMatrix::Zero(size, size);
+    const auto terms = [&](Eigen::Index p) {
+        return std::array{pairs[p], Pair{pairs[p][1], pairs[p][0]}};
+    };
     for (Eigen::Index p = 0; p < size; ++p)
         for (Eigen::Index q = 0; q < size; ++q)
-            for (const auto& [a, b] : gradient_terms(pairs[p]))
-                for (const auto& [c, d] : gradient_terms(pairs[q]))
+            for (const auto& [a, b] : terms(p))
+                for (const auto& [c, d] : terms(q))
                     result(p, q) += mean_of_product(n, {a, c}) * simplex.gradients(b, d);
     return simplex.volume * result;
 }
 
 std::vector<Pair> points_of(int n, int degree) {
-    auto pairs = quadratic_pairs(n);
-    if (degree == 1)
-        std::erase_if(pairs, [](const Pair& pair) { return pair[0] != pair[1]; });
+    std::vector<Pair> pairs;
+    for (int i = 0; i <= n; ++i)
+        for (int j = i; j <= (degree == 1 ? i : n); ++j)
+            pairs.push_back({i, j});
     return pairs;
 }
 
 FormFamily family_of(const Shape& shape, int degree, const std::vector<Pair>& pairs,
-                     const GluedPoints& points, const std::vector<FacetSide>& sides) {
+                     const std::vector<FacetSide>& sides) {
     const int n = shape.pieces.dimension();
     const LongMatrix basis = lagrange_basis(degree, pairs);
     const LongMatrix mass = basis.transpose() * products(n, degree, pairs, -1) * basis;
@@ -85,15 +88,14 @@ FormFamily family_of(const Shape& shape, int degree, const std::vector<Pair>& pa
         return forms;
     };
     const auto factors = [](double s, double) { return std::vector<double>{1, -s}; };
-    return {points.count, points.unknowns, points.signs, factors, shape.pieces.size(n), local};
+    return {shape, glued_points(shape, sides, pairs), factors, local};
 }
 
 } // namespace
 
 ConformingForm::ConformingForm(const Shape& shape, int degree)
     : pairs_(points_of(shape.pieces.dimension(), degree)),
-      points_(glued_points(shape, facet_sides(shape), pairs_)),
-      family_(family_of(shape, degree, pairs_, points_, facet_sides(shape))) {}
+      family_(family_of(shape, degree, pairs_, facet_sides(shape))) {}
 
 CountedMatrix ConformingForm::sum(double of_a, double of_b) const {
     return family_.sum([=](double, double) { return std::vector<double>{of_a, of_b}; }, 0);

@@ -22,9 +22,8 @@ CountBelow count_below(const Shape& shape, double s, const CountOptions& options
     const Shape of = options.degree == 0 ? shape : top_forms(shape);
     const ConformingForm conforming(of, options.level);
     const FormFamily lower = lower_form(of, options.level);
-    const int n = of.pieces.dimension();
-    FamilyCounter below(conforming.family(), options.linear_solver, n),
-        above(lower, options.linear_solver, n);
+    FamilyCounter below(conforming.family(), options.linear_solver),
+        above(lower, options.linear_solver);
     const double ratio = metric_ratio(of);
     CountBelow result;
     result.at_least = below.near(s * ratio, Direction::down);

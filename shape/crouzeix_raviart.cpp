@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shape/facet_unknowns.h"
 #include "shape/forms.h"
-
-#include <cmath>
 
 namespace polydec {
 
@@ -62,18 +59,12 @@ LocalForms local_forms(const Shape& shape, const std::vector<FacetSide>& sides,
 } // namespace
 
 FormFamily crouzeix_raviart_form(const Shape& shape) {
-    const int n = shape.pieces.dimension();
     const auto sides = facet_sides(shape);
-    FacetUnknowns facets = facet_unknowns(shape, sides, 1);
-    const LongMatrix mass = mass_of_means(n);
+    const LongMatrix mass = mass_of_means(shape.pieces.dimension());
     const auto factors = [](double s, double reach) {
         return std::vector<double>{1, -s, -s * s / (1 - reach)};
     };
-    return {facets.count,
-            std::move(facets.unknowns),
-            std::move(facets.signs),
-            factors,
-            shape.pieces.size(n),
+    return {shape, facet_unknowns(shape, sides, 1), factors,
             [&](Index s) { return local_forms(shape, sides, mass, s); }};
 }
 

@@ -11,10 +11,6 @@
 
 namespace polydec {
 
-FamilyCounter::FamilyCounter(const FormFamily& family, const std::string& engine,
-                             int domain_dimension)
-    : family_(family), inertia_(engine, domain_dimension) {}
-
 std::optional<Index> FamilyCounter::at(double s) {
     if (!(s < family_.limit()))
         return std::nullopt;

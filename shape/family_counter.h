@@ -15,7 +15,8 @@ enum class Direction { down, up };
 class FamilyCounter {
 public:
     /// The family must outlive this.
-    FamilyCounter(const FormFamily& family, const std::string& engine, int domain_dimension);
+    FamilyCounter(const FormFamily& family, const std::string& engine)
+        : family_(family), inertia_(engine, family.domain_dimension()) {}
 
     const FormFamily& family() const { return family_; }
 

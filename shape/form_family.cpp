@@ -19,23 +19,22 @@ constexpr double local_rounding = 16 * unit;
 
 } // namespace
 
-FormFamily::FormFamily(Index count, std::vector<Index> unknowns, std::vector<std::int8_t> signs,
-                       Factors factors, Index simplices,
+FormFamily::FormFamily(const Shape& shape, Unknowns unknowns, Factors factors,
                        const std::function<LocalForms(Index)>& local)
-    : count_(count),
-      width_(static_cast<Index>(unknowns.size()) / std::max<Index>(simplices, 1)),
+    : domain_dimension_(shape.pieces.dimension()),
       unknowns_(std::move(unknowns)),
-      signs_(std::move(signs)),
       factors_(std::move(factors)),
-      reach_(simplices),
-      errors_(simplices),
+      reach_(shape.pieces.size(domain_dimension_)),
+      errors_(reach_.size()),
+      width_(static_cast<Index>(std::ssize(unknowns_.of_simplices)) /
+             std::max<Index>(simplices(), 1)),
+      robin_(reach_.size()),
       limit_(std::numeric_limits<double>::infinity()) {
     parts_ = static_cast<Index>(factors_(0, 0).size());
     const std::size_t entries = std::size_t(width_) * width_;
-    values_.resize(entries * parts_ * simplices);
-    std::vector<Cell> cells(simplices);
-    std::vector<DenseMatrix> robin(simplices);
-    for_each_part(simplices, 64, [&](Index begin, Index end) {
+    values_.resize(entries * parts_ * simplices());
+    std::vector<Cell> cells(simplices());
+    for_each_part(simplices(), 64, [&](Index begin, Index end) {
         for (Index s = begin; s < end; ++s) {
             const LocalForms forms = local(s);
             double* values = values_.data() + entries * parts_ * s;
@@ -48,17 +47,11 @@ FormFamily::FormFamily(Index count, std::vector<Index> unknowns, std::vector<std
             cells[s].mass = forms.mass;
             if (forms.cell.size() > 0)
                 cells[s].column = Vector(forms.cell.col(0).cast<double>());
-            robin[s] = forms.robin.cast<double>();
+            robin_[s] = forms.robin.cast<double>();
         }
     });
-    if (simplices > 0 && cells[0].column.size() > 0)
+    if (!cells.empty() && cells[0].column.size() > 0)
         cells_ = std::move(cells);
-    for (Index s = 0; s < simplices; ++s) {
-        first_robin_.push_back(static_cast<Index>(robin_.size()));
-        if (robin[s].size() > 0)
-            robin_.emplace_back(s, std::move(robin[s]));
-    }
-    first_robin_.push_back(static_cast<Index>(robin_.size()));
     for (const double reach : reach_)
         limit_ = std::min(limit_, 1 / reach);
     make_pattern();
@@ -74,9 +67,8 @@ std::vector<Index> FormFamily::beyond(double s) const {
 
 void FormFamily::make_pattern() {
     std::vector<Eigen::Triplet<double, Index>> places;
-    summands_ = Vector::Zero(count_);
-    const auto simplices = static_cast<Index>(reach_.size());
-    for (Index s = 0; s < simplices; ++s)
+    summands_ = Vector::Zero(size());
+    for (Index s = 0; s < simplices(); ++s)
         for (Index i = 0; i < width_; ++i) {
             const Index row = unknown(s, i);
             if (row < 0)
@@ -86,13 +78,13 @@ void FormFamily::make_pattern() {
                 if (const Index column = unknown(s, j); column >= 0)
                     places.emplace_back(row, column, 0);
         }
-    pattern_ = SparseMatrix(count_, count_);
+    pattern_ = SparseMatrix(size(), size());
     pattern_.setFromTriplets(places.begin(), places.end());
-    slots_.assign(std::size_t(width_) * width_ * simplices, -1);
+    slots_.assign(std::size_t(width_) * width_ * simplices(), -1);
     const Index* columns = pattern_.innerIndexPtr();
     const Index* begins = pattern_.outerIndexPtr();
     std::size_t slot = 0;
-    for (Index s = 0; s < simplices; ++s)
+    for (Index s = 0; s < simplices(); ++s)
         for (Index i = 0; i < width_; ++i)
             for (Index j = 0; j < width_; ++j, ++slot) {
                 const Index row = unknown(s, i), column = unknown(s, j);
@@ -125,9 +117,9 @@ void FormFamily::add_local(const Factors& factors_at, Index simplex, double s, D
         sizes[width_] = pivot < 0 ? 1 : 0;
         error *= std::max(1.0, (stiffness + s * cell.mass) / std::abs(pivot));
     }
-    for (Index r = first_robin_[simplex]; r < first_robin_[simplex + 1]; ++r) {
-        Q += robin_[r].second;
-        sizes.head(width_) += robin_[r].second.diagonal();
+    if (const DenseMatrix& robin = robin_[simplex]; robin.size() > 0) {
+        Q += robin;
+        sizes.head(width_) += robin.diagonal();
     }
 }
 
@@ -135,12 +127,11 @@ CountedMatrix FormFamily::sum(const Factors& factors, double s) const {
     auto matrix = std::make_shared<SparseMatrix>(pattern_);
     double* entries = matrix->valuePtr();
     std::fill(entries, entries + matrix->nonZeros(), 0.0);
-    const auto simplices = static_cast<Index>(reach_.size());
     CountedMatrix result;
-    result.doubt.sizes = Vector::Zero(count_);
-    DenseMatrix local_forms(width_ * width_, simplices), local_sizes(width_ + 1, simplices);
-    Vector errors(simplices);
-    for_each_part(simplices, 64, [&](Index begin, Index end) {
+    result.doubt.sizes = Vector::Zero(size());
+    DenseMatrix local_forms(width_ * width_, simplices()), local_sizes(width_ + 1, simplices());
+    Vector errors(simplices());
+    for_each_part(simplices(), 64, [&](Index begin, Index end) {
         DenseMatrix Q;
         Vector sizes;
         for (Index t = begin; t < end; ++t) {
@@ -150,23 +141,22 @@ CountedMatrix FormFamily::sum(const Factors& factors, double s) const {
         }
     });
     std::size_t slot = 0;
-    for (Index t = 0; t < simplices; ++t) {
+    for (Index t = 0; t < simplices(); ++t) {
         result.eliminated += static_cast<Index>(local_sizes(width_, t));
-        const std::int8_t* signs = signs_.data() + std::size_t(width_) * t;
         const double* Q = local_forms.col(t).data();
         for (Index i = 0; i < width_; ++i)
             for (Index j = 0; j < width_; ++j, ++slot)
                 if (slots_[slot] >= 0) // both triangles alike
                     entries[slots_[slot]] +=
-                        signs[i] * signs[j] * Q[std::min(i, j) + width_ * std::max(i, j)];
+                        sign(t, i) * sign(t, j) * Q[std::min(i, j) + width_ * std::max(i, j)];
         for (Index i = 0; i < width_; ++i)
             if (unknown(t, i) >= 0)
                 result.doubt.sizes[unknown(t, i)] += local_sizes(i, t);
     }
 
     // row sums of errors / sqrt(sizes_i sizes_j)
-    Vector sums = Vector::Zero(count_);
-    for (Index t = 0; t < simplices; ++t) {
+    Vector sums = Vector::Zero(size());
+    for (Index t = 0; t < simplices(); ++t) {
         double sum = 0;
         const auto share = [&](Index i) {
             const Index row = unknown(t, i);
@@ -180,7 +170,7 @@ CountedMatrix FormFamily::sum(const Factors& factors, double s) const {
             if (unknown(t, i) >= 0)
                 sums[unknown(t, i)] += (errors[t] + most_summands_ * unit) * share(i) * sum;
     }
-    result.doubt.share = count_ > 0 ? sums.maxCoeff() : 0;
+    result.doubt.share = size() > 0 ? sums.maxCoeff() : 0;
     result.matrix = std::move(matrix);
     return result;
 }
@@ -220,19 +210,15 @@ const Vector& FormFamily::cell(Index simplex) const {
 
 void FormFamily::restrict_to(Index simplex, const DenseMatrix& X, DenseMatrix& Y) const {
     Y.setZero(width_, X.cols());
-    for (Index i = 0; i < width_; ++i) {
-        const std::size_t at = std::size_t(width_) * simplex + i;
-        if (unknowns_[at] >= 0)
-            Y.row(i) = signs_[at] * X.row(unknowns_[at]);
-    }
+    for (Index i = 0; i < width_; ++i)
+        if (const Index row = unknown(simplex, i); row >= 0)
+            Y.row(i) = sign(simplex, i) * X.row(row);
 }
 
 void FormFamily::add_to(DenseMatrix& X, Index simplex, const DenseMatrix& Y) const {
-    for (Index i = 0; i < width_; ++i) {
-        const std::size_t at = std::size_t(width_) * simplex + i;
-        if (unknowns_[at] >= 0)
-            X.row(unknowns_[at]) += signs_[at] * Y.row(i);
-    }
+    for (Index i = 0; i < width_; ++i)
+        if (const Index row = unknown(simplex, i); row >= 0)
+            X.row(row) += sign(simplex, i) * Y.row(i);
 }
 
 /// Parts with these factors, without Robin's.

@@ -8,8 +8,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace polydec {
@@ -41,12 +39,12 @@ class FormFamily {
 public:
     using Factors = std::function<std::vector<double>(double s, double s_reach)>;
 
-    /// `unknowns` and `signs` list the unknowns of each simplex; unknown -1 stands for 0.
-    FormFamily(Index count, std::vector<Index> unknowns, std::vector<std::int8_t> signs,
-               Factors factors, Index simplices,
+    FormFamily(const Shape& shape, Unknowns unknowns, Factors factors,
                const std::function<LocalForms(Index simplex)>& local);
 
-    Index size() const { return count_; }
+    Index size() const { return unknowns_.count; }
+    const Unknowns& unknowns() const { return unknowns_; }
+    int domain_dimension() const { return domain_dimension_; } ///< of the simplices
 
     /// The forms are bounds for s below this limit; infinite if there is no limit.
     double limit() const { return limit_; }
@@ -103,22 +101,24 @@ private:
         return {values_.data() + entries * (std::size_t(parts_) * simplex + p), width_, width_};
     }
     Index unknown(Index simplex, Index i) const {
-        return unknowns_[std::size_t(width_) * simplex + i];
+        return unknowns_.of_simplices[std::size_t(width_) * simplex + i];
+    }
+    int sign(Index simplex, Index i) const {
+        return unknowns_.signs[std::size_t(width_) * simplex + i];
     }
     DenseMatrix combined(const Factors& factors, Index simplex, double s) const;
     void add_local(const Factors& factors, Index simplex, double s, DenseMatrix& Q, Vector& sizes,
                    double& error) const;
     void make_pattern();
 
-    Index count_, width_, parts_ = 0;
-    std::vector<Index> unknowns_;
-    std::vector<std::int8_t> signs_;
+    int domain_dimension_;
+    Unknowns unknowns_;
     Factors factors_;
     std::vector<double> values_; // of parts, simplex by simplex
     std::vector<Cell> cells_;    // empty: no unknowns of cells
     std::vector<double> reach_, errors_;
-    std::vector<std::pair<Index, DenseMatrix>> robin_; // by simplex
-    std::vector<Index> first_robin_;
+    Index width_, parts_ = 0;
+    std::vector<DenseMatrix> robin_; // of each simplex; 0 x 0: none
     double limit_;
     SparseMatrix pattern_;
     std::vector<Index> slots_; // of local entries in the values of the pattern, or -1

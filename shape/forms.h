@@ -16,14 +16,13 @@ public:
     const FormFamily& family() const { return family_; }
     CountedMatrix stiffness() const { return sum(1, 0); } ///< of a, with Robin's part
     CountedMatrix mass() const { return sum(0, 1); }      ///< of b
-    const GluedPoints& points() const { return points_; }
+    const Unknowns& points() const { return family_.unknowns(); }
     const std::vector<Pair>& pairs() const { return pairs_; } ///< of corners: the points
 
 private:
     CountedMatrix sum(double of_a, double of_b) const;
 
     std::vector<Pair> pairs_;
-    GluedPoints points_;
     FormFamily family_;
 };
 

@@ -46,7 +46,7 @@ std::vector<FacetSide> facet_sides(const Shape& shape) {
                                  : -pieces.sign(n, cell, omitted) *
                                        pieces.sign(n, around[0].cell, around[0].omitted);
             sides[std::size_t(n + 1) * cell + omitted] = {
-                facet, static_cast<std::int8_t>(sign),
+                facet, is_boundary, static_cast<std::int8_t>(sign),
                 is_boundary && shape.conditions.at(facet) == BoundaryCondition::essential,
                 is_boundary ? robin[facet] : 0.0};
         }
@@ -54,8 +54,8 @@ std::vector<FacetSide> facet_sides(const Shape& shape) {
     return sides;
 }
 
-GluedPoints glued_points(const Shape& shape, const std::vector<FacetSide>& sides,
-                         const std::vector<Pair>& pairs) {
+Unknowns glued_points(const Shape& shape, const std::vector<FacetSide>& sides,
+                      const std::vector<Pair>& pairs) {
     const int n = shape.pieces.dimension();
     const auto width = static_cast<Index>(pairs.size());
     const auto place = [&](int i, int j) {
@@ -92,16 +92,45 @@ GluedPoints glued_points(const Shape& shape, const std::vector<FacetSide>& sides
     std::vector<Index> of_root(points, unset);
     for (const Index zero : zeros)
         of_root[sets.find(zero).element] = -1;
-    GluedPoints result;
+    Unknowns result;
     for (Index p = 0; p < points; ++p) {
         const auto root = sets.find(p);
         Index& unknown = of_root[root.element];
         if (unknown == unset)
             unknown = result.count++;
-        result.unknowns.push_back(unknown);
+        result.of_simplices.push_back(unknown);
         result.signs.push_back(root.sign);
     }
     return result;
+}
+
+Unknowns facet_unknowns(const Shape& shape, const std::vector<FacetSide>& sides, int each) {
+    const int n = shape.pieces.dimension();
+    std::vector<Index> first(shape.pieces.size(n - 1), -1);
+    for (const FacetSide& side : sides)
+        if (!side.is_essential)
+            first[side.facet] = 0;
+    Unknowns result;
+    for (Index& number : first)
+        if (number == 0) {
+            number = result.count;
+            result.count += each;
+        }
+    for (const FacetSide& side : sides)
+        for (int k = 0; k < each; ++k) {
+            const Index number = first[side.facet];
+            result.of_simplices.push_back(number < 0 ? -1 : number + k);
+            result.signs.push_back(side.sign);
+        }
+    return result;
+}
+
+double conductivity_of(const Shape& shape, Index simplex) {
+    return shape.conductivity.size() == 0 ? 1.0 : shape.conductivity[simplex];
+}
+
+double density_of(const Shape& shape, Index simplex) {
+    return shape.density.size() == 0 ? 1.0 : shape.density[simplex];
 }
 
 std::vector<Index> free_components(const Shape& shape) {
@@ -124,16 +153,14 @@ std::vector<Index> free_components(const Shape& shape) {
             if (side.is_essential || side.robin > 0)
                 bound.push_back(s);
         }
+    const auto firsts = sets.firsts();
     std::vector<bool> is_bound(size, false);
     for (const Index s : bound)
-        is_bound[sets.find(s).element] = true;
-    std::vector<Index> numbers(size, -1);
+        is_bound[firsts[s]] = true;
+    std::vector<Index> numbers;
     Index count = 0;
     for (Index s = 0; s < size; ++s)
-        if (sets.find(s).element == s && !is_bound[s])
-            numbers[s] = count++;
-    for (Index s = 0; s < size; ++s)
-        numbers[s] = numbers[sets.find(s).element];
+        numbers.push_back(firsts[s] < s ? numbers[firsts[s]] : is_bound[s] ? -1 : count++);
     return numbers;
 }
 

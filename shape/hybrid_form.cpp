@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/decompositions.h"
-#include "shape/facet_unknowns.h"
 #include "shape/forms.h"
 
-#include <cmath>
 #include <limits>
 
 namespace polydec {
@@ -108,11 +106,13 @@ void ReferenceSimplex::compare_polynomials() {
 
 void ReferenceSimplex::compare_fields() {
     const auto size = static_cast<Eigen::Index>(edges.size());
-    field_means = quadratic_products(n, edges);
+    field_means.resize(size, size);
     fields = LongMatrix::Zero(size, n + 1);
     circulations = LongMatrix::Zero(size, n * (n - 1) / 2);
     for (Eigen::Index e = 0, cycle = 0; e < size; ++e) {
         const auto [j, k] = edges[e];
+        for (Eigen::Index f = 0; f < size; ++f)
+            field_means(e, f) = mean_of_product(n, {j, k, edges[f][0], edges[f][1]});
         fields(e, k) = 1.0L / (n + 1);
         fields(e, j) = -1.0L / (n + 1);
         if (j == 0) // edges 0 k come first, in order
@@ -251,7 +251,6 @@ LocalForms local_forms(const Shape& shape, const std::vector<ReferenceSimplex>& 
 FormFamily hybrid_form(const Shape& shape) {
     const int n = shape.pieces.dimension();
     const auto sides = facet_sides(shape);
-    FacetUnknowns facets = facet_unknowns(shape, sides, n);
     std::vector<ReferenceSimplex> references; // by origin
     for (int origin = 0; origin <= n; ++origin)
         references.emplace_back(n, origin);
@@ -262,8 +261,7 @@ FormFamily hybrid_form(const Shape& shape) {
     const auto local = [&](Index s) {
         return local_forms(shape, references, &sides[std::size_t(n + 1) * s], s);
     };
-    return {facets.count, std::move(facets.unknowns), std::move(facets.signs),
-            factors,      shape.pieces.size(n),       local};
+    return {shape, facet_unknowns(shape, sides, n), factors, local};
 }
 
 } // namespace polydec

@@ -2,13 +2,18 @@
 #pragma once
 
 #include "shape/family_counter.h"
-#include "shape/lower_guesses.h"
 
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace polydec {
+
+/// Numbers s at which eigenvalues of Q(s) nearly vanish, and their vectors.
+struct LowerGuesses {
+    Vector values;
+    DenseMatrix vectors;
+};
 
 /// Lower bounds of the smallest eigenvalues of a shape: numbers s with few negative eigenvalues of
 /// Q(s). All from a count in a gap behind them where that is nearly as good; each from its own
@@ -18,8 +23,8 @@ public:
     /// Of as many eigenvalues as there are upper bounds, ascending, the first `zeros` of them 0.
     /// Vectors: the unknowns of approximate eigenvectors, as many or more. The counter must outlive
     /// this.
-    LowerBounds(FamilyCounter& counter, const ShapeSpectrumOptions& options, int domain_dimension,
-                Vector upper, Index zeros, DenseMatrix vectors);
+    LowerBounds(FamilyCounter& counter, const ShapeSpectrumOptions& options, Vector upper,
+                Index zeros, DenseMatrix vectors);
 
     /// After a count in the gap behind the eigenvalues, and what it counted if it is trusted.
     const Vector& prove(std::optional<Index> counted);
@@ -42,7 +47,6 @@ private:
 
     FamilyCounter& counter_;
     const ShapeSpectrumOptions& options_;
-    int domain_dimension_;
     Vector upper_;
     Index zeros_;
     DenseMatrix vectors_;

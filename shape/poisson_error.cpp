@@ -3,7 +3,6 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "shape/facet_unknowns.h"
 #include "shape/measured_simplex.h"
 #include "shape/poisson_pair.h"
 
@@ -16,14 +15,6 @@ namespace polydec {
 
 namespace {
 
-void check_finite(const char* what, const DenseMatrix& values) {
-    for (Eigen::Index j = 0; j < values.cols(); ++j)
-        for (Eigen::Index i = 0; i < values.rows(); ++i)
-            if (!std::isfinite(values(i, j)))
-                throw InvalidInput(
-                    fmt::format("{} of row {}: {} is not a finite number", what, i, values(i, j)));
-}
-
 void check_source(const char* what, const Shape& shape, const DenseMatrix& source) {
     const int n = shape.pieces.dimension();
     if (source.rows() != shape.pieces.size(n) || (source.cols() != 1 && source.cols() != n + 1))
@@ -31,7 +22,9 @@ void check_source(const char* what, const Shape& shape, const DenseMatrix& sourc
                                        "simplices, of 1 number or of {}, one for each corner",
                                        what, source.rows(), source.cols(), shape.pieces.size(n),
                                        n + 1));
-    check_finite(what, source);
+    for (Eigen::Index i = 0; i < source.rows(); ++i)
+        if (!source.row(i).allFinite())
+            throw InvalidInput(fmt::format("{} of row {} is not a finite number", what, i));
 }
 
 void check(const PoissonProblem& problem, const Vector& values) {
@@ -40,16 +33,10 @@ void check(const PoissonProblem& problem, const Vector& values) {
     if (shape.functions != ShapeFunctions::ordinary)
         throw InvalidInput("the error is known only for ordinary functions, not for twisted ones");
     check_source("source", shape, problem.source);
-    const Index facets = shape.pieces.size(shape.pieces.dimension() - 1);
-    if (problem.flow.size() != 0 && problem.flow.size() != facets)
-        throw InvalidInput(fmt::format("flow: {} numbers; expected one for each of the {} facets",
-                                       problem.flow.size(), facets));
-    if (values.size() != shape.pieces.size(0))
-        throw InvalidInput(
-            fmt::format("values: {} numbers; expected one for each of the {} vertices",
-                        values.size(), shape.pieces.size(0)));
-    check_finite("flow", problem.flow);
-    check_finite("values", values);
+    if (problem.flow.size() != 0)
+        check_values("flows through facets", problem.flow,
+                     shape.pieces.size(shape.pieces.dimension() - 1));
+    check_values("values at vertices", values, shape.pieces.size(0));
 }
 
 /// A problem in units in which its numbers are near 1: powers of 2, those of lengths and kappa

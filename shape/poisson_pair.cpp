@@ -2,26 +2,11 @@
 #include "shape/poisson_pair.h"
 
 #include "backends/registry.h"
-#include "shape/facet_unknowns.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace polydec {
-
-namespace {
-
-/// Of vertices, in the order of corners.
-std::vector<Index> vertex_unknowns(const Shape& shape, const ConformingForm& form) {
-    const auto width = static_cast<std::size_t>(shape.pieces.dimension()) + 1;
-    std::vector<Index> unknowns(form.points().unknowns.size());
-    for (std::size_t at = 0; at < unknowns.size(); ++at)
-        unknowns[at - at % width + std::size_t(form.pairs()[at % width][0])] =
-            form.points().unknowns[at];
-    return unknowns;
-}
-
-} // namespace
 
 Vector PoissonForms::System::solve(Vector b) const {
     for (const auto constant : kernel.colwise()) // 0 and 1
@@ -33,16 +18,13 @@ PoissonForms::PoissonForms(const Shape& shape, const std::string& engine)
     : shape_(shape),
       n_(shape.pieces.dimension()),
       sides_(facet_sides(shape)),
-      is_boundary_(shape.pieces.size(n_ - 1), false),
       components_(free_components(shape)) {
     const Index size = shape.pieces.size(n_);
-    volumes_.resize(size), bubbles_.resize(size), poincare_.resize(size), kappa_.resize(size);
+    volumes_.resize(size), bubbles_.resize(size), poincare_.resize(size);
     areas_.resize(size, n_ + 1);
-    std::vector<Index> counts(is_boundary_.size(), 0);
     for (Index s = 0; s < size; ++s) {
         const MeasuredSimplex simplex = measured_simplex(shape, s);
         const long double kappa = conductivity_of(shape, s);
-        kappa_[s] = double(kappa);
         volumes_[s] = double(simplex.volume);
         long double squares = 0;
         for (int i = 0; i <= n_; ++i)
@@ -51,24 +33,21 @@ PoissonForms::PoissonForms(const Shape& shape, const std::string& engine)
         bubbles_[s] = double(squares / (n_ * n_ * (n_ + 1) * (n_ + 1) * (n_ + 2)) / kappa);
         poincare_[s] = double(simplex.longest_square * poincare_square(n_) / kappa) * (1 + 1e-15);
         gradients_.push_back((kappa * simplex.volume * simplex.gradients).cast<double>());
-        for (int i = 0; i <= n_; ++i) {
+        for (int i = 0; i <= n_; ++i)
             areas_(s, i) = double(simplex.facet_volume(i));
-            ++counts[sides_[std::size_t(n_ + 1) * s + i].facet];
-        }
     }
-    for (std::size_t facet = 0; facet < counts.size(); ++facet)
-        is_boundary_[facet] = counts[facet] == 1;
-    facets_ =
-        system(crouzeix_raviart_form(shape), facet_unknowns(shape, sides_, 1).unknowns, engine);
-    const ConformingForm conforming(shape, 1);
-    vertices_ = system(conforming.family(), vertex_unknowns(shape, conforming), engine);
+    facets_ = system(crouzeix_raviart_form(shape), engine);
+    vertices_ = system(ConformingForm(shape, 1).family(), engine);
 }
 
-PoissonForms::System PoissonForms::system(const FormFamily& family, std::vector<Index> unknowns,
+PoissonForms::System PoissonForms::system(const FormFamily& family,
                                           const std::string& engine) const {
     const CountedMatrix counted = family.at(0);
-    System system{
-        *counted.matrix, std::move(unknowns), {}, make_linear_solver(engine), counted.doubt.share};
+    System system{*counted.matrix,
+                  family.unknowns().of_simplices,
+                  {},
+                  make_linear_solver(engine),
+                  counted.doubt.share};
     const Index free =
         components_.empty() ? 0 : *std::max_element(components_.begin(), components_.end()) + 1;
     system.kernel = DenseMatrix::Zero(family.size(), free);
@@ -103,7 +82,7 @@ LocalData PoissonForms::local(const DenseMatrix& source, const Vector& flow) con
     for (Index s = 0; s < simplices() && flow.size() > 0; ++s)
         for (int i = 0; i <= n_; ++i)
             if (const FacetSide& side = sides_[std::size_t(n_ + 1) * s + i];
-                is_boundary_[side.facet] && !side.is_essential)
+                side.is_boundary && !side.is_essential)
                 data.facet_flow(s, i) = flow[side.facet] * areas_(s, i);
     data.means = data.corners.rowwise().mean();
     data.oscillation.resize(simplices());

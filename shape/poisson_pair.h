@@ -77,8 +77,7 @@ public:
     const System& vertices() const { return vertices_; }
 
 private:
-    System system(const FormFamily& family, std::vector<Index> unknowns,
-                  const std::string& engine) const;
+    System system(const FormFamily& family, const std::string& engine) const;
     Vector gathered(const System& system, const DenseMatrix& local) const;
     DenseMatrix spread(const System& system, const Vector& values) const;
     double over_facet(const DenseMatrix& u, const DenseMatrix& v, Index s, int omitted) const;
@@ -86,9 +85,8 @@ private:
     Shape shape_;
     int n_;
     std::vector<FacetSide> sides_;
-    std::vector<bool> is_boundary_; // by facets
     std::vector<Index> components_;
-    Vector volumes_, bubbles_, poincare_, kappa_;
+    Vector volumes_, bubbles_, poincare_;
     std::vector<DenseMatrix> gradients_; // kappa |T| times products of gradients
     DenseMatrix areas_;                  // of the facet opposite each corner
     System facets_, vertices_;

@@ -16,7 +16,6 @@
 #include <limits>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace polydec {
 

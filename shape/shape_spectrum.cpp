@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -31,7 +30,7 @@ public:
           ratio_(metric_ratio(shape)),
           conforming_(shape, options.level),
           lower_(lower_form(shape, options.level)),
-          counter_(lower_, options.linear_solver, dimension()) {
+          counter_(lower_, options.linear_solver) {
         result_.zeros = zero_eigenvalues(shape);
     }
 
@@ -104,7 +103,7 @@ void Enclosing::take(RitzPairs pairs) {
 void Enclosing::take_modes() {
     const Pieces& pieces = shape_.pieces;
     const auto& pairs = conforming_.pairs();
-    const GluedPoints& points = conforming_.points();
+    const Unknowns& points = conforming_.points();
     result_.modes = DenseMatrix::Zero(pieces.size(0), options_.count);
     if (options_.level == 2)
         result_.edge_modes = DenseMatrix::Zero(pieces.size(1), options_.count);
@@ -112,7 +111,7 @@ void Enclosing::take_modes() {
     std::size_t entry = 0;
     for (Index s = 0; s < pieces.size(n); ++s)
         for (const auto& [i, j] : pairs) {
-            const Index unknown = points.unknowns[entry];
+            const Index unknown = points.of_simplices[entry];
             const int sign = points.signs[entry++];
             const std::array<int, 2> corners{i, j};
             const bool is_vertex = i == j;
@@ -146,7 +145,7 @@ void Enclosing::count_all() {
 
 void Enclosing::find_lower() {
     tell("lower bounds");
-    bounds_.emplace(counter_, options_, dimension(), result_.upper * ratio_, result_.zeros,
+    bounds_.emplace(counter_, options_, result_.upper * ratio_, result_.zeros,
                     facet_moments(shape_, options_.level, conforming_, pairs_.vectors));
     result_.lower = bounds_->prove(result_.count.at_most) * (ratio_ * (1 - 1e-15));
     result_.factorizations += bounds_->counts();

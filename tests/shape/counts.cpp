@@ -146,7 +146,7 @@ TEST(Shape, of_merged_cells_has_the_marks_of_vertices_of_its_pieces) {
 TEST(FamilyCounter, counts_below_the_limit_alone) {
     for (const int level : {1, 2}) {
         const FormFamily family = lower_form(unmerged(kuhn(2, 3)), level);
-        FamilyCounter counter(family, "auto", 2);
+        FamilyCounter counter(family, "auto");
         EXPECT_TRUE(counter.at(0.9 * family.limit()));
         EXPECT_FALSE(counter.at(1.1 * family.limit()));
     }

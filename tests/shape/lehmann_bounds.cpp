@@ -33,7 +33,7 @@ void for_all(const Check& check) {
         for (const int level : {1, 2}) {
             SCOPED_TRACE(name + ", level " + std::to_string(level));
             const FormFamily family = lower_form(shape, level);
-            FamilyCounter counter(family, "auto", shape.pieces.dimension());
+            FamilyCounter counter(family, "auto");
             const auto [t, count] = counted(counter);
             check(family, counter, t, count);
         }
