@@ -20,40 +20,12 @@ namespace polydec {
 
 namespace {
 
-/// What hangs on the boundary, by vertex numbers of the mesh.
-struct HangingNodes {
-    double length = 0;                             // up to which vertices lie on facets
-    Simplices facets = {};                         // that fit no other; ascending corners
-    std::vector<std::vector<Index>> vertices = {}; // of each
-    std::size_t count = 0;                         // different ones
-    Index misfits = 0;                             // facets that lie on others
-};
-
-HangingNodes hanging_nodes(const Mesh& mesh, std::optional<double> length) {
-    const SimplicialComplex complex(mesh.simplices);
-    const Points points =
-        mesh.points(complex.vertex_numbers(numbers_below(complex.size(0))), Eigen::indexing::all);
-    HangingNodes result{length ? *length : weld_length(points)};
-    auto contacts = boundary_contacts(complex, points, result.length);
-    result.misfits = contacts.misfits;
-    result.facets = contacts.facets.unaryExpr([&](Index v) { return complex.vertex_number(v); });
-    std::vector<Index> all;
-    for (auto& vertices : contacts.hanging) {
-        result.vertices.push_back(complex.vertex_numbers(std::move(vertices)));
-        all.insert(all.end(), result.vertices.back().begin(), result.vertices.back().end());
-    }
-    sort_unique(all);
-    result.count = all.size();
-    return result;
-}
-
 /// The vertices that lie on edges of facets, each on the nearest edge of its facet.
-std::vector<DividedEdges::Entry> on_edges(const OwnUnits& own, const HangingNodes& nodes) {
-    const Points& points = own.points;
-    const double length = own.scaled(nodes.length);
+std::vector<DividedEdges::Entry> on_edges(const BoundaryContacts& nodes, const Points& points,
+                                          double length) {
     std::vector<DividedEdges::Entry> entries;
     for (Index f = 0; f < nodes.facets.rows(); ++f)
-        for (const Index v : nodes.vertices[f]) {
+        for (const Index v : nodes.in_facets[f]) {
             DividedEdges::Entry nearest{};
             double least = length * length;
             for (Index i = 0; i < nodes.facets.cols(); ++i)
@@ -267,18 +239,19 @@ private:
 };
 
 /// Whether any cell was divided.
-bool divide(Mesh& mesh, const HangingNodes& nodes) {
+bool divide(Mesh& mesh, const BoundaryContacts& nodes, double length) {
     const int n = mesh.dimension();
     if (n < 2 || n > 3)
         throw InvalidInput(fmt::format(
             "{} vertices hang on cells of dimension {}, and {} facets lie on others: only cells of "
             "dimension 2 or 3 can be split; mesh both sides so that they fit",
-            nodes.count, n, nodes.misfits));
+            nodes.hanging.size(), n, nodes.misfits));
     const OwnUnits own(mesh.points);
+    const double scaled = own.scaled(length);
     const FacetOverlay overlay(n == 3 ? nodes.facets : Simplices(0, 3),
-                               n == 3 ? nodes.vertices : std::vector<std::vector<Index>>(),
-                               own.points, own.scaled(nodes.length));
-    auto entries = on_edges(own, nodes);
+                               n == 3 ? nodes.in_facets : std::vector<std::vector<Index>>(),
+                               own.points, scaled);
+    auto entries = on_edges(nodes, own.points, scaled);
     for (const auto& entry : overlay.on_edges())
         entries.push_back(entry);
     DividedEdges edges(std::move(entries));
@@ -290,7 +263,7 @@ bool divide(Mesh& mesh, const HangingNodes& nodes) {
     const Division division(whole, overlay.points(), triangles);
     if (division.count() == 0)
         return false;
-    mesh = division.made(nodes.count, overlay.crossings().size());
+    mesh = division.made(nodes.hanging.size(), overlay.crossings().size());
     return true;
 }
 
@@ -301,8 +274,12 @@ Joined join_hanging(Mesh mesh, std::optional<double> length) {
     result.mesh = tidy(std::move(result.mesh), CellsWithoutVolume::keep);
     constexpr int most_passes = 40; // of which all but the first are for facets with holes
     for (int pass = 0; pass < most_passes; ++pass) {
-        const HangingNodes nodes = hanging_nodes(result.mesh, length);
-        if ((nodes.count == 0 && nodes.misfits == 0) || !divide(result.mesh, nodes))
+        const SimplicialComplex complex(result.mesh.simplices);
+        const Points points = result.mesh.points(
+            complex.vertex_numbers(numbers_below(complex.size(0))), Eigen::indexing::all);
+        const double within = length ? *length : weld_length(points);
+        const auto nodes = boundary_contacts(complex, points, within);
+        if ((nodes.hanging.empty() && nodes.misfits == 0) || !divide(result.mesh, nodes, within))
             break;
     }
     return result;

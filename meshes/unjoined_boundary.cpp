@@ -95,10 +95,10 @@ BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Point
     BoundaryContacts result;
     for (Index v = 0; v < std::ssize(first); ++v)
         if (first[v] != v)
-            result.coincident.push_back(v);
+            result.coincident.push_back(complex.vertex_number(v));
     const OpenFacets open = single(all, first);
-    result.facets = open.corners;
-    result.hanging.resize(open.opposite.size());
+    result.facets = open.corners.unaryExpr([&](Index v) { return complex.vertex_number(v); });
+    result.in_facets.resize(open.opposite.size());
     if (complex.dimension() < 2)
         return result;
     const auto vertices = used_vertices(open.corners);
@@ -119,11 +119,14 @@ BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Point
             i < std::ssize(vertices) && vertices[i] == open.opposite[f])
             of_cell.push_back(i);
         for (const Index i : tree.near(simplex, scaled, of_cell))
-            result.hanging[f].push_back(vertices[i]);
+            result.in_facets[f].push_back(complex.vertex_number(vertices[i]));
+        result.hanging.insert(result.hanging.end(), result.in_facets[f].begin(),
+                              result.in_facets[f].end());
         for (const Index other : tree_of_centroids.near(simplex, scaled, {f}))
             if (open.cells[other] != open.cells[f])
                 misfits.push_back(other);
     }
+    sort_unique(result.hanging);
     sort_unique(misfits);
     result.misfits = static_cast<Index>(misfits.size());
     return result;
@@ -131,12 +134,7 @@ BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Point
 
 UnjoinedBoundary unjoined_boundary(const SimplicialComplex& complex, const Points& points) {
     auto contacts = boundary_contacts(complex, points, weld_length(points));
-    std::vector<Index> hanging;
-    for (const auto& vertices : contacts.hanging)
-        hanging.insert(hanging.end(), vertices.begin(), vertices.end());
-    sort_unique(hanging);
-    return {complex.vertex_numbers(std::move(contacts.coincident)),
-            complex.vertex_numbers(std::move(hanging)), contacts.misfits};
+    return {std::move(contacts.coincident), std::move(contacts.hanging), contacts.misfits};
 }
 
 UnjoinedBoundary unjoined_boundary(const Mesh& mesh) {
