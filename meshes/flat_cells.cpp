@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <map>
 
 namespace polydec {
 
@@ -96,84 +96,52 @@ Facet facet(const Simplices& cells, Index cell, Index omitted) {
 }
 
 /// The facets of some cells, each with all cells of the mesh around it.
-class FacetsOf {
-public:
-    FacetsOf(const Mesh& mesh, const std::vector<Index>& cells) : cells_(mesh.simplices) {
-        std::vector<bool> marked(mesh.points.rows(), false);
-        for (const Index cell : cells)
-            for (Index i = 0; i < cells_.cols(); ++i) {
-                facets_.push_back(facet(cells_, cell, i));
-                marked[cells_(cell, i)] = true;
-            }
-        sort_unique(facets_);
-        around_.resize(facets_.size());
-
-        // Of the other cells only those with at most one unmarked vertex can have such a facet.
-        for (Index cell = 0; cell < cells_.rows(); ++cell) {
-            Index near = 0;
-            for (Index i = 0; i < cells_.cols(); ++i)
-                near += marked[cells_(cell, i)];
-            for (Index i = 0; i < cells_.cols() && near + 1 >= cells_.cols(); ++i) {
-                const std::size_t number = find(cell, i);
-                if (number < facets_.size())
-                    around_[number].push_back(cell);
-            }
+std::map<Facet, std::vector<Index>> around_facets(const Mesh& mesh,
+                                                  const std::vector<Index>& of_cells) {
+    const Simplices& cells = mesh.simplices;
+    std::map<Facet, std::vector<Index>> around;
+    std::vector<bool> marked(mesh.points.rows(), false);
+    for (const Index cell : of_cells)
+        for (Index i = 0; i < cells.cols(); ++i) {
+            around[facet(cells, cell, i)];
+            marked[cells(cell, i)] = true;
         }
+    // Of the other cells only those with at most one unmarked vertex can have such a facet.
+    for (Index cell = 0; cell < cells.rows(); ++cell) {
+        Index near = 0;
+        for (Index i = 0; i < cells.cols(); ++i)
+            near += marked[cells(cell, i)];
+        for (Index i = 0; i < cells.cols() && near + 1 >= cells.cols(); ++i)
+            if (const auto found = around.find(facet(cells, cell, i)); found != around.end())
+                found->second.push_back(cell);
     }
-
-    /// Numbers of the facets of one of the cells.
-    std::vector<std::size_t> numbers(Index cell) const {
-        std::vector<std::size_t> result;
-        for (Index i = 0; i < cells_.cols(); ++i)
-            result.push_back(find(cell, i));
-        return result;
-    }
-
-    /// The cells of the mesh around each facet.
-    const std::vector<std::vector<Index>>& around() const { return around_; }
-
-private:
-    /// Number of the facet that lacks the vertex at a place; their count if it is not among them.
-    std::size_t find(Index cell, Index omitted) const {
-        const Facet wanted = facet(cells_, cell, omitted);
-        const auto place = std::lower_bound(facets_.begin(), facets_.end(), wanted);
-        const bool found = place != facets_.end() && *place == wanted;
-        return found ? static_cast<std::size_t>(place - facets_.begin()) : facets_.size();
-    }
-
-    const Simplices& cells_;
-    std::vector<Facet> facets_;
-    std::vector<std::vector<Index>> around_;
-};
+    return around;
+}
 
 /// Takes flat cells away as long as one is bound to other cells by at most one facet. Taking one
 /// away only loosens the others, so the order does not matter.
 FlatCells peel(const Mesh& mesh, const std::vector<Index>& flat) {
-    const FacetsOf facets(mesh, flat);
+    auto staying = around_facets(mesh, flat);
     auto is_candidate = marks_at(flat, mesh.simplices.rows());
-    std::vector<std::size_t> staying(facets.around().size()); // cells around each facet
-    for (std::size_t f = 0; f < staying.size(); ++f)
-        staying[f] = facets.around()[f].size();
-
     std::vector<Index> queue = flat;
     while (!queue.empty()) {
         const Index cell = queue.back();
         queue.pop_back();
-        const auto numbers = facets.numbers(cell);
-        const auto bonds = std::count_if(numbers.begin(), numbers.end(),
-                                         [&](std::size_t f) { return staying[f] > 1; });
+        std::vector<std::vector<Index>*> sides;
+        for (Index i = 0; i < mesh.simplices.cols(); ++i)
+            sides.push_back(&staying.at(facet(mesh.simplices, cell, i)));
+        const auto bonds = std::count_if(sides.begin(), sides.end(),
+                                         [](const auto* side) { return side->size() > 1; });
         if (!is_candidate[cell] || bonds > 1)
             continue;
         is_candidate[cell] = false;
-
         // What changes for the others is that one may now be alone at a facet.
-        for (const std::size_t f : numbers)
-            if (--staying[f] == 1)
-                for (const Index other : facets.around()[f])
-                    if (is_candidate[other])
-                        queue.push_back(other);
+        for (auto* const side : sides) {
+            std::erase(*side, cell);
+            if (side->size() == 1 && is_candidate[side->front()])
+                queue.push_back(side->front());
+        }
     }
-
     FlatCells result;
     for (const Index cell : flat)
         (is_candidate[cell] ? result.stuck : result.removable).push_back(cell);
