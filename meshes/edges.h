@@ -4,6 +4,7 @@
 #include "base/types.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,14 @@ std::vector<Edge> edges_of(const Simplices& simplices);
 
 /// The vertices of all simplices, ascending, each once.
 std::vector<Index> used_vertices(const Simplices& simplices);
+
+/// Throws InvalidInput, naming the row, unless all vertex numbers are 0 to vertices - 1; `what` is
+/// the name of a row, such as "cell".
+void check_vertices(std::string_view what, const Simplices& rows, Eigen::Index vertices);
+
+/// Distance between two points, safe against overflow and underflow of squares: 0 for equal points
+/// alone. Throws InvalidInput, naming both points, if it is not finite.
+double distance(const Points& points, Index a, Index b);
 
 /// The edges from corner 0 of a simplex to its other corners, one a row.
 template <class Corners>

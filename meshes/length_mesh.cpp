@@ -3,7 +3,6 @@
 
 #include "base/errors.h"
 #include "base/lists.h"
-#include "meshes/distance.h"
 #include "meshes/edges.h"
 
 #include <fmt/format.h>
@@ -16,16 +15,6 @@ namespace {
 
 Edge edge(const Simplices& edges, Index row) {
     return std::minmax(Index{edges(row, 0)}, Index{edges(row, 1)});
-}
-
-void check_range(const Simplices& rows, Index vertices, const char* what) {
-    for (Index row = 0; row < rows.rows(); ++row)
-        for (const Index v : rows.row(row))
-            if (v < 0 || v >= vertices)
-                throw InvalidInput(
-                    fmt::format("{} {} has the vertex {}: expected 0 to {}", what, row, v,
-                                vertices - 1),
-                    {.degree = static_cast<int>(rows.cols()) - 1, .cells = {row}, .vertices = {v}});
 }
 
 } // namespace
@@ -80,8 +69,8 @@ void check(const LengthMesh& mesh) {
         throw InvalidInput(fmt::format("{} simplices of {} vertices are given: expected at least "
                                        "one simplex of two or more vertices",
                                        mesh.simplices.rows(), mesh.simplices.cols()));
-    check_range(mesh.simplices, mesh.vertices, "simplex");
-    check_range(mesh.edges, mesh.vertices, "edge");
+    check_vertices("simplex", mesh.simplices, mesh.vertices);
+    check_vertices("edge", mesh.edges, mesh.vertices);
     const auto fault = edge_fault(mesh);
     if (!fault)
         return;

@@ -5,11 +5,11 @@
 #include "base/errors.h"
 #include "base/lists.h"
 #include "base/permutation_sign.h"
+#include "meshes/edges.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <limits>
@@ -65,9 +65,7 @@ private:
     /// The corners that reach a level are above it. By vertex number on both sides, so that
     /// neighbors cut what they share in the same way.
     void cut(Index s, Index level) {
-        std::vector<Index> places(static_cast<std::size_t>(n_) + 1);
-        for (std::size_t i = 0; i < places.size(); ++i)
-            places[i] = static_cast<Index>(i);
+        std::vector<Index> places = numbers_below(n_ + 1);
         const auto corner = [&](Index place) { return mesh_.simplices(s, place); };
         const auto below = std::partition(places.begin(), places.end(), [&](Index place) {
             return levels_[level] <= values_[corner(place)] + tie_;
@@ -150,10 +148,7 @@ LevelSets level_sets(const Mesh& mesh, const Vector& values, const Vector& level
             throw InvalidInput(fmt::format("level sets: level {} is {}, but the previous level is "
                                            "{}; expected ascending levels",
                                            i + 1, levels[i + 1], levels[i]));
-    if (mesh.simplices.size() > 0) {
-        check_number("a vertex", mesh.simplices.minCoeff(), 0, mesh.points.rows() - 1);
-        check_number("a vertex", mesh.simplices.maxCoeff(), 0, mesh.points.rows() - 1);
-    }
+    check_vertices("simplex", mesh.simplices, mesh.points.rows());
     return Cutter(mesh, values, levels).cut();
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/errors.h"
+#include "meshes/edges.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -66,18 +67,7 @@ void check_facet_tags(const Mesh& mesh) {
         throw InvalidInput(fmt::format(
             "facets with tags have {} vertices; expected {}, since the cells have dimension {}",
             facets.cols(), mesh.dimension(), mesh.dimension()));
-    for (Eigen::Index facet = 0; facet < facets.rows(); ++facet) {
-        const auto vertices = facets.row(facet);
-        if (vertices.minCoeff() < 0 || vertices.maxCoeff() >= mesh.points.rows())
-            throw InvalidInput(fmt::format("facet {} of the facets with tags (vertices {}) has a "
-                                           "vertex that is not among the {} vertices of the mesh\n"
-                                           "Vertices are numbered from 0.",
-                                           facet, fmt::join(vertices.begin(), vertices.end(), " "),
-                                           mesh.points.rows()),
-                               {.degree = mesh.dimension() - 1,
-                                .cells = {static_cast<Index>(facet)},
-                                .vertices = {vertices.begin(), vertices.end()}});
-    }
+    check_vertices("facets with tags: facet", facets, mesh.points.rows());
 }
 
 std::optional<Index> group_tag(const std::vector<GroupName>& groups, int dimension,

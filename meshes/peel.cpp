@@ -3,7 +3,6 @@
 #include "base/errors.h"
 #include "base/listed.h"
 #include "complex/simplicial_complex.h"
-#include "meshes/distance.h"
 #include "meshes/edges.h"
 #include "meshes/tidy.h"
 

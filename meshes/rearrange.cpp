@@ -4,6 +4,7 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "base/random.h"
+#include "meshes/edges.h"
 
 #include <fmt/format.h>
 
@@ -27,31 +28,22 @@ Mesh perturbed(Mesh mesh, double amplitude, std::uint64_t seed) {
 
 namespace {
 
-void check_tags(const Mesh& mesh, const char* what) {
+void check(const Mesh& mesh, const std::string& what) {
     const auto cells = static_cast<std::size_t>(mesh.simplices.rows());
     if (!mesh.tags.empty() && mesh.tags.size() != cells)
         throw InvalidInput(
             fmt::format("{}: {} tags are given for {} cells: expected one for each, or none", what,
                         mesh.tags.size(), cells));
     check_facet_tags(mesh);
+    check_vertices(what + ": cell", mesh.simplices, mesh.points.rows());
 }
 
 /// Cells with new vertex numbers, in the old order.
-Simplices with_new_numbers(Simplices cells, const std::vector<Index>& vertices, const char* what) {
+Simplices with_new_numbers(const Simplices& cells, const std::vector<Index>& vertices) {
     std::vector<Index> new_number(vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
         new_number[vertices[i]] = static_cast<Index>(i);
-    for (Eigen::Index s = 0; s < cells.rows(); ++s)
-        for (Eigen::Index c = 0; c < cells.cols(); ++c) {
-            const Index vertex = cells(s, c);
-            if (vertex < 0 || vertex >= static_cast<Eigen::Index>(vertices.size()))
-                throw InvalidInput(fmt::format("{}: cell {} names vertex {}, but there are {} "
-                                               "vertices, numbered from 0",
-                                               what, s, vertex, vertices.size()),
-                                   {.cells = {static_cast<Index>(s)}, .vertices = {vertex}});
-            cells(s, c) = new_number[vertex];
-        }
-    return cells;
+    return cells.unaryExpr([&](Index vertex) { return new_number[vertex]; });
 }
 
 /// The mesh in the order of the lists; `renumbered` are the cells in the old one.
@@ -64,7 +56,7 @@ Renumbered arranged(const Mesh& mesh, const Simplices& renumbered, std::vector<I
     if (mesh.input_cells.of_simplices.empty())
         result.mesh.input_cells = {}; // the simplices have new numbers
     auto& facets = result.mesh.facet_tags.simplices;
-    facets = with_new_numbers(std::move(facets), result.vertices, "facets with tags");
+    facets = with_new_numbers(facets, result.vertices);
     return result;
 }
 
@@ -149,23 +141,23 @@ std::vector<std::uint64_t> morton_keys(const Points& points) {
 }
 
 Renumbered shuffled(const Mesh& mesh, std::uint64_t seed) {
-    check_tags(mesh, "shuffled");
+    check(mesh, "shuffled");
     Random random(seed);
     auto vertices = random.order(mesh.points.rows());
     auto cells = random.order(mesh.simplices.rows());
-    const Simplices renumbered = with_new_numbers(mesh.simplices, vertices, "shuffled");
+    const Simplices renumbered = with_new_numbers(mesh.simplices, vertices);
     return arranged(mesh, renumbered, std::move(vertices), std::move(cells));
 }
 
 Renumbered along_morton_curve(const Mesh& mesh) {
-    check_tags(mesh, "along_morton_curve");
+    check(mesh, "along_morton_curve");
     for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
         if (!mesh.points.row(v).allFinite())
             throw InvalidInput(
                 fmt::format("along_morton_curve: vertex {} has a coordinate that is not finite", v),
                 {.vertices = {static_cast<Index>(v)}});
     auto vertices = ascending_order(morton_keys(mesh.points));
-    const Simplices renumbered = with_new_numbers(mesh.simplices, vertices, "along_morton_curve");
+    const Simplices renumbered = with_new_numbers(mesh.simplices, vertices);
     std::vector<std::uint64_t> first_vertices;
     first_vertices.reserve(renumbered.rows());
     for (Eigen::Index s = 0; s < renumbered.rows(); ++s)

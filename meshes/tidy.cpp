@@ -5,6 +5,7 @@
 #include "base/listed.h"
 #include "base/lists.h"
 #include "complex/faces.h"
+#include "meshes/edges.h"
 #include "meshes/flat_cells.h"
 
 #include <fmt/format.h>
@@ -182,17 +183,7 @@ void check_mesh(const Mesh& mesh) {
                                            "Give it finite coordinates.",
                                            v, place(mesh, v)),
                                {.vertices = {v}});
-    const auto is_valid = [&](Index v) { return v >= 0 && v < mesh.points.rows(); };
-    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
-        const auto vertices = mesh.simplices.row(cell);
-        if (!std::all_of(vertices.begin(), vertices.end(), is_valid))
-            throw InvalidInput(
-                fmt::format("cell {} (vertices {}) has a vertex that is not among the {} vertices "
-                            "of the mesh\n"
-                            "Vertices are numbered from 0.",
-                            cell, vertices_of(mesh, cell), mesh.points.rows()),
-                {.degree = n, .cells = {cell}, .vertices = {vertices.begin(), vertices.end()}});
-    }
+    check_vertices("cell", mesh.simplices, mesh.points.rows());
 }
 
 std::string isolated_vertices(const std::vector<Index>& first, std::size_t count) {

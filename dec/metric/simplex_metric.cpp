@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/triangle.h"
-#include "meshes/distance.h"
+#include "meshes/edges.h"
 
 #include <fmt/format.h>
 

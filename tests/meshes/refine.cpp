@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/distance.h"
 #include "meshes/edges.h"
 #include "tests/support/test.h"
 
