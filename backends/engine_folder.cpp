@@ -11,7 +11,6 @@
 #include <map>
 #include <mutex>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 namespace polydec {

@@ -270,11 +270,6 @@ private:
     Simplices sources_;           // of leaders, the vertex that gives each coordinate
 };
 
-double checked_length(double length) {
-    check_not_negative("the length within which vertices are joined", length);
-    return length;
-}
-
 } // namespace
 
 double weld_length(const Points& points) {
@@ -287,7 +282,7 @@ double weld_length(const Points& points) {
 Joined weld(Mesh mesh, std::optional<double> length) {
     check_mesh(mesh);
     if (length)
-        checked_length(*length);
+        check_not_negative("the length within which vertices are joined", *length);
     Joined result{std::move(mesh), {}};
     Mesh& made = result.mesh;
     const auto vertices = static_cast<Index>(made.points.rows());

@@ -2,13 +2,13 @@
 #include "backends/spectra/found_pairs.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace polydec {
 
@@ -133,8 +133,7 @@ void FoundPairs::take(const DenseMatrix& vectors, const std::vector<Enclosure>& 
         energies_[i] = enclosures[i - before].energy;
         residuals_[i] = enclosures[i - before].residual;
     }
-    std::vector<Index> order(after);
-    std::iota(order.begin(), order.end(), Index{0});
+    std::vector<Index> order = numbers_below(after);
     std::stable_sort(order.begin(), order.end(),
                      [&](Index a, Index b) { return values_[a] < values_[b]; });
     keep(order);

@@ -2,6 +2,8 @@
 #include "meshes/tetgen/run_tetgen.h"
 
 #include "base/errors.h"
+#include "base/listed.h"
+#include "base/lists.h"
 #include "meshes/edges.h"
 #include "meshes/tetgen/tetgen_files.h"
 #include "system/child_process.h"
@@ -92,17 +94,14 @@ void refuse_crossing_facets(const TetgenRun& run) {
     const auto pairs = crossing_facets(start(run, "-zd").output, facets);
     if (pairs.empty())
         return;
-    constexpr std::size_t most = 5;
-    std::string names;
-    for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i)
-        names += fmt::format("{}{} and {}", i == 0 ? "" : ", ",
-                             facet_name(run.input.given, pairs[i].first),
-                             facet_name(run.input.given, pairs[i].second));
-    throw InvalidInput(
-        fmt::format("mesher: {} {} of facets cross or overlap: {}{}\n"
-                    "Facets may meet only in common corners and edges: repair the surface there.",
-                    pairs.size(), pairs.size() == 1 ? "pair" : "pairs", names,
-                    pairs.size() > most ? " .." : ""));
+    const auto name = [&](Index i) {
+        return fmt::format("{} and {}", facet_name(run.input.given, pairs[i].first),
+                           facet_name(run.input.given, pairs[i].second));
+    };
+    throw InvalidInput(fmt::format(
+        "mesher: {} of facets cross or overlap: {}\n"
+        "Facets may meet only in common corners and edges: repair the surface there.",
+        counted(pairs.size(), "pair", "pairs"), listed(numbers_below(std::ssize(pairs)), name)));
 }
 
 [[noreturn]] void fail(const TetgenRun& run, const ChildOutcome& outcome) {

@@ -2,6 +2,7 @@
 #include "meshes/tetgen/tetgen_input.h"
 
 #include "base/errors.h"
+#include "base/listed.h"
 #include "base/lists.h"
 #include "meshes/edges.h"
 
@@ -105,19 +106,16 @@ void check_not_coplanar(const TetgenInput& input) {
 
 void check_closed(const TetgenInput& input) {
     const auto& odd = input.surface.odd_edges;
-    if (!odd.empty()) {
-        std::string names;
-        for (std::size_t i = 0; i < std::min<std::size_t>(3, odd.size()); ++i)
-            names += fmt::format("{}edge {} {} in {} (facet {})", i == 0 ? "" : ", ",
-                                 input.vertices[odd[i].low], input.vertices[odd[i].high],
-                                 odd[i].triangles, odd[i].first);
-        throw InvalidInput(fmt::format("mesher: the surface is not closed: each edge must be in "
-                                       "two facets, but {} of them {} not\n"
-                                       "{}{}\n"
-                                       "Close the gaps, and remove dangling and repeated facets.",
-                                       odd.size(), odd.size() == 1 ? "is" : "are", names,
-                                       odd.size() > 3 ? " .." : ""));
-    }
+    if (odd.empty())
+        return;
+    const auto name = [&](Index i) {
+        return fmt::format("edge {} {} in {} (facet {})", input.vertices[odd[i].low],
+                           input.vertices[odd[i].high], odd[i].triangles, odd[i].first);
+    };
+    throw InvalidInput(fmt::format(
+        "mesher: the surface is not closed: each edge must be in two facets, but {} of "
+        "them {} not\n{}\nClose the gaps, and remove dangling and repeated facets.",
+        odd.size(), odd.size() == 1 ? "is" : "are", listed(numbers_below(std::ssize(odd)), name)));
 }
 
 void check_sides(const TetgenInput& input) {
