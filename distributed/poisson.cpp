@@ -15,7 +15,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace polydec {
 
@@ -108,27 +107,25 @@ Points cell_centers(const Ranks& ranks, const DistributedMesh& mesh, int k) {
 }
 
 struct SharedPoissonSolver::Problem {
-    Problem(const Ranks& ranks, const DistributedMesh& mesh, const SharedPoissonOptions& options)
-        : side(options.side) {
+    Problem(const Ranks& ranks, const DistributedMesh& mesh, const SharedPoissonOptions& options) {
         check_stars(ranks, mesh);
         const OwnFacets facets =
             ranks.together("conditions", [&] { return OwnFacets(mesh, options.boundary); });
-        const int n = mesh.dimension();
-        side == Side::primal ? set_primal(ranks, mesh, facets) : set_dual(ranks, mesh, facets);
-        sites = cell_centers(ranks, mesh, side == Side::primal ? 0 : n);
-        flux_sites = cell_centers(ranks, mesh, n - 1);
+        own_facets = facets.essential.size();
+        options.side == Side::primal ? set_primal(ranks, mesh, facets)
+                                     : set_dual(ranks, mesh, facets);
+        own_values = options.side == Side::primal ? mass.size() : own_facets;
     }
 
     void set_primal(const Ranks& ranks, const DistributedMesh& mesh, const OwnFacets& facets);
     void set_dual(const Ranks& ranks, const DistributedMesh& mesh, const OwnFacets& facets);
 
-    Side side;
+    Eigen::Index own_facets = 0, own_values = 0; // the latter: at the boundary
     SharedSystem system = {};
     Vector mass = {}; // of own unknowns
     /// Boundary data to right-hand side, and boundary values to fixed unknowns.
     std::function<Vector(const Vector& boundary_values, const Vector& flows)> load = {};
     std::function<Vector(const Vector& boundary_values)> fixed = {};
-    Points sites = {}, flux_sites = {};
 };
 
 void SharedPoissonSolver::Problem::set_primal(const Ranks& ranks, const DistributedMesh& mesh,
@@ -220,28 +217,21 @@ SharedPoissonSolver::SharedPoissonSolver(const Ranks& ranks, const DistributedMe
       problem_(std::make_shared<Problem>(ranks, mesh, options)),
       solver_(ranks, std::move(problem_->system), options.engine) {}
 
-Points SharedPoissonSolver::sites() const {
-    return problem_->sites;
-}
-
-Points SharedPoissonSolver::boundary_sites() const {
-    return problem_->side == Side::primal ? sites() : flux_sites();
-}
-
-Points SharedPoissonSolver::flux_sites() const {
-    return problem_->flux_sites;
-}
-
 Solution SharedPoissonSolver::solve(const Vector& f, const Vector& boundary_values,
                                     const Vector& normal_derivatives) const {
+    const Problem& of = *problem_;
+    const auto given = [](const char* what, const Vector& values, Eigen::Index size) {
+        if (values.size() > 0)
+            check_values(what, values, size);
+        return values.size() > 0 ? values : Vector(Vector::Zero(size));
+    };
+    Vector values, derivatives;
     ranks_.together("data", [&] {
-        check_values("right-hand side", f, problem_->sites.rows());
-        check_values("boundary data", boundary_values, boundary_sites().rows());
-        check_values("normal derivatives", normal_derivatives, problem_->flux_sites.rows());
+        check_values("right-hand side", f, of.mass.size());
+        values = given("boundary data", boundary_values, of.own_values);
+        derivatives = given("normal derivatives", normal_derivatives, of.own_facets);
     });
-    return solver_.solve(problem_->mass.cwiseProduct(f) +
-                             problem_->load(boundary_values, normal_derivatives),
-                         problem_->fixed(boundary_values));
+    return solver_.solve(of.mass.cwiseProduct(f) + of.load(values, derivatives), of.fixed(values));
 }
 
 } // namespace polydec

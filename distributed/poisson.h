@@ -26,14 +26,11 @@ public:
     SharedPoissonSolver(const Ranks& ranks, const DistributedMesh& mesh,
                         const SharedPoissonOptions& options = {});
 
-    /// See PoissonSolver.
-    Points sites() const;
-    Points boundary_sites() const;
-    Points flux_sites() const;
-
-    /// See PoissonSolver::solve.
-    Solution solve(const Vector& f, const Vector& boundary_values,
-                   const Vector& normal_derivatives) const;
+    /// See PoissonSolver::solve. Values of f are at the centers of vertices (primal) or n-cells
+    /// (dual), boundary values at those of vertices or facets, derivatives at those of facets; what
+    /// is empty is 0.
+    Solution solve(const Vector& f, const Vector& boundary_values = {},
+                   const Vector& normal_derivatives = {}) const;
 
 private:
     struct Problem;

@@ -13,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -31,36 +30,34 @@ struct SharedPoissonArguments {
 /// What the options give at sites of own cells; made before the mesh is read.
 struct SharedData {
     explicit SharedData(const SharedPoissonArguments& arguments)
-        : rhs("--rhs", arguments.rhs),
-          boundary("--boundary", arguments.boundary.empty() ? "(0)" : arguments.boundary),
-          flux("--flux", arguments.flux.empty() ? "(0)" : arguments.flux),
+        : rhs(if_given<SiteValues>("--rhs", arguments.rhs)),
+          boundary(if_given<SiteValues>("--boundary", arguments.boundary)),
+          flux(if_given<SiteValues>("--flux", arguments.flux)),
           essential_where(
               if_given<SiteValues>("--essential-where", arguments.conditions.essential_where)),
           exact(if_given<SiteValues>("--exact", arguments.exact)) {}
 
-    SiteValues rhs, boundary, flux;
-    std::optional<SiteValues> essential_where, exact;
+    std::optional<SiteValues> rhs, boundary, flux, essential_where, exact;
 };
 
-/// Values at own cells, of which `sites` are in units of the mesh.
-Vector values_at(const Ranks& ranks, const DistributedMesh& mesh, const SiteValues& values, int k,
-                 const Points& sites) {
+/// Values at the centers of own cells; none without.
+Vector values_at(const Ranks& ranks, const DistributedMesh& mesh,
+                 const std::optional<SiteValues>& values, int k) {
+    if (!values)
+        return {};
     const auto& cells = mesh.cells.degree(k);
-    return ranks.together("data",
-                          [&] { return values.at(mesh.unit * sites, cells.number, cells.count); });
+    const Points sites = mesh.unit * cell_centers(ranks, mesh, k);
+    return ranks.together("data", [&] { return values->at(sites, cells.number, cells.count); });
 }
 
 BoundaryConditions conditions_on(const Ranks& ranks, const DistributedMesh& mesh,
                                  const SharedPoissonArguments& arguments, const SharedData& data) {
-    const int facets = mesh.dimension() - 1;
     if (arguments.conditions.natural)
         return {BoundaryCondition::natural};
     BoundaryConditions result;
-    if (data.essential_where)
-        for (const double value : values_at(ranks, mesh, *data.essential_where, facets,
-                                            cell_centers(ranks, mesh, facets)))
-            result.facets.push_back(value != 0 ? BoundaryCondition::essential
-                                               : BoundaryCondition::natural);
+    for (const double value : values_at(ranks, mesh, data.essential_where, mesh.dimension() - 1))
+        result.facets.push_back(value != 0 ? BoundaryCondition::essential
+                                           : BoundaryCondition::natural);
     return result;
 }
 
@@ -109,11 +106,9 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
         return ranks.together("data",
                               [&] { return in_input_units(values, mesh.unit, power, what); });
     };
-    const Vector f = in_units(values_at(ranks, mesh, data.rhs, k, solver.sites()), 2, "--rhs");
-    const Vector g = values_at(ranks, mesh, data.boundary, side == Side::primal ? 0 : n - 1,
-                               solver.boundary_sites());
-    const Vector h =
-        in_units(values_at(ranks, mesh, data.flux, n - 1, solver.flux_sites()), 1, "--flux");
+    const Vector f = in_units(values_at(ranks, mesh, data.rhs, k), 2, "--rhs");
+    const Vector g = values_at(ranks, mesh, data.boundary, side == Side::primal ? 0 : n - 1);
+    const Vector h = in_units(values_at(ranks, mesh, data.flux, n - 1), 1, "--flux");
     const auto solution = computed_on(file, [&] { return solver.solve(f, g, h); });
     log.warn(warning_of(solution.compatibility));
     warn_of_negative(ranks, mesh, side, log);
@@ -133,8 +128,7 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
     answer.conditions = in_words(
         on, 0, n, {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
     if (data.exact)
-        answer.errors = errors_of(ranks, mesh, side,
-                                  u - values_at(ranks, mesh, *data.exact, k, solver.sites()));
+        answer.errors = errors_of(ranks, mesh, side, u - values_at(ranks, mesh, data.exact, k));
     if (!arguments.mesh.out.empty()) {
         log.begin("write");
         write_pvtu(ranks, arguments.mesh.out, mesh, {{"u", k, u}});
