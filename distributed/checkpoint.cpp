@@ -4,8 +4,6 @@
 #include "base/checks.h"
 #include "base/errors.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <optional>
 

@@ -5,9 +5,6 @@
 #include "distributed/petsc_calls.h"
 #include "distributed/shared_classes.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace polydec {
 
 namespace {

@@ -9,8 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <petscksp.h>
 
 namespace polydec {
@@ -54,6 +52,15 @@ const EngineMethod& method(const std::string& engine) {
 
 bool is_direct(const std::string& engine) {
     return engine == "petsc.mumps";
+}
+
+/// Of a direct engine.
+Mat factor_of(KSP ksp) {
+    PC pc = nullptr;
+    Mat factor = nullptr;
+    require(KSPGetPC(ksp, &pc), "looking at a factor");
+    require(PCFactorGetMatrix(pc, &factor), "looking at a factor");
+    return factor;
 }
 
 constexpr double first_room = 50; // percent of memory above MUMPS' estimate
@@ -111,13 +118,9 @@ void Ksp::set_up(const std::string& own_options, double room) {
         petsc::require_read(engine_.name, engine_.options);
     });
     if (is_direct(engine_.name)) {
-        PC pc = nullptr;
-        Mat factor = nullptr;
         PetscInt info = 0;
-        require(KSPGetPC(ksp, &pc), "looking at a factor");
-        require(PCFactorGetMatrix(pc, &factor), "looking at a factor");
 #ifdef PETSC_HAVE_MUMPS
-        require(MatMumpsGetInfog(factor, 1, &info), "looking at a factor");
+        require(MatMumpsGetInfog(factor_of(ksp), 1, &info), "looking at a factor");
 #endif
         if (info == mumps_lacks_room && 2 * room <= most_room)
             return set_up(own_options, 2 * room);
@@ -146,12 +149,9 @@ void Ksp::fail(const std::string& why) const {
 }
 
 GlobalIndex Ksp::negative_pivots() const {
-    PC pc = nullptr;
-    Mat factor = nullptr;
     PetscInt negative = 0;
-    require(KSPGetPC(solver_->ksp.get(), &pc), "looking at a factor");
-    require(PCFactorGetMatrix(pc, &factor), "looking at a factor");
-    require(MatGetInertia(factor, &negative, nullptr, nullptr), "looking at a factor");
+    require(MatGetInertia(factor_of(solver_->ksp.get()), &negative, nullptr, nullptr),
+            "looking at a factor");
     return negative;
 }
 

@@ -3,26 +3,13 @@
 
 #include "base/lists.h"
 #include "complex/blocks.h"
+#include "dec/metric/simplex_geometry.h"
 #include "dec/metric/subsets.h"
 #include "distributed/piece_rows.h"
-
-#include <algorithm>
 
 namespace polydec {
 
 namespace {
-
-/// The face of simplex t with these of its corners.
-Index face_with(const Pieces& complex, Index t, const std::vector<int>& corners) {
-    Index face = t;
-    auto kept = corners.rbegin();
-    for (int k = complex.dimension(), corner = k; corner >= 0; --corner)
-        if (kept != corners.rend() && *kept == corner)
-            ++kept;
-        else
-            face = complex.face(k--, face, corner);
-    return face;
-}
 
 /// What is told of one simplex: its number, and its carrier.
 constexpr int face_width = 4;
@@ -62,7 +49,7 @@ Points rows_of(const DistributedMesh& mesh, const Points& of_vertices, const Row
         rows(t, place++) = complex.orientation(t);
         for (int k = 0; k <= row.n; ++k)
             for (const auto& corners : row.faces[k]) {
-                const Index face = face_with(complex, t, corners);
+                const Index face = face_at(complex, row.n, t, corners);
                 const Carrier& carrier = mesh.merged.carriers[k][face];
                 for (const double told :
                      {static_cast<double>(local.degree(k).number[face]),
@@ -123,7 +110,7 @@ Blocks blocks_of(const SimplicialComplex& complex, const Points& rows, const Row
         Eigen::Index place = row.orientation() + 1;
         for (int k = 0; k <= row.n; ++k)
             for (const auto& corners : row.faces[k]) {
-                const Index face = face_with(complex, s, corners);
+                const Index face = face_at(complex, row.n, s, corners);
                 numbers[k][face] = of_simplex[place];
                 told[k][face] = {static_cast<int>(of_simplex[place + 1]), of_simplex[place + 2],
                                  static_cast<std::int8_t>(of_simplex[place + 3])};

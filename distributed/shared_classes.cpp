@@ -5,8 +5,6 @@
 #include "complex/disjoint_sets.h"
 #include "distributed/number_places.h"
 
-#include <algorithm>
-
 namespace polydec {
 
 namespace {

@@ -2,12 +2,9 @@
 #include "distributed/slices.h"
 
 #include "base/errors.h"
-#include "distributed/graph_owners.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 namespace polydec {
 
@@ -24,66 +21,6 @@ MeshSlice slice_for(const Mesh& mesh, int rank, int ranks) {
     if (rank == 0)
         slice.warnings = mesh.warnings;
     return slice;
-}
-
-/// Least and largest coordinates of all points.
-struct Box {
-    std::vector<double> least, largest;
-};
-
-Box bounding_box(const Ranks& ranks, const Points& points) {
-    Box box;
-    for (Eigen::Index c = 0; c < points.cols(); ++c) {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        double least = infinity, largest = -infinity;
-        for (const double x : points.col(c))
-            if (std::isfinite(x)) {
-                least = std::min(least, x);
-                largest = std::max(largest, x);
-            }
-        box.least.push_back(ranks.least(least));
-        box.largest.push_back(ranks.largest(largest));
-    }
-    return box;
-}
-
-/// The places of points along Morton's curve: the bits of all coordinates in turn.
-std::vector<std::uint64_t> morton_keys(const Points& points, const Box& box) {
-    constexpr int all_bits = 62;
-    const auto N = static_cast<int>(points.cols());
-    const int bits = N == 0 ? 0 : std::min(31, all_bits / N);
-    std::vector<std::uint64_t> keys(points.rows(), 0);
-    for (std::size_t v = 0; v < keys.size(); ++v)
-        for (int c = 0; c < N; ++c) {
-            const double extent = box.largest[c] - box.least[c];
-            const double x = points(static_cast<Eigen::Index>(v), c) - box.least[c];
-            const double part = extent > 0 && x > 0 ? std::min(1.0, x / extent) : 0;
-            const auto place = static_cast<std::uint64_t>(std::ldexp(part, bits) * (1 - 1e-12));
-            for (int bit = 0; bit < bits; ++bit)
-                keys[v] |= (place >> bit & 1) << (bit * N + c);
-        }
-    return keys;
-}
-
-/// Where the stretches of ranks begin, from samples of the keys.
-std::vector<std::uint64_t> splitters(const Ranks& ranks, std::vector<std::uint64_t> keys) {
-    constexpr std::size_t most_samples = 256;
-    std::sort(keys.begin(), keys.end());
-    const std::size_t count = std::min(keys.size(), most_samples);
-    std::vector<std::uint64_t> samples;
-    for (std::size_t i = 0; i < count; ++i)
-        samples.push_back(keys[(2 * i + 1) * keys.size() / (2 * count)]);
-    samples = ranks.of_all(samples);
-    std::sort(samples.begin(), samples.end());
-    std::vector<std::uint64_t> result;
-    for (int r = 1; r < ranks.size() && !samples.empty(); ++r)
-        result.push_back(samples[r * samples.size() / ranks.size()]);
-    return result;
-}
-
-std::uint64_t scrambled(std::uint64_t number) {
-    number = (number + 0x9e3779b97f4a7c15) * 0xbf58476d1ce4e5b9;
-    return (number ^ number >> 31) * 0x94d049bb133111eb >> 17;
 }
 
 } // namespace
@@ -135,25 +72,6 @@ Points points_of(const Ranks& ranks, const MeshSlice& slice,
             std::copy_n(slice.points.data() + (v - first) * N, N, row);
         });
     return Eigen::Map<const Points>(rows.data(), std::ssize(vertices), N);
-}
-
-std::vector<int> vertex_owners(const Ranks& ranks, const MeshSlice& slice, Ownership by) {
-    std::vector<int> owners(slice.points.rows(), ranks.rank());
-    if (by == Ownership::graph)
-        return owners_by_graph(ranks, slice);
-    if (by == Ownership::morton) {
-        const auto keys = morton_keys(slice.points, bounding_box(ranks, slice.points));
-        const auto begins = splitters(ranks, keys);
-        for (std::size_t v = 0; v < owners.size(); ++v)
-            owners[v] = static_cast<int>(std::upper_bound(begins.begin(), begins.end(), keys[v]) -
-                                         begins.begin());
-    } else if (by == Ownership::random) {
-        const GlobalIndex first = EqualStretches(slice.vertices, ranks.size()).begin(ranks.rank());
-        for (std::size_t v = 0; v < owners.size(); ++v)
-            owners[v] = static_cast<int>(scrambled(static_cast<std::uint64_t>(first) + v) %
-                                         static_cast<std::uint64_t>(ranks.size()));
-    }
-    return owners;
 }
 
 } // namespace polydec

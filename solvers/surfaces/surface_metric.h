@@ -4,8 +4,6 @@
 #include "complex/surfaces/glued_surface.h"
 #include "system/memory.h"
 
-#include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
