@@ -3,9 +3,11 @@
 
 #include "backends/linear/auto_solver.h"
 #include "examples/paper/console.h"
+#include "system/memory.h"
 #include "tools/messages.h"
 
 #include <algorithm>
+#include <ctime>
 
 namespace polydec::tools {
 
@@ -18,8 +20,8 @@ void write_object(JsonWriter& json, const Answer& answer, const Log& log, bool t
         if (!timing)
             return;
         json.object("timing", [&] {
-            for (const auto& [stage, seconds] : log.timing.seconds())
-                json.member(stage, seconds);
+            for (const Stage& stage : log.timing.stages())
+                json.member(stage.name, stage.seconds);
         });
     });
 }
@@ -29,27 +31,37 @@ void write_text(Text& text, const Answer& answer, const Log& log, bool timing) {
     if (!timing)
         return;
     text("\nseconds\n");
-    for (const auto& [stage, seconds] : log.timing.seconds())
-        text("  {:<12} {:8.3f}\n", stage, seconds);
+    for (const Stage& stage : log.timing.stages())
+        text("  {:<12} {:8.3f}\n", stage.name, stage.seconds);
 }
 
 } // namespace
 
+Timing::Timing(std::function<std::int64_t()> sent) : sent_(std::move(sent)) {}
+
+Timing::Counters Timing::counters() const {
+    return {Clock::now(), static_cast<double>(std::clock()) / CLOCKS_PER_SEC, sent_()};
+}
+
 void Timing::begin(std::string_view stage) {
     end();
-    const auto it = std::find_if(seconds_.begin(), seconds_.end(),
-                                 [&](const auto& entry) { return entry.first == stage; });
-    running_ = static_cast<std::size_t>(it - seconds_.begin());
-    if (it == seconds_.end())
-        seconds_.emplace_back(stage, 0.0);
-    since_ = Clock::now();
+    const auto known = std::find_if(stages_.begin(), stages_.end(),
+                                    [&](const Stage& each) { return each.name == stage; });
+    running_ = static_cast<std::size_t>(known - stages_.begin());
+    if (known == stages_.end())
+        stages_.push_back({std::string(stage)});
+    since_ = counters();
 }
 
 double Timing::end() {
     if (!running_)
         return 0;
-    auto& [stage, seconds] = seconds_[*std::exchange(running_, std::nullopt)];
-    return seconds += std::chrono::duration<double>(Clock::now() - since_).count();
+    const auto [time, cpu, sent] = counters();
+    Stage& stage = stages_[*std::exchange(running_, std::nullopt)];
+    stage.cpu += cpu - since_.cpu;
+    stage.sent += sent - since_.sent;
+    stage.peak_memory = peak_memory();
+    return stage.seconds += std::chrono::duration<double>(time - since_.time).count();
 }
 
 void Log::warn(const std::string& text) {

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <iterator>
@@ -18,24 +19,43 @@
 
 namespace polydec::tools {
 
-/// Seconds per stage, in the order the stages began. A stage lasts until the next one begins; a
-/// stage that begins again resumes.
+/// What a stage of the work took in this process.
+struct Stage {
+    std::string name;
+    double seconds = 0, cpu = 0;  ///< cpu: seconds of processors
+    std::int64_t sent = 0;        ///< bytes to other processes, without solvers
+    std::int64_t peak_memory = 0; ///< bytes, at the end of the stage
+};
+
+/// The stages, in the order they began. A stage lasts until the next one begins; a stage that
+/// begins again resumes.
 class Timing {
 public:
+    /// `sent` counts the bytes that this process has sent to others, if there are any.
+    explicit Timing(std::function<std::int64_t()> sent = [] { return 0; });
+
     void begin(std::string_view stage);
     double end(); ///< the seconds of the stage that ends, or 0
-    const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
+    const std::vector<Stage>& stages() const { return stages_; }
 
 private:
     using Clock = std::chrono::steady_clock;
-    std::vector<std::pair<std::string, double>> seconds_;
+    struct Counters {
+        Clock::time_point time;
+        double cpu;
+        std::int64_t sent;
+    };
+    Counters counters() const;
+
+    std::function<std::int64_t()> sent_;
+    std::vector<Stage> stages_;
     std::optional<std::size_t> running_;
-    Clock::time_point since_;
+    Counters since_ = {};
 };
 
 /// Timing and warnings, part of every answer and of its JSON object.
 struct Log {
-    Timing timing = {};
+    Timing timing = Timing();
     std::vector<std::string> warnings = {};
     std::filesystem::path mesh = {}; ///< the mesh file, once it is read
 

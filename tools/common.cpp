@@ -5,6 +5,7 @@
 #include "dec/discretization/advice.h"
 #include "dec/stars/star.h"
 #include "examples/paper/console.h"
+#include "io/diagnosis_json.h"
 #include "io/meshes/mesh_files.h"
 #include "meshes/periodic.h"
 #include "meshes/tidy.h"
@@ -237,6 +238,20 @@ std::string in_words(const ChosenStars& stars) {
         return fmt::format("hybrid stars, Galerkin's on {:.3g} % of the cells",
                            100 * stars.galerkin_share());
     return fmt::format("{} stars", name(stars.kind));
+}
+
+void FormFacts::write_form(JsonWriter& json) const {
+    json.member("side", name(side));
+    json.member("degree", degree);
+}
+
+void FormFacts::write_conditions(JsonWriter& json) const {
+    json.member("conditions", conditions);
+    write_stars(json, stars);
+}
+
+std::vector<std::string> FormFacts::beside(const std::string& equation) const {
+    return {equation, conditions, in_words(stars)};
 }
 
 Progress::Progress(std::string_view what) : visible_(isatty(STDERR_FILENO) != 0) {

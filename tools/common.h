@@ -57,9 +57,22 @@ void add_forms(CLI::App& command, Side& side, int& degree);
 /// The option --engine, of linear solvers.
 void add_engine(CLI::App& command, std::string& engine);
 
-/// A description of the stars of a mesh, for answers: "hybrid stars, Galerkin's on 12.3 % of the
-/// cells", and a member "star" with kind and share.
+/// "hybrid stars, Galerkin's on 12.3 % of the cells".
 std::string in_words(const ChosenStars& stars);
+
+/// What answers about forms have in common.
+struct FormFacts {
+    Side side = Side::primal;
+    int degree = 0;
+    std::string conditions; ///< on the boundary, in words
+    ChosenStars stars;
+
+    void write_form(JsonWriter& json) const;       ///< side and degree
+    void write_conditions(JsonWriter& json) const; ///< and the stars
+
+    /// An equation and these facts, for pages.
+    std::vector<std::string> beside(const std::string& equation) const;
+};
 
 /// Reads, merges and measures the mesh; reports its warnings. Throws like check_drawable if there
 /// is a path of a picture.

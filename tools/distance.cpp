@@ -7,9 +7,9 @@
 #include "io/meshes/mesh_files.h"
 #include "io/pictures/draw_cells.h"
 #include "io/source_file.h"
+#include "solvers/surfaces/geodesic_distance.h"
 #include "tools/commands.h"
 #include "tools/common.h"
-#include "tools/distance_answer.h"
 #include "tools/expression.h"
 #include "tools/form_values.h"
 #include "tools/outputs.h"
@@ -18,7 +18,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace polydec::tools {
@@ -32,6 +31,65 @@ struct DistanceArguments {
     std::vector<Index> to;
     std::string from_where;
     PictureArguments picture;
+};
+
+/// A shortest path, from a vertex of the file.
+struct ToldPath {
+    Index to;
+    SurfacePath path;
+};
+
+/// "exact up to rounding", or the accuracy of the other method.
+const char* accuracy(DistanceMethod method) {
+    return method == DistanceMethod::exact ? "exact up to rounding" : "smoothed by the heat method";
+}
+
+/// The points that it passes, with those on both sides of a seam.
+std::vector<std::vector<double>> points_of(const Mesh& lines) {
+    std::vector<std::vector<double>> points;
+    for (Eigen::Index i = 0; i < lines.points.rows(); ++i) {
+        const auto row = lines.points.row(i);
+        std::vector<double> point(row.begin(), row.end());
+        if (points.empty() || i % 2 == 1 || (row - lines.points.row(i - 1)).norm() > 1e-12)
+            points.push_back(std::move(point));
+    }
+    return points;
+}
+
+struct Distances {
+    DistanceMethod method = DistanceMethod::exact;
+    std::vector<Index> from;
+    Index farthest = 0;
+    Index raised = 0; ///< negative values, raised to 0
+    double max = 0, mean = 0;
+    std::vector<ToldPath> paths; ///< with the sources' numbers in the file
+
+    void write(JsonWriter& json) const {
+        json.member("from", from);
+        json.member("farthest", farthest);
+        json.member("max", max);
+        json.member("mean", mean);
+        json.member("raised", raised);
+        json.member("method", name(method));
+        if (paths.empty())
+            return;
+        json.objects("paths", paths, [&](const auto& one) {
+            json.member("to", one.to);
+            json.member("from", one.path.source);
+            json.member("length", one.path.length);
+            json.member("points", points_of(one.path.lines));
+        });
+    }
+
+    void write(Text& text) const {
+        text("distance along the surface, {} source{}\n  farthest: vertex {} at {:.10g}\n  mean "
+             "over the vertices: {:.10g}\n  {}\n",
+             from.size(), from.size() == 1 ? "" : "s", farthest, max, mean, accuracy(method));
+        for (const auto& [to, path] : paths)
+            text("  path from vertex {} to {}: {} straight piece{} of length {:.10g}\n",
+                 path.source, to, path.lines.simplices.rows(),
+                 path.lines.simplices.rows() == 1 ? "" : "s", path.length);
+    }
 };
 
 /// The 0-cells that the options choose, ascending.

@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/chosen_cells.h"
-#include "io/diagnosis_json.h"
 #include "solvers/flow/flow_data.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -17,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 
 namespace polydec::tools {
@@ -112,18 +110,18 @@ std::string boundary_in_words(const std::vector<FlowBoundary>& facets, const Cel
 }
 
 struct Flowed {
-    TimeSteps steps;
+    FormFacts facts; // of the flux
     Ran ran;
-    std::string conditions;
     double viscosity, exchange_time, divergence;
     std::optional<double> circulation, energy, relative_energy, enstrophy, most, least;
-    ChosenStars stars;
 
-    Flowed(const IncompressibleFlow& flow, const Vector& start, const Vector& w, double nu)
-        : viscosity(nu),
+    Flowed(const FormFacts& known, const Ran& how, const IncompressibleFlow& flow,
+           const Vector& start, const Vector& w)
+        : facts(known),
+          ran(how),
+          viscosity(flow.options().viscosity),
           exchange_time(flow.exchange_time(w)),
-          divergence(flow.divergence(w)),
-          stars(flow.mesh().chosen_stars()) {
+          divergence(flow.divergence(w)) {
         if (flow.mesh().dimension() == 2) // numbers of edges in space have arbitrary signs
             circulation = in_range([&] { return flow.circulations(w).sum(); });
         if (!start.isZero(0))
@@ -135,7 +133,7 @@ struct Flowed {
     }
 
     void write(JsonWriter& json) const {
-        write_time(json, steps, ran);
+        ran.write(json);
         json.member("viscosity", viscosity);
         if (std::isfinite(exchange_time))
             json.member("exchange_time", exchange_time);
@@ -146,13 +144,12 @@ struct Flowed {
         json.member("divergence", divergence);
         json.member("min_vorticity", least);
         json.member("max_vorticity", most);
-        json.member("conditions", conditions);
-        write_stars(json, stars);
+        facts.write_conditions(json);
     }
 
     void write(Text& text) const {
-        text("incompressible flow of viscosity {:.6g}, {}\n", viscosity, in_words(steps, ran));
-        text("  {}\n  {}\n", conditions, in_words(stars));
+        text("incompressible flow of viscosity {:.6g}, {}\n  {}\n  {}\n", viscosity, ran.in_words(),
+             facts.conditions, in_words(facts.stars));
         text("  energy {}{}; enstrophy {}\n", in_digits(energy), in_words(relative_energy),
              in_digits(enstrophy));
         text("  {}divergence {:.2g}; vorticity from {} to {}\n",
@@ -202,17 +199,14 @@ void run_flow(const FlowArguments& arguments) {
     const TimeSteps steps = time_steps(arguments.time, own_step(flow, start, arguments));
     Flow moving(flow, start, {.time_step = steps.length, .scheme = arguments.scheme});
     log.warn(moving.warnings());
-    const std::string words = boundary_in_words(options.facets, mesh.complex());
+    const FormFacts facts{Side::primal, mesh.dimension() - 1,
+                          boundary_in_words(options.facets, mesh.complex()), mesh.chosen_stars()};
     const std::string what =
         fmt::format("an incompressible flow of viscosity {:.6g}", arguments.flow.viscosity);
-    const March march{"flow", page_of(log, "flow", {what, words, in_words(mesh.chosen_stars())}),
-                      steps, [&](const Run&) { return shown(flow, moving.flux()); }};
+    const March march{"flow", page_of(log, "flow", facts.beside(what)), steps,
+                      [&](const Run&) { return shown(flow, moving.flux()); }};
     const Ran ran = march_to_end(moving, march, arguments.time, mesh, log);
-    Flowed answer(flow, start, moving.flux(), arguments.flow.viscosity);
-    answer.steps = steps;
-    answer.ran = ran;
-    answer.conditions = words;
-    tell(answer, log, arguments.mesh.tell);
+    tell(Flowed(facts, ran, flow, start, moving.flux()), log, arguments.mesh.tell);
 }
 
 } // namespace

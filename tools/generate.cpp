@@ -9,8 +9,6 @@
 #include "tools/outputs.h"
 #include "tools/picture.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <memory>
 #include <vector>

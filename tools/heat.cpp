@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-
 #include "base/errors.h"
 #include "dec/forms/cochain.h"
-#include "io/diagnosis_json.h"
 #include "solvers/time/evolution.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -13,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <optional>
 
 namespace polydec::tools {
@@ -57,25 +54,16 @@ struct Heat {
 };
 
 struct Cooled {
-    Side side;
-    int degree;
-    TimeSteps steps;
+    FormFacts facts;
     Ran ran;
-    std::string conditions;
     double min, max;
     std::optional<double> norm, relative_norm;
-    ChosenStars stars;
     IntegratorReport integrated;
     bool has_equal_steps;
 
-    Cooled(const Heat& heat, const TimeSteps& equal, const Ran& how, std::string words,
-           const Evolution& run)
-        : side(heat.start.side),
-          degree(heat.start.degree),
-          steps(equal),
+    Cooled(const FormFacts& known, const Heat& heat, const Ran& how, const Evolution& run)
+        : facts(known),
           ran(how),
-          conditions(std::move(words)),
-          stars(heat.mesh.chosen_stars()),
           integrated(run.report()),
           has_equal_steps(heat.arguments.has_equal_steps()) {
         const Cochain end = run.form(0);
@@ -86,14 +74,13 @@ struct Cooled {
         const auto size = [&](const Cochain& form) {
             return in_range([&] { return polydec::norm(in_unit, form); });
         };
-        if (const auto now = size(end), before = size(heat.start); now && before)
-            relative_norm = part_of(*now, *before);
+        if (const auto now = size(end), before = size(heat.start); now && before && *before > 0)
+            relative_norm = *now / *before;
     }
 
     void write(JsonWriter& json) const {
-        json.member("side", name(side));
-        json.member("degree", degree);
-        write_time(json, steps, ran);
+        facts.write_form(json);
+        ran.write(json);
         json.member("integrator", integrated.engine);
         if (!has_equal_steps) {
             json.member("integrator_steps", integrated.steps);
@@ -103,18 +90,17 @@ struct Cooled {
         json.member("min", min);
         json.member("max", max);
         json.member("relative_norm", relative_norm);
-        json.member("conditions", conditions);
-        write_stars(json, stars);
+        facts.write_conditions(json);
     }
 
     void write(Text& text) const {
-        text("heat equation for {} {}-forms, {}\n", name(side), degree, in_words(steps, ran));
+        text("heat equation for {} {}-forms, {}\n", name(facts.side), facts.degree, ran.in_words());
         if (!has_equal_steps)
             text(
                 "  divided by {} into {} steps{}, {} of them taken again, the last one of {:.6g}\n",
                 integrated.engine, integrated.steps, ran.resumed_at > 0 ? " since then" : "",
                 integrated.rejected, integrated.last_step);
-        text("  {}\n  {}\n", conditions, in_words(stars));
+        text("  {}\n  {}\n", facts.conditions, in_words(facts.stars));
         text("  values from {:.10g} to {:.10g}; L2 norm {}{}\n", min, max, in_digits(norm),
              in_words(relative_norm));
     }
@@ -183,17 +169,19 @@ void run_heat(HeatArguments arguments) {
                     std::move(boundary),
                     std::move(flux)};
     log.timing.begin("solve");
-    const std::string words =
-        space.in_words({.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
+    const FormFacts facts{
+        side, degree,
+        space.in_words({.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()}),
+        mesh.chosen_stars()};
     const std::string equation = fmt::format(
         "du/dt = -Delta u{} of a {} {}-form, u = {} at the time 0",
         heat.source ? " + " + arguments.source : "", name(side), degree, arguments.initial);
     const March march{
-        "heat", page_of(log, "heat", {equation, words, in_words(mesh.chosen_stars())}), steps,
+        "heat", page_of(log, "heat", facts.beside(equation)), steps,
         [](const Run& now) { return std::vector{NamedForm("u", now.form(0), "the heat")}; }};
     auto run = computed(log, "factorize", [&] { return run_of(heat, steps); });
     const Ran ran = march_to_end(run, march, arguments.time, mesh, log);
-    tell(Cooled(heat, steps, ran, words, run), log, arguments.mesh.tell);
+    tell(Cooled(facts, heat, ran, run), log, arguments.mesh.tell);
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 #include "solvers/sources/hodge.h"
 
 #include "base/errors.h"
-#include "io/diagnosis_json.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/conditions.h"
@@ -28,48 +27,39 @@ struct HodgeArguments {
 
 /// L2 norms, in the units of the file; none that are no numbers there.
 struct Divided {
-    Side side = Side::primal;
-    int degree = 0;
+    FormFacts facts;
     std::optional<double> form, exact, coexact, harmonic;
-    std::string conditions;
-    ChosenStars stars;
-
-    explicit Divided(const ChosenStars& chosen) : stars(chosen) {}
 
     void write(JsonWriter& json) const {
-        json.member("side", name(side));
-        json.member("degree", degree);
+        facts.write_form(json);
         json.object("norms", [&] {
             json.member("form", form);
             json.member("exact", exact);
             json.member("coexact", coexact);
             json.member("harmonic", harmonic);
         });
-        json.member("conditions", conditions);
-        write_stars(json, stars);
+        facts.write_conditions(json);
     }
 
     void write(Text& text) const {
-        text("Hodge decomposition of a {} {}-form\n", name(side), degree);
-        text("  {}\n  {}\n", conditions, in_words(stars));
+        text("Hodge decomposition of a {} {}-form\n  {}\n  {}\n", name(facts.side), facts.degree,
+             facts.conditions, in_words(facts.stars));
         text("  L2 norms: form {}, exact {}, coexact {}, harmonic {}\n", in_digits(form),
              in_digits(exact), in_digits(coexact), in_digits(harmonic));
     }
 };
 
 void draw(const HodgeArguments& arguments, const Discretization& mesh, const Cochain& form,
-          const HodgeParts& parts, const Divided& answer, const Log& log) {
+          const HodgeParts& parts, const FormFacts& facts, const Log& log) {
     const std::string sum =
         fmt::format("The {} {}-form {} is the sum of three, orthogonal to each other",
                     name(form.side), form.degree, arguments.form);
-    write_picture(
-        arguments.picture, mesh,
-        {{"form", form, "the form that is split"},
-         {"exact", parts.exact, "d of a form"},
-         {"coexact", parts.coexact, "the codifferential of a form"},
-         {"harmonic", parts.harmonic, "neither, from the topology"}},
-        page_of(log, "Hodge decomposition", {sum, answer.conditions, in_words(answer.stars)}), {},
-        log);
+    write_picture(arguments.picture, mesh,
+                  {{"form", form, "the form that is split"},
+                   {"exact", parts.exact, "d of a form"},
+                   {"coexact", parts.coexact, "the codifferential of a form"},
+                   {"harmonic", parts.harmonic, "neither, from the topology"}},
+                  page_of(log, "Hodge decomposition", facts.beside(sum)), {}, log);
 }
 
 void run_hodge(const HodgeArguments& arguments) {
@@ -89,17 +79,14 @@ void run_hodge(const HodgeArguments& arguments) {
         const Cochain kept{part.side, part.degree, space.restrict(part.values)};
         return in_range([&] { return norm(space.inside(), kept); });
     };
-    Divided answer(mesh.chosen_stars());
-    answer.side = form.side;
-    answer.degree = form.degree;
-    answer.form = norm_of(form);
-    answer.exact = norm_of(parts.exact);
-    answer.coexact = norm_of(parts.coexact);
-    answer.harmonic = norm_of(parts.harmonic);
-    answer.conditions = space.in_words();
+    const Divided answer{{form.side, form.degree, space.in_words(), mesh.chosen_stars()},
+                         norm_of(form),
+                         norm_of(parts.exact),
+                         norm_of(parts.coexact),
+                         norm_of(parts.harmonic)};
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
-        draw(arguments, mesh, form, parts, answer, log);
+        draw(arguments, mesh, form, parts, answer.facts, log);
     }
     tell(answer, log, arguments.mesh.tell);
 }

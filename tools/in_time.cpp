@@ -143,30 +143,26 @@ Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,
         signals->end();
     if (series)
         series->close();
-    return {static_cast<Index>(std::lround(begin / march.steps.length)), frames + 1};
-}
-
-std::optional<double> part_of(double now, double before) {
-    return before > 0 ? std::optional(now / before) : std::nullopt;
+    return {march.steps, static_cast<Index>(std::lround(begin / march.steps.length)), frames + 1};
 }
 
 std::string in_words(const std::optional<double>& part) {
     return part ? fmt::format(", {:.12g} of that at the beginning", *part) : std::string();
 }
 
-void write_time(JsonWriter& json, const TimeSteps& steps, const Ran& ran) {
+void Ran::write(JsonWriter& json) const {
     json.member("time", steps.length * steps.count);
     json.member("time_step", steps.length);
     json.member("steps", steps.count);
-    json.member("frames", ran.frames);
-    json.member("resumed_at", ran.resumed_at);
+    json.member("frames", frames);
+    json.member("resumed_at", resumed_at);
 }
 
-std::string in_words(const TimeSteps& steps, const Ran& ran) {
+std::string Ran::in_words() const {
     auto text = fmt::format("{} step{} of {:.6g} to the time {:.10g}", steps.count,
                             steps.count == 1 ? "" : "s", steps.length, steps.length * steps.count);
-    if (ran.resumed_at > 0)
-        text += fmt::format(", resumed after step {}", ran.resumed_at);
+    if (resumed_at > 0)
+        text += fmt::format(", resumed after step {}", resumed_at);
     return text;
 }
 

@@ -50,10 +50,14 @@ struct March {
 NamedForm flux_vectors(const std::string& name, const Discretization& mesh, const Cochain& flux,
                        const std::string& about);
 
-/// The start of a run: a checkpoint, or step 0.
+/// How a run went, for answers.
 struct Ran {
-    Index resumed_at = 0;
-    Index frames = 0;
+    TimeSteps steps;
+    Index resumed_at; ///< the step of the checkpoint, or 0
+    Index frames;
+
+    void write(JsonWriter& json) const;
+    std::string in_words() const;
 };
 
 /// Marches to the end and writes the requested frames and a checkpoint after each; see march of the
@@ -62,12 +66,7 @@ struct Ran {
 Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,
                  const Discretization& mesh, const Log& log);
 
-/// A number over its initial value; none if that was 0.
-std::optional<double> part_of(double now, double before);
+/// A number over its initial value, which has none if that was 0.
 std::string in_words(const std::optional<double>& part);
-
-/// For an answer's JSON object, and for its text.
-void write_time(JsonWriter& json, const TimeSteps& steps, const Ran& ran);
-std::string in_words(const TimeSteps& steps, const Ran& ran);
 
 } // namespace polydec::tools

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <span>
 #include <system_error>
 
 namespace polydec::tools {

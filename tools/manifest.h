@@ -3,7 +3,6 @@
 
 #include "tools/common.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -23,19 +23,15 @@ namespace {
 
 using Path = std::filesystem::path;
 
-[[noreturn]] void refuse(const Path& out, const std::string& reason) {
-    throw IoError(fmt::format("cannot write {}: {}", printable(out.string()), reason));
-}
-
 void check_folder(const Path& out, const Path& folder) {
     struct stat status {};
     const auto name = printable(folder.string());
     if (::stat(folder.c_str(), &status) != 0)
-        refuse(out, fmt::format("{}; create the folder {} first", system_reason(), name));
+        refuse_to_write(out, fmt::format("{}; create the folder {} first", system_reason(), name));
     if (!S_ISDIR(status.st_mode))
-        refuse(out, fmt::format("{} is not a folder", name));
+        refuse_to_write(out, fmt::format("{} is not a folder", name));
     if (!is_writable(folder) || ::access(folder.c_str(), X_OK) != 0)
-        refuse(out, fmt::format("the folder {} is not writable", name));
+        refuse_to_write(out, fmt::format("the folder {} is not writable", name));
 }
 
 void check_extension(const Path& out, const std::vector<const char*>& extensions) {

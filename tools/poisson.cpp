@@ -32,11 +32,13 @@ struct PoissonArguments {
     PictureArguments picture;
 };
 
-Solved describe(const Discretization& mesh, const PoissonArguments& arguments,
-                const PoissonSolution& solution) {
+Solved describe(const Discretization& mesh, const FormSpace& space,
+                const PoissonArguments& arguments, const PoissonSolution& solution) {
     const Vector& u = solution.form.values;
-    Solved answer(mesh.chosen_stars());
-    answer.side = arguments.side;
+    Solved answer{
+        {space.side(), 0,
+         space.in_words({.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()}),
+         mesh.chosen_stars()}};
     const auto& [natural, essential_where, essential_on, fixed_where, robin] = arguments.conditions;
     const bool everywhere = essential_where.empty() && essential_on.empty() && fixed_where.empty();
     answer.boundary = !everywhere  ? "mixed"
@@ -67,7 +69,7 @@ void draw(const Discretization& mesh, const PoissonArguments& arguments, const V
     const auto side = arguments.side;
     PageText text =
         page_of(log, "Poisson problem",
-                {fmt::format("Delta u = f with f = {}", arguments.rhs), answer.conditions,
+                {fmt::format("Delta u = f with f = {}", arguments.rhs), answer.facts.conditions,
                  fmt::format("u from {:.10g} to {:.10g}; residual {:.2e} with {}", answer.min,
                              answer.max, answer.report.residual, answer.report.engine)});
     const NamedForm u("u", {side, 0, values},
@@ -85,13 +87,14 @@ void draw(const Discretization& mesh, const PoissonArguments& arguments, const V
 struct Data {
     explicit Data(const PoissonArguments& arguments)
         : rhs("--rhs", arguments.rhs),
-          boundary("--boundary", arguments.boundary.empty() ? "(0)" : arguments.boundary),
-          flux("--flux", arguments.flux.empty() ? "(0)" : arguments.flux),
+          boundary(if_given<SiteValues>("--boundary", arguments.boundary)),
+          flux(if_given<SiteValues>("--flux", arguments.flux)),
           conditions(arguments.conditions),
           exact(if_given<SiteValues>("--exact", arguments.exact)),
           conductivity(if_given<SiteValues>("--conductivity", arguments.conductivity, "group")) {}
 
-    SiteValues rhs, boundary, flux;
+    SiteValues rhs;
+    std::optional<SiteValues> boundary, flux;
     ConditionValues conditions;
     std::optional<SiteValues> exact, conductivity;
 };
@@ -145,10 +148,10 @@ void run_poisson(PoissonArguments arguments) {
     const Vector f = at(data.rhs, places()); // before there is a factor
     Vector h = Vector::Zero(cells.size(cells.dimension() - 1));
     BoundaryForms known;
-    if (!arguments.boundary.empty())
-        known.values = at(data.boundary, boundary_sites(cells, arguments.side));
-    if (!arguments.flux.empty()) {
-        h = data.flux.at(facet_sites(cells));
+    if (data.boundary)
+        known.values = at(*data.boundary, boundary_sites(cells, arguments.side));
+    if (data.flux) {
+        h = data.flux->at(facet_sites(cells));
         known.derivative_flow = outward_flow(cells, arguments.side, h);
     }
     const auto solution = computed(log, "solve", [&] {
@@ -156,9 +159,7 @@ void run_poisson(PoissonArguments arguments) {
     });
     const Vector& u = solution.form.values;
     log.warn(solution.warnings);
-    Solved answer = describe(mesh, arguments, solution);
-    answer.conditions =
-        space.in_words({.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
+    Solved answer = describe(mesh, space, arguments, solution);
     log.timing.begin("bound");
     add_bound(answer, mesh, space, conductivity, arguments.engine, f, h, u);
     if (data.exact)

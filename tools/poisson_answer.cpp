@@ -2,7 +2,6 @@
 #include "tools/poisson_answer.h"
 
 #include "io/diagnosis_json.h"
-#include "tools/common.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +9,7 @@
 namespace polydec::tools {
 
 void Solved::write(JsonWriter& json) const {
-    json.member("side", name(side));
+    json.member("side", name(facts.side));
     json.member("boundary", boundary);
     json.member("unknowns", unknowns);
     json.member("min", min);
@@ -20,7 +19,7 @@ void Solved::write(JsonWriter& json) const {
     json.member("tried", report.tried);
     json.member("iterations", report.iterations);
     json.member("free_components", free_components);
-    json.member("conditions", conditions);
+    json.member("conditions", facts.conditions);
     if (errors)
         json.object("error", [&] {
             json.member("l2", errors->l2);
@@ -36,7 +35,7 @@ void Solved::write(JsonWriter& json) const {
         });
     if (!without_bound.empty())
         json.member("without_error_bound", without_bound);
-    write_stars(json, stars);
+    write_stars(json, facts.stars);
 }
 
 namespace {
@@ -55,9 +54,9 @@ std::string bound_in_words(const PoissonError& bound) {
 } // namespace
 
 void Solved::write(Text& text) const {
-    text("Poisson problem for {} 0-forms, {} boundary, {} unknowns\n", name(side), boundary,
+    text("Poisson problem for {} 0-forms, {} boundary, {} unknowns\n", name(facts.side), boundary,
          unknowns);
-    text("  {}\n  {}\n", conditions, in_words(stars));
+    text("  {}\n  {}\n", facts.conditions, in_words(facts.stars));
     text("  solution from {:.10g} to {:.10g}\n", min, max);
     text("  residual {:.2e} with {} (tried: {})\n", report.residual, report.engine,
          fmt::join(report.tried, "; "));

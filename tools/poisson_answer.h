@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/stars/choose_stars.h"
 #include "shape/poisson_error.h"
 #include "solvers/sources/poisson.h"
-#include "tools/answer.h"
+#include "tools/common.h"
 
 #include <optional>
 #include <string>
@@ -19,19 +18,16 @@ struct Errors {
 
 /// The reported solution of a Poisson problem, from one process or several.
 struct Solved {
-    Side side = Side::primal;
+    FormFacts facts;
     const char* boundary = "";
-    std::string conditions; ///< in words
     std::int64_t unknowns = 0;
     double min = 0, max = 0;
-    SolveReport report;
+    SolveReport report = {};
     Index free_components = 0;
-    std::optional<Errors> errors;
-    std::optional<PoissonError> bound;
-    std::string without_bound; ///< why there is no bound, or none in L2
-    ChosenStars stars;
+    std::optional<Errors> errors = {};
+    std::optional<PoissonError> bound = {};
+    std::string without_bound = {}; ///< why there is no bound, or none in L2
 
-    explicit Solved(const ChosenStars& chosen) : stars(chosen) {}
     void write(JsonWriter& json) const;
     void write(Text& text) const;
 };

@@ -7,7 +7,6 @@
 #include "tools/outputs.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace polydec::tools {
 

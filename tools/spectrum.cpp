@@ -98,7 +98,7 @@ void draw(const SpectrumArguments& arguments, const Discretization& mesh, const 
                   fmt::format("{}: modes, {} {}-forms", arguments.mesh.mesh.filename().string(),
                               name(arguments.side), arguments.degree));
     auto& facts = page.text.facts;
-    facts.insert(facts.begin() + 1, {answer.conditions, in_words(answer.stars)});
+    facts.insert(facts.begin() + 1, {answer.facts.conditions, in_words(answer.facts.stars)});
     write_page(out, std::move(page), log);
 }
 
@@ -129,8 +129,10 @@ void run_spectrum(SpectrumArguments arguments) {
     });
     const double seconds = log.timing.end();
     log.warn(result.warnings);
-    Eigenvalues answer(result, space.in_words(), mesh.chosen_stars(), seconds);
-    answer.resumed = resumed;
+    const Eigenvalues answer{result,
+                             {space.side(), space.degree(), space.in_words(), mesh.chosen_stars()},
+                             seconds,
+                             resumed};
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(arguments, mesh, answer, log);

@@ -3,23 +3,14 @@
 
 #include "io/diagnosis_json.h"
 #include "io/pages/page.h"
-#include "meshes/unit_of_length.h"
-#include "tools/common.h"
 #include "tools/messages.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace polydec::tools {
 
 void Eigenvalues::write(JsonWriter& json) const {
     const auto& certificate = spectrum.certificate;
     const bool is_solved = !spectrum.linear_solver.empty();
-    json.member("side", name(spectrum.side));
-    json.member("degree", spectrum.degree);
+    facts.write_form(json);
     json.member("eigenvalues", spectrum.eigenvalues);
     json.member("radii", spectrum.radii);
     json.member("residuals", spectrum.residuals);
@@ -34,17 +25,17 @@ void Eigenvalues::write(JsonWriter& json) const {
     json.member("seconds", seconds);
     if (resumed)
         json.member("resumed_with", *resumed);
-    json.member("conditions", conditions);
+    json.member("conditions", facts.conditions);
     if (spectrum.coarseness)
         json.member("coarseness", *spectrum.coarseness);
-    write_stars(json, stars);
+    write_stars(json, facts.stars);
 }
 
 void Eigenvalues::write(Text& text) const {
     text("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n{}\n{}\n\n"
          "{:>5}  {:>20}  {:>10}  {:>10}\n",
-         name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), conditions,
-         in_words(stars), "", "eigenvalue", "radius", "residual");
+         name(facts.side), facts.degree, spectrum.eigenvalues.size(), facts.conditions,
+         in_words(facts.stars), "", "eigenvalue", "radius", "residual");
     for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
         text("{:>5}  {:>20.12g}  {:>10.2e}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
              spectrum.radii[i], spectrum.residuals[i]);

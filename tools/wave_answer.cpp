@@ -2,7 +2,6 @@
 #include "tools/wave_answer.h"
 
 #include "dec/fields/flat_and_sharp.h"
-#include "io/diagnosis_json.h"
 #include "tools/picture.h"
 
 #include <fmt/format.h>
@@ -15,24 +14,17 @@ namespace polydec::tools {
 namespace {
 
 struct Swung {
-    Side side;
-    int degree;
-    TimeSteps steps;
+    FormFacts facts;
     Ran ran;
-    std::string conditions;
     LayerKind layer;
     double layer_width;
     std::optional<double> stable_step; // in the units of the file; none: any step is stable
     double min, max;
     std::optional<double> energy, relative_energy; // at the end, in the units of the file
-    ChosenStars stars;
-
-    explicit Swung(const ChosenStars& chosen) : stars(chosen) {}
 
     void write(JsonWriter& json) const {
-        json.member("side", name(side));
-        json.member("degree", degree);
-        write_time(json, steps, ran);
+        facts.write_form(json);
+        ran.write(json);
         json.member("stable_step", stable_step);
         json.member("min", min);
         json.member("max", max);
@@ -40,13 +32,12 @@ struct Swung {
         json.member("relative_energy", relative_energy);
         if (layer_width > 0)
             json.member("layer", name(layer));
-        json.member("conditions", conditions);
-        write_stars(json, stars);
+        facts.write_conditions(json);
     }
 
     void write(Text& text) const {
-        text("waves of {} {}-forms, {}\n", name(side), degree, in_words(steps, ran));
-        text("  {}\n  {}\n", conditions, in_words(stars));
+        text("waves of {} {}-forms, {}\n  {}\n  {}\n", name(facts.side), facts.degree,
+             ran.in_words(), facts.conditions, in_words(facts.stars));
         if (layer_width > 0)
             text("  an absorbing layer of width {:.6g}, {}\n", layer_width, name(layer));
         text("  steps {}\n", stable_step ? fmt::format("are stable below {:.6g}", *stable_step)
@@ -71,31 +62,25 @@ void answer_waves(const WaveWords& words, const Discretization& mesh, const Form
                   const Vector& start, WaveOptions options, const TellOptions& tell_options,
                   const TimeArguments& time, Log& log) {
     log.timing.begin("solve");
-    Swung answer(mesh.chosen_stars());
+    const FormFacts facts{space.side(), space.degree(), space.in_words(), mesh.chosen_stars()};
     const double stable = computed(log, "find the stable step", [&] { return stable_step(space); });
     const TimeSteps steps = time_steps(time, part_of_stable_step * stable);
     options.time_step = steps.length;
     Waves run(space, start, options);
     log.warn(run.warnings());
-    const std::string conditions = space.in_words();
-    const March march{
-        words.what, page_of(log, words.title, {words.equation, conditions, in_words(answer.stars)}),
-        steps, [&](const Run& now) { return shown(words, mesh, now.forms()); }};
+    const March march{words.what, page_of(log, words.title, facts.beside(words.equation)), steps,
+                      [&](const Run& now) { return shown(words, mesh, now.forms()); }};
     const Ran ran = march_to_end(run, march, time, mesh, log);
-    answer.side = space.side();
-    answer.degree = space.degree();
-    answer.steps = steps;
-    answer.ran = ran;
-    answer.conditions = conditions;
-    answer.layer = run.layer();
-    answer.layer_width = options.layer ? options.layer->width : 0;
-    if (std::isfinite(stable))
-        answer.stable_step = stable;
     const Vector E = run.form(0).values;
-    answer.min = E.minCoeff();
-    answer.max = E.maxCoeff();
-    answer.energy = in_range([&] { return run.energy(); });
-    answer.relative_energy = run.relative_energy();
+    const Swung answer{facts,
+                       ran,
+                       run.layer(),
+                       options.layer ? options.layer->width : 0,
+                       std::isfinite(stable) ? std::optional(stable) : std::nullopt,
+                       E.minCoeff(),
+                       E.maxCoeff(),
+                       in_range([&] { return run.energy(); }),
+                       run.relative_energy()};
     tell(answer, log, tell_options);
 }
 

@@ -6,8 +6,6 @@
 #include "tools/mpi/shared_mesh.h"
 #include "tools/outputs.h"
 
-#include <fmt/format.h>
-
 namespace polydec::tools {
 
 namespace {

@@ -148,9 +148,9 @@ void count_vertices(const Ranks& ranks, const DistributedMesh& mesh, SharedInfo&
 }
 
 void run_info(const Ranks& ranks, const SharedArguments& arguments) {
-    SharedLog log(ranks);
+    Log log = log_of(ranks);
     const DistributedMesh mesh = load(ranks, arguments, log);
-    log.begin("diagnose");
+    log.timing.begin("diagnose");
     const int n = mesh.dimension();
     SharedInfo info;
     info.mesh = arguments.mesh.mesh.string();

@@ -9,10 +9,10 @@ namespace polydec::tools {
 namespace {
 
 void run_merge(const Ranks& ranks, const SharedArguments& arguments) {
-    SharedLog log(ranks);
+    Log log = log_of(ranks);
     check_output_file(ranks, arguments.out, ".pvtu");
     const DistributedMesh mesh = load(ranks, arguments, log);
-    log.begin("write");
+    log.timing.begin("write");
     write_pvtu(ranks, arguments.out, mesh, {});
     tell(ranks, mesh,
          merged(arguments.out.string(), mesh.dimension(), mesh.local.degrees.back().count,

@@ -10,13 +10,13 @@ namespace polydec::tools {
 namespace {
 
 void run_operators(const Ranks& ranks, const SharedArguments& arguments) {
-    SharedLog log(ranks);
+    Log log = log_of(ranks);
     ranks.together("output", [&] {
         if (ranks.rank() == 0)
             check_replaced_folder(arguments.out);
     });
     const DistributedMesh mesh = load(ranks, arguments, log);
-    log.begin("write");
+    log.timing.begin("write");
     log.warn(write_operators(ranks, mesh, arguments.out));
     tell(ranks, mesh, operators(arguments.out.string(), mesh.dimension()), log,
          arguments.mesh.tell);

@@ -84,14 +84,14 @@ void warn_of_negative(const Ranks& ranks, const DistributedMesh& mesh, Side side
 }
 
 void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
-    SharedLog log(ranks);
+    Log log = log_of(ranks);
     const SharedData data(arguments);
     check_output_file(ranks, arguments.mesh.out, ".pvtu");
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     const auto& file = arguments.mesh.mesh.mesh;
     const Side side = arguments.poisson.side;
     const int n = mesh.dimension(), k = side == Side::primal ? 0 : n;
-    log.begin("solve");
+    log.timing.begin("solve");
     arguments.poisson.boundary = conditions_on(ranks, mesh, arguments, data);
     const BoundaryCounts on = boundary_counts(ranks, mesh, arguments.poisson.boundary);
     require_use(on, {.values = !arguments.boundary.empty() ? "--boundary"
@@ -115,8 +115,10 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
 
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Vector& u = solution.values;
-    Solved answer{ChosenStars(HodgeStars(mesh.cells.volumes), StarKind::circumcentric)};
-    answer.side = side;
+    Solved answer{facts_of(
+        mesh, side, 0,
+        in_words(on, 0, n,
+                 {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()}))};
     answer.boundary = arguments.conditions.natural ? "natural"
                       : data.essential_where       ? "mixed"
                                                    : "dirichlet";
@@ -125,12 +127,10 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
     answer.max = ranks.largest(u.size() > 0 ? u.maxCoeff() : -infinity);
     answer.report = solution.report;
     answer.free_components = solution.compatibility.free_components;
-    answer.conditions = in_words(
-        on, 0, n, {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
     if (data.exact)
         answer.errors = errors_of(ranks, mesh, side, u - values_at(ranks, mesh, data.exact, k));
     if (!arguments.mesh.out.empty()) {
-        log.begin("write");
+        log.timing.begin("write");
         write_pvtu(ranks, arguments.mesh.out, mesh, {{"u", k, u}});
     }
     tell(ranks, mesh, answer, log, arguments.mesh.mesh.tell);

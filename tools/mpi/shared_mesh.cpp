@@ -23,7 +23,7 @@ struct Effort {
     double most_cpu, mean_cpu; ///< seconds
     GlobalIndex most_sent;     ///< bytes
     GlobalIndex most_memory;   ///< bytes of a rank, at its peak
-    std::vector<StageEffort> stages;
+    std::vector<Stage> stages; ///< of the busiest rank
 
     void write(JsonWriter& json) const {
         json.object("ranks", [&] {
@@ -47,20 +47,31 @@ struct Effort {
              1e-6 * static_cast<double>(most_sent), 1e-6 * static_cast<double>(most_memory));
         if (!stages.empty())
             text("\nbusiest rank   CPU, s  sent, MB  memory so far, MB\n");
-        for (const auto& [stage, cpu, sent, memory] : stages)
-            text("  {:<12} {:8.3f} {:9.1f} {:18.0f}\n", stage, cpu,
-                 1e-6 * static_cast<double>(sent), 1e-6 * static_cast<double>(memory));
+        for (const Stage& stage : stages)
+            text("  {:<12} {:8.3f} {:9.1f} {:18.0f}\n", stage.name, stage.cpu,
+                 1e-6 * static_cast<double>(stage.sent),
+                 1e-6 * static_cast<double>(stage.peak_memory));
     }
 
     void write_stages(JsonWriter& json) const {
-        for (const StageEffort& effort : stages)
-            json.object(effort.stage, [&] {
-                json.member("cpu_seconds", effort.cpu);
-                json.member("bytes_sent", effort.sent);
-                json.member("peak_memory", effort.peak_memory);
+        for (const Stage& stage : stages)
+            json.object(stage.name, [&] {
+                json.member("cpu_seconds", stage.cpu);
+                json.member("bytes_sent", stage.sent);
+                json.member("peak_memory", stage.peak_memory);
             });
     }
 };
+
+/// Collective: the largest effort of any rank for each stage, identical on all ranks.
+std::vector<Stage> busiest(const Ranks& ranks, std::vector<Stage> stages) {
+    for (Stage& stage : stages) {
+        stage.cpu = ranks.largest(stage.cpu);
+        stage.sent = ranks.largest(stage.sent);
+        stage.peak_memory = ranks.largest(stage.peak_memory);
+    }
+    return stages;
+}
 
 } // namespace
 
@@ -98,23 +109,27 @@ SharedProgress::~SharedProgress() {
         ranks_.listen({});
 }
 
-DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, SharedLog& log) {
+Log log_of(const Ranks& ranks) {
+    return {Timing([ranks] { return ranks.bytes_sent(); })};
+}
+
+DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Log& log) {
     const SharedProgress progress(ranks);
     const auto& file = arguments.mesh.mesh;
-    log.begin("read");
+    log.timing.begin("read");
     DistributedMesh mesh = computed_on(file, [&] {
         MeshSlice slice = read_slice(ranks, file);
         if (arguments.mesh.angle_tolerance && slice.dimension() != 2)
             throw InvalidInput(fmt::format("--angle-tolerance is for surfaces, but the cells have "
                                            "dimension {}: use --tolerance",
                                            slice.dimension()));
-        log.begin("owners");
+        log.timing.begin("owners");
         const auto owners = vertex_owners(ranks, slice, arguments.owners);
         return discretize(ranks, std::move(slice), owners, merge_options(arguments.mesh),
-                          [&](std::string_view stage) { log.begin(stage); });
+                          [&](std::string_view stage) { log.timing.begin(stage); });
     });
     mesh.star = arguments.mesh.star;
-    log.end();
+    log.timing.end();
     log.warn(mesh.warnings);
     return mesh;
 }
@@ -133,9 +148,14 @@ BoundaryCounts boundary_counts(const Ranks& ranks, const DistributedMesh& mesh,
     return {.facets = ranks.sum(on.facets), .essential = ranks.sum(on.essential)};
 }
 
-void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, SharedLog& log,
+FormFacts facts_of(const DistributedMesh& mesh, Side side, int degree, std::string conditions) {
+    return {side, degree, std::move(conditions),
+            ChosenStars(HodgeStars(mesh.cells.volumes), StarKind::circumcentric)};
+}
+
+void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, Log& log,
           const TellOptions& options) {
-    log.end();
+    log.timing.end();
     const auto& tops = mesh.local.degrees.back();
     const double cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
     const Effort took{ranks.size(),
@@ -145,7 +165,7 @@ void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer,
                       ranks.sum(cpu) / ranks.size(),
                       ranks.largest(ranks.bytes_sent()),
                       ranks.largest(peak_memory()),
-                      options.timing ? log.busiest() : std::vector<StageEffort>()};
+                      options.timing ? busiest(ranks, log.timing.stages()) : std::vector<Stage>()};
     const auto members = [&](JsonWriter& json) {
         answer.json(json);
         took.write(json);

@@ -4,7 +4,6 @@
 #include "dec/boundary/boundary_conditions.h"
 #include "distributed/discretize.h"
 #include "tools/common.h"
-#include "tools/mpi/shared_log.h"
 
 #include <CLI/CLI.hpp>
 
@@ -39,16 +38,22 @@ private:
     Progress progress_;
 };
 
+/// A log whose stages also count what this rank sends to others.
+Log log_of(const Ranks& ranks);
+
 /// Collective: reads, merges and measures the mesh; reports its warnings.
-DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, SharedLog& log);
+DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Log& log);
 
 /// Collective: the boundary facets of all ranks, under conditions other than Robin's.
 BoundaryCounts boundary_counts(const Ranks& ranks, const DistributedMesh& mesh,
                                const BoundaryConditions& conditions);
 
+/// For forms under conditions that are given in words.
+FormFacts facts_of(const DistributedMesh& mesh, Side side, int degree, std::string conditions);
+
 /// Collective: prints the answer, which all ranks have, with its effort and, if timing is
 /// requested, the busiest rank's effort per stage.
-void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, SharedLog& log,
+void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, Log& log,
           const TellOptions& options);
 
 /// Collective: checks the requested file, if any, on rank 0, before any work is done.

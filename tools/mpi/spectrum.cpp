@@ -31,38 +31,37 @@ std::vector<SharedValues> modes_to_show(const Spectrum& spectrum, int k) {
 }
 
 void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
-    SharedLog log(ranks);
+    Log log = log_of(ranks);
     check_output_file(ranks, arguments.mesh.out, ".pvtu");
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     const int n = mesh.dimension();
-    const auto [side, degree] = std::pair(arguments.side, arguments.degree);
+    const Side side = arguments.side;
+    const int degree = arguments.degree;
     const int k = side == Side::primal ? degree : n - degree;
     if (!arguments.mesh.out.empty() && k != 0 && k != n)
         throw InvalidInput(fmt::format("cannot write {}: several ranks write only functions on "
                                        "vertices and cells; omit the file",
                                        arguments.mesh.out.string()));
-    log.begin("solve");
+    log.timing.begin("solve");
     if (!arguments.certify)
         arguments.spectrum.certification = Certification::waived;
-    const auto since = std::chrono::steady_clock::now();
     auto result = computed_on(arguments.mesh.mesh.mesh, [&] {
         const SharedProgress progress(ranks);
-        return spectrum(ranks, mesh, arguments.side, arguments.degree, arguments.spectrum);
+        return spectrum(ranks, mesh, side, degree, arguments.spectrum);
     });
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
+    const double seconds = log.timing.end();
     use_input_units(result, n, mesh.unit);
     if (ranks.any(result.modes.cols() == 0)) // values of one rank may be out of range
         result.modes.resize(result.modes.rows(), 0);
     log.warn(result.warnings);
     if (!arguments.mesh.out.empty()) {
-        log.begin("write");
+        log.timing.begin("write");
         write_pvtu(ranks, arguments.mesh.out, mesh, modes_to_show(result, k));
     }
     log.warn(warning_of_rough_values(result.rough));
-    const Eigenvalues answer(
-        result,
-        in_words(boundary_counts(ranks, mesh, built_in_conditions(side)), degree, mesh.dimension()),
-        ChosenStars(HodgeStars(mesh.cells.volumes), StarKind::circumcentric), seconds.count());
+    const BoundaryCounts on = boundary_counts(ranks, mesh, built_in_conditions(side));
+    const Eigenvalues answer{result, facts_of(mesh, side, degree, in_words(on, degree, n)),
+                             seconds};
     tell(ranks, mesh, answer, log, arguments.mesh.mesh.tell);
 }
 
