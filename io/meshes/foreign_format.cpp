@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/meshes/foreign_format.h"
+#include "io/meshes/readers.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "io/meshes/foreign_format.h"
 #include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
 #include "io/scanner.h"

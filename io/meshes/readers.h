@@ -7,6 +7,7 @@
 #include "meshes/polygons.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace polydec {
@@ -31,6 +32,10 @@ Mesh read_gmsh(const SourceFile& file);
 Mesh read_vtk(const SourceFile& file);
 Mesh read_vtu(const SourceFile& file);
 Mesh read_pdm(const SourceFile& file);
+
+/// Describes a file whose first bytes show another format than its extension, with advice, such as
+/// "a pointer of Git LFS; run git lfs pull"; empty otherwise.
+std::string foreign_format(const SourceFile& file);
 
 /// `write_mesh` of a checked mesh.
 void write_pdm(const std::filesystem::path& path, const Mesh& mesh);
