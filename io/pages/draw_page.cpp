@@ -123,28 +123,20 @@ Page draw_page(const Discretization& mesh, const std::vector<NamedForm>& fields,
 PageStep draw_step(const Page& page, std::string time, const std::vector<NamedForm>& fields) {
     const Discretization& mesh = page.mesh.value();
     const int k = drawn_degree(mesh, fields);
-    VtuGrid arrays;
-    PageStep step{std::move(time)};
+    PageStep step{{}, std::move(time)};
     for (const NamedForm& field : fields)
-        add_field(arrays, mesh, k, field);
+        add_field(step, mesh, k, field);
     for (const PageArrows& arrows : page.arrows) {
         step.vectors.push_back(arrows.vectors);
         for (const NamedForm& field : fields)
             if (field.name == arrows.field && has_proxy(mesh, field.form))
                 step.vectors.back() = vectors_at_cells(mesh, field.form);
     }
-    step.point_data = std::move(arrays.point_data);
-    step.cell_data = std::move(arrays.cell_data);
-    step.field_data = std::move(arrays.field_data);
     return step;
 }
 
 Page draw_page(const Discretization& mesh, const Spectrum& spectrum, std::string title) {
-    std::vector<NamedForm> modes;
-    for (Index i = 0; i < spectrum.modes.cols(); ++i)
-        modes.emplace_back(fmt::format("mode_{}", i), shown_mode(spectrum, i),
-                           fmt::format("{} {}-form, eigenvalue {:.10g}", name(spectrum.side),
-                                       spectrum.degree, spectrum.eigenvalues[i]));
+    const std::vector<NamedForm> modes = shown_modes(spectrum);
     Page page = draw_page(mesh, modes, std::move(title));
     page.text.facts.insert(page.text.facts.begin(),
                            fmt::format("The smallest eigenvalues, in length^-2, of the Laplace-de "

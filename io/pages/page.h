@@ -48,13 +48,10 @@ struct PageArrows {
     bool is_path() const { return sites.rows() == 0; }
 };
 
-/// Arrays at another time, with the names and sizes of the grid's, and the vectors of the page's
-/// arrows, in their order.
-struct PageStep {
-    std::string time;
-    std::vector<VtuArray> point_data = {};
-    std::vector<VtuArray> cell_data = {};
-    std::vector<VtuArray> field_data = {}; ///< with a degree
+/// Arrays at another time, with the names and sizes of the grid's, field data with a degree; and
+/// the vectors of the page's arrows, in their order.
+struct PageStep : VtuData {
+    std::string time = {};
     std::vector<Points> vectors = {};
 };
 

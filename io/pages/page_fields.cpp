@@ -32,9 +32,10 @@ bool varies(const VtuArray& array) {
 }
 
 bool is_in(const PageStep& step, const PageField& field) {
-    if (field.number >= (step.*field.list).size())
+    const auto& arrays = step.*field.list;
+    if (field.number >= arrays.size())
         return false;
-    const VtuArray &first = *field.array, &later = field.at(step);
+    const VtuArray &first = *field.array, &later = arrays[field.number];
     return later.name == first.name && later.components == first.components &&
            later.size() == first.size();
 }
@@ -144,8 +145,8 @@ std::array<double, 2> range_of(const std::vector<VtuArray>& arrays) {
 
 std::array<double, 2> range_of(const Page& page, const PageField& field) {
     auto range = range_of(*field.array);
-    for (const PageStep& step : page.steps)
-        range = both(range, range_of(field.at(step)));
+    for (std::size_t step = 0; step < page.steps.size(); ++step)
+        range = both(range, range_of(field.at(page, step)));
     return range;
 }
 
@@ -168,10 +169,10 @@ std::vector<PageField> page_fields(const Page& page, int dimension, const CellCo
     const std::string& of_cells = degree == dimension ? places.back() : places[degree];
     std::vector<PageField> fields;
     for (const VtuArray& array : page.grid.point_data)
-        fields.push_back({&array, places[0], &PageStep::point_data, fields.size()});
+        fields.push_back({&array, places[0], &VtuData::point_data, fields.size()});
     std::size_t number = 0;
     for (const VtuArray& array : page.grid.cell_data)
-        fields.push_back({&array, of_cells, &PageStep::cell_data, number++});
+        fields.push_back({&array, of_cells, &VtuData::cell_data, number++});
     number = 0;
     for (const VtuArray& array : page.grid.field_data) {
         if (array.degree < 0)
@@ -183,7 +184,7 @@ std::vector<PageField> page_fields(const Page& page, int dimension, const CellCo
         check_as_many(fmt::format("entries of `{}`", array.name),
                       static_cast<std::int64_t>(array.size()) / array.components,
                       complex->size(array.degree));
-        fields.push_back({&array, places[array.degree], &PageStep::field_data, number++});
+        fields.push_back({&array, places[array.degree], &VtuData::field_data, number++});
     }
     check_steps(page, fields);
     return fields;
@@ -200,12 +201,6 @@ std::vector<VtuArray> strengths(const Page& page, const std::vector<PageField>& 
         lengths.push_back(
             vtu_array(fmt::format("|{}|", arrows.field), vectors.rowwise().stableNorm()));
     return lengths;
-}
-
-const VtuArray& ShownField::at(const Page& page, std::size_t number) const {
-    if (!strengths.empty())
-        return strengths[number];
-    return page.steps.empty() ? *field->array : field->at(page.steps[number]);
 }
 
 ShownField shown_field(const Page& page, const std::vector<PageField>& fields,

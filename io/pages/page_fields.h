@@ -16,10 +16,13 @@ namespace polydec {
 struct PageField {
     const VtuArray* array;
     std::string place; ///< vertex, edge, face or cell
-    std::vector<VtuArray> PageStep::*list;
+    std::vector<VtuArray> VtuData::*list;
     std::size_t number;
 
-    const VtuArray& at(const PageStep& step) const { return (step.*list)[number]; }
+    /// The array at a step; of a page without steps the only one.
+    const VtuArray& at(const Page& page, std::size_t step) const {
+        return page.steps.empty() ? *array : (page.steps[step].*list)[number];
+    }
 };
 
 /// One row for each entry of an array.
@@ -62,7 +65,9 @@ struct ShownField {
     std::string place = {}; ///< of what is shown, as in PageField
     std::size_t step = 0;   ///< the first one where it has its largest range, but for rounding
 
-    const VtuArray& at(const Page& page, std::size_t step) const;
+    const VtuArray& at(const Page& page, std::size_t at_step) const {
+        return strengths.empty() ? field->at(page, at_step) : strengths[at_step];
+    }
     bool has_vectors() const { return !strengths.empty() || field->array->components > 1; }
 };
 

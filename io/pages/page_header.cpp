@@ -174,13 +174,16 @@ private:
                                           json_text(unit_in(array.about, page_.text)),
                                           all_[i].place, array.components,
                                           color_scale(range_of(page_, all_[i]))));
-            if (page_.steps.empty())
-                add_values(fmt::format("f{}", i), array);
-            for (std::size_t s = 0; s < page_.steps.size(); ++s)
-                add_values(fmt::format("f{}.{}", i, s), all_[i].at(page_.steps[s]));
+            for (std::size_t s = 0; s < std::max<std::size_t>(1, page_.steps.size()); ++s)
+                add_values(at_step(fmt::format("f{}", i), s), all_[i].at(page_, s));
         }
         if (is_rounded_ && !fields_.empty())
             notes_.push_back("values are rounded to 1/65535 of their range, since there are many");
+    }
+
+    /// The name of an array at a step.
+    std::string at_step(const std::string& name, std::size_t step) const {
+        return page_.steps.empty() ? name : fmt::format("{}.{}", name, step);
     }
 
     void add_values(const std::string& name, const VtuArray& array) {
@@ -215,7 +218,7 @@ private:
                 add_reals(fmt::format("vectors{}", i),
                           some_vectors(arrows, arrows.vectors, stride));
             for (std::size_t s = 0; s < page_.steps.size() && moves; ++s)
-                add_reals(fmt::format("vectors{}.{}", i, s),
+                add_reals(at_step(fmt::format("vectors{}", i), s),
                           some_vectors(arrows, page_.steps[s].vectors[i], stride));
             arrows_.push_back(fmt::format("{{\"field\":{},\"stride\":{}{}{}}}",
                                           json_text(arrows.field), stride, add_sizes(i),
@@ -233,9 +236,7 @@ private:
         if (lengths.empty())
             return "";
         for (std::size_t s = 0; s < lengths.size(); ++s)
-            add_values(page_.steps.empty() ? fmt::format("sizes{}", i)
-                                           : fmt::format("sizes{}.{}", i, s),
-                       lengths[s]);
+            add_values(at_step(fmt::format("sizes{}", i), s), lengths[s]);
         return fmt::format(",\"scale\":{}", color_scale(range_of(lengths)));
     }
 

@@ -23,15 +23,19 @@ const FaceList voxel_faces{{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
 const FaceList wedge_faces{{0, 1, 2}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
 const FaceList pyramid_faces{{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
 
+/// Appends the cells of a file to a grid. Points that both have stay two.
 class GridReader {
 public:
-    explicit GridReader(const SourceFile& source) : vtu_(source) {
+    GridReader(const SourceFile& source, VtuGrid& grid)
+        : vtu_(source), grid_(grid), first_(static_cast<Index>(grid.points.rows())) {
         if (vtu_.pieces() > 1)
             vtu_.fail(fmt::format("the grid has {} pieces; expected one; merge them, for instance "
                                   "with ParaView's filters Merge Blocks and Clean to Grid",
                                   vtu_.pieces()));
         vtu_.check();
-        grid_.points = points_from(vtu_.values(vtu_.points()));
+        const Points points = points_from(vtu_.values(vtu_.points()));
+        grid_.points.conservativeResize(first_ + points.rows(), points.cols());
+        grid_.points.bottomRows(points.rows()) = points;
         const auto ends = vtu_.values(vtu_.cells("offsets"));
         ends_ = whole(ends);
         corners_ = whole(vtu_.lists(vtu_.cells("connectivity"), ends));
@@ -47,20 +51,23 @@ public:
         }
     }
 
-    VtuGrid read() {
+    /// Gives the arrays of the file.
+    VtuData read() {
         Index begin = 0, faces_begin = 0;
         for (std::size_t cell = 0; cell < types_.size(); begin = ends_[cell++]) {
             if (ends_[cell] < begin || ends_[cell] > static_cast<Index>(corners_.size()))
                 refuse(cell, "has corners that do not exist");
-            const std::vector<Index> corners(corners_.begin() + begin,
-                                             corners_.begin() + ends_[cell]);
+            const auto corners = points_of(corners_, begin, ends_[cell]);
             if (types_[cell] == 42)
                 faces_begin = add_faces(cell, faces_begin);
             else
                 add(cell, corners);
         }
-        read_arrays();
-        return std::move(grid_);
+        VtuData data;
+        for (const auto& [section, array, piece] : vtu_.arrays())
+            if (section == "PointData" || section == "CellData")
+                add_array(section == "PointData" ? data.point_data : data.cell_data, array);
+        return data;
     }
 
 private:
@@ -80,6 +87,14 @@ private:
             result.push_back(static_cast<Index>(number));
         }
         return result;
+    }
+
+    /// The corners that stand between two places of a list, by their numbers in the grid.
+    std::vector<Index> points_of(const std::vector<Index>& list, Index begin, Index end) const {
+        std::vector<Index> corners(list.begin() + begin, list.begin() + end);
+        for (Index& corner : corners)
+            corner += first_;
+        return corners;
     }
 
     void add(std::size_t cell, const std::vector<Index>& corners) {
@@ -122,17 +137,11 @@ private:
             const Index size = faces_[at++];
             if (size < 3 || size > end - at)
                 refuse(cell, "has faces that do not exist");
-            faces.emplace_back(faces_.begin() + at, faces_.begin() + at + size);
+            faces.push_back(points_of(faces_, at, at + size));
             at += size;
         }
         add_polyhedron(grid_, faces);
         return end;
-    }
-
-    void read_arrays() {
-        for (const auto& [section, array, piece] : vtu_.arrays())
-            if (section == "PointData" || section == "CellData")
-                add_array(section == "PointData" ? grid_.point_data : grid_.cell_data, array);
     }
 
     /// Vectors of the plane get a third number; of tensors each component is an array of its own.
@@ -155,7 +164,8 @@ private:
     }
 
     VtuFile vtu_;
-    VtuGrid grid_;
+    VtuGrid& grid_;
+    Index first_; ///< point
     std::vector<Index> corners_, ends_, types_, faces_, face_ends_;
 };
 
@@ -192,70 +202,48 @@ std::vector<std::string> pieces_of(const SourceFile& source) {
     return files;
 }
 
-void append(std::vector<VtuArray>& list, const std::vector<VtuArray>& more) {
-    for (std::size_t i = 0; i < list.size(); ++i)
-        std::visit(
-            [&](auto& values) {
-                const auto& other = std::get<std::decay_t<decltype(values)>>(more[i].values);
-                values.insert(values.end(), other.begin(), other.end());
-            },
-            list[i].values);
+bool are_alike(const VtuData& a, const VtuData& b) {
+    return std::all_of(vtu_lists.begin(), vtu_lists.end(), [&](auto list) {
+        return std::equal((a.*list).begin(), (a.*list).end(), (b.*list).begin(), (b.*list).end(),
+                          [](const auto& one, const auto& other) { return one.is_like(other); });
+    });
 }
 
-bool has_arrays_of(const std::vector<VtuArray>& list, const std::vector<VtuArray>& other) {
-    return std::equal(list.begin(), list.end(), other.begin(), other.end(),
-                      [](const VtuArray& a, const VtuArray& b) {
-                          return a.name == b.name && a.components == b.components &&
-                                 a.values.index() == b.values.index();
-                      });
-}
-
-/// Puts the cells of another piece behind these. Points that both have stay two.
-void append(VtuGrid& grid, const VtuGrid& piece) {
-    const auto points = static_cast<Index>(grid.points.rows());
-    const auto corners = static_cast<std::int64_t>(grid.corners.size());
-    const auto faces = static_cast<std::int64_t>(grid.faces.size());
-    grid.points.conservativeResize(points + piece.points.rows(), Eigen::NoChange);
-    grid.points.bottomRows(piece.points.rows()) = piece.points;
-    grid.types.insert(grid.types.end(), piece.types.begin(), piece.types.end());
-    for (const Index corner : piece.corners)
-        grid.corners.push_back(points + corner);
-    for (const auto end : piece.offsets)
-        grid.offsets.push_back(corners + end);
-    for (const auto end : piece.face_offsets)
-        grid.face_offsets.push_back(end < 0 ? end : faces + end);
-    for (std::size_t at = 0; at < piece.faces.size();) {
-        grid.faces.push_back(piece.faces[at]);
-        for (Index face = piece.faces[at++]; face > 0; --face) {
-            const Index size = piece.faces[at];
-            grid.faces.push_back(size);
-            for (Index i = 1; i <= size; ++i)
-                grid.faces.push_back(points + piece.faces[at + i]);
-            at += static_cast<std::size_t>(size) + 1;
-        }
-    }
-    append(grid.point_data, piece.point_data);
-    append(grid.cell_data, piece.cell_data);
+/// The entries of arrays that are alike, behind those that are there.
+void append(VtuData& data, const VtuData& more) {
+    for (const auto list : vtu_lists)
+        for (std::size_t i = 0; i < (data.*list).size(); ++i)
+            std::visit(
+                [&](auto& values) {
+                    const auto& other =
+                        std::get<std::decay_t<decltype(values)>>((more.*list)[i].values);
+                    values.insert(values.end(), other.begin(), other.end());
+                },
+                (data.*list)[i].values);
 }
 
 } // namespace
 
 VtuGrid read_grid(const std::filesystem::path& path) {
     const SourceFile source = read_source_file(path);
-    if (lower_extension(path) != ".pvtu")
-        return GridReader(source).read();
+    VtuGrid grid;
+    if (lower_extension(path) != ".pvtu") {
+        static_cast<VtuData&>(grid) = GridReader(source, grid).read();
+        return grid;
+    }
     const auto files = pieces_of(source);
-    VtuGrid grid = read_grid(path.parent_path() / files.front());
-    for (std::size_t i = 1; i < files.size(); ++i) {
-        const VtuGrid piece = read_grid(path.parent_path() / files[i]);
-        if (!has_arrays_of(grid.point_data, piece.point_data) ||
-            !has_arrays_of(grid.cell_data, piece.cell_data) ||
-            grid.points.cols() != piece.points.cols())
+    for (const std::string& file : files) {
+        const SourceFile piece = read_source_file(path.parent_path() / file);
+        VtuData data = GridReader(piece, grid).read();
+        if (&file == &files.front())
+            static_cast<VtuData&>(grid) = std::move(data);
+        else if (are_alike(grid, data))
+            append(grid, data);
+        else
             refuse_contents(
                 path.string(),
                 fmt::format("the arrays of {} are not those of {}; expected the same in all pieces",
-                            files[i], files.front()));
-        append(grid, piece);
+                            file, files.front()));
     }
     return grid;
 }
@@ -264,7 +252,7 @@ Page read_series(const std::filesystem::path& path) {
     Page page;
     for (const auto& [time, file] : listed(read_source_file(path))) {
         VtuGrid grid = read_grid(path.parent_path() / file);
-        page.steps.push_back({time, grid.point_data, grid.cell_data});
+        page.steps.push_back({grid, time});
         if (page.steps.size() == 1)
             page.grid = std::move(grid);
         else if (grid.corners != page.grid.corners || grid.points != page.grid.points)

@@ -17,7 +17,6 @@
 #include <exception>
 #include <optional>
 #include <system_error>
-#include <tuple>
 #include <utility>
 
 namespace polydec {
@@ -166,16 +165,17 @@ void Series::check_time(double time) const {
             steps_.size(), time));
 }
 
-void Series::check_arrays(const std::vector<VtuArray>& arrays,
-                          const std::vector<VtuArray>& first) const {
-    if (!std::equal(arrays.begin(), arrays.end(), first.begin(), first.end(),
-                    [](const VtuArray& a, const VtuArray& b) {
-                        return a.name == b.name && a.components == b.components &&
-                               a.values.index() == b.values.index() && a.size() == b.size();
-                    }))
-        throw InvalidInput(fmt::format("step {} of a series has other arrays than the previous "
-                                       "steps: expected the same names, kinds and sizes",
-                                       steps_.size()));
+void Series::check_arrays(const VtuData& data) const {
+    for (const auto list : vtu_lists) {
+        const auto &arrays = data.*list, &first = page_.grid.*list;
+        if (!std::equal(arrays.begin(), arrays.end(), first.begin(), first.end(),
+                        [](const VtuArray& a, const VtuArray& b) {
+                            return a.is_like(b) && a.size() == b.size();
+                        }))
+            throw InvalidInput(fmt::format("step {} of a series has other arrays than the previous "
+                                           "steps: expected the same names, kinds and sizes",
+                                           steps_.size()));
+    }
 }
 
 /// The page before its first step.
@@ -189,9 +189,7 @@ Page Series::begun(const std::vector<NamedForm>& fields) const {
     } else {
         page.grid = draw_cells(mesh_, drawn_degree(mesh_, fields));
     }
-    page.grid.point_data.clear();
-    page.grid.cell_data.clear();
-    page.grid.field_data.clear();
+    static_cast<VtuData&>(page.grid) = {};
     const PageText own = std::exchange(page.text, page_.text);
     page.text.facts.insert(page.text.facts.end(), own.facts.begin(), own.facts.end());
     page.text.warnings.insert(page.text.warnings.end(), own.warnings.begin(), own.warnings.end());
@@ -201,12 +199,9 @@ Page Series::begun(const std::vector<NamedForm>& fields) const {
 PageStep Series::drawn(const Page& page, const std::vector<NamedForm>& fields) const {
     if (is_page_)
         return draw_step(page, {}, fields);
-    VtuGrid arrays;
-    add_fields(arrays, mesh_, fields);
-    return {{},
-            std::move(arrays.point_data),
-            std::move(arrays.cell_data),
-            std::move(arrays.field_data)};
+    PageStep step;
+    add_fields(step, mesh_, fields);
+    return step;
 }
 
 void Series::add(double time, const std::vector<NamedForm>& fields) {
@@ -228,20 +223,15 @@ void Series::add(double time, const std::vector<NamedForm>& fields) {
 }
 
 void Series::add_step(double time, PageStep step) {
-    VtuGrid& grid = page_.grid;
-    if (steps_.size() > begun_) {
-        check_arrays(step.point_data, grid.point_data);
-        check_arrays(step.cell_data, grid.cell_data);
-        check_arrays(step.field_data, grid.field_data);
-    }
-    auto before = std::tuple(std::exchange(grid.point_data, step.point_data),
-                             std::exchange(grid.cell_data, step.cell_data),
-                             std::exchange(grid.field_data, step.field_data));
+    if (steps_.size() > begun_)
+        check_arrays(step);
+    VtuData& shown = page_.grid;
+    VtuData before = std::exchange(shown, step);
     append_number(step.time, time);
     try {
         write_step(std::move(step));
     } catch (...) {
-        std::tie(grid.point_data, grid.cell_data, grid.field_data) = std::move(before);
+        shown = std::move(before);
         throw;
     }
     last_ = time;

@@ -58,8 +58,7 @@ private:
     std::string file_of_step(std::size_t step) const;
     void keep_steps(const std::vector<double>& times);
     void check_time(double time) const;
-    void check_arrays(const std::vector<VtuArray>& arrays,
-                      const std::vector<VtuArray>& first) const;
+    void check_arrays(const VtuData& data) const;
     Page begun(const std::vector<NamedForm>& fields) const;
     PageStep drawn(const Page& page, const std::vector<NamedForm>& fields) const;
     void add_step(double time, PageStep step);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/still.h"
 
-#include "io/pages/picture_overlay.h"
 #include "io/pages/projection.h"
 #include "io/pages/still_scene.h"
 #include "io/pages/surface_painter.h"
@@ -21,7 +20,7 @@ namespace {
 
 constexpr int picture_width = 1280, picture_height = 800;
 constexpr Index most_svg_triangles = 4000, most_cells_with_edges = 2000;
-constexpr double margin = 24;
+constexpr double margin = 24, bar_length = 384, bar_left = picture_width / 2.0 - bar_length / 2;
 constexpr Color plain{0xe4, 0xe9, 0xef}, ink{0x22, 0x22, 0x22};
 constexpr Color edge{0x44, 0x44, 0x44};
 
@@ -33,6 +32,30 @@ using Place = Projection::Place;
 
 SvgPoint on_paper(const Place& p) {
     return {p[0], p[1]};
+}
+
+/// What lies over a picture, in pixels, y down.
+using Shapes = std::vector<SvgShape>;
+
+SvgShape line(std::vector<SvgPoint> points, double width, const Color& color) {
+    return SvgPolyline{std::move(points), {.stroke = color_text(color), .width = width}};
+}
+
+/// A line with two short ones at its end.
+void add_arrow(Shapes& overlay, SvgPoint from, SvgPoint to, double width, const Color& color) {
+    const double x = to[0] - from[0], y = to[1] - from[1], head = 0.32;
+    const auto barb = [&](double side) {
+        return SvgPoint{to[0] - head * (x + side * y), to[1] - head * (y - side * x)};
+    };
+    overlay.push_back(line({from, to}, width, color));
+    overlay.push_back(line({barb(0.7), to, barb(-0.7)}, width, color));
+}
+
+/// Draws on a raster or a canvas.
+template <class Paper>
+void draw(Paper& paper, const Shapes& overlay) {
+    for (const SvgShape& shape : overlay)
+        paper.draw(shape);
 }
 
 SvgBox frame_of(const StillScenes& scenes) {
@@ -120,11 +143,11 @@ private:
     }
 
     /// The lines of curves, from far to near.
-    PictureOverlay lines(const StillScene& scene, const SurfacePainter& painter) const {
-        PictureOverlay result;
+    Shapes lines(const StillScene& scene, const SurfacePainter& painter) const {
+        Shapes result;
         if (!scenes_.is_curve())
             return result;
-        std::vector<std::pair<double, PictureOverlay::Stroke>> strokes;
+        std::vector<std::pair<double, SvgShape>> strokes;
         for (std::size_t i = 0; i + 1 < scenes_.corners().size(); i += 2) {
             const Place a = projection_(scenes_.points(), scenes_.corners()[i]);
             const Place b = projection_(scenes_.points(), scenes_.corners()[i + 1]);
@@ -132,26 +155,28 @@ private:
             if (!scene.values.empty())
                 color = painter.color(
                     scenes_.range()->part(scene.values[i] / 2 + scene.values[i + 1] / 2));
-            strokes.push_back({a[2] + b[2], {{on_paper(a), on_paper(b)}, 3, color}});
+            strokes.emplace_back(a[2] + b[2], line({on_paper(a), on_paper(b)}, 3, color));
         }
         std::stable_sort(strokes.begin(), strokes.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
         for (auto& [nearness, stroke] : strokes)
-            result.strokes.push_back(std::move(stroke));
+            result.push_back(std::move(stroke));
         return result;
     }
 
-    PictureOverlay overlay(const StillScene& scene, const SurfacePainter& painter) const {
-        PictureOverlay result;
+    Shapes overlay(const StillScene& scene, const SurfacePainter& painter) const {
+        Shapes result;
         add_paths(result, painter);
         add_arrows(result, scene, painter);
+        if (scenes_.range())
+            add_bar(result, painter);
         add_head(result, scene);
         if (scenes_.range())
-            add_legend(result, painter);
+            add_numbers(result);
         return result;
     }
 
-    void add_paths(PictureOverlay& result, const SurfacePainter& painter) const {
+    void add_paths(Shapes& result, const SurfacePainter& painter) const {
         for (const PageArrows& arrows : scenes_.page().arrows) {
             if (!arrows.is_path())
                 continue;
@@ -161,15 +186,14 @@ private:
                 const Place a = projection_(points, lines.simplices(i, 0));
                 const Place b = projection_(points, lines.simplices(i, 1));
                 const double width = painter.shows((a + b) / 2) ? 3 : 0.8; // thin behind the mesh
-                result.strokes.push_back({{on_paper(a), on_paper(b)}, width, ink});
+                result.push_back(line({on_paper(a), on_paper(b)}, width, ink));
             }
         }
     }
 
     /// At most one in each square of a grid, the nearest one to its middle, as far as all of it is
     /// on the surface. Squares are as large as there is room for one of each.
-    void add_arrows(PictureOverlay& result, const StillScene& scene,
-                    const SurfacePainter& painter) const {
+    void add_arrows(Shapes& result, const StillScene& scene, const SurfacePainter& painter) const {
         std::vector<std::pair<Place, Index>> seen;
         Place low = Place::Constant(picture_width), high = Place::Zero();
         for (Index i = 0; i < scene.sites.rows(); ++i) {
@@ -207,7 +231,7 @@ private:
         }
     }
 
-    void add_arrow_at(PictureOverlay& result, const SurfacePainter& painter, const Place& at,
+    void add_arrow_at(Shapes& result, const SurfacePainter& painter, const Place& at,
                       const Place& vector, double size) const {
         const Place ray = projection_.along(vector);
         const double part = vector.norm() / scenes_.range()->high, pixels = ray.norm();
@@ -242,36 +266,41 @@ private:
                            scene.time.empty() ? "" : fmt::format(", at t = {}", scene.time));
     }
 
-    static void add_label(PictureOverlay& result, SvgPoint at, std::string text, double size,
+    static void add_label(Shapes& result, SvgPoint at, std::string text, double size,
                           SvgAnchor anchor) {
-        result.labels.push_back({at, std::move(text), size, anchor, ink});
+        result.push_back(SvgText{at, std::move(text), size, anchor, color_text(ink)});
     }
 
-    void add_head(PictureOverlay& result, const StillScene& scene) const {
+    void add_head(Shapes& result, const StillScene& scene) const {
         const std::string time = scene.time.empty() ? "" : "t = " + scene.time;
         const double room = picture_width - 3 * margin - svg_text_width(time, 20);
-        add_label(result, {margin, 38}, shortened(scenes_.page().text.title, 20, room), 20,
+        add_label(result, {margin, 38}, svg_shortened(scenes_.page().text.title, 20, room), 20,
                   SvgAnchor::start);
         add_label(result, {picture_width - margin, 38}, time, 20, SvgAnchor::end);
     }
 
-    /// The bar, the name above it, and its ends and middle in numbers below.
-    void add_legend(PictureOverlay& result, const SurfacePainter& painter) const {
+    static void add_bar(Shapes& result, const SurfacePainter& painter) {
         constexpr int pieces = 128;
-        constexpr double long_bar = 384, top = picture_height - 52, bottom = picture_height - 36;
-        const double left = picture_width / 2.0 - long_bar / 2;
-        for (int i = 0; i < pieces; ++i)
-            result.boxes.push_back(
-                {{left + long_bar * i / pieces, top, left + long_bar * (i + 1) / pieces, bottom},
-                 painter.color((i + 0.5) / pieces)});
+        constexpr double top = picture_height - 52, bottom = picture_height - 36;
+        for (int i = 0; i < pieces; ++i) {
+            const double left = bar_left + bar_length * i / pieces,
+                         right = bar_left + bar_length * (i + 1) / pieces;
+            result.push_back(SvgPolygon{
+                {{left, top}, {right, top}, {right, bottom}, {left, bottom}},
+                {.stroke = "none", .fill = color_text(painter.color((i + 0.5) / pieces))}});
+        }
+    }
+
+    /// The name of what the bar shows above it, and its ends and middle in numbers below.
+    void add_numbers(Shapes& result) const {
         const ColorRange& range = *scenes_.range();
         const double numbers[] = {range.low, range.middle(), range.high};
         for (int i = 0; i < 3; ++i)
             if (!range.is_constant || i == 1)
-                add_label(result, {left + long_bar * i / 2, picture_height - 16.0},
+                add_label(result, {bar_left + bar_length * i / 2, picture_height - 16.0},
                           number_text(numbers[i]), 15, SvgAnchor::middle);
         add_label(result, {picture_width / 2.0, picture_height - 62.0},
-                  shortened(legend(), 16, picture_width - 2 * margin), 16, SvgAnchor::middle);
+                  svg_shortened(legend(), 16, picture_width - 2 * margin), 16, SvgAnchor::middle);
     }
 
     /// A part of a triangle in one color, with the lines on its sides.
@@ -279,7 +308,7 @@ private:
         double nearness;
         std::vector<SvgPoint> corners;
         Color color;
-        std::vector<PictureOverlay::Stroke> lines;
+        Shapes lines;
     };
 
     /// Triangles with values at their corners are cut into `cuts` pieces along each side.
@@ -307,9 +336,9 @@ private:
                                       a == 0 && c == 0};
                 for (std::size_t k = 0; k < 3; ++k)
                     if (outer[k] && seen.sides[k])
-                        piece.lines.push_back({{piece.corners[side], piece.corners[(side + 1) % 3]},
-                                               2 * seen.side_width,
-                                               *seen.sides[k]});
+                        piece.lines.push_back(
+                            line({piece.corners[side], piece.corners[(side + 1) % 3]},
+                                 2 * seen.side_width, *seen.sides[k]));
             }
             pieces.push_back(std::move(piece));
         };
@@ -336,7 +365,7 @@ private:
         for (const auto& piece : pieces) {
             const std::string color = color_text(piece.color);
             canvas.polygon(piece.corners, {.stroke = color, .fill = color, .width = 0.8});
-            draw(canvas, PictureOverlay{.strokes = piece.lines});
+            draw(canvas, piece.lines);
         }
     }
 

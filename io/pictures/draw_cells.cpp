@@ -170,11 +170,11 @@ VtuGrid draw_cells(const CellComplex& complex, const Points& points, int k) {
         complex, points, k, [&](Index cell) { return corners(complex, cell); }, std::identity());
 }
 
-void add_cochain(VtuGrid& grid, const CellComplex& complex, int k, std::string name,
+void add_cochain(VtuData& picture, const CellComplex& complex, int k, std::string name,
                  const Eigen::Ref<const DenseMatrix>& values) {
     cell_degree(complex, Side::primal, k);
     check_as_many(fmt::format("rows of `{}`", name), values.rows(), complex.size(k));
-    (k > 0 ? grid.cell_data : grid.point_data).push_back(vtu_array(std::move(name), values));
+    (k > 0 ? picture.cell_data : picture.point_data).push_back(vtu_array(std::move(name), values));
 }
 
 Merging drawn_cells(const Discretization& given) {
@@ -203,12 +203,12 @@ DenseMatrix drawn_values(const Discretization& given, Side side, int degree,
     return result;
 }
 
-bool add_vectors(VtuGrid& grid, const Discretization& mesh, const std::string& name,
+bool add_vectors(VtuData& picture, const Discretization& mesh, const std::string& name,
                  const Cochain& form) {
     try {
         const DenseMatrix vectors = vectors_at_vertices(mesh, form);
         if (vectors.rows() > 0)
-            grid.point_data.push_back(
+            picture.point_data.push_back(
                 vtu_array(name + "_vector", drawn_values(mesh, Side::primal, 0, vectors)));
         return vectors.rows() > 0;
     } catch (const InvalidInput&) {

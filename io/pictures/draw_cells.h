@@ -26,7 +26,7 @@ VtuGrid draw_cells(const CellComplex& complex, const Points& points, int k);
 /// picture from draw_cells for that k: point data for k = 0, else cell data. Rows of two or three
 /// numbers are vectors at these cells. Throws InvalidInput unless there is a row for every k-cell,
 /// and like vtu_array.
-void add_cochain(VtuGrid& grid, const CellComplex& complex, int k, std::string name,
+void add_cochain(VtuData& picture, const CellComplex& complex, int k, std::string name,
                  const Eigen::Ref<const DenseMatrix>& values);
 
 /// The same for the cells of a discretization. Points have the numbers and places of the input,
@@ -43,7 +43,7 @@ DenseMatrix drawn_values(const Discretization& discretization, Side side, int de
 /// Adds the proxy vectors of a form at the points, by vectors_at_vertices, to the picture from
 /// draw_cells, as the array NAME_vector: 0 at points of no cell. Returns false, and adds nothing,
 /// for forms without such vectors and if the mesh has no sharp.
-bool add_vectors(VtuGrid& grid, const Discretization& discretization, const std::string& name,
+bool add_vectors(VtuData& picture, const Discretization& discretization, const std::string& name,
                  const Cochain& form);
 
 /// The cells in these pictures: the merged ones, or the input's if edges were flipped.

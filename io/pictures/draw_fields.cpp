@@ -25,7 +25,7 @@ int drawn_degree(const Discretization& mesh, const std::vector<NamedForm>& field
     return degrees.size() == 1 ? *degrees.begin() : mesh.dimension();
 }
 
-void add_field(VtuGrid& grid, const Discretization& mesh, int k, const NamedForm& field) {
+void add_field(VtuData& picture, const Discretization& mesh, int k, const NamedForm& field) {
     const auto& [name, form, about, vectors] = field;
     const int own = degree_of_cells(mesh, field);
     if (vectors.size() > 0)
@@ -39,16 +39,17 @@ void add_field(VtuGrid& grid, const Discretization& mesh, int k, const NamedForm
                       : fmt::format("a {} {}-form", polydec::name(form.side), form.degree);
     if (own > 0 && own != k)
         array.degree = own;
-    auto& list = own == 0 ? grid.point_data : own == k ? grid.cell_data : grid.field_data;
+    auto& list = own == 0 ? picture.point_data : own == k ? picture.cell_data : picture.field_data;
     list.push_back(std::move(array));
 }
 
-void add_fields(VtuGrid& grid, const Discretization& mesh, const std::vector<NamedForm>& fields) {
+void add_fields(VtuData& picture, const Discretization& mesh,
+                const std::vector<NamedForm>& fields) {
     const int k = drawn_degree(mesh, fields);
     for (const NamedForm& field : fields) {
-        add_field(grid, mesh, k, field);
+        add_field(picture, mesh, k, field);
         if (field.vectors.size() == 0)
-            add_vectors(grid, mesh, field.name, field.form);
+            add_vectors(picture, mesh, field.name, field.form);
     }
 }
 

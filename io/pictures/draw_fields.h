@@ -38,24 +38,23 @@ int drawn_degree(const Discretization& mesh, const std::vector<NamedForm>& field
 /// k-cells as cell data, and values on other cells as field data, with their degree; see
 /// drawn_values. If `about` is empty, the array's description gives side and degree. Throws
 /// InvalidInput, naming the field, for a wrong number of rows, and for a form of another mesh.
-void add_field(VtuGrid& grid, const Discretization& mesh, int k, const NamedForm& field);
+void add_field(VtuData& picture, const Discretization& mesh, int k, const NamedForm& field);
 
-/// Adds all fields, of their drawn_degree, each form followed by its add_vectors. The grid may have
-/// no cells.
-void add_fields(VtuGrid& grid, const Discretization& mesh, const std::vector<NamedForm>& fields);
+/// Adds all fields, of their drawn_degree, each form followed by its add_vectors.
+void add_fields(VtuData& picture, const Discretization& mesh, const std::vector<NamedForm>& fields);
 
 /// The picture of any number of fields together: forms of all degrees on both sides, and vectors.
 /// Throws like draw_cells and add_field.
 VtuGrid draw_fields(const Discretization& mesh, const std::vector<NamedForm>& fields);
 
-/// A mode of a spectrum. Its arbitrary sign makes the largest value positive; of several, the first
-/// one.
-Cochain shown_mode(const Spectrum& spectrum, Index i);
+/// The modes of a spectrum as fields mode_0, mode_1, .., described by their eigenvalues. Their
+/// arbitrary signs make the largest value positive; of several, the first one.
+std::vector<NamedForm> shown_modes(const Spectrum& spectrum);
 
 /// Adds the certificate of a spectrum to the field data: eigenvalues, their radii and residuals,
 /// the certificate by shift, below_shift, returned_below_shift and complete (1 or 0), and degree
 /// and is_dual (1 or 0) of the forms.
-void add_spectrum(VtuGrid& grid, const Spectrum& spectrum);
+void add_spectrum(VtuData& picture, const Spectrum& spectrum);
 
 /// The modes of a spectrum on their merged cells, as arrays mode_0, mode_1, ..: point data for
 /// forms on vertices, else cell data; with add_vectors and add_spectrum. Throws like draw_cells.

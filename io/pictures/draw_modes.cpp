@@ -21,15 +21,22 @@ double sign_of(const Vector& values) {
 
 } // namespace
 
-Cochain shown_mode(const Spectrum& spectrum, Index i) {
-    const Vector mode = spectrum.modes.col(i);
-    return {spectrum.side, spectrum.degree, sign_of(mode) * mode};
+std::vector<NamedForm> shown_modes(const Spectrum& spectrum) {
+    std::vector<NamedForm> modes;
+    for (Index i = 0; i < spectrum.modes.cols(); ++i) {
+        const Vector mode = spectrum.modes.col(i);
+        modes.emplace_back(fmt::format("mode_{}", i),
+                           Cochain{spectrum.side, spectrum.degree, sign_of(mode) * mode},
+                           fmt::format("{} {}-form, eigenvalue {:.10g}", name(spectrum.side),
+                                       spectrum.degree, spectrum.eigenvalues[i]));
+    }
+    return modes;
 }
 
-void add_spectrum(VtuGrid& grid, const Spectrum& spectrum) {
+void add_spectrum(VtuData& picture, const Spectrum& spectrum) {
     const Certificate& certificate = spectrum.certificate;
     const auto number = [](Index value) { return std::vector<Index>{value}; };
-    auto& field = grid.field_data;
+    auto& field = picture.field_data;
     field.push_back(vtu_array("eigenvalues", spectrum.eigenvalues));
     field.push_back(vtu_array("radii", spectrum.radii));
     field.push_back(vtu_array("residuals", spectrum.residuals));
@@ -42,12 +49,9 @@ void add_spectrum(VtuGrid& grid, const Spectrum& spectrum) {
 }
 
 VtuGrid draw_modes(const Discretization& discretization, const Spectrum& spectrum) {
-    std::vector<NamedForm> modes;
-    for (Index i = 0; i < spectrum.modes.cols(); ++i)
-        modes.emplace_back(fmt::format("mode_{}", i), shown_mode(spectrum, i));
     VtuGrid grid = draw_cells(
         discretization, cell_degree(discretization.complex(), spectrum.side, spectrum.degree));
-    add_fields(grid, discretization, modes);
+    add_fields(grid, discretization, shown_modes(spectrum));
     add_spectrum(grid, spectrum);
     return grid;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 #include <zlib.h>
 
 namespace polydec {
@@ -94,6 +95,19 @@ void Raster::text(SvgPoint at, std::string_view text, double size, SvgAnchor anc
         }
         x += advance;
     }
+}
+
+void Raster::draw(const SvgShape& shape) {
+    if (const auto* const line = std::get_if<SvgPolyline>(&shape))
+        for (std::size_t i = 0; i + 1 < line->points.size(); ++i)
+            stroke(line->points[i], line->points[i + 1], line->style.width,
+                   color_of(line->style.stroke));
+    if (const auto* const box = std::get_if<SvgPolygon>(&shape)) {
+        const SvgPoint &start = box->points[0], &end = box->points[2];
+        fill({start[0], start[1], end[0], end[1]}, color_of(box->style.fill));
+    }
+    if (const auto* const label = std::get_if<SvgText>(&shape))
+        text(label->at, label->text, label->size, label->anchor, color_of(label->color));
 }
 
 Raster Raster::reduced(int factor) const {

@@ -31,6 +31,10 @@ public:
     /// question marks. `anchor` is the place of the point on the baseline.
     void text(SvgPoint at, std::string_view text, double size, SvgAnchor anchor, Color color);
 
+    /// A line, a text, or the inside of a box: a polygon whose first and third corners are its left
+    /// upper and right lower ones. Other shapes are not drawn.
+    void draw(const SvgShape& shape);
+
     /// Means of squares of so many pixels a side, which divides both sizes.
     Raster reduced(int factor) const;
 

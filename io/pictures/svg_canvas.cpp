@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <variant>
 
 namespace polydec {
 
@@ -47,6 +49,44 @@ std::string attributes(const SvgStyle& style) {
 const char* name(SvgAnchor anchor) {
     return anchor == SvgAnchor::start ? "start" : anchor == SvgAnchor::middle ? "middle" : "end";
 }
+
+/// Draws shapes in pixels.
+struct Painter {
+    SvgCanvas& canvas;
+
+    void operator()(const SvgPolyline& line) const { canvas.polyline(line.points, line.style); }
+    void operator()(const SvgPolygon& polygon) const {
+        canvas.polygon(polygon.points, polygon.style);
+    }
+    void operator()(const SvgCircle& circle) const {
+        canvas.circle(circle.center, circle.radius, circle.style);
+    }
+    void operator()(const SvgDot& dot) const { canvas.circle(dot.center, dot.radius, dot.style); }
+    void operator()(const SvgText& text) const {
+        canvas.text(text.at, text.text,
+                    {.size = text.size, .anchor = text.anchor, .color = text.color});
+    }
+
+    /// The head is a triangle as long as a few widths of the line, but not longer than the arrow.
+    void operator()(const SvgArrow& arrow) const {
+        const auto& [a, b, style] = arrow;
+        const double dx = b[0] - a[0], dy = b[1] - a[1], length = std::hypot(dx, dy);
+        if (length == 0)
+            return;
+        const double head = std::min(length, 4 + 3 * style.width), half = 0.4 * head;
+        const double ux = dx / length, uy = dy / length;
+        const SvgPoint base{b[0] - head * ux, b[1] - head * uy};
+        canvas.polyline({a, base}, style);
+        SvgStyle solid = style;
+        solid.fill = solid.stroke;
+        solid.dashes.clear();
+        solid.stroke = "none";
+        canvas.polygon({b,
+                        {base[0] - half * uy, base[1] + half * ux},
+                        {base[0] + half * uy, base[1] - half * ux}},
+                       solid);
+    }
+};
 
 } // namespace
 
@@ -92,6 +132,10 @@ void SvgCanvas::text(SvgPoint at, std::string_view text, const SvgLabel& label) 
     text_ += "</text>\n";
 }
 
+void SvgCanvas::draw(const SvgShape& shape) {
+    std::visit(Painter{*this}, shape);
+}
+
 void SvgCanvas::open_group(std::string_view name) {
     text_ += fmt::format("<g><title>{}</title>\n", xml_escaped(name));
 }
@@ -109,6 +153,19 @@ double svg_text_width(std::string_view text, double size) {
         return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; // no byte inside a character
     });
     return 0.58 * size * static_cast<double>(characters);
+}
+
+std::string svg_shortened(const std::string& text, double size, double most) {
+    std::string result = text;
+    while (!result.empty() && svg_text_width(result, size) > most) {
+        result = text.substr(0, result.size() - 1);
+        while (!result.empty() &&
+               (static_cast<unsigned char>(text[result.size()]) & 0xC0U) == 0x80U)
+            result.pop_back(); // inside a character
+        if (svg_text_width(result + "...", size) <= most)
+            return result + "...";
+    }
+    return result;
 }
 
 } // namespace polydec

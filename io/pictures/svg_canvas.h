@@ -29,6 +29,7 @@ public:
     void circle(SvgPoint center, double radius, const SvgStyle& style);
     void image(SvgPoint left_top, double width, double height, std::string_view png);
     void text(SvgPoint at, std::string_view text, const SvgLabel& label = {});
+    void draw(const SvgShape& shape);
 
     /// Elements from here to the next open or close form a group with this name, which viewers show
     /// as a tooltip.
@@ -44,5 +45,8 @@ private:
 
 /// Approximate width of a text in common sans-serif fonts, in pixels.
 double svg_text_width(std::string_view text, double size);
+
+/// The text, without its end if it is longer than this many pixels.
+std::string svg_shortened(const std::string& text, double size, double most);
 
 } // namespace polydec

@@ -78,44 +78,6 @@ SvgShape moved(SvgShape shape, double factor, Move move) {
     return shape;
 }
 
-/// Draws shapes in pixels.
-struct Painter {
-    SvgCanvas& canvas;
-
-    void operator()(const SvgPolyline& line) const { canvas.polyline(line.points, line.style); }
-    void operator()(const SvgPolygon& polygon) const {
-        canvas.polygon(polygon.points, polygon.style);
-    }
-    void operator()(const SvgCircle& circle) const {
-        canvas.circle(circle.center, circle.radius, circle.style);
-    }
-    void operator()(const SvgDot& dot) const { canvas.circle(dot.center, dot.radius, dot.style); }
-    void operator()(const SvgText& text) const {
-        canvas.text(text.at, text.text,
-                    {.size = text.size, .anchor = text.anchor, .color = text.color});
-    }
-
-    /// The head is a triangle as long as a few widths of the line, but not longer than the arrow.
-    void operator()(const SvgArrow& arrow) const {
-        const auto& [a, b, style] = arrow;
-        const double dx = b[0] - a[0], dy = b[1] - a[1], length = std::hypot(dx, dy);
-        if (length == 0)
-            return;
-        const double head = std::min(length, 4 + 3 * style.width), half = 0.4 * head;
-        const double ux = dx / length, uy = dy / length;
-        const SvgPoint base{b[0] - head * ux, b[1] - head * uy};
-        canvas.polyline({a, base}, style);
-        SvgStyle solid = style;
-        solid.fill = solid.stroke;
-        solid.dashes.clear();
-        solid.stroke = "none";
-        canvas.polygon({b,
-                        {base[0] - half * uy, base[1] + half * ux},
-                        {base[0] + half * uy, base[1] - half * ux}},
-                       solid);
-    }
-};
-
 /// Where a drawing's shapes are in pixels, y down. What is much higher than wide stands in the
 /// middle instead of making a tower.
 View view_of(const SvgDrawing& drawing) {
@@ -139,7 +101,7 @@ std::string to_svg(const SvgDrawing& drawing) {
         canvas.text({drawing.width / 2, drawing.margin + title_size - 4}, drawing.title,
                     {.size = title_size});
     for (const auto& shape : drawing.shapes)
-        std::visit(Painter{canvas}, moved(shape, view.scale, view));
+        canvas.draw(moved(shape, view.scale, view));
     return canvas.finish();
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/types.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -37,10 +38,25 @@ struct VtuArray {
     std::size_t size() const {
         return std::visit([](const auto& all) { return all.size(); }, values);
     }
+
+    /// Whether another one has the same name, number of components and kind of numbers.
+    bool is_like(const VtuArray& other) const {
+        return name == other.name && components == other.components &&
+               values.index() == other.values.index();
+    }
 };
 
+/// Arrays of all points, of all cells, and of the whole.
+struct VtuData {
+    std::vector<VtuArray> point_data = {};
+    std::vector<VtuArray> cell_data = {};
+    std::vector<VtuArray> field_data = {}; ///< of any length: eigenvalues, a residual, ..
+};
+inline constexpr std::array vtu_lists{&VtuData::point_data, &VtuData::cell_data,
+                                      &VtuData::field_data};
+
 /// The contents of a VTU file. Append cells with `add_cell` and `add_polyhedron`.
-struct VtuGrid {
+struct VtuGrid : VtuData {
     Points points; ///< N <= 3 columns; missing ones are written as zeros
     std::vector<VtuCell> types;
     std::vector<Index> corners;        ///< point numbers of the cells, one after the other
@@ -48,9 +64,6 @@ struct VtuGrid {
     std::vector<Index> faces; ///< for each polyhedron the number of faces, then for each face its
                               ///< number of corners and its corners
     std::vector<std::int64_t> face_offsets; ///< for each cell, end of its faces; -1 without faces
-    std::vector<VtuArray> point_data;
-    std::vector<VtuArray> cell_data;
-    std::vector<VtuArray> field_data; ///< global data of any length: eigenvalues, a residual, ..
 };
 
 /// The precision of coordinates and of point and cell values in the file.

@@ -204,7 +204,7 @@ TEST(Pages, AreBoundIntoAnAlbum) {
 
 TEST(Pages, RefuseWhatDoesNotFit) {
     auto page = simple_page();
-    page.steps = {{"0", page.grid.point_data, {}}, {"1", page.grid.point_data, {}}};
+    page.steps = {{page.grid, "0"}, {page.grid, "1"}};
     EXPECT_EQ(page_error(page), "");
     page.steps[1].point_data[0].name = "v";
     EXPECT_SAYS(page_error(page), "InvalidInput", "step 1", "page", "arrays");
