@@ -10,12 +10,6 @@ namespace polydec::python {
 
 namespace {
 
-/// The matrix of an operator, made without the interpreter's lock.
-template <class Make>
-py::object matrix(Make make) {
-    return csr(unlocked([&]() -> SparseMatrix { return make(); }));
-}
-
 /// Cells of one's own, by their coboundaries and volumes.
 Cells own_cells(const std::vector<MatrixParts>& coboundaries, std::vector<Vector> primal,
                 std::vector<Vector> dual) {
@@ -36,35 +30,37 @@ void add_matrices(py::class_<Cells>& calculus) {
                  // the complex is shared with what C++ keeps, so lives as long as this does
                  return csr(self.cast<Cells&>().complex().coboundary(k), self);
              })
-        .def("d", [](const Cells& of, Side side,
-                     int k) { return matrix([&] { return derivative_of(of, side, k); }); })
-        .def("boundary",
-             [](const Cells& of, Side side, int k) {
-                 return matrix(
-                     [&] { return SparseMatrix(derivative_of(of, side, k - 1).transpose()); });
-             })
-        .def("codifferential",
-             [](const Cells& of, Side side, int k) {
-                 return matrix([&] {
-                     return side == Side::primal ? codifferential(of, k)
-                                                 : dual_codifferential(of, k);
-                 });
-             })
-        .def("laplacian",
-             [](const Cells& of, Side side, int k) {
-                 return matrix([&] {
-                     return side == Side::primal ? laplacian(of, k) : dual_laplacian(of, k);
-                 });
-             })
-        .def("stiffness", [](const Cells& of,
-                             int k) { return matrix([&] { return symmetric_laplacian(of, k); }); })
-        .def("dual_boundary_derivative",
-             [](const Cells& of, int j) {
-                 return matrix([&] { return dual_boundary_derivative(of.complex(), j); });
-             })
-        .def("homology_generators", [](const Cells& of, int k) {
-            return matrix([&] { return homology_generators(of.complex(), k); });
-        });
+        .def("d", &derivative_of, Unlocking())
+        .def(
+            "boundary",
+            [](const Cells& of, Side side, int k) {
+                return SparseMatrix(derivative_of(of, side, k - 1).transpose());
+            },
+            Unlocking())
+        .def(
+            "codifferential",
+            [](const Cells& of, Side side, int k) {
+                return (side == Side::primal ? codifferential(of, k) : dual_codifferential(of, k))
+                    .matrix();
+            },
+            Unlocking())
+        .def(
+            "laplacian",
+            [](const Cells& of, Side side, int k) {
+                return (side == Side::primal ? laplacian(of, k) : dual_laplacian(of, k)).matrix();
+            },
+            Unlocking())
+        .def(
+            "stiffness", [](const Cells& of, int k) { return symmetric_laplacian(of, k).matrix(); },
+            Unlocking())
+        .def(
+            "dual_boundary_derivative",
+            [](const Cells& of, int j) { return dual_boundary_derivative(of.complex(), j); },
+            Unlocking())
+        .def(
+            "homology_generators",
+            [](const Cells& of, int k) { return homology_generators(of.complex(), k); },
+            Unlocking());
 }
 
 void add_stars(py::class_<Cells>& calculus) {
@@ -74,7 +70,7 @@ void add_stars(py::class_<Cells>& calculus) {
                  const HodgeStar star = polydec::star(of, k);
                  if (star.is_diagonal())
                      return array(star.diagonal());
-                 return csr(star.matrix());
+                 return csr(SparseMatrix(star.matrix()));
              })
         .def("inverse_star", [](const Cells& of, int k) { return star(of, k).inverse(); })
         .def(
@@ -93,19 +89,14 @@ void add_stars(py::class_<Cells>& calculus) {
 }
 
 void add_forms(py::class_<Cells>& calculus) {
-    using Apply = Cochain (*)(const Cells&, const Cochain&);
+    using Map = Cochain (*)(const Cells&, const Cochain&);
     calculus
-        .def("apply",
-             [](const Cells& of, const std::string& what, const Cochain& given) {
-                 const auto apply = chosen<Apply>(
-                     "an operator", what,
-                     {{"d", [](const Cells& cells,
-                               const Cochain& form) { return d(cells.complex(), form); }},
-                      {"star", &polydec::star},
-                      {"codifferential", &polydec::codifferential},
-                      {"laplacian", &polydec::laplacian}});
-                 return unlocked([&] { return apply(of, given); });
-             })
+        .def(
+            "d_of", [](const Cells& of, const Cochain& form) { return d(of.complex(), form); },
+            Unlocking())
+        .def("star_of", static_cast<Map>(&star), Unlocking())
+        .def("codifferential_of", static_cast<Map>(&codifferential), Unlocking())
+        .def("laplacian_of", static_cast<Map>(&laplacian), Unlocking())
         .def("inner_product", &inner_product)
         .def("norm", &norm);
 }
@@ -142,14 +133,14 @@ void add_spaces(py::module_& module) {
         }))
         .def("cells", [](const FormSpace& space) { return space.relative().cells; })
         .def("inside", &FormSpace::inside, Unlocking())
-        .def("stiffness",
-             [](const FormSpace& space) {
-                 return matrix([&] {
-                     const double power = space.cells().dimension() - 2 * space.cell_degree() - 2;
-                     return in_input_units(space.stiffness().matrix(), space.cells().unit(), power,
-                                           "the stiffness");
-                 });
-             })
+        .def(
+            "stiffness",
+            [](const FormSpace& space) -> SparseMatrix {
+                const double power = space.cells().dimension() - 2 * space.cell_degree() - 2;
+                return in_input_units(space.stiffness().matrix(), space.cells().unit(), power,
+                                      "the stiffness");
+            },
+            Unlocking())
         .def("require_use",
              [](const FormSpace& space, const std::string& values, const std::string& flow,
                 const std::string& robin) {

@@ -32,7 +32,7 @@ py::object csr_of(const Eigen::SparseMatrix<Scalar, Eigen::RowMajor, Index>& mat
 
 } // namespace
 
-py::object csr(SparseMatrix matrix) {
+py::object csr(SparseMatrix&& matrix) {
     auto kept = std::make_unique<SparseMatrix>();
     kept->swap(matrix); // Eigen would copy it where one moves it
     kept->makeCompressed();

@@ -29,7 +29,8 @@ enum class Sampling;
 /// keeps alive what it belongs to; it is read-only, unless it was made to be handed out. What comes
 /// in has been made contiguous and of the right type and shape in Python, where it has a name, and
 /// is copied. Arguments and results that are vectors, lists of whole numbers, tables, sides, forms
-/// and data on the boundary are converted as the end of this file says.
+/// and data on the boundary, and results that are sparse matrices, are converted as the end of this
+/// file says.
 namespace polydec::python {
 
 namespace py = pybind11;
@@ -95,9 +96,9 @@ void warn(const std::vector<std::string>& warnings);
 /// Warns, once, of engines that `auto` missed; called where a report is returned.
 void warn_of_missed_engines();
 
-/// scipy.sparse.csr_matrix, of this matrix or of one that belongs to the owner. Throws
-/// InvalidInput for one that is not compressed.
-py::object csr(SparseMatrix matrix);
+/// scipy.sparse.csr_matrix, of this matrix, which is emptied, or of one that belongs to the owner.
+/// Throws InvalidInput for one that is not compressed.
+py::object csr(SparseMatrix&& matrix);
 py::object csr(const IncidenceMatrix& matrix, py::handle owner);
 
 /// What comes in.
@@ -268,6 +269,14 @@ struct type_caster<polydec::Points>
 template <>
 struct type_caster<polydec::DenseMatrix>
     : as_array<polydec::DenseMatrix, polydec::python::Numbers, polydec::python::table> {};
+
+template <>
+struct type_caster<polydec::SparseMatrix> {
+    static constexpr auto name = const_name("scipy.sparse.csr_matrix");
+    static handle cast(polydec::SparseMatrix&& matrix, return_value_policy, handle) {
+        return polydec::python::csr(std::move(matrix)).release();
+    }
+};
 
 template <>
 struct type_caster<polydec::Cochain>

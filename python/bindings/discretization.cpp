@@ -176,12 +176,13 @@ void add_merging(py::class_<Discretization, Cells>& type) {
              [](const py::object& self, int k) {
                  return csr(self.cast<Discretization&>().merging().diamond(k), self);
              })
-        .def("lift", [](const Discretization& mesh, int k) {
-            check_number("the lift of degree", k, 0, mesh.dimension());
-            const auto& lifts = unlocked(
-                [&]() -> const std::vector<SparseMatrix>& { return mesh.merged().lift(); });
-            return csr(SparseMatrix(lifts[k]));
-        });
+        .def(
+            "lift",
+            [](const Discretization& mesh, int k) {
+                check_number("the lift of degree", k, 0, mesh.dimension());
+                return SparseMatrix(mesh.merged().lift()[k]);
+            },
+            Unlocking());
 }
 
 void add_places(py::class_<Discretization, Cells>& type) {
@@ -203,18 +204,18 @@ void add_stars(py::class_<Discretization, Cells>& type) {
         .def("with_electric_material", &with_electric_material, Unlocking())
         .def("with_material", &with_material, Unlocking())
         .def("cell_means", &cell_means, Unlocking())
-        .def("material_star",
-             [](const Discretization& mesh, int k, const CellData& weights) {
-                 return csr(unlocked([&] {
-                     return in_input_units(material_star(mesh, k, weights), mesh.unit(),
-                                           mesh.dimension() - 2 * k, "the star");
-                 }));
-             })
+        .def(
+            "material_star",
+            [](const Discretization& mesh, int k, const CellData& weights) -> SparseMatrix {
+                return in_input_units(material_star(mesh, k, weights), mesh.unit(),
+                                      mesh.dimension() - 2 * k, "the star");
+            },
+            Unlocking())
         .def("tensor_star", [](const Discretization& mesh, const Numbers& tensors) {
-            return csr(unlocked([&, given = matrices(tensors)] {
+            return unlocked([&, given = matrices(tensors)]() -> SparseMatrix {
                 return in_input_units(material_star(mesh, given), mesh.unit(), 2 - mesh.dimension(),
                                       "the star");
-            }));
+            });
         });
 }
 

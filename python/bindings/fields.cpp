@@ -85,9 +85,6 @@ void add_periodic(py::module_& module) {
         .def_readonly("points", &PeriodicMesh::points);
 }
 
-using Map = Cochain (*)(const Discretization&, const Cochain&);
-using Sharp = DenseMatrix (*)(const Discretization&, const Cochain&);
-
 void add_products(py::module_& module) {
     module.def("product", [](const Discretization& mesh, const std::string& named, const Cochain& a,
                              const Cochain& b) {
@@ -116,63 +113,38 @@ void add_fields_of_vectors(py::module_& module) {
                                                         {"dpd", Flat::dpd}});
                    return unlocked([&] { return flat(mesh, flat_kind, field); });
                });
-    module.def("sharp",
-               [](const Discretization& mesh, const std::string& kind, const Cochain& form) {
-                   const auto sharp = chosen<Sharp>(
-                       "sharp", kind,
-                       {{"pp", &sharp_pp},
-                        {"pd", &sharp_pd},
-                        {"flux", &flux_sharp},
-                        {"proxy", [](const Discretization& on,
-                                     const Cochain& given) { return vectors_at_cells(on, given); }},
-                        {"whitney", [](const Discretization& on, const Cochain& given) {
-                             return whitney_at_centroids(on, given);
-                         }}});
-                   return unlocked([&] { return sharp(mesh, form); });
-               });
+    module.def("sharp_pp", &sharp_pp, Unlocking());
+    module.def("sharp_pd", &sharp_pd, Unlocking());
+    module.def("flux_sharp", &flux_sharp, Unlocking());
+    module.def(
+        "vectors_at_cells",
+        [](const Discretization& mesh, const Cochain& form) {
+            return vectors_at_cells(mesh, form);
+        },
+        Unlocking());
+    module.def("whitney_at_centroids",
+               py::overload_cast<const Discretization&, const Cochain&>(&whitney_at_centroids),
+               Unlocking());
     module.def("whitney_form",
                py::overload_cast<const Discretization&, const Cochain&, Index, const Vector&>(
                    &whitney_form));
-    module.def("contraction", [](const Discretization& mesh, const std::string& what,
-                                 const Points& field, int k, Sampling sampling) {
-        using Make = SparseMatrix (*)(const Discretization&, const Points&, int, Sampling);
-        const auto make =
-            chosen<Make>("an operator", what,
-                         {{"interior_product", &interior_product},
-                          {"lie_derivative", &lie_derivative},
-                          {"inflow", [](const Discretization& on, const Points& along, int degree,
-                                        Sampling) { return inflow(on, along, degree); }}});
-        return csr(unlocked([&] { return make(mesh, field, k, sampling); }));
-    });
+    module.def("interior_product", &interior_product, Unlocking());
+    module.def("lie_derivative", &lie_derivative, Unlocking());
+    module.def("inflow", &inflow, Unlocking());
 }
 
 void add_lie_derivative(py::module_& module) {
-    using Apply = Cochain (*)(const LieDerivative&, const Points&, const Cochain&);
     py::class_<LieDerivative>(module, "LieDerivative")
         .def(py::init<const Discretization&, int, Sampling>(), Unlocking())
-        .def("apply", [](const LieDerivative& self, const std::string& what, const Points& field,
-                         const Cochain& form) {
-            const auto apply = chosen<Apply>(
-                "an operator", what,
-                {{"lie_derivative", [](const LieDerivative& L, const Points& X,
-                                       const Cochain& a) { return L(X, a); }},
-                 {"interior_product", [](const LieDerivative& L, const Points& X,
-                                         const Cochain& a) { return L.interior_product(X, a); }},
-                 {"inflow", [](const LieDerivative& L, const Points& X, const Cochain& a) {
-                      return L.inflow(X, a);
-                  }}});
-            return unlocked([&] { return apply(self, field, form); });
-        });
+        .def("lie_derivative", &LieDerivative::operator(), Unlocking())
+        .def("interior_product", &LieDerivative::interior_product, Unlocking())
+        .def("inflow", &LieDerivative::inflow, Unlocking());
 }
 
 void add_transfer(py::module_& module) {
-    module.def("transfer", [](const Discretization& mesh, const std::string& what,
-                              const Cochain& form) {
-        const auto map =
-            chosen<Map>("a map", what,
-                        {{"to_merged", &to_merged}, {"to_input", &to_input}, {"lifted", &lifted}});
-        return unlocked([&] { return map(mesh, form); });
-    });
+    module.def("to_merged", &to_merged, Unlocking());
+    module.def("to_input", &to_input, Unlocking());
+    module.def("lifted", &lifted, Unlocking());
     module.def("consistency", [](const Discretization& mesh, const Cochain& form) {
         const Consistency found = consistency(mesh, form);
         return py::dict(py::arg("worst") = found.worst, py::arg("cell") = found.cell,

@@ -13,16 +13,6 @@ namespace polydec::python {
 
 namespace {
 
-/// What a function of Python's gives for a time; without one nothing.
-template <class Value>
-std::function<Value(double)> in_time(const py::object& function) {
-    if (function.is_none())
-        return {};
-    return [kept = shared(function)](double time) {
-        return locked([&] { return (*kept)(time).template cast<Value>(); });
-    };
-}
-
 std::vector<Vector> values_of(const std::vector<Cochain>& forms) {
     std::vector<Vector> values;
     for (const Cochain& form : forms)
@@ -30,21 +20,17 @@ std::vector<Vector> values_of(const std::vector<Cochain>& forms) {
     return values;
 }
 
-Reaction reaction_of(const py::object& function) {
+/// What a function of Python's gives for a time, and for forms at it; without one nothing.
+template <class Value, class... Given>
+std::function<Value(double, const Given&...)> in_time(const py::object& function) {
     if (function.is_none())
         return {};
-    return [kept = shared(function)](double time, const std::vector<Cochain>& forms) {
-        return locked([&] { return (*kept)(time, values_of(forms)).cast<std::vector<Vector>>(); });
+    return [kept = shared(function)](double time, const Given&... forms) {
+        return locked([&] { return (*kept)(time, values_of(forms)...).template cast<Value>(); });
     };
 }
 
-std::function<double(double, const std::vector<Cochain>&)> event_of(const py::object& function) {
-    if (function.is_none())
-        return {};
-    return [kept = shared(function)](double time, const std::vector<Cochain>& forms) {
-        return locked([&] { return (*kept)(time, values_of(forms)).cast<double>(); });
-    };
-}
+using Forms = std::vector<Cochain>;
 
 /// An unknown as Python names it: space, values, diffusion, and a function for the data on the
 /// boundary.
@@ -171,10 +157,10 @@ std::unique_ptr<AnyRun> evolution_of(std::vector<GivenUnknown> unknowns, const p
                                    .integrator = integrator,
                                    .steps = steps_of(steps),
                                    .linear_solver = linear_solver,
-                                   .event = event_of(event),
+                                   .event = in_time<double, Forms>(event),
                                    .label = label};
     const auto given = unknowns_of(std::move(unknowns));
-    const auto rate = reaction_of(reaction);
+    const auto rate = in_time<std::vector<Vector>, Forms>(reaction);
     return run_of<Evolution>(given, rate, options);
 }
 

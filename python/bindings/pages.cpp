@@ -61,23 +61,25 @@ std::string page(const Discretization& mesh, const Given& given,
     return text_of(std::move(drawn), mesh, facts, conventions);
 }
 
-/// The page of modes, as the dict of their parts that spectrum() gave.
-std::string page_of_modes(const Discretization& mesh, Side side, int degree,
-                          const Vector& eigenvalues, const DenseMatrix& modes, const Vector& radii,
-                          const Vector& residuals,
-                          const std::tuple<double, Index, Index, bool>& certificate,
+/// The page of the modes of a Spectrum of Python's.
+std::string page_of_modes(const Discretization& mesh, const py::object& given,
                           const std::string& title, const std::vector<std::string>& facts,
                           const Conventions& conventions) {
+    const auto take = [](const py::object& from, const char* name, auto& value) {
+        value = py::object(from.attr(name)).cast<std::decay_t<decltype(value)>>();
+    };
     Spectrum found;
-    found.side = side;
-    found.degree = degree;
-    found.eigenvalues = eigenvalues;
-    found.modes = modes;
-    found.radii = radii;
-    found.residuals = residuals;
-    auto& proof = found.certificate;
-    std::tie(proof.shift, proof.below_shift, proof.returned_below_shift, proof.complete) =
-        certificate;
+    take(given, "side", found.side);
+    take(given, "degree", found.degree);
+    take(given, "eigenvalues", found.eigenvalues);
+    take(given, "modes", found.modes);
+    take(given, "radii", found.radii);
+    take(given, "residuals", found.residuals);
+    const py::object proof = given.attr("certificate");
+    take(proof, "shift", found.certificate.shift);
+    take(proof, "below_shift", found.certificate.below_shift);
+    take(proof, "returned_below_shift", found.certificate.returned_below_shift);
+    take(proof, "complete", found.certificate.complete);
     return text_of(draw_page(mesh, found, title), mesh, facts, conventions);
 }
 

@@ -173,7 +173,7 @@ class Cells:
         Returns a ``LinearOperator`` if it needs the inverse of a star that is a matrix.
         """
         if self._inverts(side, k, laplacian=False):
-            return self._applied("codifferential", side, k, k - 1)
+            return self._applied(self._cells.codifferential_of, side, k, k - 1)
         return self._cells.codifferential(side, k)
 
     def laplacian(self, k: int, side: str = "primal") -> Any:
@@ -187,7 +187,7 @@ class Cells:
         True
         """
         if self._inverts(side, k, laplacian=True):
-            return self._applied("laplacian", side, k, k)
+            return self._applied(self._cells.laplacian_of, side, k, k)
         return self._cells.laplacian(side, k)
 
     def stiffness(self, k: int) -> Any:
@@ -229,9 +229,9 @@ class Cells:
             inverted = [cells - 1, cells]
         return any(0 <= i <= self.dim and not self._cells.is_diagonal(i) for i in inverted)
 
-    def _applied(self, what: str, side: str, k: int, to: int) -> Any:
+    def _applied(self, operator: Any, side: str, k: int, to: int) -> Any:
         return _Operator(self.size(to, side), self.size(k, side),
-                         lambda x: self._cells.apply(what, (side, k, x))[2])
+                         lambda x: operator((side, k, x))[2])
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(map(str, self.shape))} cells)"

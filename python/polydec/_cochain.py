@@ -67,25 +67,24 @@ class Cochain:
             raise InvalidInput("the form has no complex: expected a form that knows its complex")
         return self._complex
 
-    def _made(self, what: str) -> Cochain:
-        form = self.side, self.degree, self.values
-        return made(self.complex._cells.apply(what, form), self.complex)
+    def _made(self, operator: Any) -> Cochain:
+        return made(operator((self.side, self.degree, self.values)), self.complex)
 
     def d(self) -> Cochain:
         """Exterior derivative, a (k+1)-form."""
-        return self._made("d")
+        return self._made(self.complex._cells.d_of)
 
     def star(self) -> Cochain:
         """Hodge star, an (n-k)-form on the other side."""
-        return self._made("star")
+        return self._made(self.complex._cells.star_of)
 
     def delta(self) -> Cochain:
         """Codifferential, a (k-1)-form."""
-        return self._made("codifferential")
+        return self._made(self.complex._cells.codifferential_of)
 
     def laplacian(self) -> Cochain:
         """Laplace-de Rham operator."""
-        return self._made("laplacian")
+        return self._made(self.complex._cells.laplacian_of)
 
     def wedge(self, other: Cochain) -> Cochain:
         """Exterior product with another form of the same side."""

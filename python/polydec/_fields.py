@@ -184,7 +184,7 @@ def sharp_pp(complex: Complex, form: Form) -> Floats:
     >>> np.allclose(polydec.sharp_pp(square, square.d(0) @ square.points[:, 1]), [0, 1])
     True
     """
-    return at_vertices(complex, _core.sharp(mesh_of(complex), "pp", as_form(complex, form, 1)))
+    return at_vertices(complex, _core.sharp_pp(mesh_of(complex), as_form(complex, form, 1)))
 
 
 def sharp_pd(complex: Complex, form: Form) -> Floats:
@@ -198,7 +198,7 @@ def sharp_pd(complex: Complex, form: Form) -> Floats:
     >>> np.allclose(polydec.sharp_pd(square, square.d(0) @ square.points[:, 1]), [0, 1])
     True
     """
-    return _core.sharp(mesh_of(complex), "pd", as_form(complex, form, 1))
+    return _core.sharp_pd(mesh_of(complex), as_form(complex, form, 1))
 
 
 def flux_sharp(complex: Complex, form: Form) -> Floats:
@@ -210,7 +210,7 @@ def flux_sharp(complex: Complex, form: Form) -> Floats:
     >>> np.allclose(polydec.flux_sharp(square, polydec.de_rham(square, 1, east)), [1, 0])
     True
     """
-    return _core.sharp(mesh_of(complex), "flux", as_form(complex, form, complex.dim - 1))
+    return _core.flux_sharp(mesh_of(complex), as_form(complex, form, complex.dim - 1))
 
 
 def gradient(complex: Complex, u: Form) -> Floats:
@@ -236,7 +236,7 @@ def whitney_at_centroids(complex: Complex, form: Form, *, degree: int | None = N
     >>> np.allclose(polydec.whitney_at_centroids(square, dx), [1, 0])
     True
     """
-    return _core.sharp(mesh_of(complex), "whitney", as_form(complex, form, degree))
+    return _core.whitney_at_centroids(mesh_of(complex), as_form(complex, form, degree))
 
 
 def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayLike, *,
@@ -293,8 +293,7 @@ def interior_product(complex: Complex, field: npt.ArrayLike, k: int, *,
     >>> np.allclose(polydec.interior_product(square, X, 1) @ dx, 2.0)     # i_X dx
     True
     """
-    return _core.contraction(mesh_of(complex), "interior_product", _vectors(complex, field), k,
-                             sampling)
+    return _core.interior_product(mesh_of(complex), _vectors(complex, field), k, sampling)
 
 
 def lie_derivative(complex: Complex, field: npt.ArrayLike, k: int, *,
@@ -312,8 +311,7 @@ def lie_derivative(complex: Complex, field: npt.ArrayLike, k: int, *,
     >>> abs(square.d(0) @ L - polydec.lie_derivative(square, X, 1) @ square.d(0)).max() < 1e-12
     True
     """
-    return _core.contraction(mesh_of(complex), "lie_derivative", _vectors(complex, field), k,
-                             sampling)
+    return _core.lie_derivative(mesh_of(complex), _vectors(complex, field), k, sampling)
 
 
 def inflow(complex: Complex, field: npt.ArrayLike, k: int) -> Any:
@@ -327,7 +325,7 @@ def inflow(complex: Complex, field: npt.ArrayLike, k: int) -> Any:
     >>> polydec.inflow(square, X, 0).shape[0] == square.size(0)
     True
     """
-    return _core.contraction(mesh_of(complex), "inflow", _vectors(complex, field), k, "upwind")
+    return _core.inflow(mesh_of(complex), _vectors(complex, field), k)
 
 
 class LieDerivative:
@@ -362,17 +360,16 @@ class LieDerivative:
 
     def __call__(self, field: npt.ArrayLike, form: Form) -> Any:
         """``L_X`` of a form, a k-form; `field` has one row of N components per vertex."""
-        return self._applied("lie_derivative", field, form)
+        return self._applied(self._lie.lie_derivative, field, form)
 
     def interior_product(self, field: npt.ArrayLike, form: Form) -> Any:
         """``i_X`` of a form, a (k-1)-form; empty for k = 0."""
-        return self._applied("interior_product", field, form)
+        return self._applied(self._lie.interior_product, field, form)
 
     def inflow(self, field: npt.ArrayLike, outside: Form) -> Any:
         """Contribution of exterior values of a k-form to ``-L_X`` where the field flows in."""
-        return self._applied("inflow", field, outside)
+        return self._applied(self._lie.inflow, field, outside)
 
-    def _applied(self, what: str, field: npt.ArrayLike, form: Form) -> Any:
+    def _applied(self, operator: Any, field: npt.ArrayLike, form: Form) -> Any:
         given = as_form(self._complex, form, self._k)
-        return _given_back(self._complex,
-                           self._lie.apply(what, _vectors(self._complex, field), given), form)
+        return _given_back(self._complex, operator(_vectors(self._complex, field), given), form)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from . import _core
-from ._arrays import Floats, Integers
+from ._arrays import Integers
 from ._cells import Cells
 from ._cochain import Cochain, Form, as_form, made
 
@@ -44,20 +44,21 @@ class Merging:
 
     def to_merged(self, form: Form, degree: int | None = None, side: str = "primal") -> Cochain:
         """Maps a form from input simplices to merged cells: by sums, or by means of dual values."""
-        return self._form("to_merged", as_form(self._complex, form, degree, side), self._complex)
+        given = as_form(self._complex, form, degree, side)
+        return made(_core.to_merged(self._mesh, given), self._complex)
 
     def to_input(self, form: Form, degree: int | None = None, side: str = "primal") -> Cochain:
         """Maps a form from merged cells to input simplices: by shares of volume, or by copies.
 
         Use `lifted` before taking derivatives.
         """
-        return self._form("to_input", as_form(self._complex, form, degree, side),
-                          Cells(self._mesh.input_cells))
+        given = as_form(self._complex, form, degree, side)
+        return made(_core.to_input(self._mesh, given), Cells(self._mesh.input_cells))
 
     def lifted(self, form: Form, degree: int | None = None) -> Cochain:
         """Maps a primal form from merged cells to input simplices; commutes with d."""
-        return self._form("lifted", as_form(self._complex, form, degree),
-                          Cells(self._mesh.input_cells))
+        given = as_form(self._complex, form, degree)
+        return made(_core.lifted(self._mesh, given), Cells(self._mesh.input_cells))
 
     def consistency(self, form: Form, degree: int | None = None,
                     side: str = "dual") -> dict[str, Any]:
@@ -67,6 +68,3 @@ class Merging:
         ``description`` describe its place.
         """
         return _core.consistency(self._mesh, as_form(self._complex, form, degree, side))
-
-    def _form(self, transfer: str, form: tuple[str, int, Floats], cells: Cells) -> Cochain:
-        return made(_core.transfer(self._mesh, transfer, form), cells)

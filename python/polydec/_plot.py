@@ -267,7 +267,7 @@ def _shown(complex: Complex, values: Form, degree: int | None, side: str,
         side, degree = values.side, values.degree
     if degree == 1 and complex.dim > 1 and as_array(values, "values").ndim == 1 and not (
             side == "dual" and complex.dim == 3):
-        values = _core.sharp(complex._mesh, "proxy", as_form(complex, values, 1, side))
+        values = _core.vectors_at_cells(complex._mesh, as_form(complex, values, 1, side))
         degree, side = 0, "dual"
     (_, k, placed), = on_box(complex, {"values": values}, 2, degree, side)
     shown = _at_polygons(complex.box, k, placed, seen)

@@ -115,12 +115,7 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
     complex = as_complex(complex)
     conventions = (*file_and_up(complex, up), length_unit)
     if isinstance(fields, Spectrum):
-        proof = fields.certificate
-        return Page(_core.page_of_modes(
-            complex._mesh, fields.side, fields.degree, fields.eigenvalues,
-            np.ascontiguousarray(fields.modes), fields.radii, fields.residuals,
-            (proof.shift, proof.below_shift, proof.returned_below_shift, proof.complete), title,
-            [*facts], conventions))
+        return Page(_core.page_of_modes(complex._mesh, fields, title, [*facts], conventions))
     columns = by_name(fields)
     steps = []
     if times is not None:
