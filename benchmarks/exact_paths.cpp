@@ -3,6 +3,7 @@
 // Exact distances from one vertex of a mesh, of polydec and of CGAL, in turn.
 //   polydec_benchmark_paths MESH [PAIRS]
 #include "complex/simplicial_complex.h"
+#include "dec/metric/simplex_metric.h"
 #include "io/meshes/mesh_files.h"
 #include "shape/geodesics.h"
 
@@ -43,15 +44,12 @@ void compare(const char* file, int pairs) {
     const Mesh mesh = read_mesh(file);
     const SimplicialComplex complex(mesh.simplices);
     const Triangles surface(complex);
-    Vector lengths(complex.size(1));
-    const auto point = [&](Index v) { return mesh.points.row(complex.vertex_number(v)); };
-    for (Index e = 0; e < complex.size(1); ++e)
-        lengths[e] = (point(complex.simplices(1)(e, 0)) - point(complex.simplices(1)(e, 1))).norm();
-
+    const Points points = vertex_points(complex, mesh.points);
+    const Vector lengths = edge_lengths(complex, points);
     SurfaceMesh other;
     std::vector<SurfaceMesh::Vertex_index> vertices;
     for (Index v = 0; v < complex.size(0); ++v)
-        vertices.push_back(other.add_vertex({point(v)[0], point(v)[1], point(v)[2]}));
+        vertices.push_back(other.add_vertex({points(v, 0), points(v, 1), points(v, 2)}));
     for (Index h = 0; h < 3 * surface.triangles(); h += 3)
         if (!other
                  .add_face(vertices[surface.tail(h)], vertices[surface.tail(h + 1)],

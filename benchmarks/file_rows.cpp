@@ -8,42 +8,13 @@
 #include "meshes/generate.h"
 #include "solvers/sources/poisson.h"
 
-#include <array>
-#include <bit>
 #include <chrono>
-#include <cstring>
-#include <fstream>
 #include <map>
 #include <utility>
 
 namespace polydec::benchmarks {
 
 namespace {
-
-template <typename Value>
-void append(std::string& text, Value value) {
-    std::array<char, sizeof(Value)> raw;
-    std::memcpy(raw.data(), &value, sizeof(Value));
-    text.append(raw.data(), raw.size());
-}
-
-/// Triangles as binary PLY of this machine's byte order, which the library itself does not write.
-void write_binary_ply(const std::filesystem::path& path, const Mesh& mesh) {
-    const bool little = std::endian::native == std::endian::little;
-    std::string text = std::string("ply\nformat binary_") + (little ? "little" : "big") +
-                       "_endian 1.0\nelement vertex " + std::to_string(mesh.points.rows()) +
-                       "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                       std::to_string(mesh.simplices.rows()) +
-                       "\nproperty list uchar int vertex_indices\nend_header\n";
-    for (const double coordinate : mesh.points.reshaped<Eigen::RowMajor>())
-        append(text, coordinate);
-    for (const auto& triangle : mesh.simplices.rowwise()) {
-        append(text, static_cast<unsigned char>(3));
-        for (const Index vertex : triangle)
-            append(text, vertex);
-    }
-    std::ofstream(path, std::ios::binary) << text;
-}
 
 /// The time of each stage, round by round.
 class Stages {
@@ -89,11 +60,10 @@ SparseMatrix whole_way(const std::filesystem::path& from, const std::filesystem:
     return laplacian;
 }
 
-void add_reading(const std::string& name, const SharedMesh& mesh, const Settings& settings,
-                 void (*write)(const std::filesystem::path&, const Mesh&)) {
+void add_reading(const std::string& name, const SharedMesh& mesh, const Settings& settings) {
     const auto path = settings.folder / ("mesh." + name);
     add_row("read/" + name, settings.rounds, [=](benchmark::State& state) {
-        write(path, mesh->get());
+        write_mesh(path, mesh->get());
         const auto size = static_cast<double>(std::filesystem::file_size(path));
         measure(state, {mesh->amount().cells, size}, [&] { return read_mesh(path); });
         state.counters["file_B"] = size;
@@ -102,13 +72,9 @@ void add_reading(const std::string& name, const SharedMesh& mesh, const Settings
     });
 }
 
-void write_obj(const std::filesystem::path& path, const Mesh& mesh) {
-    write_mesh(path, mesh);
-}
-
 void whole_row(benchmark::State& state, const LazyMesh& mesh, const Settings& settings) {
     const auto from = settings.folder / "whole.ply", to = settings.folder / "whole.vtu";
-    write_binary_ply(from, mesh.get());
+    write_mesh(from, mesh.get());
     Stages first, stages;
     bool is_first = true;
     measure(state, {mesh.amount().cells, static_cast<double>(std::filesystem::file_size(from))},
@@ -121,9 +87,9 @@ void whole_row(benchmark::State& state, const LazyMesh& mesh, const Settings& se
 void add_file_rows(const Settings& settings) {
     const int m = settings.side(1000);
     // files of about 100 MB each
-    add_reading("obj", shared_mesh([=] { return torus(2 * m, m / 2); }), settings, write_obj);
+    add_reading("obj", shared_mesh([=] { return torus(2 * m, m / 2); }), settings);
     const auto large = shared_mesh([=] { return torus(2 * m, m); });
-    add_reading("ply", large, settings, write_binary_ply);
+    add_reading("ply", large, settings);
     add_row("whole/4M", std::min(settings.rounds, 3),
             [=](benchmark::State& state) { whole_row(state, *large, settings); });
 }

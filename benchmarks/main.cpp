@@ -12,6 +12,7 @@
 #include "benchmarks/rows.h"
 #include "benchmarks/threads.h"
 #include "system/memory.h"
+#include "system/temporary_folder.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -36,29 +37,6 @@ void add_row(const std::string& name, int rounds, Row row) {
 }
 
 namespace {
-
-/// A folder that goes with the program.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = std::filesystem::temp_directory_path() / "polydec_benchmarks_XXXXXX";
-        if (!mkdtemp(name.data()))
-            throw IoError("no folder could be made in " +
-                          std::filesystem::temp_directory_path().string() + "; set TMPDIR");
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// The rows of the bare engines must not have more threads than the library's.
 void take_one_blas_thread() {

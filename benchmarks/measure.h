@@ -52,17 +52,12 @@ void report_bound(benchmark::State& state, const Samples& samples, double bytes)
 void report_rival(benchmark::State& state, const Samples& ours, const Samples& theirs);
 
 /// How far our answer is from theirs: the norm of the difference over that of theirs.
-inline double difference(const Vector& ours, const Vector& theirs) {
-    return (ours - theirs).norm() / theirs.norm();
-}
-inline double difference(const DenseMatrix& ours, const DenseMatrix& theirs) {
-    return (ours - theirs).norm() / theirs.norm();
+template <typename Matrix>
+double difference(const Eigen::EigenBase<Matrix>& ours, const Eigen::EigenBase<Matrix>& theirs) {
+    return (ours.derived() - theirs.derived()).norm() / theirs.derived().norm();
 }
 inline double difference(const Cochain& ours, const Vector& theirs) {
     return difference(ours.values, theirs);
-}
-inline double difference(const SparseMatrix& ours, const SparseMatrix& theirs) {
-    return (ours - theirs).norm() / theirs.norm();
 }
 
 /// Whether they do the same work; if not the row becomes an error.
