@@ -27,13 +27,14 @@ SHOWN = (
 
 
 def main(build, mesh):
+    programs = {"polydec": build.resolve() / "tools"}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         driver = gallery.browser()
         try:
             for entry in SHOWN:
                 for line in entry.lines:
-                    gallery.run(line.format(mesh=mesh.resolve()), build.resolve(), folder)
+                    gallery.run(line.format(mesh=mesh.resolve()), programs, folder)
                 gallery.take_picture(driver, folder / entry.page, entry, folder / f"{entry.name}.png")
         finally:
             driver.quit()
