@@ -37,10 +37,10 @@ void check_vertices(std::string_view what, const Simplices& rows, Eigen::Index v
                                         [&](Index v) { return v < 0 || v >= vertices; });
         if (wrong != corners.end())
             throw InvalidInput(
-                fmt::format("{} {} (vertices {}) has the vertex {}, but there are {} vertices, "
+                fmt::format("{} (vertices {}) has the vertex {}, but there are {} vertices, "
                             "numbered from 0",
-                            what, row, fmt::join(corners.begin(), corners.end(), " "), *wrong,
-                            vertices),
+                            fmt::format(fmt::runtime(what), row),
+                            fmt::join(corners.begin(), corners.end(), " "), *wrong, vertices),
                 {.degree = static_cast<int>(rows.cols()) - 1,
                  .cells = {row},
                  .vertices = {corners.begin(), corners.end()}});

@@ -18,8 +18,8 @@ std::vector<Edge> edges_of(const Simplices& simplices);
 /// The vertices of all simplices, ascending, each once.
 std::vector<Index> used_vertices(const Simplices& simplices);
 
-/// Throws InvalidInput, naming the row, unless all vertex numbers are 0 to vertices - 1; `what` is
-/// the name of a row, such as "cell".
+/// Throws InvalidInput, naming the row, unless all vertex numbers are 0 to vertices - 1; `what`
+/// names row {}, such as "cell {}".
 void check_vertices(std::string_view what, const Simplices& rows, Eigen::Index vertices);
 
 /// Distance between two points, safe against overflow and underflow of squares: 0 for equal points
