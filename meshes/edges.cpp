@@ -37,10 +37,11 @@ void check_vertices(std::string_view what, const Simplices& rows, Eigen::Index v
                                         [&](Index v) { return v < 0 || v >= vertices; });
         if (wrong != corners.end())
             throw InvalidInput(
-                fmt::format("{} (vertices {}) has the vertex {}, but there are {} vertices, "
-                            "numbered from 0",
+                fmt::format("{} (vertices {}) has the vertex {}: expected 0 to {}, since there are "
+                            "{} vertices",
                             fmt::format(fmt::runtime(what), row),
-                            fmt::join(corners.begin(), corners.end(), " "), *wrong, vertices),
+                            fmt::join(corners.begin(), corners.end(), " "), *wrong, vertices - 1,
+                            vertices),
                 {.degree = static_cast<int>(rows.cols()) - 1,
                  .cells = {row},
                  .vertices = {corners.begin(), corners.end()}});
