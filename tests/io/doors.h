@@ -67,7 +67,9 @@ public:
     Cochain form(const Sample& s, Side side, int degree);
     Cochain form_on(const CellComplex& complex, Side side, int degree);
     Chain chain(const Sample& s, Side side, int degree);
-    int degree(int k);
+    /// One of the degrees from `least` to `beyond` more than the dimension, k; a flawed one is just
+    /// outside of these, or far.
+    int degree(const Sample& s, int k, int least = 0, int beyond = 0);
     template <class Item>
     std::vector<Item> list(Eigen::Index size, Item item) {
         return std::vector<Item>(static_cast<std::size_t>(matrix(size, 1).size()), item);

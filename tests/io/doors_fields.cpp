@@ -67,24 +67,24 @@ void ask_of_fields(const Asking& ask, const Sample& s, int k) {
     const int n = s.n();
 
     ask("interior_product", [&](Inputs& in) {
-        const int degree = in.degree(k);
+        const int degree = in.degree(s, k, 0, 1);
         return fit(interior_product(s.mesh, in.matrix(s.size(0), N), degree, Sampling::upwind),
                    s.size(k - 1), s.size(k));
     });
     ask("lie_derivative", [&](Inputs& in) {
-        const int degree = in.degree(k);
+        const int degree = in.degree(s, k);
         return fit(lie_derivative(s.mesh, in.matrix(s.size(0), N), degree, Sampling::centered),
                    s.size(k), s.size(k));
     });
     ask("inflow", [&](Inputs& in) {
-        const int degree = in.degree(k);
+        const int degree = in.degree(s, k);
         return fit(inflow(s.mesh, in.matrix(s.size(0), N), degree), s.size(k), s.size(k));
     });
     ask("de_rham", [&](Inputs& in) {
-        return fit(de_rham(s.mesh, in.degree(k), constant(k, N)), s.P(), Side::primal, k);
+        return fit(de_rham(s.mesh, in.degree(s, k), constant(k, N)), s.P(), Side::primal, k);
     });
     ask("dual_de_rham", [&](Inputs& in) {
-        return fit(dual_de_rham(s.mesh, in.degree(k), constant(k, N)), s.P(), Side::dual, k);
+        return fit(dual_de_rham(s.mesh, in.degree(s, k), constant(k, N)), s.P(), Side::dual, k);
     });
     ask("de_rham between points", [&](Inputs& in) {
         return fit(de_rham(s.K(), in.points(s.K().size(0), N), k, constant(k, N)), s.K().size(k));
@@ -100,20 +100,20 @@ void ask_of_fields(const Asking& ask, const Sample& s, int k) {
         return fit(whitney_form(s.mesh, w, 0, where), binomial(N, k));
     });
     ask("cell_centers",
-        [&](Inputs& in) { return fit(cell_centers(s.mesh, in.degree(k)), s.size(k), N); });
+        [&](Inputs& in) { return fit(cell_centers(s.mesh, in.degree(s, k)), s.size(k), N); });
     ask("cell_centroids",
-        [&](Inputs& in) { return fit(cell_centroids(s.mesh, in.degree(k)), s.size(k), N); });
+        [&](Inputs& in) { return fit(cell_centroids(s.mesh, in.degree(s, k)), s.size(k), N); });
     ask("circumradii", [&](Inputs& in) {
-        return fit(circumradii(s.pieces(), s.mesh.geometry().metric(), in.degree(k)),
+        return fit(circumradii(s.pieces(), s.mesh.geometry().metric(), in.degree(s, k)),
                    s.pieces().size(k));
     });
     ask("center_coordinates", [&](Inputs& in) {
         return fit(center_coordinates(s.pieces(), s.mesh.geometry().metric(),
-                                      s.mesh.options().centers, in.degree(k)),
+                                      s.mesh.options().centers, in.degree(s, k)),
                    s.pieces().size(k), k + 1);
     });
     ask("combinations", [&](Inputs& in) {
-        const int degree = in.degree(k);
+        const int degree = in.degree(s, k);
         const Points places = in.matrix(s.pieces().size(k), k + 1);
         return fit(combinations(s.pieces(), degree, places, in.points(s.pieces().size(0), 2)),
                    s.pieces().size(k), 2);
@@ -168,7 +168,7 @@ void ask_of_diagnoses(const Asking& ask, const Sample& s) {
     ask("FormSpace", [&](Inputs& in) {
         BoundaryConditions conditions;
         conditions.facets = in.list(s.size(n - 1), BoundaryCondition::natural);
-        const FormSpace there({s.P(), s.mesh.stars()}, Side::primal, in.degree(0), conditions);
+        const FormSpace there({s.P(), s.mesh.stars()}, Side::primal, in.degree(s, 0), conditions);
         return fit(there.inside().stars()[0].diagonal(), there.size());
     });
     ask("diagnose", [&](Inputs&) {

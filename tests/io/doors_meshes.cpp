@@ -108,7 +108,7 @@ void ask_of_makers(const Asking& ask, const Sample& s, int k) {
     });
     ask("HodgeStar of a matrix", [&](Inputs& in) {
         const SparseMatrix M(in.vector(s.size(k)).cwiseAbs2().asDiagonal());
-        const auto stars = s.mesh.stars().with(in.degree(k), M);
+        const auto stars = s.mesh.stars().with(in.degree(s, k), M);
         return fit(stars[k].matrix(), s.size(k), s.size(k));
     });
     ask("choose_stars", [&](Inputs&) {

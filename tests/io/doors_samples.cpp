@@ -116,9 +116,12 @@ Chain Inputs::chain(const Sample& s, Side side, int degree) {
     return {side, degree, form(s, side, degree).values};
 }
 
-int Inputs::degree(int k) {
+int Inputs::degree(const Sample& s, int k, int least, int beyond) {
     const Flaw flaw = next();
-    return flaw == Flaw::none ? k : flaw == Flaw::fewer ? -3 : flaw == Flaw::more ? 1000 : 33;
+    return flaw == Flaw::none    ? k
+           : flaw == Flaw::fewer ? least - 1
+           : flaw == Flaw::more  ? s.n() + beyond + 1
+                                 : 1000;
 }
 
 std::string fit(const DenseMatrix& found, Eigen::Index rows, Eigen::Index columns) {

@@ -53,7 +53,7 @@ void ask_of_solvers_for_forms(const Asking& ask, const Sample& s, Side side, int
     const int n = s.n(), k = side == Side::primal ? j : n - j;
 
     ask("Evolution", [&](Inputs& in) {
-        const FormSpace space(s.mesh, side, in.degree(j));
+        const FormSpace space(s.mesh, side, in.degree(s, j));
         return fit(heated(space, in.form(s, side, j)), s.P(), side, j);
     });
     ask("Evolution under conditions", [&](Inputs& in) {
@@ -66,24 +66,25 @@ void ask_of_solvers_for_forms(const Asking& ask, const Sample& s, Side side, int
                fit(parts.harmonic, s.P(), side, j);
     });
     ask("harmonic_forms", [&](Inputs& in) {
-        const auto forms = harmonic_forms({s.mesh, side, in.degree(j)}, engine);
+        const auto forms = harmonic_forms({s.mesh, side, in.degree(s, j)}, engine);
         return fit(forms, s.size(k), betti_numbers(s.P())[k]);
     });
     ask("spectrum", [&](Inputs& in) {
-        const auto found = spectrum({s.mesh, side, in.degree(j)}, {.count = 1});
+        const auto found = spectrum({s.mesh, side, in.degree(s, j)}, {.count = 1});
         return fit(found.modes, s.size(k), 1) + fit(found.eigenvalues, 1);
     });
     ask("spectrum under conditions", [&](Inputs& in) {
         const auto found =
-            spectrum({s.mesh, side, in.degree(j), conditions_of(s, in)}, {.count = 1});
+            spectrum({s.mesh, side, in.degree(s, j), conditions_of(s, in)}, {.count = 1});
         return fit(found.modes, s.size(k), 1) + fit(found.eigenvalues, 1);
     });
     ask("coexact_spectrum", [&](Inputs& in) {
-        const auto found = coexact_spectrum({s.cells(), Side::primal, in.degree(j)}, {.count = 1});
+        const auto found =
+            coexact_spectrum({s.cells(), Side::primal, in.degree(s, j)}, {.count = 1});
         return fit(found.modes, s.size(j), 1);
     });
     ask("Waves", [&](Inputs& in) {
-        const int degree = in.degree(j);
+        const int degree = in.degree(s, j);
         Waves waves({s.mesh, Side::primal, degree}, in.vector(s.size(j)),
                     {.B = in.vector(s.size(j + 1))});
         waves.advance();
@@ -152,7 +153,7 @@ void ask_of_pictures(const Asking& ask, const Sample& s, int k) {
     const int n = s.n();
 
     ask("draw_cells", [&](Inputs& in) {
-        const VtuGrid grid = draw_cells(s.mesh, in.degree(k));
+        const VtuGrid grid = draw_cells(s.mesh, in.degree(s, k));
         return fit(grid.points.allFinite() && !grid.types.empty());
     });
     ask("add_field", [&](Inputs& in) {

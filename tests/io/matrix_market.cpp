@@ -12,14 +12,6 @@ SparseMatrix matrix_from(const std::string& text) {
     return read_matrix_market(folder.write("a.mtx", text));
 }
 
-std::string matrix_error(const std::string& text) {
-    const TemporaryFolder folder;
-    const auto path = folder.write("a.mtx", text);
-    auto error = error_of([&path] { read_matrix_market(path); });
-    const auto place = error.find(path.string());
-    return place == std::string::npos ? error : error.replace(place, path.string().size(), "a.mtx");
-}
-
 DenseMatrix dense(const SparseMatrix& matrix) {
     return DenseMatrix(matrix);
 }
@@ -96,26 +88,23 @@ TEST(MatrixMarket, SymmetricFilesGiveBothTriangles) {
 }
 
 TEST(MatrixMarket, RefusesWhatDoesNotFit) {
-    EXPECT_SAYS(matrix_error("%%MatrixMarket matrix coordinate complex general\n1 1 0\n"),
-                "InvalidInput", "a.mtx:1", "complex", "real", "integer", "double");
-    EXPECT_SAYS(matrix_error("%%MatrixMarket matrix array real general\n1 1\n5\n"), "InvalidInput",
-                "a.mtx:1", "array", "coordinate");
-    EXPECT_SAYS(matrix_error(banner + "2 2 1\n1 3 5\n"), "InvalidInput", "a.mtx:3", "column 3",
-                "range", "1", "2");
-    EXPECT_SAYS(matrix_error(banner + "2 2 1\n0 1 5\n"), "InvalidInput", "a.mtx:3", "row 0",
-                "range", "1", "2");
-    EXPECT_SAYS(matrix_error(banner + "2 2 2\n1 1 5\n1 1 6\n"), "InvalidInput", "a.mtx:5", "entry",
-                "row 1", "column 1", "twice");
-    EXPECT_SAYS(matrix_error(banner + "2 2 1\n1 1 nan\n"), "InvalidInput", "a.mtx:3", "entry",
-                "NaN");
-    EXPECT_SAYS(matrix_error(banner + "2 2 1\n1 1 5\n2 2 5\n"), "InvalidInput", "a.mtx:4",
-                "more entries");
-    EXPECT_SAYS(matrix_error(banner + "2 2 2000000000\n1 1 5\n"), "InvalidInput", "a.mtx:2",
-                "2000000000 entries", "7 bytes", "6 bytes");
-    EXPECT_SAYS(matrix_error(banner + "2000000000 2 1\n1 1 5\n"), "InvalidInput", "a.mtx:3",
-                "2000000000 rows", "6 bytes");
-    EXPECT_SAYS(matrix_error(banner + "3000000000 2 1\n1 1 5\n"), "InvalidInput", "a.mtx:2", "rows",
-                "3000000000", "2^31 - 1");
+    EXPECT_REFUSED(matrix_from("%%MatrixMarket matrix coordinate complex general\n1 1 0\n"),
+                   "a.mtx:1", "complex", "real", "integer", "double");
+    EXPECT_REFUSED(matrix_from("%%MatrixMarket matrix array real general\n1 1\n5\n"), "a.mtx:1",
+                   "array", "coordinate");
+    EXPECT_REFUSED(matrix_from(banner + "2 2 1\n1 3 5\n"), "a.mtx:3", "column 3", "range", "1",
+                   "2");
+    EXPECT_REFUSED(matrix_from(banner + "2 2 1\n0 1 5\n"), "a.mtx:3", "row 0", "range", "1", "2");
+    EXPECT_REFUSED(matrix_from(banner + "2 2 2\n1 1 5\n1 1 6\n"), "a.mtx:5", "entry", "row 1",
+                   "column 1", "twice");
+    EXPECT_REFUSED(matrix_from(banner + "2 2 1\n1 1 nan\n"), "a.mtx:3", "entry", "NaN");
+    EXPECT_REFUSED(matrix_from(banner + "2 2 1\n1 1 5\n2 2 5\n"), "a.mtx:4", "more entries");
+    EXPECT_REFUSED(matrix_from(banner + "2 2 2000000000\n1 1 5\n"), "a.mtx:2", "2000000000 entries",
+                   "7 bytes", "6 bytes");
+    EXPECT_REFUSED(matrix_from(banner + "2000000000 2 1\n1 1 5\n"), "a.mtx:3", "2000000000 rows",
+                   "6 bytes");
+    EXPECT_REFUSED(matrix_from(banner + "3000000000 2 1\n1 1 5\n"), "a.mtx:2", "rows", "3000000000",
+                   "2^31 - 1");
 }
 
 TEST(MatrixMarket, RefusesToWriteWhatIsNotFinite) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/dec/discretized.h"
+#include "tests/io/support.h"
 
 namespace polydec::test::in_merged_polygons {
 
@@ -33,11 +34,6 @@ VtuGrid renumbered(VtuGrid grid, const SimplicialComplex& input) {
             for (Index corners = grid.faces[at++]; corners > 0; --corners, ++at)
                 grid.faces[at] = input.vertex_number(grid.faces[at]);
     return grid;
-}
-
-bool same(const VtuGrid& a, const VtuGrid& b) {
-    return a.types == b.types && a.corners == b.corners && a.offsets == b.offsets &&
-           a.faces == b.faces && a.face_offsets == b.face_offsets;
 }
 
 TEST_P(PicturesOfCells, of_a_complex_and_points_alone_are_those_of_the_mesh) {

@@ -78,6 +78,11 @@ TEST(Obj, RefusesVerticesWithOtherNumbersOfCoordinates) {
                       "coordinates");
 }
 
+TEST(Obj, RefusesCoordinatesThatAreNotFinite) {
+    EXPECT_UNREADABLE("a.obj", "v inf nan +inf\nv nan -nan -Inf\nv 3 NaN -NaN\n\nf 1 2 3\n",
+                      "a.obj:1", "vertex 0", "coordinate", "NaN");
+}
+
 TEST(Obj, RefusesFilesWithoutVerticesOrCells) {
     EXPECT_UNREADABLE("a.obj", "", "a.obj: ", "no vertices");
     EXPECT_UNREADABLE("a.obj", vertices + "f 1 2\n", "a.obj: ", "4 vertices", "no cells");

@@ -103,6 +103,8 @@ TEST(Off, RefusesWhatIsNoNumber) {
         EXPECT_UNREADABLE("a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 0 0\n3 0 1 " + word + "\n",
                           "a.off:6", word, "whole number", "vertex");
     }
+    EXPECT_UNREADABLE("a.off", "OFF\n3 4\n0.1 0.2 0.3\n2\r20\n4\n", "a.off:3", "0.1",
+                      "whole number", "edges");
     EXPECT_UNREADABLE("a.off", "OFF\n99999999999999999999 1 0\n", "a.off:2", "99999999999999999999",
                       "large", "vertices");
 }

@@ -7,6 +7,7 @@
 #include "io/pages/page_text.h"
 #include "io/xml_text.h"
 #include "tests/io/support.h"
+#include "tests/io/svg_text.h"
 
 namespace polydec::test::in_pages {
 
@@ -54,20 +55,13 @@ Page simple_page() {
 }
 
 std::string page_error(const Page& page) {
-    return error_of([&] { to_html(page); });
+    return refusal([&] { to_html(page); });
 }
 
 TEST(Pages, RefuseVectorsWhoseLengthsOverflow) {
     Page page = simple_page();
     page.grid.point_data.push_back({"far", std::vector<double>(12, 1.7e308), 3});
     EXPECT_REFUSED(to_html(page), "vectors `far`", "finite");
-}
-
-std::size_t count_of(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-        ++count;
-    return count;
 }
 
 TEST(Pages, ShowEveryEdgeOfTheMergedCellsAndEveryOneThatWasMergedAway) {
@@ -149,10 +143,10 @@ TEST(Pages, KeepHostileWordsAsText) {
     page.grid.point_data[0].name = page.shown = hostile.substr(0, hostile.find('\x1b'));
     page.grid.point_data[0].about = hostile;
     const auto plain = to_html(simple_page()), html = to_html(page);
-    EXPECT_EQ(count_of(html, "<script"), count_of(plain, "<script"));
-    EXPECT_EQ(count_of(html, "</script"), count_of(plain, "</script"));
+    EXPECT_EQ(count(html, "<script"), count(plain, "<script"));
+    EXPECT_EQ(count(html, "</script"), count(plain, "</script"));
     EXPECT_EQ(html.find('\x1b'), std::string::npos);
-    EXPECT_GT(count_of(html, "&lt;/script&gt;&lt;script&gt;alert(1)"), 5U);
+    EXPECT_GT(count(html, "&lt;/script&gt;&lt;script&gt;alert(1)"), 5U);
     EXPECT_EQ(json_text("</a>\"\\\n\x01"), "\"\\u003c/a\\u003e\\u0022\\u005c\\u000a\\u005cx01\"");
 }
 
@@ -169,20 +163,20 @@ TEST(Pages, HaveTheAxisUpwardsOfTheirFileUnlessToldOtherwise) {
     EXPECT_EQ(up_of({.file = "a.obj", .up = 0}), 0);
     auto page = simple_page();
     page.text.up = 0;
-    EXPECT_EQ(count_of(to_html(page), "\"up\":0"), 1U);
+    EXPECT_EQ(count(to_html(page), "\"up\":0"), 1U);
     page.text.up = 3;
-    EXPECT_SAYS(page_error(page), "InvalidInput", "axis 3", "expected");
+    EXPECT_SAYS(page_error(page), "axis 3", "expected");
 }
 
 TEST(Pages, NameTheUnitsOfTheirFields) {
     auto page = simple_page();
     page.grid.point_data[0].about = "areas, in units of length^2, of cells";
-    EXPECT_EQ(count_of(to_html(page), "\"unit\":\"length^2\""), 1U);
+    EXPECT_EQ(count(to_html(page), "\"unit\":\"length^2\""), 1U);
     page.text.length_unit = "mm";
-    EXPECT_EQ(count_of(to_html(page), "\"unit\":\"mm^2\""), 1U);
+    EXPECT_EQ(count(to_html(page), "\"unit\":\"mm^2\""), 1U);
     page.text.length_unit = "";
     page.grid.point_data[0].about = "areas";
-    EXPECT_EQ(count_of(to_html(page), "\"unit\":\"length^2\""), 0U);
+    EXPECT_EQ(count(to_html(page), "\"unit\":\"length^2\""), 0U);
 }
 
 TEST(Pages, AreBoundIntoAnAlbum) {
@@ -190,12 +184,12 @@ TEST(Pages, AreBoundIntoAnAlbum) {
     second.text.title = "b <&\"";
     const std::vector<std::string> pages{to_html(simple_page()), to_html(second)};
     const auto album = album_html("both", pages);
-    EXPECT_EQ(count_of(album, "<iframe"), 2U);
-    EXPECT_EQ(count_of(album, "<script"), 0U) << "they stand in attributes, as text";
-    EXPECT_EQ(count_of(album, "srcdoc=\"" + xml_escaped(pages[1]) + "\""), 1U);
-    EXPECT_EQ(
-        count_of(album, "<a id=\"to-1\" href=\"#page-1\"><img alt=\"\" src=\"data:image/png;"), 1U);
-    EXPECT_EQ(count_of(album, "<strong>b &lt;&amp;&quot;</strong> The mesh: 2 cells."), 1U);
+    EXPECT_EQ(count(album, "<iframe"), 2U);
+    EXPECT_EQ(count(album, "<script"), 0U) << "they stand in attributes, as text";
+    EXPECT_EQ(count(album, "srcdoc=\"" + xml_escaped(pages[1]) + "\""), 1U);
+    EXPECT_EQ(count(album, "<a id=\"to-1\" href=\"#page-1\"><img alt=\"\" src=\"data:image/png;"),
+              1U);
+    EXPECT_EQ(count(album, "<strong>b &lt;&amp;&quot;</strong> The mesh: 2 cells."), 1U);
     EXPECT_REFUSED(album_html("none", {}), "album", "pages");
     EXPECT_REFUSED(album_html("a", {pages[0], "<html><title>x</title></html>"}), "page 1", "album",
                    "write_page");
@@ -205,19 +199,19 @@ TEST(Pages, AreBoundIntoAnAlbum) {
 TEST(Pages, RefuseWhatDoesNotFit) {
     auto page = simple_page();
     page.steps = {{page.grid, "0"}, {page.grid, "1"}};
-    EXPECT_EQ(page_error(page), "");
+    EXPECT_EQ(page_error(page), "accepted");
     page.steps[1].point_data[0].name = "v";
-    EXPECT_SAYS(page_error(page), "InvalidInput", "step 1", "page", "arrays");
+    EXPECT_SAYS(page_error(page), "step 1", "page", "arrays");
     page = simple_page();
     page.arrows.push_back({"u", Points::Zero(3, 2), Points::Zero(2, 2)});
-    EXPECT_SAYS(page_error(page), "InvalidInput", "2 vectors", "3 sites", "u");
+    EXPECT_SAYS(page_error(page), "2 vectors", "3 sites", "u");
     page = simple_page();
     page.grid.corners[1] = 7;
-    EXPECT_EQ(page_error(page).substr(0, 12), "InvalidInput");
+    EXPECT_NE(page_error(page), "accepted");
     page = simple_page();
     std::get<std::vector<double>>(page.grid.point_data[0].values)[0] =
         std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(page_error(page).substr(0, 12), "InvalidInput");
+    EXPECT_NE(page_error(page), "accepted");
 }
 
 TEST(Pages, OfAFileHoldWhatItHolds) {

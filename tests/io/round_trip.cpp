@@ -43,7 +43,7 @@ Mesh any_triangle() {
 }
 
 std::string writing_error(const std::string& name, const Mesh& mesh) {
-    return error_of([&] { write_mesh(name, mesh); });
+    return refusal([&] { write_mesh(name, mesh); });
 }
 
 TEST(RoundTrip, SurfacesInSpaceAreTheSameInEveryTextFormat) {
@@ -104,14 +104,12 @@ TEST(RoundTrip, FacetsWithTagsAreTheSameInMeditAndLostInNsc) {
 TEST(RoundTrip, FacetsWithTagsMustFitTheMesh) {
     Mesh mesh = any_triangle();
     mesh.facet_tags = {Simplices{{0, 1}}, {}};
-    EXPECT_SAYS(writing_error("a.mesh", mesh), "InvalidInput", "0 tags", "1 facets");
+    EXPECT_SAYS(writing_error("a.mesh", mesh), "0 tags", "1 facets");
     mesh.facet_tags.tags = {3};
     mesh.facet_tags.simplices = Simplices{{0, 1, 2}};
-    EXPECT_SAYS(writing_error("a.mesh", mesh), "InvalidInput", "facets", "3 vertices", "2",
-                "dimension 2");
+    EXPECT_SAYS(writing_error("a.mesh", mesh), "facets", "3 vertices", "2", "dimension 2");
     mesh.facet_tags.simplices = Simplices{{1, 3}};
-    EXPECT_SAYS(writing_error("a.mesh", mesh), "InvalidInput", "facet 0", "tags", "vertices 1 3",
-                "3");
+    EXPECT_SAYS(writing_error("a.mesh", mesh), "facet 0", "tags", "vertices 1 3", "3");
 }
 
 TEST(RoundTrip, StlKeepsFloatsAndTheOrderOfCells) {
@@ -196,17 +194,13 @@ TEST(WriteMesh, RefusesWhatTheFormatCannotHold) {
     Mesh mesh;
     mesh.points = Points::Identity(5, 4);
     mesh.simplices = Simplices{{0, 1, 2, 3, 4}};
-    EXPECT_SAYS(writing_error("a.off", mesh), "InvalidInput", "a.off", "4-simplices", "R^4",
-                ".nsc");
-    EXPECT_SAYS(writing_error("a.mesh", mesh), "InvalidInput", "a.mesh", "MEDIT", "4-simplices",
-                "R^4", ".nsc");
-    EXPECT_SAYS(writing_error("a.vtk", mesh), "InvalidInput", "a.vtk", "'.vtk'", "extension");
+    EXPECT_SAYS(writing_error("a.off", mesh), "a.off", "4-simplices", "R^4", ".nsc");
+    EXPECT_SAYS(writing_error("a.mesh", mesh), "a.mesh", "MEDIT", "4-simplices", "R^4", ".nsc");
+    EXPECT_SAYS(writing_error("a.vtk", mesh), "a.vtk", "'.vtk'", "extension");
     mesh.simplices(0, 3) = 5;
-    EXPECT_SAYS(writing_error("a.nsc", mesh), "InvalidInput", "a.nsc", "cell 0", "vertex 5", "0",
-                "4");
+    EXPECT_SAYS(writing_error("a.nsc", mesh), "a.nsc", "cell 0", "vertex 5", "0", "4");
     mesh.points(2, 1) = std::nan("");
-    EXPECT_SAYS(writing_error("a.nsc", mesh), "InvalidInput", "a.nsc", "vertex 2", "coordinate",
-                "NaN");
+    EXPECT_SAYS(writing_error("a.nsc", mesh), "a.nsc", "vertex 2", "coordinate", "NaN");
 }
 
 TEST(WriteMesh, RefusesCoordinatesBeyondTheFloatsOfStl) {

@@ -212,22 +212,21 @@ TEST(Series, RefusesWhatDoesNotFit) {
     for (const char* name : {"a.pvd", "a.html"}) {
         Series series(folder.path(name), mesh);
         const auto adding = [&](double time, std::vector<NamedForm> forms) {
-            return error_of([&] { series.add(time, forms); });
+            return refusal([&] { series.add(time, forms); });
         };
-        EXPECT_EQ(adding(0, {}).substr(0, 12), "InvalidInput");
-        EXPECT_EQ(adding(1, {u}), "");
+        EXPECT_NE(adding(0, {}), "accepted");
+        EXPECT_EQ(adding(1, {u}), "accepted");
         for (const double time : {1.0, 0.5, std::numeric_limits<double>::quiet_NaN()})
-            EXPECT_SAYS(adding(time, {u}), "InvalidInput", "step 1", "series", "time",
-                        fmt::format("{}", time));
-        const Words other{"InvalidInput", "step 1", "series", "arrays"};
+            EXPECT_SAYS(adding(time, {u}), "step 1", "series", "time", fmt::format("{}", time));
+        const Words other{"step 1", "series", "arrays"};
         EXPECT_TRUE(says(adding(2, {NamedForm("v", u.form)}), other));
         EXPECT_TRUE(says(adding(2, {u, u}), other));
         EXPECT_TRUE(says(adding(2, {NamedForm("u", moving(mesh, Side::dual, 0, 1))}), other));
         Cochain broken = u.form;
         broken.values[2] = std::numeric_limits<double>::infinity();
-        EXPECT_EQ(adding(2, {NamedForm("u", broken)}).substr(0, 12), "InvalidInput");
+        EXPECT_NE(adding(2, {NamedForm("u", broken)}), "accepted");
         EXPECT_EQ(series.size(), 1U);
-        EXPECT_EQ(adding(2, {u}), "");
+        EXPECT_EQ(adding(2, {u}), "accepted");
         EXPECT_EQ(series.size(), 2U);
     }
 }

@@ -58,10 +58,7 @@ TEST(Stl, TextMayHaveCapitalsAndSeveralSolids) {
     auto capitals = square_text;
     for (char& c : capitals)
         c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-    const auto mesh = read_from("a.STL", capitals);
-    EXPECT_EQ(mesh.simplices.rows(), 2);
-    EXPECT_TRUE(same(mesh, read_from("a.stl", with_line_breaks(square_text, "\r\n"))));
-    EXPECT_TRUE(same(mesh, read_from("a.stl", with_line_breaks(square_text, "\r"))));
+    EXPECT_EQ(read_from("a.STL", capitals).simplices.rows(), 2);
     EXPECT_EQ(
         read_from("a.stl", square_text + "solid\n" + facet("0 0 0", "0 0 1", "1 0 0") + "endsolid")
             .simplices.rows(),

@@ -34,12 +34,9 @@ Mesh read_from(const std::string& name, const std::string& text);
 /// The kind and the whole message of what is thrown, such as "InvalidInput: ..."; "" if nothing is.
 std::string error_of(const std::function<void()>& action);
 
-/// The same for reading a mesh from a file, without the folder in front of the file's name.
-std::string reading_error(const std::string& name, const std::string& text);
-
 /// Expects a file of this name and text to be refused with these words, in this order.
 #define EXPECT_UNREADABLE(name, text, ...)                                                         \
-    EXPECT_SAYS(::polydec::test::reading_error(name, text), "InvalidInput", __VA_ARGS__)
+    EXPECT_REFUSED(::polydec::test::read_from(name, text), __VA_ARGS__)
 
 /// The coordinates, row by row.
 std::vector<std::vector<double>> rows(const Points& points);
@@ -51,6 +48,9 @@ void expect_two_tetrahedra(const Mesh& mesh);
 
 /// Points, cells, and facets with tags that are equal to the last bit.
 bool same(const Mesh& a, const Mesh& b);
+
+/// The same cells, by the numbers of their points.
+bool same(const VtuGrid& a, const VtuGrid& b);
 
 /// Replaces every line break, which must be LF.
 std::string with_line_breaks(const std::string& text, const std::string& line_break);

@@ -7,7 +7,7 @@ namespace polydec::test::in_svg {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::string drawing_error(std::vector<SvgShape> shapes) {
-    return error_of([&] { to_svg(SvgDrawing{.shapes = std::move(shapes)}); });
+    return refusal([&] { to_svg(SvgDrawing{.shapes = std::move(shapes)}); });
 }
 
 TEST(Svg, FlawsOfXmlAreFound) {
@@ -52,12 +52,11 @@ TEST(Svg, DrawingsHoldEveryShapeInItsStyle) {
 
 TEST(Svg, DrawingsRefuseWhatCannotBeDrawn) {
     const SvgDot dot{{0, 0}};
-    EXPECT_SAYS(drawing_error({}), "InvalidInput", "drawing", "no shapes");
-    EXPECT_SAYS(drawing_error({dot, SvgPolyline{}}), "InvalidInput", "shape 1", "no points");
-    EXPECT_SAYS(drawing_error({dot, SvgCircle{{0, 0}, none}}), "InvalidInput", "shape 1",
-                "coordinate", "NaN");
-    EXPECT_SAYS(drawing_error({dot, dot}), "InvalidInput", "shapes", "one point");
-    EXPECT_EQ(drawing_error({dot, SvgDot{{0, 1}}}), "") << "a line of no width";
+    EXPECT_SAYS(drawing_error({}), "drawing", "no shapes");
+    EXPECT_SAYS(drawing_error({dot, SvgPolyline{}}), "shape 1", "no points");
+    EXPECT_SAYS(drawing_error({dot, SvgCircle{{0, 0}, none}}), "shape 1", "coordinate", "NaN");
+    EXPECT_SAYS(drawing_error({dot, dot}), "shapes", "one point");
+    EXPECT_EQ(drawing_error({dot, SvgDot{{0, 1}}}), "accepted") << "a line of no width";
     const SvgDrawing narrow{.shapes = {SvgCircle{{0, 0}, 1}}, .width = 30, .margin = 15};
     EXPECT_REFUSED(to_svg(narrow), "30 pixels", "15");
 }

@@ -160,18 +160,18 @@ TEST(Vtk, WarnsOfDataThatAreLeftOut) {
 }
 
 TEST(Vtk, RefusesCellsOfOtherShapes) {
-    const auto error = [](int type, int count) {
+    const auto cell = [](int type, int count) {
         std::string corners;
         for (int i = 0; i < count; ++i)
             corners += std::to_string(i % 4) + " ";
-        return reading_error("a.vtk", one_cell(type, corners, count));
+        return one_cell(type, corners, count);
     };
-    EXPECT_SAYS(error(12, 7), "InvalidInput", "a.vtk:7", "cell 0", "type 12", "7 corners");
-    EXPECT_SAYS(error(24, 4), "InvalidInput", "a.vtk:7", "cell 0", "type 24", "4 corners");
-    EXPECT_SAYS(error(72, 7), "InvalidInput", "a.vtk:7", "cell 0", "type 72", "7 corners");
-    EXPECT_SAYS(error(42, 4), "InvalidInput", "a.vtk:7", "cell 0", "polyhedron", "type 42");
-    EXPECT_SAYS(error(99, 4), "InvalidInput", "a.vtk:7", "cell 0", "type 99", "10", "5", "9", "3",
-                "4");
+    EXPECT_UNREADABLE("a.vtk", cell(12, 7), "a.vtk:7", "cell 0", "type 12", "7 corners");
+    EXPECT_UNREADABLE("a.vtk", cell(24, 4), "a.vtk:7", "cell 0", "type 24", "4 corners");
+    EXPECT_UNREADABLE("a.vtk", cell(72, 7), "a.vtk:7", "cell 0", "type 72", "7 corners");
+    EXPECT_UNREADABLE("a.vtk", cell(42, 4), "a.vtk:7", "cell 0", "polyhedron", "type 42");
+    EXPECT_UNREADABLE("a.vtk", cell(99, 4), "a.vtk:7", "cell 0", "type 99", "10", "5", "9", "3",
+                      "4");
 }
 
 TEST(Vtk, RefusesWhatDoesNotFit) {
@@ -202,14 +202,11 @@ TEST(Vtk, RefusesWhatDoesNotFit) {
                       "quad", "type");
 }
 
-TEST(Vtk, RealFilesAreReadWhole) {
+TEST(Vtk, RealFilesHaveTheirTags) {
     if (const auto path = test_datum("tet/beam-tet.vtk")) {
-        const auto mesh = read_mesh(*path);
-        EXPECT_EQ(mesh.points.rows(), 36);
-        EXPECT_EQ(mesh.simplices.rows(), 48);
-        EXPECT_NEAR(total_volume(mesh), 8.0, 1e-12);
-        EXPECT_EQ(std::count(mesh.tags.begin(), mesh.tags.end(), 1), 24);
-        EXPECT_EQ(std::count(mesh.tags.begin(), mesh.tags.end(), 2), 24);
+        const auto tags = read_mesh(*path).tags;
+        EXPECT_EQ(std::count(tags.begin(), tags.end(), 1), 24);
+        EXPECT_EQ(std::count(tags.begin(), tags.end(), 2), 24);
     }
 }
 
