@@ -4,6 +4,7 @@ import math
 
 from browser_test import ROUNDING, BrowserTest, distance
 from command import golden
+from motions import pvd, vtu
 from page_file import PageFile, map_color
 
 
@@ -156,9 +157,7 @@ class Seen(BrowserTest):
         for step in (1, 2):
             one = text.replace(f'"mode_{step}"', '"u"').replace(f'"mode_{3 - step}"', '"v"')
             self.write(f"s{step}.vtu", one)
-        self.write("s.pvd", '<VTKFile type="Collection"><Collection>'
-                   '<DataSet timestep="0.5" file="s1.vtu"/><DataSet timestep="0.75" file="s2.vtu"/>'
-                   '</Collection></VTKFile>')
+        self.write("s.pvd", pvd({0.5: "s1.vtu", 0.75: "s2.vtu"}))
         self.assertSays(self.fail_with(2, "view", "s.pvd", "-o", "s.html"), "step 1",
                         "arrays", "expected")
         order = self.read("s2.vtu").replace('"u"', '"w"').replace('"v"', '"u"').replace('"w"', '"v"')
@@ -194,22 +193,13 @@ class Seen(BrowserTest):
 
     def vector_series(self, vectors, times):
         """A square of two triangles with one vector at every step."""
-        data = ('<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="4" '
-                'NumberOfCells="2"><Points><DataArray type="Float64" NumberOfComponents="3" '
-                'format="ascii">0 0 0 1 0 0 1 1 0 0 1 0</DataArray></Points><Cells>'
-                '<DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 0 2 3</DataArray>'
-                '<DataArray type="Int64" Name="offsets" format="ascii">3 6</DataArray>'
-                '<DataArray type="UInt8" Name="types" format="ascii">5 5</DataArray></Cells>'
-                '<CellData><DataArray type="Float64" Name="wind" NumberOfComponents="3" '
-                'format="ascii">{} 0 0 0</DataArray></CellData></Piece></UnstructuredGrid></VTKFile>')
         for step, vector in enumerate(vectors):
-            self.write(f"s{step}.vtu", data.format(vector))
-        self.write("s.pvd", '<VTKFile type="Collection"><Collection>' + "".join(
-            f'<DataSet timestep="{time}" file="s{step}.vtu"/>' for step, time in enumerate(times))
-            + "</Collection></VTKFile>")
+            self.write(f"s{step}.vtu", vtu([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)],
+                                           [(0, 1, 2), (0, 2, 3)], {"wind": [vector, (0, 0, 0)]}))
+        self.write("s.pvd", pvd({time: f"s{step}.vtu" for step, time in enumerate(times)}))
 
     def test_arrows_turn_with_the_steps(self):
-        self.vector_series(("1 0 0", "0 3 0", "2 0 0"), ("0", "0.1162790697674", "0.2325581395"))
+        self.vector_series(((1, 0, 0), (0, 3, 0), (2, 0, 0)), ("0", "0.1162790697674", "0.2325581395"))
         self.page("view", "s.pvd")
         tab = self.browser
         self.assertEqual((tab.run("return document.getElementById('step').value"), tab.text("time")),

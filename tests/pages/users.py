@@ -6,6 +6,7 @@ import re
 
 from browser_test import Browser, BrowserTest
 from command import golden
+from motions import pvd, vtu
 from selenium.webdriver.common.keys import Keys
 
 HOSTILE = "</script><script>document.title='bad'</script><img src=x onerror=document.title='bad'>"
@@ -43,19 +44,9 @@ class Users(BrowserTest):
 
     def series(self, steps=3):
         """A field that is `step` everywhere."""
-        data = ('<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="3" '
-                'NumberOfCells="1"><Points><DataArray type="Float64" NumberOfComponents="3" '
-                'format="ascii">0 0 0 1 0 0 0 1 0</DataArray></Points><Cells>'
-                '<DataArray type="Int64" Name="connectivity" format="ascii">0 1 2</DataArray>'
-                '<DataArray type="Int64" Name="offsets" format="ascii">3</DataArray>'
-                '<DataArray type="UInt8" Name="types" format="ascii">5</DataArray></Cells><PointData>'
-                '<DataArray type="Float64" Name="u" format="ascii">{0} {0} {0}</DataArray>'
-                '</PointData></Piece></UnstructuredGrid></VTKFile>')
         for step in range(steps):
-            self.write(f"s{step}.vtu", data.format(step))
-        self.write("s.pvd", '<VTKFile type="Collection"><Collection>' + "".join(
-            f'<DataSet timestep="{step}" file="s{step}.vtu"/>' for step in range(steps))
-            + "</Collection></VTKFile>")
+            self.write(f"s{step}.vtu", vtu([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)], u=3 * [step]))
+        self.write("s.pvd", pvd({step: f"s{step}.vtu" for step in range(steps)}))
         self.succeed("view", "s.pvd", "-o", "s.html")
         return self.path("s.html")
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Conditions by groups of the file, and Robin's."""
+import collections
 import itertools
 import math
 
 from command import TestCase, golden
-from motions import medit, squares
+from motions import cubes, medit, squares
 
 LEFT, RIGHT, BOTTOM, TOP = 11, 12, 13, 14
 PLACES = {LEFT: "x<1e-9", RIGHT: "x>1-1e-9", BOTTOM: "y<1e-9", TOP: "y>1-1e-9"}
@@ -179,25 +180,16 @@ class Conditions(TestCase):
 
     def test_groups_that_merging_leaves_without_facets_are_told(self):
         """A cube of six tetrahedra, which merge: on each side a triangle is in group 5, the other in 6."""
-        corners = list(itertools.product((0, 1), repeat=3))
-        solids, sides = [], {}
-        for axes in itertools.permutations(range(3)):
-            at = [0, 0, 0]
-            solid = [0]
-            for axis in axes:
-                at[axis] = 1
-                solid.append(corners.index(tuple(at)))
-            solids.append((*solid, 1))
-            for side in itertools.combinations(sorted(solid), 3):
-                sides.setdefault(side, []).append(side)
-        outer = sorted(side for side, solids_there in sides.items() if len(solids_there) == 1)
+        corners, solids = cubes(3)
+        sides = collections.Counter(side for solid in solids
+                                    for side in itertools.combinations(sorted(solid), 3))
         seen, facets = set(), []
-        for side in outer:
+        for side in sorted(side for side, count in sides.items() if count == 1):
             plane = next((axis, corners[side[0]][axis]) for axis in range(3)
                          if len({corners[v][axis] for v in side}) == 1)
             facets.append((*side, 6 if plane in seen else 5))
             seen.add(plane)
-        mesh = self.write("cube.mesh", medit(corners, Triangles=facets, Tetrahedra=solids))
+        mesh = self.write("cube.mesh", medit(corners, Triangles=facets, Tetrahedra=[(*solid, 1) for solid in solids]))
         ask = ("poisson", mesh, "--rhs", 1, "--side", "primal", "--essential-on", 5)
         self.assertSays(self.fail_with(2, *ask), "group 5", "merging", "--keep-groups", "--no-merge")
         self.succeed(*ask, "--no-merge")

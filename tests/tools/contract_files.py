@@ -1,24 +1,12 @@
 # SPDX-License-Identifier: MIT
 """What programs may rely on in the files that are written and read."""
-import xml.etree.ElementTree
+import os
+import re
 
 from command import TestCase, golden
 
 
 class Files(TestCase):
-    def arrays(self, name):
-        """Name of every array of the one piece of a .vtu file, by what it belongs to."""
-        piece = xml.etree.ElementTree.parse(self.path(name)).getroot().find(".//Piece")
-        cells, points = (int(piece.get(key)) for key in ("NumberOfCells", "NumberOfPoints"))
-        return cells, points, {
-            part.tag: [array.get("Name") for array in part.findall("DataArray")]
-            for part in piece}
-
-    def test_merged_cells_as_vtu(self):
-        for name, cells, points in (("uv8.off", 64, 58), ("kuhn3.nsc", 8, 27)):
-            self.succeed("merge", golden(name), "-o", "a.vtu")
-            self.assertEqual(self.arrays("a.vtu")[:2], (cells, points))
-
     def test_a_merged_file_has_as_many_faces_as_there_are_merged_cells(self):
         self.succeed("merge", golden("grid4.nsc"), "-o", "a.off")
         with open(self.path("a.off"), encoding="ascii") as file:
@@ -33,17 +21,6 @@ class Files(TestCase):
             after = self.ask("info", f"a.{extension}")
             self.assertEqual(after["cells"], before["cells"])
             self.assertAlmostEqual(after["volume"], before["volume"], delta=1e-12)
-
-    def test_solutions_and_modes_as_vtu(self):
-        mesh = golden("grid4.nsc")
-        self.succeed("poisson", mesh, "--side", "primal", "--rhs", "1", "-o", "p.vtu")
-        self.assertIn("u", self.arrays("p.vtu")[2]["PointData"])
-        self.succeed("poisson", mesh, "--side", "dual", "--rhs", "1", "-o", "d.vtu")
-        self.assertIn("u", self.arrays("d.vtu")[2]["CellData"])
-        for side, degree in (("primal", 0), ("primal", 1), ("dual", 0), ("dual", 1), ("dual", 2)):
-            self.succeed("spectrum", mesh, "--side", side, "--degree", degree, "--count", 2, "-o",
-                         "m.vtu")
-            self.assertGreater(self.arrays("m.vtu")[0], 0)
 
     def test_values_from_files_are_those_of_expressions(self):
         mesh = golden("grid4.nsc")
@@ -76,3 +53,17 @@ class Files(TestCase):
         self.assertNotEqual(merged, plain["cells"]["input"])
         wide = self.ask("info", mesh, "--tolerance", "0")
         self.assertEqual(len(wide["cells"]["merged"]), 3)
+
+    def test_laplacians_that_would_divide_by_zero_are_left_out_with_a_warning(self):
+        self.assertEqual(self.succeed("operators", golden("grid4.nsc"), "--out", "grid4").err, "")
+        for k in range(3):
+            self.assertTrue(os.path.exists(self.path(f"grid4/laplacian_dual_{k}.mtx")))
+        told = self.succeed("operators", golden("fcc1.nsc"), "--out", "fcc1").err
+        present = {file for file in os.listdir(self.path("fcc1")) if file.startswith("laplacian")}
+        self.assertEqual(present, {"laplacian_primal_0.mtx", "laplacian_dual_3.mtx"})
+        pattern = (r"polydec: warning: laplacian_primal_(\d).mtx \w+ laplacian_dual_(\d).mtx .*"
+                   r"star of degree \d .*zero.* \d+ \d-cells .*volume \(cells \d+, .*\)")
+        warnings = [re.fullmatch(pattern, line) for line in told.splitlines()]
+        self.assertTrue(all(warnings), told)
+        self.assertEqual([found.groups() for found in warnings],
+                         [("1", "2"), ("2", "1"), ("3", "0")])

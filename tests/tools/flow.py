@@ -3,7 +3,7 @@
 import math
 
 from command import TestCase, golden
-from kills import ended_runs, kills, timed
+from kills import kills, resumed_series
 from motions import Mesh
 
 
@@ -135,14 +135,7 @@ class Flow(TestCase):
         sphere = self.generate("icosphere", "--frequency", 12)
         line = ("flow", sphere, "--vorticity", "exp(-9*((x-1)^2+y^2))", "--until", 4, "--frames",
                 20)
-        whole, took = timed(self, *line, "-o", "whole.pvd")
-        wanted = [self.read(file) for file in self.steps_of("whole.pvd")[1]]
-        part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume")
-        for answer in ended_runs(self, part, ("part.pvd", "part.checkpoint"), kills(5),
-                                 (0.2 * took, 0.9 * took)):
-            answer["resumed_at"] = whole["resumed_at"]
-            self.assertEqual(answer, whole)
-            self.assertEqual([self.read(file) for file in self.steps_of("part.pvd")[1]], wanted)
+        resumed_series(self, line, kills(5))
 
     def test_another_flow_is_not_gone_on_with(self):
         line = ("flow", golden("uv8.off"), "--vorticity", "z", "--until", 1, "--checkpoint",

@@ -5,7 +5,7 @@ import os
 import signal
 
 from command import TestCase, wait_until
-from motions import nsc
+from motions import cubes, nsc
 
 OBTUSE = ("OFF\n4 4 0\n0 0 0\n4 0 0\n2 .6 .2\n2 .3 -.5\n" # a tetrahedron's surface
           "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")
@@ -47,17 +47,9 @@ class Symmetries(TestCase):
         counts = set()
         for n, seed in itertools.product((3, 4), range(6)):
             with self.subTest(n=n, seed=seed):
-                corners = list(itertools.product((0.0, 1.0), repeat=n))
+                corners, cells = cubes(n)
                 points = [[c + 3e-5 * ((7 * seed + 5 * i + 3 * axis) % 11 - 5)
                            for axis, c in enumerate(corner)] for i, corner in enumerate(corners)]
-                cells = []
-                for order in itertools.permutations(range(n)):
-                    place = [0] * n
-                    cell = [0]
-                    for axis in order:
-                        place[axis] = 1
-                        cell.append(corners.index(tuple(map(float, place))))
-                    cells.append(cell)
                 found = [self.cells_of(version, cells) for version in self.versions(points)]
                 self.assertEqual(found, len(found) * [found[0]])
                 counts.add(found[0][0][-1])

@@ -8,7 +8,7 @@ import subprocess
 
 import command
 from command import Deadline, TestCase, golden
-from kills import ended_runs, kills, timed
+from kills import kills, resumed_series
 from motions import Mesh
 
 
@@ -322,23 +322,9 @@ class InTime(TestCase):
                              end.format(pace, option) + "\n$")
             self.assertEqual(self.succeed(name, sphere, *more, "--until", 1e-3).err, "")
 
-    def contents(self, name):
-        """A list, its files, and nothing else that was finished."""
-        _, files = self.steps_of(name)
-        found = {entry for entry in os.listdir(self.path(name[:-4])) if not entry.startswith(".")}
-        self.assertEqual(found, {os.path.basename(file) for file in files})
-        return [self.read(file) for file in files]
-
     def test_killed_runs_go_on_to_the_same_bits(self):
         sphere = self.generate("icosphere", "--frequency", 20)
         for name, more in (("heat", ("--side", "dual", "--until", 0.1, "--frames", 40)),
                            ("wave", ("--until", 1, "--frames", 40))):
-            line = (name, sphere, "--initial", "exp(-9*(x-1)^2)", *more)
-            whole, took = timed(self, *line, "-o", "whole.pvd")
-            wanted = self.contents("whole.pvd")
-            part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume")
-            for answer in ended_runs(self, part, ("part.pvd", "part.checkpoint"), kills(10) // 2,
-                                     (0.2 * took, 0.9 * took)):
-                answer["resumed_at"] = whole["resumed_at"]
-                self.assertEqual(answer, whole)
-                self.assertEqual(self.contents("part.pvd"), wanted)
+            resumed_series(self, (name, sphere, "--initial", "exp(-9*(x-1)^2)", *more),
+                           kills(10) // 2)

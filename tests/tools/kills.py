@@ -46,3 +46,25 @@ def ended_runs(case, line, files, count, seconds, signals=(signal.SIGINT, signal
             case.assertIn(run.returncode, (0, -which))
             answer = command.parse(out) if run.returncode == 0 else None
         yield answer
+
+
+def resumed_series(case, line, count, shares=(0.2, 0.9), **options):
+    """Answers of runs with a series that are ended after shares of the time that a whole run takes, and
+    resumed: each is the answer of the whole run and leaves its files, and nothing else that was
+    finished."""
+    def contents(name):
+        _, files = case.steps_of(name)
+        found = {each for each in os.listdir(case.path(name[:-4])) if not each.startswith(".")}
+        case.assertEqual(found, {os.path.basename(file) for file in files})
+        return [case.read(file) for file in files]
+
+    whole, took = timed(case, *line, "-o", "whole.pvd")
+    wanted = contents("whole.pvd")
+    part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume")
+    answers = []
+    for answer in ended_runs(case, part, ("part.pvd", "part.checkpoint"), count,
+                             [share * took for share in shares], **options):
+        case.assertEqual({**answer, "resumed_at": whole["resumed_at"]}, whole)
+        case.assertEqual(contents("part.pvd"), wanted)
+        answers.append(answer)
+    return answers

@@ -46,6 +46,32 @@ def medit(points, **sections):
                       for name, lines in rows.items()), "End\n"])
 
 
+def vtu(points, cells, cell_data=None, **point_data):
+    """The text of points, edges and triangles, with a number or a vector for each point or cell."""
+    def array(kind, name, values):
+        rows = [value if isinstance(value, tuple) else (value,) for value in values]
+        return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{len(rows[0])}" '
+                f'format="ascii">{" ".join(str(x) for row in rows for x in row)}</DataArray>')
+
+    def data(part, arrays):
+        return f"<{part}>" + "".join(array("Float64", *each) for each in arrays.items()) + f"</{part}>"
+
+    return ('<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian"><UnstructuredGrid>'
+            f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{len(cells)}">'
+            + data("Points", {"Points": points}) + "<Cells>"
+            + array("Int32", "connectivity", itertools.chain(*cells))
+            + array("Int32", "offsets", itertools.accumulate(map(len, cells)))
+            + array("UInt8", "types", ((1, 3, 5)[len(cell) - 1] for cell in cells)) + "</Cells>"
+            + data("PointData", point_data) + data("CellData", cell_data or {})
+            + "</Piece></UnstructuredGrid></VTKFile>")
+
+
+def pvd(files):
+    """The text of a series of {time: file}."""
+    steps = "".join(f'<DataSet timestep="{time}" file="{file}"/>' for time, file in files.items())
+    return f'<VTKFile type="Collection"><Collection>{steps}</Collection></VTKFile>'
+
+
 def squares(columns, rows, place, keep=lambda i, j: True):
     """Points and triangles of the squares that are kept, two for each: place(i, j) of each corner,
     in the order of (i, j)."""
@@ -57,6 +83,22 @@ def squares(columns, rows, place, keep=lambda i, j: True):
         a, b, c, d = (number[at] for at in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
         faces += [(a, b, c), (a, c, d)]
     return [place(i, j) for i, j in corners], faces
+
+
+def cubes(n, side=1):
+    """Corners and simplices of side^n unit n-cubes, each split at its diagonal."""
+    corners = list(itertools.product(range(side + 1), repeat=n))
+    number = {corner: i for i, corner in enumerate(corners)}
+    cells = []
+    for corner in itertools.product(range(side), repeat=n):
+        for order in itertools.permutations(range(n)):
+            at = list(corner)
+            cell = [number[corner]]
+            for axis in order:
+                at[axis] += 1
+                cell.append(number[tuple(at)])
+            cells.append(cell)
+    return corners, cells
 
 
 class Mesh:

@@ -11,6 +11,7 @@ import unittest
 
 import command
 from command import TestCase
+from mesher import CUBE
 
 NEEDLE = "OFF\n4 2 0\n0 0 0\n4 0 0\n3 1 0\n1 1 0\n3 0 1 2\n3 0 2 3\n"
 FULL, CLOSED, BROKEN = "No space left on device", "Bad file descriptor", "Broken pipe"
@@ -99,9 +100,7 @@ class Streams(TestCase):
 class Signals(TestCase):
     def setUp(self):
         super().setUp()
-        corners = "".join(f"{i & 1} {i >> 1 & 1} {i >> 2}\n" for i in range(8))
-        self.write("cube.off", f"OFF\n8 6 0\n{corners}4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n"
-                               "4 0 4 6 2\n4 1 3 7 5\n")
+        self.write("cube.off", CUBE)
         self.write("out.mesh", "old")
         os.mkdir(self.path("temporary"))
 

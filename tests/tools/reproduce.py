@@ -72,16 +72,8 @@ class Reproduce(TestCase):
                 (("--list", "--meshes", "models"), ("--list", "--meshes")),
                 (("fig2", "--levels", "0"), ("--levels: ", "number", 1, 20, "'0'"))):
             self.assertSays(self.fail_with(1, "reproduce", *arguments), *words)
-        self.write("file", "")
         self.assertSays(self.fail_with(4, "reproduce", "table2", "--meshes", "none"), "read",
                         "folder none: ", "No such file")
         os.mkdir(self.path("empty"))
         self.assertSays(self.fail_with(2, "reproduce", "table2", "--meshes", "empty"),
                         "folder empty", "extension", ".off, .obj, .ply, .stl")
-
-    def test_a_folder_that_cannot_be_made_is_code_4(self):
-        self.write("file", "")
-        outcome = command.run("reproduce", "fig2", "--out", "file", folder=self.folder)
-        self.assertEqual(outcome.code, 4)
-        self.assertTrue(outcome.err.startswith("polydec: "), outcome.err)
-        self.assertSays(outcome.err, "create", "folder file: ")

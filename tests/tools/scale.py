@@ -8,30 +8,19 @@ from fractions import Fraction
 
 import command
 from command import TestCase, parse
-from motions import Mesh
+from motions import Mesh, cubes
 
 # powers of two change no digit; the first and the last two need other units inside
 EXACT = [2.0**-500, 2.0**-332, 2.0**-26, 2.0**26, 2.0**332, 2.0**500]
 ROUND = [1e-150, 1e-100, 1e-8, 1e8, 1e100, 1e150]
 
 
-def cubes(n, side, amount):
-    """n-cubes of size 1 / side, each split at its diagonal, with inner points moved by an amount."""
+def shaken_cubes(n, side, amount):
+    """n-cubes of size 1 / side, with inner points moved by an amount."""
     shake = random.Random(n)
-    corners = list(itertools.product(range(side + 1), repeat=n))
-    number = {corner: i for i, corner in enumerate(corners)}
-    points = [[x / side + (shake.uniform(-amount, amount) if all(0 < y < side for y in corner) else 0)
-               for x in corner] for corner in corners]
-    cells = []
-    for corner in itertools.product(range(side), repeat=n):
-        for order in itertools.permutations(range(n)):
-            at = list(corner)
-            cell = [number[tuple(at)]]
-            for axis in order:
-                at[axis] += 1
-                cell.append(number[tuple(at)])
-            cells.append(cell)
-    return points, cells
+    corners, cells = cubes(n, side)
+    return [[x / side + (shake.uniform(-amount, amount) if all(0 < y < side for y in corner) else 0)
+             for x in corner] for corner in corners], cells
 
 
 def text_of(points, cells, size):
@@ -54,7 +43,7 @@ SIDES = {1: 7, 2: 4, 3: 3, 4: 2, 5: 1}
 
 class Scale(TestCase):
     def mesh(self, n, size, write=text_of, suffix="nsc", amount=.03):
-        return self.write(f"{n}_{size!r}.{suffix}", write(*cubes(n, SIDES[n], amount), size))
+        return self.write(f"{n}_{size!r}.{suffix}", write(*shaken_cubes(n, SIDES[n], amount), size))
 
     def answer(self, *arguments, code=0):
         outcome = command.run(*arguments, "--json", folder=self.folder)

@@ -10,6 +10,7 @@ import zlib
 from collections import Counter
 
 from command import TestCase, golden
+from motions import pvd, vtu
 
 SVG = "{http://www.w3.org/2000/svg}"
 WHITE = (255, 255, 255)
@@ -50,24 +51,6 @@ def on_map(colors, part):
     at = min(max(part, 0), 1) * (len(colors) - 1)
     i = min(int(at), len(colors) - 2)
     return tuple(a + (at - i) * (b - a) for a, b in zip(color_of(colors[i]), color_of(colors[i + 1])))
-
-
-def vtu(points, cells, **point_data):
-    """A .vtu file of triangles, or of other cells by their number of corners."""
-    arrays = "".join(f'<DataArray type="Float64" Name="{name}" format="ascii">'
-                     f'{" ".join(map(str, values))}</DataArray>'
-                     for name, values in point_data.items())
-    return ('<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian">'
-            f'<UnstructuredGrid><Piece NumberOfPoints="{len(points)}" NumberOfCells="{len(cells)}">'
-            '<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">'
-            f'{" ".join(str(x) for p in points for x in p)}</DataArray></Points><Cells>'
-            '<DataArray type="Int32" Name="connectivity" format="ascii">'
-            f'{" ".join(str(v) for c in cells for v in c)}</DataArray>'
-            '<DataArray type="Int32" Name="offsets" format="ascii">'
-            f'{" ".join(str(sum(map(len, cells[:i + 1]))) for i in range(len(cells)))}</DataArray>'
-            '<DataArray type="UInt8" Name="types" format="ascii">'
-            f'{" ".join("1 3 5".split()[len(c) - 1] for c in cells)}</DataArray></Cells>'
-            f'<PointData>{arrays}</PointData></Piece></UnstructuredGrid></VTKFile>')
 
 
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
@@ -166,8 +149,7 @@ class Stills(TestCase):
     def test_a_series_shows_the_step_of_largest_range(self):
         for step, height in enumerate((1, 3, 2)):
             self.write(f"{step}.vtu", vtu(SQUARE, HALVES, u=[0, height, height, 0]))
-        steps = "".join(f'<DataSet timestep="{step}.5" file="{step}.vtu"/>' for step in range(3))
-        self.write("s.pvd", f'<VTKFile type="Collection"><Collection>{steps}</Collection></VTKFile>')
+        self.write("s.pvd", pvd({step + .5: f"{step}.vtu" for step in range(3)}))
         self.succeed("view", "s.pvd", "-o", "s.svg")
         words = [text.text for text in
                  xml.etree.ElementTree.fromstring(self.read("s.svg")).iter(f"{SVG}text")]

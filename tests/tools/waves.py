@@ -5,7 +5,7 @@ import math
 import signal
 
 from command import TestCase, golden
-from kills import ended_runs, kills, timed
+from kills import ended_runs, kills, resumed_series, timed
 
 PULSE = ("--degree", 0, "--initial", "exp(-200*((x-.5)^2+(y-.5)^2))")
 
@@ -109,22 +109,14 @@ class Waves(TestCase):
         square = self.generate("grid", "--nx", 60, "--ny", 60)
         line = ("maxwell", square, *PULSE, "--current", "x", "--pulse", "sin(9*t)", "--absorb",
                 0.2, "--until", 40, "--frames", 4)
-        whole, took = timed(self, *line, "-o", "whole.pvd")
-        part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume")
-        between = 0
+        between = False # not only after frames
         for attempt in range(20): # a busy machine may end a run before its first step
-            if between > 0:
+            answers = resumed_series(self, line, kills(6), (0.2 + attempt / 10, 0.9 + attempt / 10),
+                                     signals=(signal.SIGINT, signal.SIGTERM, signal.SIGKILL))
+            between = any(4 * each["resumed_at"] % each["steps"] != 0 for each in answers)
+            if between:
                 break
-            for answer in ended_runs(self, part, ("part.pvd", "part.checkpoint"), kills(6),
-                                     ((0.2 + attempt / 10) * took, (0.9 + attempt / 10) * took),
-                                     (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)):
-                between += 4 * answer["resumed_at"] % answer["steps"] != 0
-                answer["resumed_at"] = whole["resumed_at"]
-                self.assertEqual(answer, whole)
-                for i in range(5):
-                    self.assertEqual(self.read(f"part/part_{i:04}.vtu"),
-                                     self.read(f"whole/whole_{i:04}.vtu"))
-        self.assertGreater(between, 0) # not only after frames
+        self.assertTrue(between)
 
     def test_spectra_go_on_with_what_was_found(self):
         sphere = self.generate("icosphere", "--frequency", 16)
