@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Numbers of an independent program on small meshes, through Python: those of POLYDEC_TEST_DATA."""
+"""Numbers of an independent program through Python: those of POLYDEC_TEST_DATA. Cells, stars and volumes
+are compared by the command, whose files hold what the package has (tests/tools/operator_files.py)."""
 import functools
 import json
 import os
 import pathlib
-from collections import Counter
 
 import numpy as np
 import pytest
@@ -34,57 +34,8 @@ def near(value, expected, scale=0.0, tolerance=1e-8):
     assert abs(value - expected) <= tolerance * max(abs(expected), scale, 1e-3)
 
 
-def agree(values, expected):
-    """The numbers that are told of an array."""
-    size = expected["abs_sum"]
-    assert len(values) == expected["size"]
-    zero = 1e-10 * size # whose sign is that of a rounding error
-    assert (values < -zero).sum() <= expected["negative"] <= (values < zero).sum()
-    near(values.sum(), expected["sum"], size)
-    near(abs(values).sum(), expected["abs_sum"])
-    near(np.linalg.norm(values), expected["norm2"])
-    for value, name in ((values.min(), "min"), (values.max(), "max"),
-                        (abs(values).min(), "min_abs")):
-        near(value, expected[name], size)
-
-
-@pytest.mark.parametrize("name", EXPECTED)
-def test_cells_and_stars(name):
-    c, expected = complex_of(name), EXPECTED[name]
-    summary = expected["summary"]
-    assert list(c.shape) == summary["counts_merged"]
-    assert list(c.input.shape) == summary["counts_simplicial"]
-    assert c.betti_numbers() == expected["betti"]["merged"]
-    assert c.input.betti_numbers() == expected["betti"]["simplicial"]
-    corners = Counter(np.diff(c.cells(c.dim).offsets).tolist())
-    assert {str(k): n for k, n in corners.items()} == expected["cells"]["vertices_per_cell"]
-    near(c.volumes(c.dim).sum(), summary["total_volume"])
-    for k in range(c.dim + 1):
-        agree(c.star(k), summary[f"star{k}"])
-        agree(c.volumes(k), summary[f"vol{k}"])
-        agree(c.dual_volumes(k), summary[f"dual{k}"])
-    for k in range(c.dim):
-        entries = c.incidence(k)
-        assert list(entries.shape) == summary[f"d{k}"]["shape"]
-        assert np.count_nonzero(entries.data) == summary[f"d{k}"]["nnz"]
-
-
-def listed(what):
-    return [(name, k) for name, each in EXPECTED.items() for k in range(5) if f"{what}{k}" in each]
-
-
-@pytest.mark.parametrize("name, k", listed("star"))
-def test_stars_cell_by_cell(name, k):
-    c = complex_of(name)
-    lists, star = c.cells(k), c.star(k)
-    own = sorted((sorted(lists.cell(i).tolist()), star[i]) for i in range(len(lists)))
-    expected = sorted(map(tuple, EXPECTED[name][f"star{k}"]))
-    assert [cell for cell, _ in own] == [cell for cell, _ in expected]
-    for (_, value), (_, wanted) in zip(own, expected):
-        near(value, wanted, abs(star).max())
-
-
-@pytest.mark.parametrize("name, k", listed("L"))
+@pytest.mark.parametrize("name, k", [(name, k) for name, each in EXPECTED.items() for k in range(5)
+                                     if f"L{k}" in each])
 def test_laplacians_and_spectra(name, k):
     c, expected = complex_of(name), EXPECTED[name][f"L{k}"]
     L = c.laplacian(k).toarray()
@@ -151,10 +102,3 @@ def test_hodge_decompositions(name):
     found = polydec.hodge_decomposition(c, form)
     for part in ("exact", "coexact", "harmonic"):
         near(getattr(found, part).norm() ** 2, wanted[part], wanted["total"], 1e-7)
-
-
-@pytest.mark.skipif(not EXPECTED, reason="no golden numbers")
-def test_other_numbers_are_told():
-    with pytest.raises(AssertionError):
-        agree(complex_of("grid4.nsc").star(1) * (1 + 1e-6),
-              EXPECTED["grid4.nsc"]["summary"]["star1"])

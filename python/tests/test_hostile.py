@@ -1,26 +1,18 @@
 # SPDX-License-Identifier: MIT
 """Questions on whose answers much hangs: linear functions by all stars, one problem asked in two
 ways, defaults, warnings, units, certificates, and how processes end."""
-import json
-import os
-import pathlib
 import warnings
 
 import numpy as np
 import pytest
 
 import polydec
-from conftest import near, python, run, said
+from conftest import near, python, said
 from polydec import meshes
 
 OBTUSE = ([[0, 0, 0], [4, 0, 0], [2, .6, .2], [2, .3, -.5]], # a tetrahedron's surface
           [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
 FOLDED = ([[0, 0], [1, 0], [.5, 1], [.4, .6]], [[0, 1, 2], [1, 0, 3]])
-SQUARES = ([[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1]],
-           [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]])
-COMMAND = pathlib.Path(os.path.abspath(polydec.__file__)).parents[2] / "tools" / "polydec"
-with_command = pytest.mark.skipif(not COMMAND.exists(),
-                                  reason="the command is not beside the package")
 
 
 def shaken(mesh, amount):
@@ -129,37 +121,6 @@ def test_stars_are_positive_by_default():
     other = polydec.discretize(OBTUSE, star="circumcentric")
     with pytest.warns(polydec.PolydecWarning, match=said("negative", "spurious")):
         assert polydec.spectrum(other, side="dual", count=3).eigenvalues[0] < -.1
-
-
-@with_command
-@pytest.mark.parametrize("mesh", [OBTUSE, FOLDED, SQUARES], ids=["obtuse", "folded", "squares"])
-def test_the_command_says_the_same(tmp_path, mesh):
-    points, simplices = mesh
-    rows = [f"{len(points[0])} 2 {len(points)} {len(simplices)}",
-            *(" ".join(map(repr, p)) for p in points), *(" ".join(map(str, s)) for s in simplices)]
-    (tmp_path / "m.nsc").write_text("\n".join(rows) + "\n")
-    for side, degree in (("primal", 0), ("primal", 1), ("dual", 0)):
-        told = json.loads(run(COMMAND, "spectrum", tmp_path / "m.nsc", "--side", side, "--degree",
-                              degree, "--count", 2, "--json").stdout)
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
-            found = polydec.spectrum((points, simplices), side=side, degree=degree, count=2)
-        radii = found.radii + told["radii"]
-        assert (abs(found.eigenvalues - told["eigenvalues"]) <= radii).all()
-        assert len({str(w.message) for w in caught}) == len(told["warnings"])
-
-
-@with_command
-@pytest.mark.parametrize("mesh", [OBTUSE, FOLDED], ids=["obtuse", "folded"])
-def test_reports_are_those_of_the_command(tmp_path, mesh):
-    path = tmp_path / "m.nsc"
-    polydec.write_mesh(path, polydec.Mesh(*mesh))
-    told = json.loads(run(COMMAND, "info", path, "--json").stdout)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        report = polydec.discretize(path, star="circumcentric").report()
-    assert list(report) == list(told) and len(report["warnings"]) == len(told["warnings"])
-    assert bool(report["warnings"]) == (mesh is FOLDED)
 
 
 @pytest.mark.parametrize("ask", [polydec.discretize, lambda mesh: polydec.poisson(mesh, 1.0),

@@ -26,13 +26,6 @@ def test_spectra_are_those_of_dense_matrices(name, k):
     assert dual.modes.shape == (c.size(k), 4)
 
 
-def test_spectrum_of_scipy():
-    c = complex_of("flange")
-    ours = polydec.spectrum(c, count=12).eigenvalues
-    theirs = scipy.sparse.linalg.eigsh(c.stiffness(0), 12, sp.diags(c.star(0)), sigma=-1e-2)[0]
-    assert np.allclose(ours, np.sort(theirs), rtol=1e-9, atol=1e-9)
-
-
 def test_spherical_harmonics(sphere):
     for side in ("primal", "dual"):
         modes = polydec.spectrum(sphere, count=9, side=side)
