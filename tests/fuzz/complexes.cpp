@@ -5,8 +5,8 @@
 #include "complex/simplicial_complex.h"
 #include "complex/surfaces/ordered_surface.h"
 #include "tests/fuzz/decoder.h"
+#include "tests/fuzz/laws.h"
 #include "tests/fuzz/targets.h"
-#include "tests/fuzz/topology.h"
 
 #include <optional>
 

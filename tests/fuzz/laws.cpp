@@ -7,7 +7,6 @@
 #include "dec/stars/star.h"
 #include "solvers/sources/poisson.h"
 #include "tests/fuzz/target.h"
-#include "tests/fuzz/topology.h"
 
 #include <cmath>
 #include <optional>

@@ -5,6 +5,9 @@
 
 namespace polydec::fuzz {
 
+/// d d = 0, and the Betti numbers give the Euler characteristic.
+void require_topology(const CellComplex& complex);
+
 /// What `polydec info` tells, and what else holds of every mesh that was accepted.
 void require_laws(const Discretization& mesh);
 

@@ -10,16 +10,6 @@ namespace polydec::fuzz {
 /// The bytes as a file of a mesh of this name.
 void read_file(const char* name, std::string_view bytes);
 
-inline constexpr auto off = [](std::string_view bytes) { read_file("a.off", bytes); };
-inline constexpr auto obj = [](std::string_view bytes) { read_file("a.obj", bytes); };
-inline constexpr auto ply = [](std::string_view bytes) { read_file("a.ply", bytes); };
-inline constexpr auto stl = [](std::string_view bytes) { read_file("a.stl", bytes); };
-inline constexpr auto medit = [](std::string_view bytes) { read_file("a.mesh", bytes); };
-inline constexpr auto gmsh = [](std::string_view bytes) { read_file("a.msh", bytes); };
-inline constexpr auto vtk = [](std::string_view bytes) { read_file("a.vtk", bytes); };
-inline constexpr auto vtu = [](std::string_view bytes) { read_file("a.vtu", bytes); };
-inline constexpr auto nsc = [](std::string_view bytes) { read_file("a.nsc", bytes); };
-
 void tetgen(std::string_view bytes);
 void nsl(std::string_view bytes);
 void matrix_market(std::string_view bytes);
@@ -34,16 +24,16 @@ void options(std::string_view bytes);
 void expression(std::string_view bytes);
 
 inline constexpr std::array targets{
-    Target{"off", off},
-    Target{"obj", obj},
-    Target{"ply", ply},
-    Target{"stl", stl},
-    Target{"medit", medit},
-    Target{"gmsh", gmsh},
+    Target{"off", [](std::string_view bytes) { read_file("a.off", bytes); }},
+    Target{"obj", [](std::string_view bytes) { read_file("a.obj", bytes); }},
+    Target{"ply", [](std::string_view bytes) { read_file("a.ply", bytes); }},
+    Target{"stl", [](std::string_view bytes) { read_file("a.stl", bytes); }},
+    Target{"medit", [](std::string_view bytes) { read_file("a.mesh", bytes); }},
+    Target{"gmsh", [](std::string_view bytes) { read_file("a.msh", bytes); }},
     Target{"tetgen", tetgen},
-    Target{"vtk", vtk},
-    Target{"vtu", vtu},
-    Target{"nsc", nsc},
+    Target{"vtk", [](std::string_view bytes) { read_file("a.vtk", bytes); }},
+    Target{"vtu", [](std::string_view bytes) { read_file("a.vtu", bytes); }},
+    Target{"nsc", [](std::string_view bytes) { read_file("a.nsc", bytes); }},
     Target{"nsl", nsl},
     Target{"matrix_market", matrix_market},
     Target{"xml", xml},
