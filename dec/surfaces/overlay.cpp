@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/checks.h"
+#include "base/errors.h"
 #include "base/lists.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/intrinsic_delaunay.h"

@@ -138,7 +138,8 @@ TEST(DataOfCells, that_differ_within_a_cell_are_refused_by_both) {
     tagged.tags = {1, 2};
     EXPECT_EQ(with(discretize(tagged, {.materials = Materials::keep_apart}), 1, 2), "accepted");
     EXPECT_SAYS(with(mesh, -1, 1), "input's 2-cell 0", "-1");
-    const auto flips = discretize(square, {.delaunay = Delaunay::flips});
+    const Mesh rhombus = made_of({{0, 0}, {1, -0.3}, {2, 0}, {1, 0.3}}, {{0, 1, 2}, {0, 2, 3}});
+    const auto flips = discretize(rhombus, {.delaunay = Delaunay::flips});
     EXPECT_EQ(with(flips, 2, 2), "accepted");
     EXPECT_SAYS(with(flips, 1, 2), "flipped");
     EXPECT_EQ(CellData::on_cells(Vector{{4}}).on(mesh, "weight", Range::positive)[0], 4);

@@ -246,7 +246,7 @@ TEST(FacetTags, and_tags_of_cells_are_one_for_each) {
 }
 
 TEST(FacetTags, flips_leave_none) {
-    const Mesh mesh = with_facet_tags(mesh_named("grid4"), 2, 2);
+    const Mesh mesh = with_facet_tags(shaken(mesh_named("grid4"), 0.25, 7), 2, 2);
     const auto flipped = discretize(mesh, {.delaunay = Delaunay::flips});
     EXPECT_TRUE(flipped.facet_tags().empty());
     EXPECT_REFUSED(facets_in(flipped, {"1"}), "group 1", "flipped", "DiscretizeOptions::delaunay");

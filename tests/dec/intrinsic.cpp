@@ -100,6 +100,8 @@ TEST_P(Flipped, have_positive_stars_everywhere_after_splits) {
 TEST_P(Flipped, carry_forms_there_and_back_by_maps_that_commute_with_d) {
     for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
         const auto mesh = flipped(this->mesh(), delaunay);
+        if (mesh.passage().is_identity())
+            continue;
         const auto& lift = mesh.merged().lift();
         for (int k = 0; k < 2; ++k) {
             const SparseMatrix d = mesh.input().coboundary(k).cast<double>();
@@ -136,7 +138,9 @@ TEST_P(Flipped, give_functions_and_their_derivatives_back_unchanged) {
     const Vector u = random_vector(mesh.input().size(0), 8);
     EXPECT_LT(relative_difference(carry_back(mesh, 0, carry(mesh, 0, u)), u), rounding);
     const Vector du = mesh.input().coboundary(0).cast<double>() * u;
-    EXPECT_LT(relative_difference(carry_back(mesh, 1, carry(mesh, 1, du)), du), rounding);
+    if (!mesh.passage().is_identity()) { // without flips, values inside merged cells are means
+        EXPECT_LT(relative_difference(carry_back(mesh, 1, carry(mesh, 1, du)), du), rounding);
+    }
     const Vector areas = random_vector(mesh.input().size(2), 9).cwiseAbs();
     if (mesh.input().orientable()) { // else values of turned neighbors cancel
         EXPECT_NEAR(mesh.passage().forth(2, areas).sum(), areas.sum(), rounding * areas.sum());

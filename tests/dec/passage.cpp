@@ -209,7 +209,8 @@ TEST_P(AfterFlips, flats_of_gradients_are_differentials_and_sharps_bring_them_ba
 
 TEST_P(AfterFlips, pieces_are_not_taken_for_straight_ones) {
     const auto mesh = this->mesh();
-    EXPECT_REFUSED(circumcentric_volumes(mesh.pieces(), mesh.points()), "glued", "lengths");
+    if (!mesh.passage().is_identity())
+        EXPECT_REFUSED(circumcentric_volumes(mesh.pieces(), mesh.points()), "glued", "lengths");
 }
 
 /// On a flat surface constant forms have constant products, whatever was flipped.

@@ -103,9 +103,14 @@ class Glued(TestCase):
         self.assertLess(text.index(b"<CellData"), text.index(b'"velocity"'))
 
     def test_after_flips_there_are_lengths_alone(self):
-        refused = self.fail_with(2, "poisson", self.square, "--side", "primal", "--rhs", "sin(2*pi*x)",
+        kept = self.ask("info", self.square, "--delaunay", *TORUS)
+        self.assertEqual((kept["ambient_dimension"], kept["warnings"]), (3, []))
+        with open(self.square, encoding="ascii") as file:
+            moved = file.read().replace("\n0.5 0.5 0\n", "\n0.53 0.53 0\n")
+        square = self.write("moved.off", moved)
+        refused = self.fail_with(2, "poisson", square, "--side", "primal", "--rhs", "sin(2*pi*x)",
                               "--delaunay", *TORUS)
         self.assertSays(refused, "lengths", "needs points")
-        answer = self.ask("info", self.square, "--delaunay", *TORUS)
+        answer = self.ask("info", square, "--delaunay", *TORUS)
         self.assertIsNone(answer["ambient_dimension"])
         self.assertTrue(any("no positions" in text for text in answer["warnings"]))

@@ -315,7 +315,7 @@ class InTime(TestCase):
                  "adaptive steps, limited by the error", " at the pace so far",
                  "--tolerance-in-time")):
             with open(self.path("said.txt"), "w", encoding="ascii") as said, \
-                    self.start(name, sphere, *more, "--until", 1e5, stderr=said) as run:
+                    self.start(name, sphere, *more, "--until", 1e6, stderr=said) as run:
                 command.wait_until(lambda: "\n" in self.read("said.txt"), "a sentence of a run")
                 self.assertIsNone(run.poll())
             self.assertRegex(self.read("said.txt"), "^" + begin.format(name) + steps + ".*" +
