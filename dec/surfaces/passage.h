@@ -31,8 +31,8 @@ public:
     /// Whether the pieces are the simplices.
     bool is_identity() const { return is_identity_; }
 
-    /// The flips, of which there may be none. Throws InvalidInput if none were asked for; `what`
-    /// names the caller.
+    /// What was flipped and split: nothing, if no edge needed it. Throws InvalidInput, naming the
+    /// caller by `what`, for a passage that was made without flips.
     const IntrinsicDelaunay& flips(std::string_view what = "what edges were flipped") const&;
     IntrinsicDelaunay flips(std::string_view what = "what edges were flipped") &&;
 

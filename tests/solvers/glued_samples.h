@@ -23,7 +23,7 @@ inline GluedSample glued(const Mesh& mesh) {
     return sample;
 }
 
-/// A grid, a vertex of which is moved to its neighbor but for this part of the way.
+/// A grid with one vertex moved towards its neighbor until this part of their distance is left.
 inline Mesh with_needle(double width) {
     Mesh mesh = grid(16, 16);
     const Index moved = 8 * 17 + 8;
