@@ -90,13 +90,14 @@ struct Given {
     Points isolated;                      // points of no cell
     double unit;
     FlatCellsKept flat = {};
+    bool is_glued = false; // from a box
 
     bool has_points() const { return metric.points() != nullptr; }
 };
 
 /// Throws for cells without volume that are not pieces of other cells.
 void refuse_flat_cells(const Given& given, const Merging& merging) {
-    const auto& [complex, mesh, points, metric, isolated, unit, flat] = given;
+    const auto& [complex, mesh, points, metric, isolated, unit, flat, is_glued] = given;
     if (flat.rows.empty())
         return;
     const int n = complex.dimension();
@@ -127,7 +128,7 @@ struct Measured {
 };
 
 Measured measure(Given& given, const DiscretizeOptions& options) {
-    auto& [complex, mesh, places, metric, isolated, unit, flat] = given;
+    auto& [complex, mesh, places, metric, isolated, unit, flat, is_glued] = given;
     Passage passage(complex);
     Vector sides;
     if (options.delaunay != Delaunay::off) {
@@ -142,6 +143,9 @@ Measured measure(Given& given, const DiscretizeOptions& options) {
                                                : FlatSimplices::passed_over);
         return {std::move(passage), input, input, places};
     }
+    if (is_glued)
+        mesh.warnings.emplace_back("edges of a glued mesh were flipped: only its lengths are "
+                                   "known, no positions in its box");
     const auto& flips = passage.flips();
     const Vector longer = sides.array() + flips.statistics.added_length;
     const Geometry input(complex, metric, circumcentric_volumes(complex, {complex, longer}));
@@ -152,7 +156,7 @@ Measured measure(Given& given, const DiscretizeOptions& options) {
 }
 
 Discretization measured(Given given, DiscretizeOptions options, const Progress& stage) {
-    auto& [complex, mesh, places, metric, isolated, unit, flat] = given;
+    auto& [complex, mesh, places, metric, isolated, unit, flat, is_glued] = given;
     if (!options.centers.are_circumcenters()) {
         options.criterion = MergeCriterion::none;
         if (options.delaunay != Delaunay::off)
@@ -274,9 +278,6 @@ Discretization Discretization::with_volumes(const CellVolumes& volumes) const {
 
 Discretization Discretization::with_box(std::shared_ptr<const GluedBox> box) const {
     Parts parts = *parts_;
-    if (!box)
-        parts.warnings.emplace_back("edges of a glued mesh were flipped: only its lengths are "
-                                    "known, no positions in its box");
     parts.box = std::move(box);
     Discretization result = *this;
     result.parts_ = std::make_shared<Parts>(std::move(parts));
@@ -337,9 +338,7 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Pro
 namespace {
 
 /// `about`: other data of the simplices (tags, groups, warnings).
-Discretization of_lengths(const LengthMesh& mesh, Mesh about, const DiscretizeOptions& options,
-                          const Progress& stage) {
-    begin(stage, "complex");
+Given of_lengths(const LengthMesh& mesh, Mesh about) {
     check(mesh);
     const SimplicialComplex complex(mesh.simplices);
     about.points.resize(mesh.vertices, 0);
@@ -351,22 +350,24 @@ Discretization of_lengths(const LengthMesh& mesh, Mesh about, const DiscretizeOp
     warn_of_unit(unit, about.warnings);
     // the complex numbers its edges in lexicographic order
     const SimplexMetric metric(complex, mesh.lengths(edges_in_order(mesh)) / unit);
-    return measured({complex, std::move(about), points, metric, isolated, unit}, options, stage);
+    return {complex, std::move(about), points, metric, isolated, unit};
 }
 
 } // namespace
 
 Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options,
                           const Progress& stage) {
+    begin(stage, "complex");
     const LengthMesh parts = options.refine ? refined(mesh, *options.refine) : mesh;
     Mesh about;
     about.input_cells = parts.input_cells;
     about.bisections = parts.bisections;
-    return of_lengths(parts, std::move(about), options, stage);
+    return measured(of_lengths(parts, std::move(about)), options, stage);
 }
 
 Discretization discretize(const PeriodicMesh& given, const DiscretizeOptions& options,
                           const Progress& stage) {
+    begin(stage, "complex");
     check_facet_tags(given.box);
     check_as_many("numbers of the vertices of a box", std::ssize(given.vertices),
                   given.box.points.rows());
@@ -376,9 +377,12 @@ Discretization discretize(const PeriodicMesh& given, const DiscretizeOptions& op
     about.bisections = mesh.quotient.bisections;
     for (Index& v : about.facet_tags.simplices.reshaped())
         v = mesh.vertices[v];
-    const Discretization result = of_lengths(mesh.quotient, std::move(about), options, stage);
-    return result.with_box(
-        result.passage().is_identity() ? std::make_shared<const GluedBox>(mesh, result) : nullptr);
+    Given parts = of_lengths(mesh.quotient, std::move(about));
+    parts.is_glued = true;
+    const Discretization result = measured(std::move(parts), options, stage);
+    return result.passage().is_identity()
+               ? result.with_box(std::make_shared<const GluedBox>(mesh, result))
+               : result;
 }
 
 std::vector<Index> cell_vertices(const Discretization& discretization, int k, Index cell) {

@@ -105,8 +105,7 @@ public:
     /// unless the volumes fit.
     Discretization with_volumes(const CellVolumes& volumes) const;
 
-    /// The same, marked as glued from this box; null: edges were flipped, so it has no places in
-    /// its box, and a warning says so.
+    /// The same, marked as glued from this box.
     Discretization with_box(std::shared_ptr<const GluedBox> box) const;
 
     /// The merged cells, the merging that made them, and the pieces that were merged.

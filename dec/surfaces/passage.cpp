@@ -31,7 +31,7 @@ OrderedSurface ordered(const SimplicialComplex& input, const GluedSurface& surfa
 
 struct Passage::Flipped {
     IntrinsicDelaunay flips;
-    Vector directions;
+    Vector directions; // of the edges, none for the identity
 };
 
 Passage::Passage(SimplicialComplex input) : input_(input), pieces_(input) {}
@@ -39,14 +39,17 @@ Passage::Passage(SimplicialComplex input) : input_(input), pieces_(input) {}
 Passage::Passage(SimplicialComplex input, IntrinsicDelaunay flips, Index first_new_vertex)
     : Passage(std::move(input)) {
     const auto& done = flips.statistics;
-    is_identity_ = done.flips == 0 && done.splits == 0 && done.added_length == 0;
     Vector directions;
-    if (!is_identity_) {
+    if (done.flips > 0 || done.splits > 0 || done.added_length > 0) {
         OrderedSurface surface = ordered(input_, flips.surface, first_new_vertex);
         pieces_ = surface.pieces;
         directions = std::move(surface.directions);
     }
     flipped_ = std::make_shared<const Flipped>(Flipped{std::move(flips), std::move(directions)});
+}
+
+bool Passage::is_identity() const {
+    return !flipped_ || flipped_->directions.size() == 0;
 }
 
 const IntrinsicDelaunay& Passage::flips(std::string_view what) const& {
@@ -75,7 +78,7 @@ void check_values(const Pieces& cells, int k, Eigen::Index given) {
 
 DenseMatrix Passage::forth(int k, const DenseMatrix& values) const {
     check_values(input_, k, values.rows());
-    if (is_identity_)
+    if (is_identity())
         return values;
     DenseMatrix result(pieces_.size(k), values.cols());
     for (Eigen::Index c = 0; c < values.cols(); ++c)
@@ -85,7 +88,7 @@ DenseMatrix Passage::forth(int k, const DenseMatrix& values) const {
 
 DenseMatrix Passage::back(int k, const DenseMatrix& values) const {
     check_values(pieces_, k, values.rows());
-    if (is_identity_)
+    if (is_identity())
         return values;
     DenseMatrix result(input_.size(k), values.cols());
     for (Eigen::Index c = 0; c < values.cols(); ++c)
@@ -95,7 +98,7 @@ DenseMatrix Passage::back(int k, const DenseMatrix& values) const {
 
 SparseMatrix Passage::matrix(int k) const {
     check_number("the passage of cochains of degree", k, 0, pieces_.dimension());
-    if (!is_identity_)
+    if (!is_identity())
         return turned(k, Vector::Ones(pieces_.size(k))).asDiagonal() *
                flipped_->flips.history.matrix(k);
     return diagonal_matrix(Vector::Ones(input_.size(k)));
@@ -103,7 +106,7 @@ SparseMatrix Passage::matrix(int k) const {
 
 SparseMatrix Passage::matrix_back(int k) const {
     check_number("the passage of cochains of degree", k, 0, pieces_.dimension());
-    if (!is_identity_)
+    if (!is_identity())
         return flipped_->flips.history.matrix_back(k) *
                turned(k, Vector::Ones(pieces_.size(k))).asDiagonal();
     return matrix(k);

@@ -29,7 +29,7 @@ public:
     Pieces pieces() && { return pieces_; }
 
     /// Whether the pieces are the simplices.
-    bool is_identity() const { return is_identity_; }
+    bool is_identity() const;
 
     /// What was flipped and split: nothing, if no edge needed it. Throws InvalidInput, naming the
     /// caller by `what`, for a passage that was made without flips.
@@ -57,7 +57,6 @@ private:
     SimplicialComplex input_;
     Pieces pieces_;
     Shared<const Flipped> flipped_; // null: none were asked for
-    bool is_identity_ = true;
 };
 
 /// The input's triangles cut along the edges of the flipped triangles: convex flat pieces, each in
