@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace polydec {
 
@@ -84,8 +85,15 @@ struct InUnits {
                                       (has_kappa ? kappa / 2 : 0));
     }
 
+    /// Whether a number in these units is still known to all digits in the units given.
+    static bool is_in_range(double in_units, double given) {
+        return std::isfinite(given) &&
+               (in_units == 0 || std::abs(given) >= std::numeric_limits<double>::min());
+    }
+
     /// Back to those of the problem given. Throws InvalidInput for errors out of range.
     void restore(PoissonError& error) const {
+        const double energy = error.energy, l2 = error.l2.value_or(0);
         for (double* number :
              {&error.energy, &error.averaged_gradient, &error.size, &error.oscillation})
             *number = norm(*number, 1, true);
@@ -94,13 +102,13 @@ struct InUnits {
         Vector slopes = error.gradients.col(last);
         scale(slopes, -2 * length);
         error.gradients.col(last) = slopes;
-        if (!std::isfinite(error.energy) || !std::isfinite(error.size) ||
+        if (!is_in_range(energy, error.energy) || !std::isfinite(error.size) ||
             !error.gradients.allFinite())
             throw InvalidInput(
                 "the error is outside the range of double precision: use other units");
         if (error.l2)
             error.l2 = norm(*error.l2, 0, false);
-        if (error.l2 && !std::isfinite(*error.l2)) {
+        if (error.l2 && !is_in_range(l2, *error.l2)) {
             error.l2 = std::nullopt;
             error.warnings.push_back(
                 "the L2 error is outside the range of double precision: use other units");
@@ -142,7 +150,7 @@ double energy_share(const Shape& shape) {
 DenseMatrix averaged_gradients(const PoissonForms& forms, const PoissonPair& pair) {
     const int n = forms.dimension();
     DenseMatrix result(forms.simplices(), n + 2);
-    result.leftCols(n + 1) = (pair.corners - n * pair.means) / 2;
+    result.leftCols(n + 1) = pair.corners - n / 2.0 * pair.change.cast<double>();
     for (Index s = 0; s < forms.simplices(); ++s)
         result(s, n + 1) = -pair.source[s] / (2 * n * conductivity_of(forms.shape(), s));
     return result;
@@ -153,17 +161,21 @@ std::optional<double> l2_error(const PoissonForms& forms, const DenseMatrix& cor
     const auto constant = l2_constant_squared(forms, engine);
     if (!constant)
         return std::nullopt;
-    DenseMatrix change = forms.to_galerkin(corners, data);
+    const PoissonForms::Solution found = forms.to_galerkin(corners, data);
+    const auto norm = [&](DenseMatrix change) {
+        Vector integrals(forms.simplices());
+        for (Index s = 0; s < forms.simplices(); ++s)
+            integrals[s] = forms.volumes()[s] * change.row(s).mean();
+        change.colwise() -= forms.free_means(integrals);
+        double square = 0;
+        for (Index s = 0; s < forms.simplices(); ++s)
+            square += forms.mass(s, change, change);
+        return std::sqrt(square) * (1 + 1e-12);
+    };
+    const DenseMatrix change = found.values.cast<double>();
     const PoissonPair galerkin = forms.pair(corners + change, data);
     const double energy = root_of_sum(Squares(forms, galerkin, data).all, galerkin.rounding);
-    Vector integrals(forms.simplices());
-    for (Index s = 0; s < forms.simplices(); ++s)
-        integrals[s] = forms.volumes()[s] * change.row(s).mean();
-    change.colwise() -= forms.free_means(integrals);
-    double square = 0;
-    for (Index s = 0; s < forms.simplices(); ++s)
-        square += forms.mass(s, change, change);
-    return std::sqrt(*constant) * energy + std::sqrt(square) * (1 + 1e-12);
+    return std::sqrt(*constant) * energy + norm(change) + norm(found.last_step);
 }
 
 /// The norm of S in docs/what-is-proved.md.
@@ -247,7 +259,8 @@ Enclosed goal_interval(const PoissonProblem& given, const Vector& values, const 
     const LocalData data = forms.local(units.problem.source, units.problem.flow),
                     wanted = forms.local(scaled, {});
     const DenseMatrix u = forms.at_corners(units.in_unit(values));
-    const DenseMatrix z = forms.to_galerkin(DenseMatrix::Zero(u.rows(), u.cols()), wanted);
+    const DenseMatrix z =
+        forms.to_galerkin(DenseMatrix::Zero(u.rows(), u.cols()), wanted).values.cast<double>();
     const PoissonPair first = forms.pair(u, data), second = forms.pair(z, wanted);
     const double value = forms.load(wanted, u) + forms.load(data, z) - forms.energy(u, z) +
                          forms.products(first, second).sum() / 2;
@@ -263,7 +276,8 @@ Enclosed goal_interval(const PoissonProblem& given, const Vector& values, const 
         return std::ldexp(number, unit + units.value + n * units.length);
     };
     const Enclosed found{restored(value - half), restored(value), restored(value + half)};
-    if (!std::isfinite(found.lower) || !std::isfinite(found.upper))
+    if (!std::isfinite(found.lower) || !std::isfinite(found.upper) ||
+        !InUnits::is_in_range(half, restored(half)))
         throw InvalidInput("the goal is outside the range of double precision: use other units");
     return found;
 }

@@ -9,10 +9,32 @@
 namespace polydec {
 
 Vector PoissonForms::System::solve(Vector b) const {
-    for (const auto constant : kernel.colwise()) // 0 and 1
-        b -= constant.dot(b) / constant.sum() * constant;
+    // again, as what is left of rounding may itself be nearly constant
+    constexpr int often_enough = 3;
+    for (int time = 0; time < often_enough; ++time)
+        for (const auto constant : kernel.colwise()) // 0 and 1
+            b -= constant.dot(b) / constant.sum() * constant;
     return solver->solve(b);
 }
+
+namespace {
+
+using LongRow = Eigen::Matrix<long double, 1, Eigen::Dynamic>;
+
+/// The values of a simplex less the first one, which has no gradient: what is left is exact.
+template <class Numbers>
+LongRow differences(const Numbers& values, Index s) {
+    return values.row(s).template cast<long double>().array() -
+           static_cast<long double>(values(s, 0));
+}
+
+/// Of a linear function, less its value at the first corner: its mean over the facet opposite
+/// corner i.
+long double mean_over_facet(const LongRow& differences, int i) {
+    return (differences.sum() - differences[i]) / (differences.size() - 1);
+}
+
+} // namespace
 
 PoissonForms::PoissonForms(const Shape& shape, const std::string& engine)
     : shape_(shape),
@@ -32,7 +54,7 @@ PoissonForms::PoissonForms(const Shape& shape, const std::string& engine)
                 squares += simplex.squares(i, j);
         bubbles_[s] = double(squares / (n_ * n_ * (n_ + 1) * (n_ + 1) * (n_ + 2)) / kappa);
         poincare_[s] = double(simplex.longest_square * poincare_square(n_) / kappa) * (1 + 1e-15);
-        gradients_.push_back((kappa * simplex.volume * simplex.gradients).cast<double>());
+        gradients_.push_back(kappa * simplex.volume * simplex.gradients);
         for (int i = 0; i <= n_; ++i)
             areas_(s, i) = double(simplex.facet_volume(i));
     }
@@ -115,13 +137,13 @@ Vector PoissonForms::free_means(const Vector& integrals) const {
     return result;
 }
 
-Vector PoissonForms::gathered(const System& system, const DenseMatrix& local) const {
-    Vector sums = Vector::Zero(system.K.rows());
+Vector PoissonForms::gathered(const System& system, const LongMatrix& local) const {
+    Eigen::VectorX<long double> sums = Eigen::VectorX<long double>::Zero(system.K.rows());
     for (Index s = 0; s < simplices(); ++s)
         for (int i = 0; i <= n_; ++i)
             if (const Index u = system.unknowns[std::size_t(n_ + 1) * s + i]; u >= 0)
                 sums[u] += local(s, i);
-    return sums;
+    return sums.cast<double>();
 }
 
 DenseMatrix PoissonForms::spread(const System& system, const Vector& values) const {
@@ -133,48 +155,62 @@ DenseMatrix PoissonForms::spread(const System& system, const Vector& values) con
     return local;
 }
 
-DenseMatrix PoissonForms::to_galerkin(const DenseMatrix& corners, const LocalData& data) const {
-    DenseMatrix residual(simplices(), n_ + 1);
-    for (Index s = 0; s < simplices(); ++s) {
-        const double share = volumes_[s] / ((n_ + 1) * (n_ + 2)), sum = data.corners.row(s).sum();
-        residual.row(s) =
-            (share * (data.corners.row(s).array() + sum)).matrix() - corners.row(s) * gradients_[s];
-        for (int i = 0; i <= n_; ++i) {
-            const double alpha = sides_[std::size_t(n_ + 1) * s + i].robin;
-            const double on_facet = corners.row(s).sum() - corners(s, i);
-            const double weight = alpha * areas_(s, i) / (n_ * (n_ + 1));
-            for (int j = 0; j <= n_; ++j)
-                if (j != i)
-                    residual(s, j) +=
-                        data.facet_flow(s, i) / n_ - weight * (corners(s, j) + on_facet);
-        }
+PoissonForms::Solution
+PoissonForms::solution(const System& system,
+                       const std::function<LongMatrix(const LongMatrix&)>& residual) const {
+    Solution found{LongMatrix::Zero(simplices(), n_ + 1), DenseMatrix::Zero(simplices(), n_ + 1),
+                   0};
+    for (int step = 0; step < 2 && system.K.rows() > 0; ++step) {
+        const Vector right = gathered(system, residual(found.values)), change = system.solve(right);
+        found.last_step = spread(system, change);
+        found.values += found.last_step.cast<long double>();
+        found.size_of_last_step = std::sqrt(std::max(right.dot(change), 0.0));
     }
-    return spread(vertices_, vertices_.K.rows() > 0 ? vertices_.solve(gathered(vertices_, residual))
-                                                    : Vector());
+    return found;
+}
+
+PoissonForms::Solution PoissonForms::to_galerkin(const DenseMatrix& corners,
+                                                 const LocalData& data) const {
+    return solution(vertices_, [&](const LongMatrix& change) {
+        LongMatrix residual(simplices(), n_ + 1);
+        for (Index s = 0; s < simplices(); ++s) {
+            const double share = volumes_[s] / ((n_ + 1) * (n_ + 2)),
+                         sum = data.corners.row(s).sum();
+            residual.row(s) = (share * (data.corners.row(s).array() + sum)).cast<long double>();
+            residual.row(s) -= (differences(corners, s) + differences(change, s)) * gradients_[s];
+            const LongRow values = corners.row(s).cast<long double>() + change.row(s);
+            for (int i = 0; i <= n_; ++i) {
+                const double alpha = sides_[std::size_t(n_ + 1) * s + i].robin;
+                const double weight = alpha * areas_(s, i) / (n_ * (n_ + 1));
+                for (int j = 0; j <= n_; ++j)
+                    if (j != i)
+                        residual(s, j) += data.facet_flow(s, i) / n_ -
+                                          weight * (values[j] + values.sum() - values[i]);
+            }
+        }
+        return residual;
+    });
 }
 
 PoissonPair PoissonForms::pair(const DenseMatrix& corners, const LocalData& data) const {
-    PoissonPair pair{corners, DenseMatrix(simplices(), n_ + 1), data.means, 0};
-    for (int i = 0; i <= n_; ++i)
-        pair.means.col(i) = (corners.rowwise().sum() - corners.col(i)) / n_;
-    if (facets_.K.rows() == 0)
-        return pair;
-    // the second solve finds what rounding has left of the first one
-    for (int step = 0; step < 2; ++step) {
-        DenseMatrix residual(simplices(), n_ + 1);
+    // as n times the means of a linear function are minus its values, but for a constant
+    Solution found = solution(facets_, [&](const LongMatrix& change) {
+        LongMatrix residual(simplices(), n_ + 1);
         for (Index s = 0; s < simplices(); ++s) {
             const double load = data.means[s] * volumes_[s] / (n_ + 1);
-            residual.row(s) = data.facet_flow.row(s).array() + load;
-            residual.row(s) -= n_ * n_ * (pair.means.row(s) * gradients_[s]);
+            const LongRow values = differences(corners, s);
+            residual.row(s) = (data.facet_flow.row(s).array() + load).cast<long double>();
+            residual.row(s) += n_ * (values - n_ * differences(change, s)) * gradients_[s];
             for (int i = 0; i <= n_; ++i)
-                residual(s, i) -=
-                    sides_[std::size_t(n_ + 1) * s + i].robin * areas_(s, i) * pair.means(s, i);
+                residual(s, i) -= sides_[std::size_t(n_ + 1) * s + i].robin * areas_(s, i) *
+                                  (corners(s, 0) + mean_over_facet(values, i) + change(s, i));
         }
-        const Vector right = gathered(facets_, residual), change = facets_.solve(right);
-        pair.means += spread(facets_, change);
-        pair.rounding = std::sqrt(std::max(right.dot(change), 0.0));
-    }
-    return pair;
+        return residual;
+    });
+    constexpr double least = 1e-140; // of norms whose squares do not underflow
+    const bool is_exact = found.values.isZero(0) && data.corners.isZero(0);
+    const double rounding = found.size_of_last_step + (is_exact ? 0 : least);
+    return {corners, std::move(found.values), data.means, rounding};
 }
 
 double PoissonForms::over_facet(const DenseMatrix& u, const DenseMatrix& v, Index s,
@@ -189,31 +225,32 @@ double PoissonForms::over_facet(const DenseMatrix& u, const DenseMatrix& v, Inde
 }
 
 Vector PoissonForms::products(const PoissonPair& a, const PoissonPair& b) const {
-    const auto weights = [&](const PoissonPair& pair, Index s) {
-        const Eigen::RowVectorXd sum = n_ * pair.means.row(s) + pair.corners.row(s);
-        return Eigen::RowVectorXd(sum.array() - sum.mean()); // constants have no gradient
-    };
     Vector result(simplices());
     for (Index s = 0; s < simplices(); ++s) {
-        result[s] = weights(a, s).dot(weights(b, s) * gradients_[s]) +
+        const LongRow weights = n_ * differences(b.change, s) * gradients_[s];
+        result[s] = double(n_ * differences(a.change, s).dot(weights)) +
                     a.source[s] * b.source[s] * bubbles_[s] * volumes_[s];
         for (int i = 0; i <= n_; ++i)
             if (const double alpha = sides_[std::size_t(n_ + 1) * s + i].robin; alpha > 0) {
-                DenseMatrix x = a.corners.row(s).array() - a.means(s, i),
-                            y = b.corners.row(s).array() - b.means(s, i);
-                x(0, i) = y(0, i) = 0;
-                result[s] += alpha * areas_(s, i) * (x.row(0).dot(y.row(0)) + x.sum() * y.sum()) /
-                             (n_ * (n_ + 1));
+                const auto on_facet = [&](const PoissonPair& pair) {
+                    LongRow x = differences(pair.corners, s);
+                    x.array() -= mean_over_facet(x, i) + pair.change(s, i);
+                    x[i] = 0;
+                    return x;
+                };
+                const LongRow x = on_facet(a), y = on_facet(b);
+                result[s] +=
+                    alpha * areas_(s, i) * double(x.dot(y) + x.sum() * y.sum()) / (n_ * (n_ + 1));
             }
     }
     return result;
 }
 
 double PoissonForms::of_gradients(const DenseMatrix& u, const DenseMatrix& v) const {
-    double sum = 0;
+    long double sum = 0;
     for (Index s = 0; s < simplices(); ++s)
-        sum += u.row(s).dot(v.row(s) * gradients_[s]);
-    return sum;
+        sum += differences(u, s).dot(differences(v, s) * gradients_[s]);
+    return double(sum);
 }
 
 double PoissonForms::energy(const DenseMatrix& u, const DenseMatrix& v) const {

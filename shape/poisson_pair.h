@@ -6,6 +6,7 @@
 #include "shape/gluing.h"
 #include "shape/poisson_error.h"
 
+#include <functional>
 #include <memory>
 
 namespace polydec {
@@ -23,9 +24,9 @@ struct LocalData {
 /// determines an equilibrated flux.
 struct PoissonPair {
     DenseMatrix corners; ///< values of the first: simplices x (n+1)
-    DenseMatrix means;   ///< of the second, over the facet opposite each corner
-    Vector source;       ///< means of f
-    double rounding;     ///< bound on the rounding error of the second, in the energy norm
+    LongMatrix change; ///< means of the second less the first, over the facet opposite each corner
+    Vector source;     ///< means of f
+    double rounding;   ///< bound on the rounding error of the second, in the energy norm
 };
 
 /// The equations of both, on one shape.
@@ -47,8 +48,15 @@ public:
     DenseMatrix at_corners(const Vector& values) const;
     LocalData local(const DenseMatrix& source, const Vector& flow) const;
 
+    /// A solution found in two steps, simplex by simplex. The second finds what rounding has left
+    /// of the first.
+    struct Solution {
+        LongMatrix values;
+        DenseMatrix last_step;
+        double size_of_last_step; ///< in the energy norm
+    };
     /// The correction from a continuous function to the Galerkin solution.
-    DenseMatrix to_galerkin(const DenseMatrix& corners, const LocalData& data) const;
+    Solution to_galerkin(const DenseMatrix& corners, const LocalData& data) const;
     /// The pair of a continuous function.
     PoissonPair pair(const DenseMatrix& corners, const LocalData& data) const;
 
@@ -78,8 +86,11 @@ public:
 
 private:
     System system(const FormFamily& family, const std::string& engine) const;
-    Vector gathered(const System& system, const DenseMatrix& local) const;
+    Vector gathered(const System& system, const LongMatrix& local) const;
     DenseMatrix spread(const System& system, const Vector& values) const;
+    /// `residual`: of a solution, simplex by simplex, in long numbers.
+    Solution solution(const System& system,
+                      const std::function<LongMatrix(const LongMatrix&)>& residual) const;
     double over_facet(const DenseMatrix& u, const DenseMatrix& v, Index s, int omitted) const;
 
     Shape shape_;
@@ -87,8 +98,8 @@ private:
     std::vector<FacetSide> sides_;
     std::vector<Index> components_;
     Vector volumes_, bubbles_, poincare_;
-    std::vector<DenseMatrix> gradients_; // kappa |T| times products of gradients
-    DenseMatrix areas_;                  // of the facet opposite each corner
+    std::vector<LongMatrix> gradients_; // kappa |T| times products of gradients
+    DenseMatrix areas_;                 // of the facet opposite each corner
     System facets_, vertices_;
 };
 

@@ -190,7 +190,8 @@ private:
         const auto distance = unless_refused(tallies_.compared, [&] {
             const PoissonForms forms(*same, "auto");
             const auto data = forms.local(problem_of(*same, (*fine)(f)).source, {});
-            const DenseMatrix change = forms.to_galerkin(forms.at_corners((*fine)(u)), data);
+            const DenseMatrix change =
+                forms.to_galerkin(forms.at_corners((*fine)(u)), data).values.cast<double>();
             return std::sqrt(std::max(forms.energy(change, change), 0.0));
         });
         if (distance) {

@@ -213,7 +213,7 @@ TEST(PoissonError, of_L2_is_by_a_constant_a_little_above_the_least) {
             problem.source(s, 0) = 1;
             const LocalData data = forms.local(problem.source, {});
             const DenseMatrix none = DenseMatrix::Zero(m, 3);
-            pairs.push_back(forms.pair(forms.to_galerkin(none, data), data));
+            pairs.push_back(forms.pair(forms.to_galerkin(none, data).values.cast<double>(), data));
         }
         double largest = 0;
         for (Index s = 0; s < m; ++s) {

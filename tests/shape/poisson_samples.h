@@ -64,7 +64,8 @@ inline Vector galerkin(const PoissonProblem& problem, const Vector& start) {
     const PoissonForms forms(problem.shape, "auto");
     const DenseMatrix corners = forms.at_corners(start);
     const LocalData data = forms.local(problem.source, problem.flow);
-    return at_vertices(problem.shape.pieces, corners + forms.to_galerkin(corners, data));
+    return at_vertices(problem.shape.pieces,
+                       corners + forms.to_galerkin(corners, data).values.cast<double>());
 }
 
 inline const auto is_left = [](const Eigen::RowVectorXd& p) { return p[0] < 1e-9; };
