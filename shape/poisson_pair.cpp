@@ -14,7 +14,10 @@ Vector PoissonForms::System::solve(Vector b) const {
     for (int time = 0; time < often_enough; ++time)
         for (const auto constant : kernel.colwise()) // 0 and 1
             b -= constant.dot(b) / constant.sum() * constant;
-    return solver->solve(b);
+    // a load of the constant would hide all else in the check of the solution
+    const Vector image = K * constant;
+    const double energy = constant.dot(image), share = energy > 0 ? constant.dot(b) / energy : 0;
+    return solver->solve(b - share * image) + share * constant;
 }
 
 namespace {
@@ -28,10 +31,14 @@ LongRow differences(const Numbers& values, Index s) {
            static_cast<long double>(values(s, 0));
 }
 
-/// Of a linear function, less its value at the first corner: its mean over the facet opposite
-/// corner i.
-long double mean_over_facet(const LongRow& differences, int i) {
-    return (differences.sum() - differences[i]) / (differences.size() - 1);
+LongRow values(const DenseMatrix& of_all, Index s) {
+    return of_all.row(s).cast<long double>();
+}
+
+/// The mean of a linear function over the facet opposite corner i.
+long double mean_over_facet(LongRow values, int i) {
+    values[i] = 0; // it may be much larger than the others
+    return values.sum() / (values.size() - 1);
 }
 
 } // namespace
@@ -65,11 +72,9 @@ PoissonForms::PoissonForms(const Shape& shape, const std::string& engine)
 PoissonForms::System PoissonForms::system(const FormFamily& family,
                                           const std::string& engine) const {
     const CountedMatrix counted = family.at(0);
-    System system{*counted.matrix,
-                  family.unknowns().of_simplices,
-                  {},
-                  make_linear_solver(engine),
-                  counted.doubt.share};
+    System system{
+        *counted.matrix,    family.unknowns().of_simplices, {}, {}, make_linear_solver(engine),
+        counted.doubt.share};
     const Index free =
         components_.empty() ? 0 : *std::max_element(components_.begin(), components_.end()) + 1;
     system.kernel = DenseMatrix::Zero(family.size(), free);
@@ -77,6 +82,7 @@ PoissonForms::System PoissonForms::system(const FormFamily& family,
         if (const Index component = components_[at / std::size_t(n_ + 1)];
             component >= 0 && system.unknowns[at] >= 0)
             system.kernel(system.unknowns[at], component) = 1;
+    system.constant = 1 - system.kernel.rowwise().sum().array();
     MatrixFacts facts;
     facts.symmetry = Symmetry::symmetric;
     facts.definiteness = free > 0 ? Definiteness::semidefinite : Definiteness::positive;
@@ -178,14 +184,14 @@ PoissonForms::Solution PoissonForms::to_galerkin(const DenseMatrix& corners,
                          sum = data.corners.row(s).sum();
             residual.row(s) = (share * (data.corners.row(s).array() + sum)).cast<long double>();
             residual.row(s) -= (differences(corners, s) + differences(change, s)) * gradients_[s];
-            const LongRow values = corners.row(s).cast<long double>() + change.row(s);
+            const LongRow u = values(corners, s) + change.row(s);
             for (int i = 0; i <= n_; ++i) {
                 const double alpha = sides_[std::size_t(n_ + 1) * s + i].robin;
                 const double weight = alpha * areas_(s, i) / (n_ * (n_ + 1));
                 for (int j = 0; j <= n_; ++j)
                     if (j != i)
                         residual(s, j) += data.facet_flow(s, i) / n_ -
-                                          weight * (values[j] + values.sum() - values[i]);
+                                          weight * (u[j] + n_ * mean_over_facet(u, i));
             }
         }
         return residual;
@@ -198,12 +204,12 @@ PoissonPair PoissonForms::pair(const DenseMatrix& corners, const LocalData& data
         LongMatrix residual(simplices(), n_ + 1);
         for (Index s = 0; s < simplices(); ++s) {
             const double load = data.means[s] * volumes_[s] / (n_ + 1);
-            const LongRow values = differences(corners, s);
             residual.row(s) = (data.facet_flow.row(s).array() + load).cast<long double>();
-            residual.row(s) += n_ * (values - n_ * differences(change, s)) * gradients_[s];
+            residual.row(s) +=
+                n_ * (differences(corners, s) - n_ * differences(change, s)) * gradients_[s];
             for (int i = 0; i <= n_; ++i)
                 residual(s, i) -= sides_[std::size_t(n_ + 1) * s + i].robin * areas_(s, i) *
-                                  (corners(s, 0) + mean_over_facet(values, i) + change(s, i));
+                                  (mean_over_facet(values(corners, s), i) + change(s, i));
         }
         return residual;
     });
@@ -233,7 +239,7 @@ Vector PoissonForms::products(const PoissonPair& a, const PoissonPair& b) const 
         for (int i = 0; i <= n_; ++i)
             if (const double alpha = sides_[std::size_t(n_ + 1) * s + i].robin; alpha > 0) {
                 const auto on_facet = [&](const PoissonPair& pair) {
-                    LongRow x = differences(pair.corners, s);
+                    LongRow x = values(pair.corners, s);
                     x.array() -= mean_over_facet(x, i) + pair.change(s, i);
                     x[i] = 0;
                     return x;
@@ -272,7 +278,8 @@ double PoissonForms::load(const LocalData& data, const DenseMatrix& v) const {
     for (Index s = 0; s < simplices(); ++s) {
         sum += mass(s, data.corners, v);
         for (int i = 0; i <= n_; ++i)
-            sum += data.facet_flow(s, i) * (v.row(s).sum() - v(s, i)) / n_;
+            if (data.facet_flow(s, i) != 0)
+                sum += data.facet_flow(s, i) * double(mean_over_facet(values(v, s), i));
     }
     return sum;
 }

@@ -76,6 +76,7 @@ public:
         SparseMatrix K;
         std::vector<Index> unknowns; ///< simplex by simplex
         DenseMatrix kernel;          ///< constants of free components
+        Vector constant; ///< 1 elsewhere: nearly in the kernel, if Robin's terms are small
         std::unique_ptr<LinearSolver> solver;
         double doubt; ///< of entries of K, as in CountedMatrix
         /// The solution orthogonal to the kernel.

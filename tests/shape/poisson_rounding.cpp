@@ -50,6 +50,44 @@ TEST(ProvedNumbers, know_an_error_of_one_rounding) {
     }
 }
 
+/// A stiff Robin condition at 1, where u_h is much smaller than beside.
+TEST(ProvedNumbers, know_a_small_value_beside_large_ones) {
+    const Mesh mesh = kuhn(1, 2);
+    const auto conditions = conditions_of(mesh, {{is_left, BoundaryCondition::essential},
+                                                 {is_right, BoundaryCondition::robin, 1e60}});
+    const Shape shape = unmerged(mesh, conditions);
+    const PoissonProblem problem{shape, DenseMatrix::Zero(2, 1), {}};
+    Vector u(3); // of f = 0 and u(0) = 1 the exact one is 1 - x
+    for (Index v = 0; v < 3; ++v)
+        u[v] = 1 - mesh.points(shape.pieces.vertex_number(v), 0);
+    for (Index v = 0; v < 3; ++v)
+        if (u[v] == 0)
+            u[v] = 1e-12;
+    EXPECT_GE(poisson_error(problem, u, {.l2 = false}).energy, 1e18 * (1 - 1e-14));
+}
+
+/// u = c + s x with alpha u + du/dnu = 0 at 0, and = -1 at 1, where goals are as small as u there.
+TEST(ProvedNumbers, enclose_the_integral_of_a_solution_that_stiff_conditions_keep_small) {
+    const Mesh mesh = kuhn(1, 8);
+    for (const double alpha : {1e3, 1e9, 1e12, 1e17}) {
+        const auto conditions = conditions_of(mesh, {{is_any, BoundaryCondition::robin, alpha}});
+        PoissonProblem problem{unmerged(mesh, conditions), DenseMatrix::Zero(8, 1),
+                               Vector::Zero(9)};
+        const Pieces& pieces = problem.shape.pieces;
+        const long double s = -1 / (static_cast<long double>(alpha) + 2), c = s / alpha;
+        Vector u(9);
+        for (Index v = 0; v < 9; ++v) {
+            const double x = mesh.points(pieces.vertex_number(v), 0);
+            u[v] = static_cast<double>(c + s * x);
+            problem.flow[v] = x == 1 ? -1 : 0;
+        }
+        const Enclosed found = goal_interval(problem, u, DenseMatrix::Ones(8, 1));
+        EXPECT_LE(found.lower, c + s / 2) << alpha;
+        EXPECT_GE(found.upper, c + s / 2) << alpha;
+        EXPECT_LT(found.upper - found.lower, 1e-3 / alpha) << alpha;
+    }
+}
+
 /// f less its mean is rounding alone, and nearly constant.
 TEST(ProvedNumbers, take_a_constant_f_without_given_values_for_none) {
     for (int seed = 0; seed < 40; ++seed) {
