@@ -13,7 +13,7 @@ namespace polydec {
 
 namespace {
 
-std::vector<std::array<Index, 2>> pair_halfedges(const std::vector<GluedSurface::SignedEdge>& sides,
+std::vector<std::array<Index, 2>> pair_halfedges(const std::vector<GluedSurface::Halfedge>& sides,
                                                  Index edges) {
     std::vector<std::array<Index, 2>> pairs(static_cast<std::size_t>(edges), {-1, -1});
     for (std::size_t h = 0; h < sides.size(); ++h) {
@@ -75,24 +75,19 @@ Triangles::Triangles(const Pieces& surface) {
     vertices_ = surface.size(0);
     edges_ = surface.size(1);
     const Index triangles = surface.size(2);
-    sides_.resize(std::size_t(triangles) * 3);
-    tails_.resize(sides_.size());
+    sides_.reserve(std::size_t(triangles) * 3);
     for (Index v = 0; v < vertices_; ++v)
         names_.push_back(surface.vertex_number(v));
+    const FaceTable edges = surface.faces(2);
+    const Simplices& corners = surface.simplices(2);
     for (Index t = 0; t < triangles; ++t) {
         // the corners a, b, c are passed in their order, or the other way round
-        const Index ab = surface.face(2, t, 2), bc = surface.face(2, t, 0);
-        const Index ac = surface.face(2, t, 1);
-        const Index a = surface.face(1, ab, 1), b = surface.face(1, ab, 0);
-        const Index c = surface.face(1, ac, 0);
-        const Index h = 3 * t;
-        if (surface.orientation(t) > 0) {
-            sides_[h] = {ab, 1}, sides_[h + 1] = {bc, 1}, sides_[h + 2] = {ac, -1};
-            tails_[h] = a, tails_[h + 1] = b, tails_[h + 2] = c;
-        } else {
-            sides_[h] = {ac, 1}, sides_[h + 1] = {bc, -1}, sides_[h + 2] = {ab, -1};
-            tails_[h] = a, tails_[h + 1] = c, tails_[h + 2] = b;
-        }
+        const Index ab = edges(t, 2), bc = edges(t, 0), ac = edges(t, 1);
+        const Index a = corners(t, 0), b = corners(t, 1), c = corners(t, 2);
+        if (surface.orientation(t) > 0)
+            sides_.insert(sides_.end(), {{{ab, 1}, a}, {{bc, 1}, b}, {{ac, -1}, c}});
+        else
+            sides_.insert(sides_.end(), {{{ac, 1}, a}, {{bc, -1}, c}, {{ab, -1}, b}});
     }
 }
 
@@ -104,7 +99,8 @@ GluedSurface::GluedSurface(const Pieces& surface) : Triangles(surface) {
 GluedSurface::GluedSurface(const std::vector<std::array<SignedEdge, 3>>& triangles) {
     edges_ = count_edges(triangles);
     for (const auto& sides : triangles)
-        sides_.insert(sides_.end(), sides.begin(), sides.end());
+        for (const SignedEdge& side : sides)
+            sides_.push_back({side, -1});
     halfedges_ = pair_halfedges(sides_, edges_);
     DisjointSets corners(static_cast<Index>(sides_.size()));
     for (Index e = 0; e < edges_; ++e) {
@@ -124,13 +120,8 @@ GluedSurface::GluedSurface(const std::vector<std::array<SignedEdge, 3>>& triangl
         auto& vertex = number[corners.find(static_cast<Index>(h)).element];
         if (vertex < 0)
             vertex = vertices_++;
-        tails_.push_back(vertex);
+        sides_[h].tail = vertex;
     }
-}
-
-void GluedSurface::set(Index halfedge, SignedEdge side, Index tail) {
-    sides_[halfedge] = side;
-    tails_[halfedge] = tail;
 }
 
 void GluedSurface::reverse(Index triangle) {
@@ -138,25 +129,24 @@ void GluedSurface::reverse(Index triangle) {
     const Index a = 3 * triangle, b = a + 1, c = a + 2;
     for (const Index h : {a, b, c})
         sides_[h].sign = static_cast<std::int8_t>(-sides_[h].sign);
-    std::swap(tails_[b], tails_[c]);
+    std::swap(sides_[b].tail, sides_[c].tail);
     if (edge(a) != edge(c))
         std::swap(listed(a), listed(c));
-    std::swap(sides_[a], sides_[c]);
+    std::swap<SignedEdge>(sides_[a], sides_[c]);
 }
 
 void GluedSurface::flip(Index edge) {
     const auto [h, g] = halfedges_[edge];
     const Index t = 3 * triangle(h), u = 3 * triangle(g);
     const Index h1 = next(h), h2 = previous(h), g1 = next(g), g2 = previous(g);
-    const SignedEdge along = sides_[h], against = sides_[g];
-    const SignedEdge jk = sides_[h1], ki = sides_[h2], il = sides_[g1], lj = sides_[g2];
-    const Index i = tails_[h], j = tails_[h1], k = tails_[h2], l = tails_[g2];
+    const Halfedge ij = sides_[h], jk = sides_[h1], ki = sides_[h2];
+    const Halfedge ji = sides_[g], il = sides_[g1], lj = sides_[g2];
 
     // where the four outer sides were, as seen from their edges, before any of them moves
     Index &at_jk = listed(h1), &at_ki = listed(h2), &at_il = listed(g1), &at_lj = listed(g2);
 
-    set(t, along, k), set(t + 1, lj, l), set(t + 2, jk, j);
-    set(u, against, l), set(u + 1, ki, k), set(u + 2, il, i);
+    sides_[t] = {ij, ki.tail}, sides_[t + 1] = lj, sides_[t + 2] = jk;
+    sides_[u] = {ji, lj.tail}, sides_[u + 1] = ki, sides_[u + 2] = il;
     halfedges_[edge] = {t, u};
     at_lj = t + 1, at_jk = t + 2, at_ki = u + 1, at_il = u + 2;
 }
@@ -164,18 +154,16 @@ void GluedSurface::flip(Index edge) {
 void GluedSurface::split_boundary(Index edge) {
     const Index h = halfedges_[edge][0];
     const Index h1 = next(h);
-    const SignedEdge ij = sides_[h], jk = sides_[h1];
-    const Index j = tails_[h1], k = tails_[previous(h)];
+    const Halfedge ij = sides_[h], jk = sides_[h1];
+    const Index k = tail(previous(h));
     const Index m = vertices_++, n = static_cast<Index>(sides_.size());
     if (!names_.empty())
         names_.push_back(names_.back() + 1);
     const Index mj = edges(), mk = mj + 1;
 
     listed(h1) = n + 1;
-    sides_.resize(sides_.size() + 3);
-    tails_.resize(tails_.size() + 3);
-    set(n, {mj, ij.sign}, m), set(n + 1, jk, j), set(n + 2, {mk, -1}, k);
-    set(h1, {mk, 1}, m);
+    sides_.insert(sides_.end(), {{{mj, ij.sign}, m}, jk, {{mk, -1}, k}});
+    sides_[h1] = {{mk, 1}, m};
     edges_ += 2;
     halfedges_.push_back({n, -1});
     halfedges_.push_back({h1, n + 2});

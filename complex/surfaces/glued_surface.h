@@ -23,6 +23,11 @@ public:
         std::int8_t sign;
     };
 
+    /// A half-edge: a side, and the vertex where it starts.
+    struct Halfedge : SignedEdge {
+        Index tail;
+    };
+
     static constexpr int dimension = 2;
 
     /// The triangles of pieces; vertices, edges and triangles keep their numbers and orientations.
@@ -42,17 +47,17 @@ public:
         return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1;
     }
 
-    Index tail(Index halfedge) const { return tails_[halfedge]; }
-    Index head(Index halfedge) const { return tails_[next(halfedge)]; }
+    const Halfedge& operator[](Index halfedge) const { return sides_[halfedge]; }
+    Index tail(Index halfedge) const { return sides_[halfedge].tail; }
+    Index head(Index halfedge) const { return sides_[next(halfedge)].tail; }
     Index edge(Index halfedge) const { return sides_[halfedge].edge; }
     int sign(Index halfedge) const { return sides_[halfedge].sign; }
 
 protected:
     Triangles() = default;
 
-    std::vector<SignedEdge> sides_; // of half-edges
-    std::vector<Index> tails_;      // of half-edges
-    std::vector<Index> names_;      // of vertices, or empty
+    std::vector<Halfedge> sides_;
+    std::vector<Index> names_; // of vertices, or empty
     Index vertices_ = 0, edges_ = 0;
 };
 
@@ -76,7 +81,7 @@ public:
     explicit GluedSurface(const std::vector<std::array<SignedEdge, 3>>& triangles);
 
     /// The half-edges of an edge; the second is -1 on the boundary.
-    std::array<Index, 2> halfedges(Index edge) const { return halfedges_[edge]; }
+    const std::array<Index, 2>& halfedges(Index edge) const { return halfedges_[edge]; }
     bool is_boundary(Index edge) const { return halfedges_[edge][1] < 0; }
 
     /// The other half-edge of the same edge; -1 on the boundary.
@@ -127,7 +132,6 @@ private:
         auto& both = halfedges_[edge(halfedge)];
         return both[0] == halfedge ? both[0] : both[1];
     }
-    void set(Index halfedge, SignedEdge side, Index tail);
 
     std::vector<std::array<Index, 2>> halfedges_; // of edges
 };

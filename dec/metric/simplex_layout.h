@@ -42,6 +42,8 @@ public:
 
 private:
     Corners lay_out(int k, Index s);
+    template <int k_fixed>
+    bool place(int k_given, Index s, double* table);
     void measure_edges(int k, Index s);
     int base(int k) const;
     template <class Corner>
@@ -51,9 +53,10 @@ private:
 
     const Pieces& complex_;
     SimplexMetric metric_;
-    std::vector<Index> rows_;     // 0..n
-    std::vector<double> lengths_; // between corners i and j of one simplex, (n+1) x (n+1)
-    std::vector<Points> tables_;  // by degree
+    std::vector<FaceTable> faces_; // of degree k at k - 1
+    std::vector<Index> rows_;      // 0..n
+    std::vector<double> lengths_;  // between corners i and j of one simplex, (n+1) x (n+1)
+    std::vector<Points> tables_;   // by degree
 };
 
 } // namespace polydec

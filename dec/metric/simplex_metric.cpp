@@ -11,8 +11,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 
@@ -25,6 +26,12 @@ constexpr double few_last_digits = 16 * std::numeric_limits<double>::epsilon();
 
 /// Squares of lengths, and products of a few of them, must neither overflow nor underflow.
 constexpr double largest_length = 1e100;
+
+/// The largest power of two up to a positive normal number: dividing by it loses no digit.
+double power_of_two(double number) {
+    constexpr auto exponent = std::uint64_t{0x7ff} << 52;
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) & exponent);
+}
 
 } // namespace
 
@@ -62,18 +69,24 @@ SimplexLayout::SimplexLayout(const Pieces& complex, const SimplexMetric& metric)
     lengths_.resize(rows_.size() * rows_.size());
     for (int k = 0; k < corners; ++k)
         tables_.emplace_back(k + 1, k);
+    for (int k = 1; k < corners; ++k)
+        faces_.push_back(complex.faces(k));
 }
 
-void SimplexLayout::measure_edges(int k, Index s) {
+[[gnu::always_inline]] inline void SimplexLayout::measure_edges(int k, Index s) {
     for (int i = 0; i <= k; ++i)
         for (int j = i + 1; j <= k; ++j) {
-            const double between = (*metric_.lengths())[face_at(complex_, k, s, std::array{i, j})];
+            Index edge = s; // without all other corners, the last one first
+            for (int m = k, corner = k; m > 1; --corner)
+                if (corner != i && corner != j)
+                    edge = faces_[--m](edge, corner);
+            const double between = (*metric_.lengths())[edge];
             lengths_[i * rows_.size() + j] = lengths_[j * rows_.size() + i] = between;
         }
 }
 
 /// An end of the shortest edge: products of edges from there lose the fewest digits.
-int SimplexLayout::base(int k) const {
+[[gnu::always_inline]] inline int SimplexLayout::base(int k) const {
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= k; ++i)
@@ -93,15 +106,16 @@ double SimplexLayout::product(int origin, int i, int j) const {
 /// The height of corner a over the previous corners, whose first coordinates are known. 0 if only
 /// rounding is left.
 template <class Corner>
-double SimplexLayout::height(int origin, Corner corner, int a, const double* known) const {
+[[gnu::always_inline]] inline double SimplexLayout::height(int origin, Corner corner, int a,
+                                                           const double* known) const {
     // an edge's height is its length; a triangle's follows from its area without loss
     const double own = length(origin, corner(a));
     if (a == 0)
         return own;
     if (a == 1) {
         const double base = length(origin, corner(0)), opposite = length(corner(0), corner(1));
-        // a power of two: products of four lengths stay finite and no digit is lost
-        const double unit = std::exp2(std::ilogb(std::max({base, own, opposite})));
+        // products of four lengths stay finite
+        const double unit = power_of_two(std::max({base, own, opposite}));
         return 2 * unit * triangle_area(base / unit, own / unit, opposite / unit) / (base / unit);
     }
     double squared = own * own;
@@ -110,29 +124,37 @@ double SimplexLayout::height(int origin, Corner corner, int a, const double* kno
     return squared > few_last_digits * own * own ? std::sqrt(squared) : 0;
 }
 
-Corners SimplexLayout::lay_out(int k, Index s) {
-    Points& table = tables_[k];
-    const Corners corners{table, {rows_.data(), static_cast<std::size_t>(k) + 1}, true};
-    table.setZero();
+/// Returns false for a simplex that does not exist.
+template <int k_fixed>
+bool SimplexLayout::place(int k_given, Index s, double* table) {
+    const int k = k_fixed >= 0 ? k_fixed : k_given;
     measure_edges(k, s);
     const int origin = base(k);
     const auto corner = [origin](int a) { return a < origin ? a : a + 1; };
     for (int a = 0; a < k; ++a) {
-        double* const row = &table(corner(a), 0);
+        double* const row = table + corner(a) * k;
         for (int b = 0; b < a; ++b) {
-            const double* const other = &table(corner(b), 0);
+            const double* const other = table + corner(b) * k;
             double rest = product(origin, corner(a), corner(b));
             for (int c = 0; c < b; ++c)
                 rest -= row[c] * other[c];
             row[b] = rest / other[b];
         }
         row[a] = height(origin, corner, a, row);
-        if (!(row[a] > 0)) {
-            table.setZero();
-            return corners;
-        }
+        if (!(row[a] > 0))
+            return false;
     }
-    return corners;
+    return true;
+}
+
+Corners SimplexLayout::lay_out(int k, Index s) {
+    Points& table = tables_[k];
+    table.setZero();
+    sphere_kernel::for_dimensions(k, k, [&]<int k_fixed, int N_fixed> {
+        if (!place<k_fixed>(k, s, table.data()))
+            table.setZero();
+    });
+    return {table, {rows_.data(), static_cast<std::size_t>(k) + 1}, true};
 }
 
 Vector circumradii(const Pieces& complex, const SimplexMetric& metric, int k) {

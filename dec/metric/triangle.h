@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace polydec {
 
@@ -10,12 +10,10 @@ namespace polydec {
 /// to the last digits, also for needles. Source: Kahan, Miscalculating area and angles of a
 /// needle-like triangle.
 inline double triangle_area(double a, double b, double c) {
-    if (a < b)
-        std::swap(a, b);
-    if (b < c)
-        std::swap(b, c);
-    if (a < b)
-        std::swap(a, b);
+    const double larger = std::max(a, b), smaller = std::min(a, b), third = std::min(larger, c);
+    a = std::max(larger, c);
+    b = std::max(third, smaller);
+    c = std::min(third, smaller);
     const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
     return product > 0 ? std::sqrt(product) / 4 : 0;
 }
@@ -23,9 +21,8 @@ inline double triangle_area(double a, double b, double c) {
 /// Twice the scalar product of the sides b and c, from the corner opposite to side a, length^2: by
 /// the law of cosines, whose difference with the most cancellation is computed as a product.
 inline double twice_scalar_product(double a, double b, double c) {
-    if (b < c)
-        std::swap(b, c);
-    return c * c + (b - a) * (b + a);
+    const double longer = std::max(b, c), shorter = std::min(b, c);
+    return shorter * shorter + (longer - a) * (longer + a);
 }
 
 /// Cotangent of the angle opposite side a, between sides b and c, of a triangle of known area.
@@ -36,11 +33,6 @@ inline double corner_cotangent(double a, double b, double c, double area) {
 /// The angle itself, from 0 to pi.
 inline double corner_angle(double a, double b, double c, double area) {
     return std::atan2(4 * area, twice_scalar_product(a, b, c));
-}
-
-/// Circumradius of a triangle of known area.
-inline double triangle_circumradius(double a, double b, double c, double area) {
-    return a * b * c / (4 * area);
 }
 
 } // namespace polydec

@@ -52,10 +52,6 @@ SparseRow combine(const std::vector<SparseRow>& rows, std::span<const Term> term
     return all;
 }
 
-SignedEdge side_of(const GluedSurface& surface, Index halfedge) {
-    return {surface.edge(halfedge), static_cast<std::int8_t>(surface.sign(halfedge))};
-}
-
 template <class Value>
 void turn(std::vector<Value>& values, Index triangle) {
     const Term turned{-1, triangle};
@@ -80,28 +76,27 @@ FlipHistory::FlipHistory(const GluedSurface& surface)
 void FlipHistory::flip(const GluedSurface& surface, Index edge, double share_before,
                        double share_after) {
     const auto [h, g] = surface.halfedges(edge);
-    steps_.push_back(
-        {Kind::flip,
-         static_cast<std::int8_t>(surface.sign(h)),
-         edge,
-         GluedSurface::triangle(h),
-         GluedSurface::triangle(g),
-         {side_of(surface, GluedSurface::next(h)), side_of(surface, GluedSurface::previous(h)),
-          side_of(surface, GluedSurface::next(g)), side_of(surface, GluedSurface::previous(g))},
-         {},
-         share_before,
-         share_after});
+    steps_.push_back({Kind::flip,
+                      surface[h].sign,
+                      edge,
+                      GluedSurface::triangle(h),
+                      GluedSurface::triangle(g),
+                      {surface[GluedSurface::next(h)], surface[GluedSurface::previous(h)],
+                       surface[GluedSurface::next(g)], surface[GluedSurface::previous(g)]},
+                      {},
+                      share_before,
+                      share_after});
 }
 
 void FlipHistory::split_boundary(const GluedSurface& surface, Index edge, double fraction) {
     const Index h = surface.halfedges(edge)[0];
     const Index h1 = GluedSurface::next(h), h2 = GluedSurface::previous(h);
     steps_.push_back({Kind::split,
-                      static_cast<std::int8_t>(surface.sign(h)),
+                      surface[h].sign,
                       edge,
                       GluedSurface::triangle(h),
                       surface.triangles(),
-                      {side_of(surface, h1), side_of(surface, h2), SignedEdge{surface.edges(), 1},
+                      {surface[h1], surface[h2], SignedEdge{surface.edges(), 1},
                        SignedEdge{surface.edges() + 1, 1}},
                       {surface.tail(h), surface.tail(h1), surface.vertices()},
                       fraction,

@@ -77,8 +77,7 @@ public:
           options_(options) {
         for (const double l : lengths_)
             mean_length_ += l / static_cast<double>(lengths_.size());
-        areas_.resize(static_cast<std::size_t>(surface_.triangles()));
-        cotangents_.resize(3 * areas_.size());
+        triangles_.resize(static_cast<std::size_t>(surface_.triangles()));
         if (const double missing = measure_all(); missing > 0)
             give_needles_some_area(missing);
     }
@@ -88,11 +87,12 @@ public:
             if (surface_.is_boundary(e)) {
                 ++boundary_edges_;
                 statistics_.negative_boundary_before += is_negative(e) ? 1 : 0;
-            } else {
-                look_at(e);
+            } else if (const double mean = negative_mean(e); mean < 0 && surface_.can_flip(e)) {
+                first_.emplace_back(mean, e);
             }
         }
-        statistics_.negative_before = static_cast<Index>(queue_.size());
+        std::sort(first_.begin(), first_.end());
+        statistics_.negative_before = static_cast<Index>(first_.size());
         if (options_.boundary == BoundaryEdges::split)
             refuse_sharp_corners();
         flip_all();
@@ -104,24 +104,23 @@ public:
     }
 
 private:
+    struct alignas(32) Measured {
+        double area;
+        std::array<double, 3> cotangents; // of the corners opposite to its half-edges
+    };
+
     /// The triangle beside a half-edge: lengths of this, the next and the last side; area.
     struct Beside {
         double a, b, c, area;
         double cotangent() const { return corner_cotangent(a, b, c, area); }
-        /// Rounding error of the cotangents of two such triangles: from lengths, whose squares
-        /// cancel, and from the shape.
-        double rounding() const {
-            constexpr double few = 64 * std::numeric_limits<double>::epsilon();
-            const double shape = triangle_circumradius(a, b, c, area) / a;
-            return few * std::max(shape * shape, (a * a + b * b + c * c) / (4 * area));
-        }
         /// Foot of the apex: position along the half-edge from its tail.
         double foot() const { return (a + (c - b) * ((c + b) / a)) / 2; }
         double height() const { return 2 * area / a; }
     };
     Beside beside(Index halfedge) const {
         return {length(halfedge), length(GluedSurface::next(halfedge)),
-                length(GluedSurface::previous(halfedge)), areas_[GluedSurface::triangle(halfedge)]};
+                length(GluedSurface::previous(halfedge)),
+                triangles_[GluedSurface::triangle(halfedge)].area};
     }
     Vector as_vector() const {
         return Eigen::Map<const Vector>(lengths_.data(),
@@ -129,10 +128,23 @@ private:
     }
     double length(Index halfedge) const { return lengths_[surface_.edge(halfedge)]; }
 
+    double cotangent(Index halfedge) const {
+        return triangles_[GluedSurface::triangle(halfedge)].cotangents[halfedge % 3];
+    }
+
+    /// Rounding error of the cotangents of two such triangles: from lengths, whose squares cancel,
+    /// and from the shape. (R/a)^2 = (1 + cot^2) / 4, and the sum is (a^2 + b^2 + c^2) / 4A.
+    double rounding(Index halfedge) const {
+        constexpr double few = 64 * std::numeric_limits<double>::epsilon();
+        const auto& [x, y, z] = triangles_[GluedSurface::triangle(halfedge)].cotangents;
+        const double own = cotangent(halfedge);
+        return few * std::max((1 + own * own) / 4, x + y + z);
+    }
+
     void set_area(Index triangle, double area) {
-        areas_[triangle] = area;
-        for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
-            cotangents_[h] = beside(h).cotangent();
+        triangles_[triangle].area = area;
+        for (Index i = 0; i < 3; ++i)
+            triangles_[triangle].cotangents[i] = beside(3 * triangle + i).cotangent();
     }
 
     /// Computes all areas; returns by how much sides must exceed so that every triangle has area.
@@ -154,7 +166,10 @@ private:
     /// all edges equally preserves every gluing.
     void give_needles_some_area(double missing) {
         check_roughly(surface_, as_vector());
-        const auto area = [&] { return std::accumulate(areas_.begin(), areas_.end(), 0.0); };
+        const auto area = [&] {
+            return std::accumulate(triangles_.begin(), triangles_.end(), 0.0,
+                                   [](double sum, const Measured& t) { return sum + t.area; });
+        };
         const double before = area();
         statistics_.added_length = missing;
         for (double& l : lengths_)
@@ -167,14 +182,11 @@ private:
 
     /// Mean of the cotangents on both sides; 0 unless negative beyond rounding.
     double negative_mean(Index edge) const {
-        double sum = 0, rounding = 0;
-        for (const Index h : surface_.halfedges(edge))
-            sum += h < 0 ? 0 : cotangents_[h];
-        if (!(sum < 0))
+        const auto& [h, g] = surface_.halfedges(edge);
+        const double mean = (cotangent(h) + (g < 0 ? 0 : cotangent(g))) / 2;
+        if (!(mean < 0))
             return 0;
-        for (const Index h : surface_.halfedges(edge))
-            rounding = std::max(rounding, h < 0 ? 0 : beside(h).rounding());
-        return sum / 2 < -rounding ? sum / 2 : 0;
+        return mean < -std::max(rounding(h), g < 0 ? 0 : rounding(g)) ? mean : 0;
     }
 
     bool is_negative(Index edge) const { return negative_mean(edge) < 0; }
@@ -188,14 +200,22 @@ private:
 
     void look_at(Index edge) {
         if (const double mean = negative_mean(edge); mean < 0 && surface_.can_flip(edge))
-            queue_.emplace(mean, edge);
+            later_.emplace(mean, edge);
+    }
+
+    /// The most negative edge, of those found first or later.
+    std::pair<double, Index> pop() {
+        if (next_ < first_.size() && (later_.empty() || first_[next_] < later_.top()))
+            return first_[next_++];
+        const auto top = later_.top();
+        later_.pop();
+        return top;
     }
 
     void flip_all() {
         const std::int64_t limit = 1000 + std::int64_t{options_.most} * surface_.edges();
-        while (!queue_.empty()) {
-            const auto [mean, edge] = queue_.top();
-            queue_.pop();
+        while (next_ < first_.size() || !later_.empty()) {
+            const auto [mean, edge] = pop();
             if (!surface_.can_flip(edge) || negative_mean(edge) != mean)
                 continue; // reinserted when an adjacent triangle changed
             flip(edge);
@@ -211,7 +231,7 @@ private:
         if (!surface_.is_coherent(edge)) {
             const Index turned = GluedSurface::triangle(surface_.halfedges(edge)[1]);
             surface_.reverse(turned);
-            set_area(turned, areas_[turned]);
+            set_area(turned, triangles_[turned].area);
             history_.reverse(turned);
         }
         // both triangles laid flat: i at the origin, j on the first axis, k above and l below
@@ -243,7 +263,7 @@ private:
         const double goal = split_goal();
         std::vector<std::pair<Index, double>> places;
         for (Index e = 0; e < surface_.edges(); ++e)
-            if (surface_.is_boundary(e) && beside(surface_.halfedges(e)[0]).cotangent() / 2 <= goal)
+            if (surface_.is_boundary(e) && cotangent(surface_.halfedges(e)[0]) / 2 <= goal)
                 places.emplace_back(e, place_of_split(e));
         for (const auto& [edge, fraction] : places)
             split(edge, fraction);
@@ -265,8 +285,7 @@ private:
         lengths_[edge] = fraction * whole.a;
         lengths_.push_back((1 - fraction) * whole.a);
         lengths_.push_back(std::hypot(whole.foot() - fraction * whole.a, whole.height()));
-        areas_.resize(areas_.size() + 1);
-        cotangents_.resize(3 * areas_.size());
+        triangles_.emplace_back();
         set_area(surface_.triangles() - 1, (1 - fraction) * whole.area);
         set_area(GluedSurface::triangle(h), fraction * whole.area);
         ++statistics_.splits;
@@ -336,16 +355,18 @@ private:
     }
 
     GluedSurface surface_;
-    std::vector<double> lengths_, areas_;
-    std::vector<double> cotangents_; // of the corners opposite to half-edges
+    std::vector<double> lengths_;
+    std::vector<Measured> triangles_;
     FlipHistory history_;
     NormalCoordinates crossings_;
     IntrinsicDelaunayOptions options_;
     IntrinsicStatistics statistics_;
-    /// Ordered by the means at insertion, so the order of flips does not depend on numbering.
-    std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>,
-                        std::greater<>>
-        queue_;
+    /// Edges to flip with their means when found, by which they are ordered, so numbering does not
+    /// matter: the negative edges of the input, of which next_ are done, and later ones.
+    using Found = std::pair<double, Index>;
+    std::vector<Found> first_;
+    std::size_t next_ = 0;
+    std::priority_queue<Found, std::vector<Found>, std::greater<>> later_;
     std::vector<Index> stuck_;
     double mean_length_ = 0;
     Index boundary_edges_ = 0;
