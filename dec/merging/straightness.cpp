@@ -2,7 +2,6 @@
 #include "dec/merging/straightness.h"
 
 #include "dec/merging/facet_defects.h"
-#include "dec/metric/angle_sums.h"
 #include "dec/metric/rounding.h"
 
 #include <algorithm>
@@ -18,7 +17,8 @@ StraightnessTest::StraightnessTest(const Geometry& geometry, double tolerance, d
       complex_(geometry_.pieces()),
       tolerance_(tolerance),
       angle_(angle),
-      layout_(complex_, geometry_.metric()) {
+      layout_(complex_, geometry_.metric()),
+      heights_(complex_.dimension(), geometry_.metric().ambient_dimension()) {
     const CellVolumes& volumes = geometry_.volumes();
     for (int k = 1; k <= complex_.dimension(); ++k)
         degrees_.push_back(
@@ -31,7 +31,7 @@ StraightnessTest::StraightnessTest(const Geometry& geometry, double tolerance, d
         return;
     SimplexFaces ridges(complex_, n, n - 2);
     DenseMatrix angles = DenseMatrix::Zero(complex_.size(n), std::ssize(ridges.positions()));
-    for_each_angle(complex_, geometry_.metric(),
+    for_each_angle(complex_, geometry_.metric(), {},
                    [&](Index t, Index i, Index, double radians) { angles(t, i) = radians; });
     angles_.emplace(Angles{std::move(ridges), std::move(angles), Cofaces(complex_, n)});
 }
@@ -44,26 +44,6 @@ StraightnessTest::Wing StraightnessTest::look(int k, Index s, Index f) {
     const double base = degrees_[k - 2].primal[s], height = sphere_.height(apex, base);
     return {complex_.simplices(k)(f, apex), height, sphere_.uncertainty().of(height),
             k * degrees_[k - 1].primal[f] / base};
-}
-
-double StraightnessTest::bend(int k, Index s, const Wing& a, const Wing& b) {
-    const auto& base = complex_.simplices(k - 1).row(s);
-    const Points& points = *geometry_.metric().points(); // a flat complex in R^N has points
-    const auto edge = [&](Index end) {
-        return (points.row(end) - points.row(base[0])).transpose();
-    };
-    edges_.resize(points.cols(), k);
-    for (int i = 0; i < k - 1; ++i)
-        edges_.col(i) = edge(base[i + 1]);
-    edges_.col(k - 1) = edge(a.apex) / a.altitude + edge(b.apex) / b.altitude;
-    for (int pass = 0; pass < 2; ++pass) // the second pass removes the rounding of the first
-        for (int i = 0; i < k; ++i) {
-            for (int j = 0; j < i; ++j)
-                edges_.col(i) -= edges_.col(j) * edges_.col(j).dot(edges_.col(i));
-            if (i < k - 1)
-                edges_.col(i).normalize();
-        }
-    return edges_.col(k - 1).norm();
 }
 
 bool StraightnessTest::is_unfolded(Index s, Index f, Index g, double limit) {
@@ -110,7 +90,10 @@ bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
     const double limit = angle + rounding_of(terms) / lower;
     if (angles_)
         return k < complex_.dimension() - 1 || is_unfolded(s, f, g, limit);
-    return bend(k, s, a, b) <= limit;
+    const auto& points = *geometry_.metric().points(); // a flat complex in R^N has points
+    const double bend =
+        heights_.over(vertices(complex_.simplices(k - 1), s), {a.apex, b.apex}, points).sum;
+    return bend <= limit;
 }
 
 } // namespace polydec

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "complex/components.h"
+#include "dec/metric/angle_sums.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/geometry.h"
 #include "dec/metric/simplex_faces.h"
@@ -47,17 +48,13 @@ private:
     /// Whether the angles sum to pi.
     bool is_unfolded(Index s, Index f, Index g, double limit);
 
-    /// The length of the sum of the unit vectors orthogonal to s from s to vertices a and b: the
-    /// angle by which these planes differ.
-    double bend(int k, Index s, const Wing& a, const Wing& b);
-
     Geometry geometry_;
     const Pieces& complex_;
     std::vector<Degree> degrees_; // at k - 1: for k = 1, .., n
     double tolerance_, angle_;
     SimplexLayout layout_;
     Circumsphere sphere_;   // looks at one simplex at a time
-    DenseMatrix edges_;     // of the simplices that are compared
+    Heights heights_;       // over s
     CellMarks on_boundary_; // where n > 2
 
     /// What is known of n-simplices without a common space.

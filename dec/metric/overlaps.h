@@ -20,9 +20,9 @@ struct Overlaps {
     std::vector<Index> wound;
 };
 
-/// Inspects every facet and sums the angles around every (n-2)-simplex. So the result depends
-/// neither on numbering nor on axes, and around inner vertices every overlap without folds is
-/// found. Anything within rounding (a cell that is flat to the last digits) is ignored. Linear
+/// Inspects every facet and the turns of the cells around every (n-2)-simplex. So the result
+/// depends neither on numbering nor on axes, and around inner vertices every overlap without folds
+/// is found. Anything within rounding (a cell that is flat to the last digits) is ignored. Linear
 /// time; products of n lengths must not overflow or underflow. Empty unless n coordinates vary.
 /// Throws InvalidInput unless there is one point per vertex.
 Overlaps find_overlaps(const Pieces& complex, const Points& points);

@@ -6,7 +6,9 @@
 namespace polydec {
 
 SimplexFaces::SimplexFaces(const Pieces& complex, int m, int k)
-    : complex_(complex), m_(m), positions_(subsets(m + 1, k + 1)), faces_(positions_.size()) {
+    : positions_(subsets(m + 1, k + 1)), faces_(positions_.size()) {
+    for (int degree = m; degree > k; --degree)
+        tables_.push_back(complex.faces(degree));
     for (const auto& kept : positions_)
         omitted_.push_back(complement(m + 1, kept));
 }
@@ -15,9 +17,9 @@ const std::vector<Index>& SimplexFaces::of(Index s) {
     // last vertices first, so the positions of the others stay valid
     for (std::size_t i = 0; i < faces_.size(); ++i) {
         Index face = s;
-        int degree = m_;
+        auto table = tables_.begin();
         for (auto v = omitted_[i].rbegin(); v != omitted_[i].rend(); ++v)
-            face = complex_.face(degree--, face, *v);
+            face = (*table++)(face, *v);
         faces_[i] = face;
     }
     return faces_;

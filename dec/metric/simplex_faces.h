@@ -25,8 +25,7 @@ public:
     const std::vector<std::vector<int>>& omitted() const { return omitted_; }
 
 private:
-    const Pieces& complex_;
-    int m_;
+    std::vector<FaceTable> tables_; // of degrees m, m-1, .., k+1
     std::vector<std::vector<int>> positions_, omitted_;
     std::vector<Index> faces_;
 };

@@ -115,6 +115,17 @@ TEST_P(Windings, are_found_around_inner_vertices_where_nothing_is_folded) {
 
 INSTANTIATE_TEST_SUITE_P(Dimensions, Windings, testing::Values(2, 3, 4, 5));
 
+TEST(Overlapping, of_a_spiral_is_seen_on_its_boundary) {
+    Mesh mesh{Points::Zero(10, 2), Simplices(8, 3), {}}; // one and a half turns
+    for (int i = 0; i < 9; ++i)
+        mesh.points.row(1 + i) << std::cos(1.2 * i), std::sin(1.2 * i);
+    for (int i = 0; i < 8; ++i)
+        mesh.simplices.row(i) << 0, 1 + i, 2 + i;
+    EXPECT_EQ(overlaps(mesh).wound, Cells{0});
+    mesh.simplices.conservativeResize(5, 3); // less than one
+    EXPECT_EQ(overlaps(mesh).wound, Cells{});
+}
+
 TEST(Overlapping, of_a_path_that_turns_back_is_a_fold) {
     EXPECT_EQ(overlaps(made_of({{0}, {1}, {0.5}}, {{0, 1}, {1, 2}})).folded, Cells{1});
     EXPECT_EQ(overlaps(made_of({{0}, {1}, {1.5}}, {{0, 1}, {1, 2}})).folded, Cells{});
