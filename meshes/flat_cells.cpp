@@ -47,9 +47,11 @@ bool is_flat(const Mesh& mesh, Index cell, Points& edges) {
 
 /// Whether a cell is thick enough to spare it the careful test, as nearly all cells are: n! times
 /// the volume, without pivots, exceeds 1e-5 times a bound on the longest edge to the n. Numbers out
-/// of range fail.
+/// of range fail. n_fixed and N_fixed are n and N, or -1 for any.
+template <int n_fixed, int N_fixed>
 bool is_clearly_thick(const Mesh& mesh, Index cell, std::vector<double>& scratch) {
-    const auto n = mesh.simplices.cols() - 1, N = mesh.points.cols();
+    const auto n = n_fixed > 0 ? n_fixed : mesh.simplices.cols() - 1;
+    const auto N = N_fixed > 0 ? N_fixed : mesh.points.cols();
     const Index* const vertices = mesh.simplices.data() + cell * (n + 1);
     const auto corner = [&](Eigen::Index i) { return mesh.points.data() + vertices[i] * N; };
     const double* const first = corner(0);
@@ -156,8 +158,12 @@ std::vector<Index> flat_cells(const Mesh& mesh) {
         return flat;
     Points edges(mesh.dimension(), mesh.ambient_dimension());
     std::vector<double> scratch(edges.size() + edges.rows());
+    const auto [n, N] = std::pair(mesh.dimension(), mesh.ambient_dimension());
+    const auto is_thick = N == 3 && n == 2   ? is_clearly_thick<2, 3>
+                          : N == 3 && n == 3 ? is_clearly_thick<3, 3>
+                                             : is_clearly_thick<-1, -1>;
     for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
-        if (!is_clearly_thick(mesh, cell, scratch) && is_flat(mesh, cell, edges))
+        if (!is_thick(mesh, cell, scratch) && is_flat(mesh, cell, edges))
             flat.push_back(cell);
     return flat;
 }

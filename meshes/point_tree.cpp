@@ -130,15 +130,32 @@ void PointTree::join_leaves(Index a, Index b, double square, DisjointSets& sets)
 /// A part of a simplex, in its box.
 struct PointTree::Near {
     const Points& simplex;
-    Eigen::RowVectorXd box; // of the simplex
+    Eigen::RowVectorXd box, middle; // of the simplex
     double length;
     const std::vector<Index>& without;
     std::vector<Index> found = {};
+
+    /// Whether a plane orthogonal to the line from the middle to a point separates the simplex from
+    /// this point by more than the length. A cheap test that excludes nearly all points.
+    bool is_separate_from(const double* point) const {
+        constexpr double rounding = 1e-12; // of coordinates, which are below 4
+        double gap = std::numeric_limits<double>::infinity(), squared = 0;
+        for (Eigen::Index axis = 0; axis < middle.size(); ++axis)
+            squared += (point[axis] - middle[axis]) * (point[axis] - middle[axis]);
+        for (Eigen::Index i = 0; i < simplex.rows(); ++i) {
+            double along = 0;
+            for (Eigen::Index axis = 0; axis < middle.size(); ++axis)
+                along += (point[axis] - middle[axis]) * (point[axis] - simplex(i, axis));
+            gap = std::min(gap, along);
+        }
+        return gap > (2 * length + rounding) * std::sqrt(squared);
+    }
 };
 
 std::vector<Index> PointTree::near(const Points& simplex, double length,
                                    const std::vector<Index>& without) const {
-    Near near{simplex, Eigen::RowVectorXd(2 * simplex.cols()), length, without};
+    Near near{simplex, Eigen::RowVectorXd(2 * simplex.cols()), simplex.colwise().mean(), length,
+              without};
     near.box << simplex.colwise().minCoeff(), simplex.colwise().maxCoeff();
     if (!tree_.nodes().empty())
         search(near, 0);
@@ -181,7 +198,7 @@ void PointTree::search_leaf(Near& near, Index node) const {
         double gap = 0; // to the box
         for (Index axis = 0; axis < N; ++axis)
             gap = std::max({gap, around[axis] - point[axis], point[axis] - around[N + axis]});
-        if (gap * gap <= square &&
+        if (gap * gap <= square && !near.is_separate_from(point) &&
             std::find(without.begin(), without.end(), tree_.order()[i]) == without.end() &&
             squared_distance(points_.row(i), near.simplex, square) <= square)
             near.found.push_back(tree_.order()[i]);
