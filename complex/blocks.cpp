@@ -24,9 +24,10 @@ Blocks single_simplices(const Pieces& complex, const std::vector<bool>& removed_
     for (int k = 0; k <= n; ++k) {
         const Index size = complex.size(k);
         blocks.signs.emplace_back(size, std::int8_t{1});
-        auto& carriers = blocks.carriers.emplace_back(size);
+        auto& carriers = blocks.carriers.emplace_back();
+        carriers.reserve(size);
         for (Index s = 0; s < size; ++s)
-            carriers[s] = {k, s};
+            carriers.push_back({k, s});
     }
     const CofaceCounts& cofaces = complex.coface_counts(n - 1);
     for (Index f = 0; f < std::ssize(removed_facets); ++f)

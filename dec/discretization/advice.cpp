@@ -169,7 +169,7 @@ void warn_of_hybrid_stars(const SimplicialComplex& input, const Vector& lengths,
                           std::vector<std::string>& warnings) {
     const bool is_hybrid =
         (options.star == StarKind::automatic || options.star == StarKind::hybrid) &&
-        automatic_kind(volumes.dimension(), all_positive(volumes)) == StarKind::hybrid;
+        automatic_kind(volumes.dimension(), false) == StarKind::hybrid && !all_positive(volumes);
     const auto count = is_hybrid ? star(volumes, 1).negatives().size() : 0;
     if (count == 0 || !options.centers.are_circumcenters())
         return;

@@ -61,7 +61,7 @@ public:
                 {free_sides(kept), defects_.scale, shortest_edges(complex, geometry_.volumes())},
                 tolerance_, cells.tops.sets);
         for (Index f = 0; f < facets; ++f)
-            if (lies_in_a_class(f, cells) && !cells.removed[f] && !kept[f])
+            if (!cells.removed[f] && !kept[f] && lies_in_a_class(f, cells))
                 remove(f, cells);
         if (!defects_.flat.empty()) // which may be cut off from the class that took them
             cells.tops = join_tops(complex, cells.removed);

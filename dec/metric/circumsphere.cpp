@@ -13,7 +13,8 @@ namespace polydec {
 template <class Number, int k_fixed, int N_fixed>
 void Circumsphere::look(int k, int N, const double* const* corners, double error) {
     auto& room = std::get<std::vector<Number>>(rooms_);
-    room.resize(static_cast<std::size_t>(k * (N + k + 4)));
+    if constexpr (k_fixed < 0)
+        room.resize(static_cast<std::size_t>(k * (N + k + 4)));
     sphere_kernel::look<Number, k_fixed, N_fixed>(sphere_, k, N, corners, error, room.data());
 }
 

@@ -209,9 +209,13 @@ const char* name(StarKind kind) {
 }
 
 bool all_positive(const HodgeStars& stars) {
-    for (int k = 0; k <= stars.dimension(); ++k)
-        if (!stars[k].zeros().empty() || !stars[k].negatives().empty())
-            return false;
+    for (int k = 0; k <= stars.dimension(); ++k) {
+        const auto& [primal, dual, terms, rounding] = stars.volumes().degree(k);
+        const Index size = stars[k].is_diagonal() ? primal.size() : 0;
+        for (Index s = 0; s < size; ++s)
+            if (dual[s] <= rounding_of(terms[s]))
+                return false;
+    }
     return true;
 }
 
