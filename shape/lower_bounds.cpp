@@ -204,10 +204,13 @@ double LowerBounds::limit(Index j) const {
     return result;
 }
 
-/// Whether a count slightly below a guess proves the bound of eigenvalue j.
+/// Whether a count slightly below a guess proves the bound of eigenvalue j. Where widths are as
+/// small as rounding, counts fail nearby.
 bool LowerBounds::prove_near(double guess, Index j) {
-    for (const double share : {1e-2, 0.1}) {
-        const double s = guess - share * std::max(upper_[j] - guess, 1e-11 * upper_[j]);
+    const double width = std::max(upper_[j] - guess, 1e-11 * upper_[j]),
+                 farthest = std::max(0.1 * width, 1e-4 * upper_[j]);
+    for (double step = 1e-2 * width; step <= farthest; step *= 10) {
+        const double s = guess - step;
         const auto counted = s < limit(j) ? count(s) : std::nullopt;
         if (counted && *counted <= j)
             return true;

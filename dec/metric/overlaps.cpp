@@ -79,9 +79,10 @@ std::vector<View> look_at_all(const Pieces& complex, const Points& points) {
     std::vector<View> views(static_cast<std::size_t>(complex.size(n)));
     constexpr Index part_size = 1 << 12;
     sphere_kernel::for_dimensions(n, n, [&]<int n_fixed, int> {
+        constexpr int n_here = n_fixed > 1 ? n_fixed : -1;
         for_each_part(complex.size(n), part_size, [&](Index begin, Index end) {
             for (Index t = begin; t < end; ++t)
-                views[t] = look<n_fixed>(points, vertices(complex.simplices(n), t), direction);
+                views[t] = look<n_here>(points, vertices(complex.simplices(n), t), direction);
         });
     });
     return views;

@@ -61,6 +61,15 @@ def test_coexact_spectrum():
         assert np.allclose(curl_curl, value * box.star(1)[kept] * mode, atol=1e-8)
 
 
+@pytest.mark.parametrize("place", [(1, 2), (2, 1)])
+def test_matrices_that_are_not_symmetric_beside_a_large_entry_are_refused(place):
+    A, other = sp.lil_matrix(sp.diags([1e15, 1., 2., 3.])), sp.diags([1e15, 1., 1., 2.]).tocsr()
+    A[place] = .5
+    refused(lambda: polydec.smallest_eigenpairs(A.tocsr(), count=1), "C", "symmetric", "(1, 2)")
+    refused(lambda: polydec.smallest_eigenpairs(other, A.tocsr(), count=1), "M", "symmetric",
+            "(1, 2)")
+
+
 def test_smallest_eigenpairs():
     A = sp.diags(np.repeat([3.0, -1.0, 7.0], 10))
     pairs = polydec.smallest_eigenpairs(A, count=15)

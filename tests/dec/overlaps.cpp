@@ -116,9 +116,9 @@ TEST_P(Windings, are_found_around_inner_vertices_where_nothing_is_folded) {
 INSTANTIATE_TEST_SUITE_P(Dimensions, Windings, testing::Values(2, 3, 4, 5));
 
 TEST(Overlapping, of_a_spiral_is_seen_on_its_boundary) {
-    Mesh mesh{Points::Zero(10, 2), Simplices(8, 3), {}}; // one and a half turns
+    Mesh mesh{Points::Zero(10, 2), Simplices(8, 3), {}}; // a bit more than one turn
     for (int i = 0; i < 9; ++i)
-        mesh.points.row(1 + i) << std::cos(1.2 * i), std::sin(1.2 * i);
+        mesh.points.row(1 + i) << std::cos(1 + 0.8 * i), std::sin(1 + 0.8 * i);
     for (int i = 0; i < 8; ++i)
         mesh.simplices.row(i) << 0, 1 + i, 2 + i;
     EXPECT_EQ(overlaps(mesh).wound, Cells{0});

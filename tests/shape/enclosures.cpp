@@ -211,6 +211,13 @@ TEST(ShapeSpectrum, has_modes_that_are_the_functions) {
     }
 }
 
+TEST(ShapeSpectrum, stays_as_close_as_rounding_lets_it_where_cells_are_many) {
+    for (const int cells : {64, 128, 300}) {
+        const auto found = shape_spectrum(unmerged(kuhn(1, cells), dirichlet), {.count = 4});
+        EXPECT_LT(widths(found).maxCoeff(), 2e-4) << cells;
+    }
+}
+
 TEST(ShapeSpectrum, proves_with_few_factorizations) {
     const auto found = shape_spectrum(unmerged(cube_surface(8)), {.count = 9});
     EXPECT_LE(found.factorizations, 4 * 9);
