@@ -208,8 +208,9 @@ DenseMatrix RitzSolver::start(Index count) {
     if (known > 0)
         X.leftCols(known) =
             units_.cwiseInverse().asDiagonal() * interpolated(linear_, pairs.vectors, form_);
+    constexpr double rounding = 1e-13; // of K, beside which a smaller shift would vanish
     if (zeros_ < known)
-        shift_ = std::ldexp(pairs.values[zeros_], -exponent_);
+        shift_ = std::max(std::ldexp(pairs.values[zeros_], -exponent_), rounding);
     return X;
 }
 

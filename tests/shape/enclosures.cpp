@@ -218,6 +218,18 @@ TEST(ShapeSpectrum, stays_as_close_as_rounding_lets_it_where_cells_are_many) {
     }
 }
 
+TEST(ShapeSpectrum, is_there_however_small_robins_coefficient_is) {
+    for (const double alpha : {1e-12, 1e-16, 1e-30, 1e-100})
+        for (const int level : {1, 2}) {
+            const BoundaryConditions robin{BoundaryCondition::robin, {}, {alpha}};
+            const auto found =
+                shape_spectrum(unmerged(kuhn(2, 6), robin), {.count = 2, .level = level});
+            EXPECT_LE(found.lower[0], 4 * alpha);
+            EXPECT_LT(found.upper[0], 1e-6);
+            EXPECT_GT(found.lower[1], 0.9 * pi * pi);
+        }
+}
+
 TEST(ShapeSpectrum, proves_with_few_factorizations) {
     const auto found = shape_spectrum(unmerged(cube_surface(8)), {.count = 9});
     EXPECT_LE(found.factorizations, 4 * 9);
