@@ -42,8 +42,9 @@ void check_symmetric(const SparseMatrix& A, const char* name) {
             if (std::abs(at.value()) >
                 rounding * std::sqrt(largest[i]) * std::sqrt(largest[at.col()]))
                 throw InvalidInput(fmt::format(
-                    "{}: {} is not symmetric: entries ({}, {}) and ({}, {}) differ by {:.2g}", what,
-                    name, i, at.col(), at.col(), i, std::abs(at.value())));
+                    "{}: expected a symmetric matrix {} of finite numbers, but entries ({}, {}) "
+                    "and ({}, {}) differ by {:.2g}",
+                    what, name, i, at.col(), at.col(), i, std::abs(at.value())));
 }
 
 /// Throws unless entries, or those of the diagonal, are positive; `name` says of what.

@@ -100,7 +100,10 @@ TEST(PencilRefuses, what_is_no_number_or_no_share) {
     A(1, 1) = infinity;
     EXPECT_SAYS(refused({.C = sparse(A), .M = ones}), "symmetric", "C", "finite");
     A << 1, 2, 3, 4;
-    EXPECT_SAYS(refused({.C = sparse(A), .M = ones}), "symmetric", "C", "finite");
+    EXPECT_SAYS(refused({.C = sparse(A), .M = ones}), "symmetric", "C", "(0, 1)");
+    DenseMatrix graded = Vector{{1e15, 1, 2}}.asDiagonal();
+    graded(1, 2) = 0.5;
+    EXPECT_SAYS(refused({.C = sparse(graded), .M = Vector(Vector::Ones(3))}), "C", "(1, 2)");
     A = DenseMatrix::Identity(2, 2);
     EXPECT_SAYS(refused({.C = sparse(A), .M = ones, .mass_uncertainty = -1}), "M", "-1", "0", "1");
     EXPECT_SAYS(refused({.C = sparse(A), .M = ones, .mass_uncertainty = 1}), "M", "1", "0", "1");
