@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/metric/simplex_geometry.h"
+#include "shape/gluing.h"
 
 #include <fmt/format.h>
 
@@ -126,19 +127,24 @@ Worst worst_of(const Shape& shape) {
     return worst;
 }
 
-/// Products of a volume and a few lengths, and what is far below them, must be in range.
+/// Forms on a simplex, and their factors 1, s and s^2 for eigenvalues s, must be in range.
 void check_size(const Shape& shape) {
-    constexpr double most_volume = 1e150;
-    const double most = std::pow(most_volume, 1.0 / std::max(shape.pieces.dimension(), 3));
-    for (Index e = 0; e < shape.lengths.size(); ++e)
-        if (const double length = shape.lengths[e]; !(length >= 1 / most && length <= most)) {
-            const auto ends = shape.pieces.vertex_numbers(1, e);
-            throw InvalidInput(fmt::format("edge {} with vertices {} has length {:.3g}, but bounds "
-                                           "of eigenvalues need lengths from {:.1g} to {:.1g}: "
-                                           "scale the mesh to a size nearer to 1",
-                                           e, fmt::join(ends, " and "), length, 1 / most, most),
-                               {.degree = 1, .cells = {e}, .vertices = ends});
-        }
+    constexpr long double most = 1e250L;
+    for (Index s = 0; s < shape.pieces.size(shape.pieces.dimension()); ++s) {
+        const auto simplex = measured_simplex(shape, s);
+        const long double kappa = conductivity_of(shape, s), rho = density_of(shape, s),
+                          mass = rho * simplex.volume,
+                          eigenvalue = kappa / rho * simplex.gradients.maxCoeff();
+        for (const long double number : {mass, mass * eigenvalue, eigenvalue * eigenvalue,
+                                         mass * rho / kappa * simplex.longest_square})
+            if (!(number >= 1 / most && number <= most))
+                throw InvalidInput(
+                    fmt::format("{} with edges of up to {:.3g}, conductivity {:.3g} and density "
+                                "{:.3g} gives numbers outside the range of double precision: use "
+                                "units in which these are nearer to 1",
+                                name_of(shape, s), std::sqrt(simplex.longest_square),
+                                static_cast<double>(kappa), static_cast<double>(rho)));
+    }
 }
 
 } // namespace

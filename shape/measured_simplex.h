@@ -45,8 +45,8 @@ double most_sensitivity(const Shape& shape);
 /// A lower bound f of lambda' / lambda and of lambda / lambda', where lambda' is an eigenvalue for
 /// the computed metric and lambda the same eigenvalue of the shape. For metrics that differ by a
 /// share d at most, f = (1-d) ((1-d) / (1+d))^(n/2). Throws InvalidInput, naming the simplex, if d
-/// is too large for a bound, and naming the edge, if a length is so far from 1 that bounds would
-/// overflow or underflow.
+/// is too large for a bound, and if lengths or weights are so far from 1 that bounds would overflow
+/// or underflow.
 double metric_ratio(const Shape& shape);
 
 } // namespace polydec

@@ -162,8 +162,10 @@ std::vector<Index> Enclosing::marked() {
     if (by_means)
         vectors -= bounds_->vectors() * least_squares(bounds_->vectors(), vectors).shortest;
     Vector indicators = Vector::Zero(shape_.pieces.size(dimension()));
-    for (Index j = result_.zeros; j < options_.count; ++j)
-        indicators += lower_.local_values(factors, values[j], vectors.col(j)) / values[j];
+    for (Index j = result_.zeros; j < options_.count; ++j) {
+        const double s = values[j] > 0 ? values[j] : pairs_.upper[j]; // a guess may be 0
+        indicators += lower_.local_values(factors, s, vectors.col(j)) / s;
+    }
     std::vector<Index> order = numbers_below(indicators.size());
     std::stable_sort(order.begin(), order.end(),
                      [&](Index a, Index b) { return indicators[a] > indicators[b]; });
@@ -204,8 +206,8 @@ Shape bisected_up_to(const Shape& shape, const std::vector<Index>& simplices, In
     return first(low);
 }
 
-/// On the shape as it is, or bisected until all enclosures are narrow or no more simplices fit. At
-/// least as many eigenvalues as are 0.
+/// On the shape as it is, or bisected until all enclosures are narrow, no simplex makes them wide,
+/// or no more simplices fit. At least as many eigenvalues as are 0.
 ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
     const int n = shape.pieces.dimension();
     const Index vertices = shape.pieces.size(0), simplices = shape.pieces.size(n);
@@ -215,15 +217,17 @@ ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
         auto marked =
             full || enclosing.suffices() ? enclosing.coarse() : numbers_below(shape.pieces.size(n));
         if (full || marked.empty()) {
+            marked.clear();
             ShapeSpectrum result = enclosing.enclose();
-            if (full || widths(result).maxCoeff() <= options.width) {
+            if (!full && widths(result).maxCoeff() > options.width)
+                marked = enclosing.marked();
+            if (marked.empty()) {
                 if (shape.pieces.size(n) > simplices) {
                     result.modes = DenseMatrix(result.modes.topRows(vertices));
                     result.edge_modes = {};
                 }
                 return result;
             }
-            marked = enclosing.marked();
         }
         const Shape all = bisected(shape, marked);
         full = all.pieces.size(n) > options.max_triangles;

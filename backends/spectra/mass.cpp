@@ -174,6 +174,10 @@ long double Mass::inverse_square_bound(const Vector& sizes) const {
     return sum / dominance_;
 }
 
+SparseMatrix symmetric_part(const SparseMatrix& B) {
+    return (B + SparseMatrix(B.transpose())) / 2;
+}
+
 Vector diagonal(const Weights& weights) {
     const auto* W = std::get_if<SparseMatrix>(&weights);
     return W ? Vector(W->diagonal()) : std::get<Vector>(weights);
@@ -188,7 +192,7 @@ Weights congruent(const Weights& weights, const Vector& D) {
 std::unique_ptr<const Mass> make_mass(const Weights& weights) {
     if (const auto* numbers = std::get_if<Vector>(&weights))
         return std::make_unique<DiagonalMass>(*numbers);
-    return std::make_unique<MatrixMass>(std::get<SparseMatrix>(weights));
+    return std::make_unique<MatrixMass>(symmetric_part(std::get<SparseMatrix>(weights)));
 }
 
 } // namespace polydec

@@ -63,11 +63,15 @@ protected:
 /// The numbers, or the diagonal of the matrix.
 Vector diagonal(const Weights& weights);
 
+/// (B + B^T) / 2.
+SparseMatrix symmetric_part(const SparseMatrix& B);
+
 /// D W D, D a diagonal.
 Weights congruent(const Weights& W, const Vector& D);
 
-/// Throws InvalidInput for numbers that are not positive and matrices that are not positive
-/// definite; SolverFailure if the root of a matrix exceeds memory.
+/// Of a matrix, opposite entries count by their mean. Throws InvalidInput for numbers that are not
+/// positive and matrices that are not positive definite; SolverFailure if the root of a matrix
+/// exceeds memory.
 std::unique_ptr<const Mass> make_mass(const Weights& weights);
 
 } // namespace polydec

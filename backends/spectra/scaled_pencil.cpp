@@ -26,7 +26,7 @@ constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
 constexpr const char* what = "eigenproblem A x = lambda M x";
 
 /// Throws unless numbers are finite, and a matrix square and symmetric; `name` says which. Opposite
-/// entries may differ by rounding, beside the largest of their rows.
+/// entries may differ by rounding, beside the largest of their rows; then their mean counts.
 void check_symmetric(const SparseMatrix& A, const char* name) {
     if (!is_finite(A) || A.rows() != A.cols())
         throw InvalidInput(
@@ -122,7 +122,7 @@ ScaledPencil::ScaledPencil(const Pencil& pencil)
     columns_ = powers_of_two(diagonal(pencil.M), -1);
     mass_ = make_mass(congruent(pencil.M, columns_));
     if (pencil.C.size() > 0)
-        C_ = columns_.asDiagonal() * pencil.C * columns_.asDiagonal();
+        C_ = symmetric_part(columns_.asDiagonal() * pencil.C * columns_.asDiagonal());
     for (const GramPart& part : pencil.parts)
         if (part.F.rows() > 0)
             parts_.push_back(make_scaled_part(part, columns_));
@@ -162,11 +162,8 @@ void ScaledPencil::assemble() {
     for (const auto& part : parts_)
         (part.get() == inverse_ ? inverse_part : A) += part->lumped();
     const Vector scale = mass_->diagonal().cwiseSqrt().cwiseInverse();
-    const auto symmetric = [](const SparseMatrix& B) {
-        return SparseMatrix((B + SparseMatrix(B.transpose())) / 2);
-    };
     const SparseMatrix lumped =
-        symmetric(scale.asDiagonal() * SparseMatrix(A + inverse_part) * scale.asDiagonal());
+        symmetric_part(scale.asDiagonal() * SparseMatrix(A + inverse_part) * scale.asDiagonal());
     norm_ = row_sum_norm(lumped) / mass_->dominance();
     small_ = small_length(lumped);
     if (is_explicit()) {
@@ -174,7 +171,7 @@ void ScaledPencil::assemble() {
                      diagonal_matrix(Vector::Ones(size()))};
         return;
     }
-    A = symmetric(A);
+    A = symmetric_part(A);
     SparseMatrix F(0, size()), W(0, 0);
     if (inverse_) {
         F = inverse_->F();

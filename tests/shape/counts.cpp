@@ -152,21 +152,37 @@ TEST(FamilyCounter, counts_below_the_limit_alone) {
     }
 }
 
-TEST(CountBelow, of_lengths_whose_volumes_are_out_of_range_is_refused) {
-    for (const Mesh& mesh : {kuhn(1, 2), kuhn(2, 2), kuhn(3, 1), kuhn(4, 1)})
-        for (const double size : {1e-90, 1e-65, 1e-30, 1e30, 1e65, 1e90}) {
-            Shape shape = unmerged(mesh);
-            const auto expected = count_below(shape, 50);
-            shape.lengths *= size;
-            const double s = 50 / (size * size);
-            if (std::abs(std::log10(size)) > 50) {
-                EXPECT_REFUSED(count_below(shape, s), "edge 0", "length", "scale");
-                EXPECT_REFUSED(shape_spectrum(shape, {.count = 2}), "edge 0", "length", "scale");
-            } else {
-                EXPECT_EQ(count_below(shape, s).at_least, expected.at_least);
-                EXPECT_EQ(count_below(shape, s).at_most, expected.at_most);
-            }
+TEST(CountBelow, of_numbers_out_of_range_is_refused) {
+    const auto check = [](const Shape& shape, const CountBelow& expected, double unit, bool fits) {
+        if (!fits) {
+            EXPECT_REFUSED(count_below(shape, 50 * unit), "simplex 0", "outside the range");
+            EXPECT_REFUSED(shape_spectrum(shape, {.count = 2}), "simplex 0", "outside the range");
+            return;
         }
+        const CountBelow count = count_below(shape, 50 * unit);
+        EXPECT_EQ(count.at_least, expected.at_least);
+        EXPECT_EQ(count.at_most, expected.at_most);
+    };
+    for (const Mesh& mesh : {kuhn(1, 2), kuhn(2, 2), kuhn(3, 1), kuhn(4, 1)}) {
+        const Shape given = unmerged(mesh);
+        const CountBelow expected = count_below(given, 50);
+        for (const double size : {1e-90, 1e-65, 1e-30, 1e30, 1e65, 1e90}) {
+            Shape shape = given;
+            shape.lengths *= size;
+            check(shape, expected, 1 / (size * size), std::abs(std::log10(size)) < 50);
+        }
+        for (const auto& [kappa, rho, fits] : {std::tuple{1e60, 1e-100, false},
+                                               {1e-50, 1e-40, true},
+                                               {1e90, 1e-20, true},
+                                               {1e260, 1e255, false},
+                                               {1.0, 1e-160, false},
+                                               {1e-160, 1.0, false}}) {
+            Shape shape = given;
+            shape.conductivity = Vector::Constant(mesh.simplices.rows(), kappa);
+            shape.density = Vector::Constant(mesh.simplices.rows(), rho);
+            check(shape, expected, kappa / rho, fits);
+        }
+    }
 }
 
 } // namespace polydec::test::in_counts

@@ -307,6 +307,27 @@ TEST(Adaptive, fills_the_most_triangles_and_warns) {
                    "simplices", "-5", "0");
 }
 
+/// Of the unit cube they are nearly 2 n alpha.
+TEST(Adaptive, ends_where_rounding_hides_the_smallest_eigenvalue) {
+    for (const auto& [n, alpha] : {std::pair{1, 1e-12}, {1, 1e-14}, {2, 1e-6}, {2, 1e-12}})
+        for (const int level : {1, 2}) {
+            SCOPED_TRACE(alpha);
+            const Shape box = unmerged(kuhn(n, 4), {BoundaryCondition::robin, {}, {alpha}});
+            int calls = 0;
+            const auto found = shape_spectrum(box, {.count = 1,
+                                                    .level = level,
+                                                    .width = 1e-9,
+                                                    .max_triangles = 20 * n * n * n,
+                                                    .progress = [&](std::string_view) {
+                                                        if (++calls > 2000)
+                                                            throw std::runtime_error("no end");
+                                                    }});
+            EXPECT_LE(found.lower[0], 2 * n * alpha);
+            EXPECT_GE(found.upper[0], 2 * n * alpha * (1 - 1e-5));
+            EXPECT_FALSE(found.warnings.empty());
+        }
+}
+
 TEST(Adaptive, makes_the_functions_that_a_coarse_mesh_lacks) {
     const Shape triangle = unmerged(kuhn(2, 1), {BoundaryCondition::essential});
     const Shape cube = unmerged(kuhn(3, 1), {BoundaryCondition::essential});

@@ -115,6 +115,19 @@ TEST(PencilRefuses, what_is_no_number_or_no_share) {
     EXPECT_SAYS(refused({.parts = {{sparse(A), ones}}, .M = ones}), "number", "F^T W F", "finite");
 }
 
+TEST(Pencil, of_matrices_that_rounding_makes_unsymmetric_is_that_of_means_of_opposite_entries) {
+    DenseMatrix C{{2, -1, 0}, {-1, 2, -1}, {0, -1, 2}}, M{{4, 1, 0}, {1, 4, 1}, {0, 1, 4}};
+    C(0, 1) += 1e-12;
+    M(1, 2) -= 2e-12;
+    const auto pairs = [](const DenseMatrix& A, const DenseMatrix& B) {
+        return CertifiedEigensolver({.C = sparse(A), .M = sparse(B)}).smallest(2);
+    };
+    const auto found = pairs(C, M),
+               expected = pairs((C + C.transpose()) / 2, (M + M.transpose()) / 2);
+    EXPECT_EQ(found.values, expected.values);
+    EXPECT_EQ(found.radii, expected.radii);
+}
+
 TEST(CoexactSpectrum, of_forms_that_there_are_not_is_refused_at_once) {
     const auto mesh = circumcentric(kuhn(3, 6));
     const auto refused = [&](int k, Index count) {
