@@ -157,9 +157,10 @@ Vector equal_levels(const Vector& values, Index count) {
     check_number("the number of values", values.size(), 1, std::numeric_limits<Index>::max());
     check_values("values", values, values.size());
     const double least = values.minCoeff(), most = values.maxCoeff();
-    if (least == most && count > 0)
-        throw InvalidInput(fmt::format("all {} values are {}, so there are no level sets between "
-                                       "them: ask for none",
+    constexpr double rounding = 1e-14;
+    if (most - least <= rounding * values.lpNorm<Eigen::Infinity>() && count > 0)
+        throw InvalidInput(fmt::format("all {} values are {:.12g}, so there are no level sets "
+                                       "between them: ask for none",
                                        values.size(), least));
     Vector levels(count);
     for (Index i = 0; i < count; ++i) {

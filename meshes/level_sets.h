@@ -26,7 +26,8 @@ struct LevelSets {
 LevelSets level_sets(const Mesh& mesh, const Vector& values, const Vector& levels);
 
 /// `count` >= 0 equally spaced levels strictly between the smallest and the largest value. Throws
-/// InvalidInput for no values, one that is not finite, or levels between values that are all equal.
+/// InvalidInput for no values, one that is not finite, or levels between values
+/// that are all equal up to rounding.
 Vector equal_levels(const Vector& values, Index count);
 
 } // namespace polydec

@@ -72,6 +72,10 @@ struct Given {
                 options.boundary_flux.isZero(0)) // or refused: no facet uses any part of it
                 options.wall_velocity = given;
         }
+        if (rotation && mesh.dimension() != 2)
+            throw InvalidInput(fmt::format("--rotation is no vorticity of the frame in dimension "
+                                           "{}: expected a surface",
+                                           mesh.dimension()));
         if (rotation)
             options.rotation = vertex_values(mesh, *rotation, cell_centers(mesh, 0));
         return options;
@@ -236,7 +240,7 @@ void add_flow(CLI::App& app) {
                         "walls");
     command->add_option("--no-slip-where", arguments->no_slip_where,
                         "EXPR\tno-slip walls at boundary facets where this is not 0; all others "
-                        "have free slip");
+                        "have free slip, or are open");
     command->add_option("--open-where", arguments->open_where,
                         "EXPR\topen facets, with free inflow and outflow at total pressure 0");
     command->add_option("--no-slip-on", arguments->no_slip_on,

@@ -53,8 +53,13 @@ void write_levels(const PictureArguments& to, const Discretization& mesh, const 
                   std::vector<VtuArray> numbers) {
     const Vector levels = equal_levels(function.form.values, to.isolines);
     const LevelSets sets = level_sets(mesh, function.form, levels);
-    if (lower_extension(to.out) == ".obj")
+    if (lower_extension(to.out) == ".obj" && mesh.dimension() > 1)
         return write_mesh(to.out, sets.mesh);
+    if (lower_extension(to.out) == ".obj")
+        throw InvalidInput(fmt::format("cannot write {}: level sets on a curve are points, which "
+                                       "need a .vtu file",
+                                       printable(to.out.string())),
+                           {.path = to.out});
     VtuGrid grid = draw_levels(sets, levels, function.name);
     grid.field_data = std::move(numbers);
     grid.field_data.push_back(vtu_array("levels", levels));

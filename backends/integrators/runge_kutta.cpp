@@ -29,7 +29,7 @@ public:
         : Integrator(name, options), plain_(std::move(plain)), stiff_(std::move(stiff)) {
         if (stiff_.embedded_order == 0 && !is_fixed())
             throw InvalidInput(fmt::format("{}: does not estimate errors, so all steps have one "
-                                           "length: give an IntegratorOptions::fixed_step above 0",
+                                           "length: it needs IntegratorOptions::fixed_step above 0",
                                            name));
     }
 

@@ -24,9 +24,8 @@ template <class Values>
 void check_finite(const Values& values, const char* what) {
     for (Index i = 0; i < values.values.size(); ++i)
         if (!std::isfinite(values.values[i]))
-            throw InvalidInput(
-                fmt::format("{} is given whose value {} is {}: expected finite numbers",
-                            described(values, what), i, values.values[i]));
+            throw InvalidInput(fmt::format("{}: value {} is {}, expected a finite number",
+                                           described(values, what), i, values.values[i]));
 }
 
 template <class Values>

@@ -22,7 +22,7 @@ void CellLists::add(int dimension, std::span<const Index> corners, Index tag) {
 
 std::vector<Index> CellLists::tags_from(const std::vector<double>& numbers, std::size_t cells) {
     const auto other = std::find_if_not(numbers.begin(), numbers.end(), [](double number) {
-        return number == std::floor(number) && std::abs(number) < 0x1p31;
+        return number == std::floor(number) && number >= -0x1p31 && number < 0x1p31;
     });
     if (numbers.size() == cells && other == numbers.end())
         return {numbers.begin(), numbers.end()};

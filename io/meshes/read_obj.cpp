@@ -33,8 +33,8 @@ public:
         Mesh mesh = cells_ == "f" ? split_polygons(std::move(polygons_)) : segments_of(polygons_);
         if (left_out_ > 0)
             mesh.warnings.push_back(
-                fmt::format("left out {} records of lines or points; the first is in line {}",
-                            left_out_, first_left_out_));
+                fmt::format("left out {} of lines or points; the first is in line {}",
+                            counted(left_out_, "record", "records"), first_left_out_));
         return mesh;
     }
 

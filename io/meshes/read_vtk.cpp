@@ -265,7 +265,7 @@ private:
         if (!type)
             return source_.skip(type_name, values);
         auto numbers = source_.values(*type, values);
-        if (in_cell_data_ && is_tag_name(name) && values == cell_data_)
+        if (in_cell_data_ && is_tag_name(name))
             arrays_.tags = std::move(numbers);
         return true;
     }

@@ -225,8 +225,9 @@ class Complex(Cells):
         """A copy with the star of k-forms weighted by positive numbers on cells. A diagonal star
         becomes a weighted sum of signed shares; other stars become Galerkin's. The weights replace
         former ones of this degree, and other degrees keep theirs; a star of your own is refused.
-        Integrals of fields, flats, products and proxy vectors do not depend on weights. Weights: one number,
-        one per input cell in input order (simplices, or polygons and solids before splitting), a
+        Integrals of fields, flats, products and proxy vectors do not depend on the weights; where
+        Galerkin's star takes the place of another, dual ones change. Weights: one number, one per
+        input cell in input order (simplices, or polygons and solids before splitting), a
         dual 0-form, or a function of the centroids of the n-cells.
         For Maxwell's primal 1-form E: permittivity in degree 1, 1 / permeability in degree 2.
 

@@ -98,6 +98,9 @@ def boundary_de_rham(complex: Complex, j: int, form: Callable[[Floats], Any], *,
 def flux_form(field: Callable[[Floats], Any]) -> Callable[[Floats], Floats]:
     """The (N-1)-form for `de_rham` whose integrals are the fluxes of a vector field.
 
+    They are positive outward for cells of positive determinant, such as counterclockwise triangles.
+    `flow_of_velocity` and `flux_sharp` follow the cells instead: for clockwise ones the signs differ.
+
     >>> import numpy as np, polydec
     >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
     >>> flux = polydec.de_rham(square, 1, polydec.flux_form(lambda x: x))   # of divergence 2

@@ -29,10 +29,12 @@ std::string duration_in_words(double seconds) {
     };
     constexpr std::array units{Unit{365.25 * 86400, "years"}, Unit{86400, "days"}, Unit{3600, "h"},
                                Unit{60, "min"}};
+    constexpr double most = 1e15; // in digits
     for (const Unit& unit : units)
-        if (seconds >= 2 * unit.seconds)
-            return fmt::format("{} {}", with_commas(std::llround(seconds / unit.seconds)),
-                               unit.name);
+        if (const double count = seconds / unit.seconds; count > most)
+            return fmt::format("{:.2g} {}", count, unit.name);
+        else if (count >= 2)
+            return fmt::format("{} {}", with_commas(std::llround(count)), unit.name);
     return fmt::format("{:.0f} s", seconds);
 }
 

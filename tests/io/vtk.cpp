@@ -144,12 +144,15 @@ TEST(Vtk, NumbersThatAreNotWholeAreNoTags) {
     const auto mesh = read_from("a.vtk", text + "1.5\n");
     EXPECT_TRUE(mesh.tags.empty());
     EXPECT_EACH_SAYS(mesh.warnings, {"groups", "1 cell", "1.5"});
-    EXPECT_EACH_SAYS(read_from("a.vtk", one_cell(5, "0 1 2", 3) +
-                                            "CELL_DATA 2\nSCALARS material "
-                                            "int\nLOOKUP_TABLE default\n4 5\n")
-                         .warnings,
-                     {"groups", "1 cell", "2 numbers"});
-    EXPECT_EQ(read_from("a.vtk", text + "2\n").tags, (std::vector<Index>{2}));
+    for (const std::string pairs :
+         {"CELL_DATA 2\nSCALARS material int", "CELL_DATA 1\nSCALARS material int 2"})
+        EXPECT_EACH_SAYS(
+            read_from("a.vtk", one_cell(5, "0 1 2", 3) + pairs + "\nLOOKUP_TABLE default\n4 5\n")
+                .warnings,
+            {"groups", "1 cell", "2 numbers"});
+    for (const Index tag : {2, std::numeric_limits<Index>::min()})
+        EXPECT_EQ(read_from("a.vtk", text + std::to_string(tag) + "\n").tags,
+                  (std::vector<Index>{tag}));
 }
 
 TEST(Vtk, WarnsOfDataThatAreLeftOut) {

@@ -131,9 +131,11 @@ TEST(LevelSets, OnClosedSurfacesAreClosed) {
 
 TEST(LevelSets, AreEmptyWhereThereIsNothingBetween) {
     const Mesh mesh = grid(2, 2);
-    const Vector constant = Vector::Constant(9, 3);
+    Vector constant = Vector::Constant(9, 3);
     EXPECT_EQ(equal_levels(constant, 0).size(), 0);
     EXPECT_REFUSED(equal_levels(constant, 2), "all 9 values are 3", "no level sets");
+    constant[4] = std::nextafter(3.0, 4.0);
+    EXPECT_REFUSED(equal_levels(constant, 2), "all 9 values are 3,", "no level sets");
     EXPECT_EQ(level_sets(mesh, constant, Vector{{3}}).owners.size(), 0U);
     EXPECT_EQ(level_sets(mesh, mesh.points.col(0), Vector(0)).owners.size(), 0U);
     EXPECT_EQ(level_sets(mesh, mesh.points.col(0), Vector{{-1, 2}}).mesh.points.rows(), 0);

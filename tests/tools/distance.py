@@ -40,6 +40,10 @@ class Distance(TestCase):
         off = max(abs(5 * math.hypot(*p) / 2 ** 0.5 - round(5 * math.hypot(*p) / 2 ** 0.5))
                   for p in points)
         self.assertLess(off, 0.02) # linear between vertices: 0.5
+        line = ("poisson", self.write("line.nsc", "1 1 3 2\n0\n1\n2\n0 1\n1 2\n"), "--rhs", 0,
+                "--boundary", "x", "--isolines", 3, "-o")
+        self.assertSays(self.fail_with(2, *line, "points.obj"), "points.obj", "curve", ".vtu")
+        self.succeed(*line, "points.vtu")
 
     def test_across_a_sphere_is_half_its_circumference(self):
         for method in ("exact", "heat"):

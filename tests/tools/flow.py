@@ -137,6 +137,11 @@ class Flow(TestCase):
                 20)
         resumed_series(self, line, kills(5))
 
+    def test_what_vertices_have_of_vorticity_is_of_surfaces(self):
+        line = ("flow", golden("kuhn3.nsc"), "--until", 1)
+        for more in (("--vorticity", 1), ("--velocity", "1; 0; 0", "--rotation", 1)):
+            self.assertSays(self.fail_with(2, *line, *more), "dimension 3", "surface")
+
     def test_another_flow_is_not_gone_on_with(self):
         line = ("flow", golden("uv8.off"), "--vorticity", "z", "--until", 1, "--checkpoint",
                 "a.checkpoint")
