@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/polygons.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
+#include "base/groups.h"
 #include "base/listed.h"
 #include "base/lists.h"
 #include "meshes/polygon_splitter.h"
@@ -177,20 +179,15 @@ private:
 
     /// The sides of faces that somebody claims as a diagonal, sorted.
     std::vector<EdgeEnds> sides_among(const std::vector<Claim>& claims) const {
-        std::vector<std::size_t> first(points_.rows() + 1, 0);
-        for (const auto& claim : claims)
-            ++first[claim.diagonal.ends[0] + 1];
-        std::partial_sum(first.begin(), first.end(), first.begin());
+        const Groups with_low(static_cast<Index>(claims.size()), static_cast<Index>(points_.rows()),
+                              [&](Index c) { return claims[c].diagonal.ends[0]; });
         std::vector<EdgeEnds> sides;
         for (std::size_t face = 0; face < faces(); ++face) {
             const auto corners = corners_of(face);
             for (std::size_t i = 0; i < corners.size(); ++i) {
                 const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
-                const auto begin = first[low];
-                const auto with_low = std::span(claims).subspan(begin, first[low + 1] - begin);
-                if (std::ranges::binary_search(with_low, high, {}, [](const Claim& claim) {
-                        return claim.diagonal.ends[1];
-                    }))
+                if (std::ranges::binary_search(with_low[low], high, {},
+                                               [&](Index c) { return claims[c].diagonal.ends[1]; }))
                     sides.push_back({low, high});
             }
         }
@@ -280,9 +277,9 @@ void check_polygons(const PolygonMesh& polygons) {
         if (corner < 0 || corner >= polygons.points.rows()) {
             const auto behind =
                 std::upper_bound(offsets.begin(), offsets.end(), static_cast<Index>(i));
-            throw InvalidInput(fmt::format("face {} has the vertex {}; expected 0 to {}",
+            throw InvalidInput(fmt::format("face {} has the vertex {}; {}",
                                            behind - offsets.begin() - 1, corner,
-                                           polygons.points.rows() - 1),
+                                           expected_numbers(0, polygons.points.rows() - 1)),
                                {.degree = 2,
                                 .cells = {static_cast<Index>(behind - offsets.begin() - 1)},
                                 .vertices = {corner}});

@@ -129,7 +129,7 @@ double ShortestPaths::at(Index triangle, const Eigen::Vector3d& coordinates) con
         const Place point = coordinates[(i + 1) % 3] * Place(parts.surface.side(h).length, 0) +
                             coordinates[(i + 2) % 3] * parts.apex(h);
         nearest = std::min(nearest, parts.unfolded[parts.surface.side(h).tail] + point.norm());
-        for (const Index w : parts.windows.of(h))
+        for (const Index w : parts.windows[h])
             nearest = std::min(nearest, length_through(parts.trace.windows[w].fan, point));
     }
     return std::ldexp(nearest, parts.surface.exponent());

@@ -1,37 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/groups.h"
 #include "complex/surfaces/glued_surface.h"
 
-#include <numeric>
 #include <span>
 #include <vector>
 
 namespace polydec {
-
-/// 0, 1, .. count - 1 in groups, by a key from 0 to keys - 1 that each number has. Linear time.
-class Groups {
-public:
-    Groups() = default;
-    template <class Key>
-    Groups(Index count, Index keys, const Key& key)
-        : begins_(std::size_t(keys) + 1, 0), members_(count) {
-        for (Index i = 0; i < count; ++i)
-            ++begins_[key(i) + 1];
-        std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-        std::vector<Index> next(begins_.begin(), begins_.end() - 1);
-        for (Index i = 0; i < count; ++i)
-            members_[next[key(i)]++] = i;
-    }
-
-    /// The numbers with this key, ascending.
-    std::span<const Index> of(Index key) const {
-        return {members_.data() + begins_[key], members_.data() + begins_[key + 1]};
-    }
-
-private:
-    std::vector<Index> begins_, members_;
-};
 
 /// A surface for tracing straight lines from triangle to triangle: each triangle lies in its own
 /// plane, given by lengths alone.
@@ -58,10 +34,10 @@ public:
     const Side& side(Index halfedge) const { return sides_[halfedge]; }
 
     /// The half-edges of an edge, one per triangle at it.
-    std::span<const Index> sides_of(Index edge) const { return sides_of_.of(edge); }
+    std::span<const Index> sides_of(Index edge) const { return sides_of_[edge]; }
 
     /// The corners at a vertex, each given by its outgoing half-edge.
-    std::span<const Index> corners_of(Index vertex) const { return corners_of_.of(vertex); }
+    std::span<const Index> corners_of(Index vertex) const { return corners_of_[vertex]; }
 
     /// Whether a shortest path may bend at a vertex: true unless the triangles around it form one
     /// closed fan with total angle at most 2 pi, or one open fan with at most pi.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/facet_links.h"
 
+#include "base/groups.h"
+
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace polydec {
@@ -24,44 +25,28 @@ public:
             parts_.join(link.a, link.b, link.relative_sign);
     }
 
+    /// Most links are exact: only the others are sorted.
     void run() {
-        std::vector<Index> order = inexact_by_part();
-        for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-            const Index part = part_of(order[begin]);
-            while (end < order.size() && part_of(order[end]) == part)
-                ++end;
-            join_part(std::span(order).subspan(begin, end - begin));
-        }
+        const auto parts = static_cast<Index>(place_.size());
+        const Groups inexact(static_cast<Index>(links_.size()), parts, [this](Index link) {
+            return links_[link].defect > 0 ? parts_.find(links_[link].a).element : -1;
+        });
+        for (Index part = 0; part < parts; ++part)
+            join_part({inexact[part].begin(), inexact[part].end()});
     }
 
 private:
     double ratio(Index link) const { return links_[link].defect / links_[link].scale; }
-    Index part_of(Index link) { return parts_.find(links_[link].a).element; }
-
-    /// Most links are exact: only the others are sorted.
-    std::vector<Index> inexact_by_part() {
-        std::vector<Index> begins(place_.size() + 1, 0);
-        const auto count = static_cast<Index>(links_.size());
-        for (Index i = 0; i < count; ++i)
-            if (links_[i].defect > 0)
-                ++begins[part_of(i) + 1];
-        std::partial_sum(begins.begin(), begins.end(), begins.begin());
-        std::vector<Index> order(static_cast<std::size_t>(begins.back()));
-        for (Index i = 0; i < count; ++i)
-            if (links_[i].defect > 0)
-                order[begins[part_of(i)]++] = i;
-        return order;
-    }
 
     /// Ties are measured from the first of a group, so close values do not chain.
-    void join_part(std::span<Index> part) {
+    void join_part(std::vector<Index> part) {
         std::stable_sort(part.begin(), part.end(),
                          [this](Index i, Index j) { return ratio(i) < ratio(j); });
         for (std::size_t begin = 0, end = 0; begin < part.size(); begin = end) {
             const double reach = ratio(part[begin]) + tie;
             while (end < part.size() && ratio(part[end]) <= reach)
                 ++end;
-            join_tied(part.subspan(begin, end - begin));
+            join_tied(std::span(part).subspan(begin, end - begin));
         }
     }
 

@@ -3,6 +3,7 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/groups.h"
 #include "base/lists.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/exterior_product.h"
@@ -24,30 +25,11 @@ namespace {
 
 using ColumnMajor = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 
-/// Lists by key, contiguous: key i has first[i] .. first[i + 1].
-struct Groups {
-    std::vector<Index> first, items;
-
-    std::span<const Index> operator[](Index i) const {
-        return {items.data() + first[i], items.data() + first[i + 1]};
-    }
-};
-
 /// The j-simplices with a carrier of degree m, by carrier.
 Groups simplices_by_carrier(const Merging& merging, int m, int j) {
     const auto& carriers = merging.carriers(j);
-    Groups groups{std::vector<Index>(merging.merged().size(m) + 1, 0), {}};
-    for (const auto& carrier : carriers)
-        if (carrier.dimension == m)
-            ++groups.first[carrier.cell + 1];
-    for (std::size_t i = 1; i < groups.first.size(); ++i)
-        groups.first[i] += groups.first[i - 1];
-    groups.items.resize(groups.first.back());
-    auto next = groups.first;
-    for (std::size_t s = 0; s < carriers.size(); ++s)
-        if (carriers[s].dimension == m)
-            groups.items[next[carriers[s].cell]++] = static_cast<Index>(s);
-    return groups;
+    return {static_cast<Index>(carriers.size()), merging.merged().size(m),
+            [&](Index s) { return carriers[s].dimension == m ? carriers[s].cell : -1; }};
 }
 
 /// Rows of a sparse matrix, appended in any order.
