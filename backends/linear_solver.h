@@ -63,7 +63,6 @@ struct EngineTraits {
 struct LinearSolverOptions {
     double tolerance = 1e-12; ///< iterative engines: target for |b - A x| / |b|
     Index max_iterations = 0; ///< iterative engines; 0: min(10 n + 1000, 50000)
-    int blas_threads = 1;     ///< engines that call the BLAS; 0: no change
 
     /// Engine-specific options; engines without any ignore them. For PETSc's: "-ksp_type fcg
     /// -pc_hypre_boomeramg_strong_threshold 0.7".

@@ -215,10 +215,9 @@ EngineInfo tetgen() {
 
 void check(const LinearSolverOptions& options) {
     check_positive("linear solver: the tolerance", options.tolerance);
-    if (options.max_iterations < 0 || options.blas_threads < 0)
-        throw InvalidInput(fmt::format(
-            "linear solver: {} iterations on {} threads: expected numbers of at least 0",
-            options.max_iterations, options.blas_threads));
+    if (options.max_iterations < 0)
+        throw InvalidInput(fmt::format("linear solver: {} iterations: expected at least 0",
+                                       options.max_iterations));
 }
 
 } // namespace

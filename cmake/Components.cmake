@@ -134,13 +134,13 @@ endfunction()
 add_custom_target(polydec_modules ALL)
 polydec_component(cholmod SuiteSparse CHOLMOD SuiteSparse::CHOLMOD libsuitesparse-dev
     HEADER linear/cholmod.h
-    SOURCES linear/cholmod.cpp linear/engine_threads.h
+    SOURCES linear/cholmod.cpp linear/one_thread.h
     LIBRARIES ${CMAKE_DL_LIBS})
 polydec_component(cvode SUNDIALS SUNDIALS SUNDIALS::cvode libsundials-dev
     SOURCES integrators/cvode.cpp
     LIBRARIES SUNDIALS::sunnonlinsolfixedpoint)
 polydec_component(mumps "the sequential MUMPS" MUMPS MUMPS::MUMPS libmumps-seq-dev
-    SOURCES linear/mumps.cpp linear/engine_threads.h # never linked with a program: it may have an MPI
+    SOURCES linear/mumps.cpp linear/one_thread.h # never linked with a program: it may have an MPI
     LIBRARIES ${CMAKE_DL_LIBS})
 polydec_component(petsc PETSc PETSc PETSc::PETSc petsc-dev
     HEADER linear/petsc.h

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/component.h"
 #include "backends/linear/checked_solver.h"
-#include "backends/linear/engine_threads.h"
+#include "backends/linear/one_thread.h"
 
 #include <cholmod.h>
 #include <fmt/format.h>
@@ -85,7 +85,7 @@ public:
 
 protected:
     void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override {
-        const EngineThreads threads(options().blas_threads);
+        const OneThread one;
         cholmod_sparse matrix = view(A);
 
         // Supernodal factors are L L^T and stop at the first negative pivot.
@@ -106,7 +106,7 @@ protected:
     }
 
     Solution apply_inverse(const DenseMatrix& B) override {
-        const EngineThreads threads(options().blas_threads);
+        const OneThread one;
         reserve(static_cast<std::size_t>(B.cols()));
         cholmod_dense right_hand_sides = view(B);
         cholmod_solve2(CHOLMOD_A, work_.factor, &right_hand_sides, nullptr, &work_.x, nullptr,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/component.h"
 #include "backends/linear/checked_solver.h"
-#include "backends/linear/engine_threads.h"
+#include "backends/linear/one_thread.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -85,7 +85,7 @@ public:
 
 protected:
     void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override {
-        const EngineThreads threads(options().blas_threads);
+        const OneThread one;
         const bool is_new = pattern == Pattern::fresh || !run_;
         if (is_new)
             run_ = std::make_unique<MumpsRun>();
@@ -104,7 +104,7 @@ protected:
     }
 
     Solution apply_inverse(const DenseMatrix& B) override {
-        const EngineThreads threads(options().blas_threads);
+        const OneThread one;
         DenseMatrix X = B;
         auto& data = run_->data();
         data.nrhs = static_cast<MUMPS_INT>(X.cols());
