@@ -9,12 +9,14 @@
 
 namespace polydec {
 
+std::string expected_numbers(std::int64_t least, std::int64_t most) {
+    return least > most ? "there are none" : fmt::format("expected {} to {}", least, most);
+}
+
 void refuse_number(std::string_view what, std::int64_t number, std::int64_t least,
                    std::int64_t most) {
-    if (least > most)
-        throw InvalidInput(fmt::format("{} {} is out of range: there are none", what, number));
     throw InvalidInput(
-        fmt::format("{} {} is out of range: expected {} to {}", what, number, least, most));
+        fmt::format("{} {} is out of range: {}", what, number, expected_numbers(least, most)));
 }
 
 void check_positive(std::string_view what, double value) {

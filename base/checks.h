@@ -4,9 +4,14 @@
 #include "base/types.h"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace polydec {
+
+/// The end of a message about a number out of range: "expected 0 to 4", or "there are none" if the
+/// range is empty.
+std::string expected_numbers(std::int64_t least, std::int64_t most);
 
 [[noreturn]] void refuse_number(std::string_view what, std::int64_t number, std::int64_t least,
                                 std::int64_t most);

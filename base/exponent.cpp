@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/exponent.h"
 
-#include "base/errors.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -25,10 +23,10 @@ Vector times_power(const Vector& values, int exponent) {
 double ScaledNumber::in_range(std::string_view what) const {
     const double number = std::ldexp(part, exponent);
     if (!std::isfinite(number) || (number == 0 && part != 0))
-        throw InvalidInput(fmt::format("{} is {:.3g} times 2^{}, outside the range of double "
-                                       "precision: scale the values or the mesh to sizes nearer "
-                                       "to 1",
-                                       what, part, exponent));
+        throw OutOfRange(fmt::format("{} is {:.3g} times 2^{}, outside the range of double "
+                                     "precision: scale the values or the mesh to sizes nearer "
+                                     "to 1",
+                                     what, part, exponent));
     return number;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/errors.h"
 #include "base/types.h"
 
 #include <string_view>
@@ -14,12 +15,18 @@ int exponent_of(const Vector& values);
 /// The values times 2^exponent.
 Vector times_power(const Vector& values, int exponent);
 
+/// A result, not an input, is outside the range of double precision.
+class OutOfRange : public InvalidInput {
+public:
+    using InvalidInput::InvalidInput;
+};
+
 /// part * 2^exponent: a square or a product, which may be outside the range of double precision.
 struct ScaledNumber {
     double part = 0;
     int exponent = 0;
 
-    /// Throws InvalidInput, naming `what`, on overflow and underflow.
+    /// Throws OutOfRange, naming `what`, on overflow and underflow.
     double in_range(std::string_view what) const;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/progress.h"
 #include "distributed/ranks.h"
 
 #include <mpi.h>
@@ -12,7 +13,7 @@ struct Ranks::State {
     MPI_Comm after_errors; ///< free of pending operations that an error has skipped
     int rank, size;
     std::int64_t bytes_sent = 0;
-    std::function<void(std::string_view)> listener = {};
+    Progress listener = {};
 };
 
 } // namespace polydec

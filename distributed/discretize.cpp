@@ -121,8 +121,7 @@ std::vector<std::string> warnings_of(const Ranks& ranks, const MeshSlice& slice,
 } // namespace
 
 DistributedMesh discretize(const Ranks& ranks, MeshSlice slice, const std::vector<int>& owners,
-                           const MergeOptions& options,
-                           const std::function<void(std::string_view)>& stage) {
+                           const MergeOptions& options, const Progress& stage) {
     const auto begin = [&](std::string_view what) {
         if (stage)
             stage(what);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/progress.h"
 #include "dec/stars/star.h"
 #include "distributed/cell_numbers.h"
 
-#include <functional>
 #include <string>
 #include <string_view>
 
@@ -42,7 +42,6 @@ void check_not_branching(const DistributedMesh& mesh);
 /// merge_cospherical, and if a cell has no volume. `stage`, if any, is called at the start of each
 /// stage.
 DistributedMesh discretize(const Ranks& ranks, MeshSlice slice, const std::vector<int>& owners,
-                           const MergeOptions& options = {},
-                           const std::function<void(std::string_view)>& stage = {});
+                           const MergeOptions& options = {}, const Progress& stage = {});
 
 } // namespace polydec

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
 #include "base/errors.h"
 #include "distributed/local_complex.h"
 #include "distributed/number_places.h"
@@ -28,9 +29,8 @@ void check_slice(const Ranks& ranks, const MeshSlice& slice) {
     for (Eigen::Index t = 0; t < slice.simplices.rows(); ++t)
         for (const GlobalIndex v : slice.simplices.row(t))
             if (v < 0 || v >= slice.vertices)
-                throw InvalidInput(
-                    fmt::format("cell {} has vertex {}: expected a number from 0 to {}",
-                                first_cell + t, v, slice.vertices - 1));
+                throw InvalidInput(fmt::format("cell {} has vertex {}: {}", first_cell + t, v,
+                                               expected_numbers(0, slice.vertices - 1)));
 }
 
 NumberPlaces vertices_of(const GlobalSimplices& cells) {

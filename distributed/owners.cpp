@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
 #include "base/errors.h"
 #include "base/lists.h"
 #include "distributed/petsc_calls.h"
@@ -94,9 +95,8 @@ std::vector<Neighbors> neighbors_of(const Ranks& ranks, const MeshSlice& slice) 
         for (Eigen::Index t = 0; t < slice.simplices.rows(); ++t)
             for (const GlobalIndex v : slice.simplices.row(t)) {
                 if (v < 0 || v >= slice.vertices)
-                    throw InvalidInput(fmt::format("a cell has vertex {}: expected a number from "
-                                                   "0 to {}",
-                                                   v, slice.vertices - 1));
+                    throw InvalidInput(fmt::format("a cell has vertex {}: {}", v,
+                                                   expected_numbers(0, slice.vertices - 1)));
                 for (const GlobalIndex w : slice.simplices.row(t))
                     if (w != v)
                         parcels[stretches.rank_of(v)].push_back({v, w});

@@ -188,7 +188,7 @@ int Ranks::size() const {
     return state_->size;
 }
 
-void Ranks::listen(std::function<void(std::string_view)> listener) const {
+void Ranks::listen(Progress listener) const {
     state_->listener = std::move(listener);
 }
 

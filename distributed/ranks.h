@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/progress.h"
 #include "base/shared.h"
 #include "base/types.h"
 
@@ -8,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -95,7 +95,7 @@ public:
 
     /// Calls listener(what) at the start of every local work; its exceptions count as thrown there.
     /// For progress, and for tests of errors.
-    void listen(std::function<void(std::string_view)> listener) const;
+    void listen(Progress listener) const;
 
     /// Collectives over one number per rank: sum, largest and least, the sum over the ranks before
     /// this one, and whether the flag is set on any rank.

@@ -2,6 +2,7 @@
 #include "distributed/spectrum.h"
 
 #include "backends/spectra/found_pairs.h"
+#include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
@@ -192,7 +193,7 @@ Spectrum spectrum(const Ranks& ranks, const DistributedMesh& mesh, Side side, in
     const GlobalIndex size = mesh.cells.degree(k).count;
     if (options.count < 1 || options.count > size)
         throw InvalidInput(
-            fmt::format("{} eigenvalues requested: expected 1 to {}", options.count, size));
+            fmt::format("{} eigenvalues requested: {}", options.count, expected_numbers(1, size)));
     SharedSearch search(ranks, mesh, options, k);
     search.find(options.count);
     const FoundPairs& pairs = search.pairs();

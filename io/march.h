@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/progress.h"
 #include "solvers/time/run.h"
 
 #include <chrono>
@@ -20,7 +21,7 @@ struct MarchOptions {
     std::function<void(const Run&)> show = {}; ///< called at each time, and at an event
     TimeListener progress = {};
     /// Called once in a long march, with a sentence about its steps and duration; see announcing.
-    std::function<void(std::string_view)> announce = {};
+    Progress announce = {};
     std::function<bool()> stop = {}; ///< called after each progress report; true: ends the march
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/scanner.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "base/read_number.h"
 
@@ -168,9 +169,9 @@ void Scanner::check_room(std::uint64_t count, std::string_view plural,
 Index Scanner::vertex(Index vertices, Index first) {
     const auto value = integer("a vertex number");
     if (value < first || value - first >= vertices)
-        fail(fmt::format("vertex number {} is out of range; expected {} to {}; correct the index "
-                         "or add the vertex",
-                         value, first, std::int64_t{vertices} - 1 + first));
+        fail(
+            fmt::format("vertex number {} is out of range; {}; correct the index or add the vertex",
+                        value, expected_numbers(first, std::int64_t{vertices} - 1 + first)));
     return static_cast<Index>(value - first);
 }
 

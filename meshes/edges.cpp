@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/edges.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "base/lists.h"
 
@@ -30,18 +31,18 @@ std::vector<Index> used_vertices(const Simplices& simplices) {
     return result;
 }
 
-void check_vertices(std::string_view what, const Simplices& rows, Eigen::Index vertices) {
+void check_vertices(std::string_view name, const Simplices& rows, Eigen::Index vertices,
+                    std::string_view addition) {
     for (Index row = 0; row < rows.rows(); ++row) {
         const auto corners = rows.row(row);
         const auto wrong = std::find_if(corners.begin(), corners.end(),
                                         [&](Index v) { return v < 0 || v >= vertices; });
         if (wrong != corners.end())
             throw InvalidInput(
-                fmt::format("{} (vertices {}) has the vertex {}: expected 0 to {}, since there are "
-                            "{} vertices",
-                            fmt::format(fmt::runtime(what), row),
-                            fmt::join(corners.begin(), corners.end(), " "), *wrong, vertices - 1,
-                            vertices),
+                fmt::format("{} {}{} (vertices {}) has the vertex {}: {}, since there are {} "
+                            "vertices",
+                            name, row, addition, fmt::join(corners.begin(), corners.end(), " "),
+                            *wrong, expected_numbers(0, vertices - 1), vertices),
                 {.degree = static_cast<int>(rows.cols()) - 1,
                  .cells = {row},
                  .vertices = {corners.begin(), corners.end()}});

@@ -18,9 +18,10 @@ std::vector<Edge> edges_of(const Simplices& simplices);
 /// The vertices of all simplices, ascending, each once.
 std::vector<Index> used_vertices(const Simplices& simplices);
 
-/// Throws InvalidInput, naming the row, unless all vertex numbers are 0 to vertices - 1; `what`
-/// names row {}, such as "cell {}".
-void check_vertices(std::string_view what, const Simplices& rows, Eigen::Index vertices);
+/// Throws InvalidInput unless all vertex numbers are 0 to vertices - 1. It names the row, such as
+/// "cell 3" for the name "cell", with an addition.
+void check_vertices(std::string_view name, const Simplices& rows, Eigen::Index vertices,
+                    std::string_view addition = "");
 
 /// Distance between two points, safe against overflow and underflow of squares: 0 for equal points
 /// alone. Throws InvalidInput, naming both points, if it is not finite.

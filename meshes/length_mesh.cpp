@@ -69,8 +69,8 @@ void check(const LengthMesh& mesh) {
         throw InvalidInput(fmt::format("{} simplices of {} vertices are given: expected at least "
                                        "one simplex of two or more vertices",
                                        mesh.simplices.rows(), mesh.simplices.cols()));
-    check_vertices("simplex {}", mesh.simplices, mesh.vertices);
-    check_vertices("edge {}", mesh.edges, mesh.vertices);
+    check_vertices("simplex", mesh.simplices, mesh.vertices);
+    check_vertices("edge", mesh.edges, mesh.vertices);
     const auto fault = edge_fault(mesh);
     if (!fault)
         return;

@@ -148,7 +148,7 @@ LevelSets level_sets(const Mesh& mesh, const Vector& values, const Vector& level
             throw InvalidInput(fmt::format("level sets: level {} is {}, but the previous level is "
                                            "{}; expected ascending levels",
                                            i + 1, levels[i + 1], levels[i]));
-    check_vertices("simplex {}", mesh.simplices, mesh.points.rows());
+    check_vertices("simplex", mesh.simplices, mesh.points.rows());
     return Cutter(mesh, values, levels).cut();
 }
 

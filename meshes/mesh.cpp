@@ -67,7 +67,7 @@ void check_facet_tags(const Mesh& mesh) {
         throw InvalidInput(fmt::format(
             "facets with tags have {} vertices; expected {}, since the cells have dimension {}",
             facets.cols(), mesh.dimension(), mesh.dimension()));
-    check_vertices("facet {} of the facets with tags", facets, mesh.points.rows());
+    check_vertices("facet", facets, mesh.points.rows(), " of the facets with tags");
 }
 
 std::optional<Index> group_tag(const std::vector<GroupName>& groups, int dimension,

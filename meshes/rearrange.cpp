@@ -35,7 +35,7 @@ void check(const Mesh& mesh, const std::string& what) {
             fmt::format("{}: {} tags are given for {} cells: expected one for each, or none", what,
                         mesh.tags.size(), cells));
     check_facet_tags(mesh);
-    check_vertices(what + ": cell {}", mesh.simplices, mesh.points.rows());
+    check_vertices(what + ": cell", mesh.simplices, mesh.points.rows());
 }
 
 /// Cells with new vertex numbers, in the old order.

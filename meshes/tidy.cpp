@@ -183,7 +183,7 @@ void check_mesh(const Mesh& mesh) {
                                            "Give it finite coordinates.",
                                            v, place(mesh, v)),
                                {.vertices = {v}});
-    check_vertices("cell {}", mesh.simplices, mesh.points.rows());
+    check_vertices("cell", mesh.simplices, mesh.points.rows());
 }
 
 std::string isolated_vertices(const std::vector<Index>& first, std::size_t count) {

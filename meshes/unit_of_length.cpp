@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/unit_of_length.h"
 
-#include "base/errors.h"
+#include "base/exponent.h"
 
 #include <fmt/format.h>
 
@@ -34,9 +34,9 @@ double unit_for(double half_of_longest, int dimension, int least) {
 [[noreturn]] void refuse(double value, double unit, double power, std::string_view what) {
     if (!std::isfinite(value))
         throw InvalidInput(fmt::format("{}: {} is not a finite number", what, value));
-    throw InvalidInput(fmt::format("{0}: {1:.3g} times {3:.3g}^{2} is outside the range of double "
-                                   "precision; scale the mesh to a size nearer to 1",
-                                   what, value, power, unit));
+    throw OutOfRange(fmt::format("{0}: {1:.3g} times {3:.3g}^{2} is outside the range of double "
+                                 "precision; scale the mesh to a size nearer to 1",
+                                 what, value, power, unit));
 }
 
 } // namespace

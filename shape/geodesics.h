@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/progress.h"
 #include "base/shared.h"
 #include "complex/surfaces/glued_surface.h"
 
 #include <Eigen/Core>
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace polydec {
@@ -29,7 +31,7 @@ namespace polydec {
 /// naming the vertex, for a source that is not a vertex, a component without source, and distances
 /// that overflow; SolverFailure if there are too many windows, as on needles.
 Vector exact_distance(const Triangles& surface, const Vector& lengths,
-                      std::span<const Index> sources);
+                      std::span<const Index> sources, const Progress& progress = {});
 
 /// A point on a side of a triangle; the fraction runs from the tail of the half-edge.
 struct SidePoint {
@@ -54,7 +56,8 @@ struct ShortestPath {
 class ShortestPaths {
 public:
     /// Throws like exact_distance.
-    ShortestPaths(const Triangles& surface, const Vector& lengths, std::span<const Index> sources);
+    ShortestPaths(const Triangles& surface, const Vector& lengths, std::span<const Index> sources,
+                  const Progress& progress = {});
 
     /// At the vertices.
     const Vector& distances() const&;

@@ -227,10 +227,13 @@ PoissonError poisson_error(const PoissonProblem& given, const Vector& values,
                  size = std::sqrt(std::max(forms.energy(corners, corners), 0.0));
     for (double* number : {&error.energy, &error.averaged_gradient})
         *number = (1 + rounding) * (*number + rounding / (1 - rounding) * (size + error.energy));
-    if (options.l2 && rounding > 1e-9) {
+    if (options.l2_limit > 0 && forms.simplices() > options.l2_limit) {
+        error.warnings.push_back(fmt::format(
+            "the bound of the L2 error takes too long above {} simplices", options.l2_limit));
+    } else if (options.l2_limit > 0 && rounding > 1e-9) {
         error.warnings.push_back("rounding of lengths hides the L2 error: flip edges, or improve "
                                  "or remove flat simplices");
-    } else if (options.l2) {
+    } else if (options.l2_limit > 0) {
         error.l2 = l2_error(forms, corners, data, options.linear_solver);
         if (!error.l2)
             error.warnings.push_back(

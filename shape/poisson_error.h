@@ -39,11 +39,13 @@ struct PoissonError {
     /// The averaged gradient in each n-simplex: the sum over corners i of column i times grad
     /// lambda_i, plus the last column times (x - center).
     DenseMatrix gradients{};
-    std::vector<std::string> warnings{}; ///< reasons for a missing l2
+    std::vector<std::string> warnings{}; ///< reasons for a missing l2, unless the limit is 0
 };
 
 struct PoissonErrorOptions {
-    bool l2 = true; ///< costs an inertia count of more than twice the size
+    /// Simplices up to which l2 is proved, which costs an inertia count of more than twice the
+    /// size; 0: never.
+    Index l2_limit = 50'000;
     std::string linear_solver = "auto";
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/progress.h"
 #include "shape/shape.h"
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,7 +48,7 @@ struct ShapeSpectrumOptions {
     Index max_triangles = 0;
     std::string linear_solver = "auto";
     std::string eigen_solver = "auto"; ///< for the linear functions that iterations start with
-    std::function<void(std::string_view)> progress = {}; ///< called with a description at each step
+    Progress progress = {};            ///< called with a description at each step
 };
 
 /// The smallest eigenvalues of a shape: the j-th lies between lower[j] and upper[j].

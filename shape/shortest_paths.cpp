@@ -34,10 +34,11 @@ double length_through(const Fan& fan, const Place& point) {
 } // namespace
 
 Vector exact_distance(const Triangles& surface, const Vector& lengths,
-                      std::span<const Index> sources) {
+                      std::span<const Index> sources, const Progress& progress) {
     const UnfoldedTriangles unfolded(surface, lengths);
     check_sources(surface, sources);
-    const auto found = distances_by_windows(unfolded, sources, most_windows(surface.triangles()));
+    const auto found =
+        distances_by_windows(unfolded, sources, most_windows(surface.triangles()), progress);
     return in_units_of_lengths(surface, found.distances, unfolded.exponent());
 }
 
@@ -98,12 +99,12 @@ struct ShortestPaths::Parts {
 };
 
 ShortestPaths::ShortestPaths(const Triangles& surface, const Vector& lengths,
-                             std::span<const Index> sources)
+                             std::span<const Index> sources, const Progress& progress)
     : parts_(std::make_shared<Parts>(Parts{{surface, lengths}, {}, {}, {}, {}})) {
     Parts& parts = *parts_;
     check_sources(surface, sources);
     parts.unfolded = distances_by_windows(parts.surface, sources, most_windows(surface.triangles()),
-                                          &parts.trace)
+                                          progress, &parts.trace)
                          .distances;
     parts.distances = in_units_of_lengths(surface, parts.unfolded, parts.surface.exponent());
     const auto& windows = parts.trace.windows;

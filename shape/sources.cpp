@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shape/sources.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "complex/disjoint_sets.h"
 
@@ -17,10 +18,9 @@ void check_sources(const Triangles& surface, std::span<const Index> sources) {
     std::vector<bool> reached(std::size_t(surface.vertices()), false);
     for (const Index v : sources) {
         if (v < 0 || v >= surface.vertices())
-            throw InvalidInput(
-                fmt::format("vertex {} is a source but does not exist: expected 0 to {}", v,
-                            surface.vertices() - 1),
-                {.vertices = {v}});
+            throw InvalidInput(fmt::format("vertex {} is a source but does not exist: {}", v,
+                                           expected_numbers(0, surface.vertices() - 1)),
+                               {.vertices = {v}});
         reached[sets.find(v).element] = true;
     }
     for (Index v = 0; v < surface.vertices(); ++v)

@@ -261,7 +261,8 @@ std::size_t most_windows(Index triangles) {
 
 WindowDistances distances_by_windows(const UnfoldedTriangles& surface,
                                      std::span<const Index> sources, std::size_t most,
-                                     WindowTrace* trace) {
+                                     const Progress& progress, WindowTrace* trace) {
+    constexpr std::size_t between_reports = 1 << 16; // about a tenth of a second
     Wavefront front(surface, sources, trace);
     std::size_t windows = 0;
     for (; !front.is_over(); ++windows) {
@@ -271,6 +272,8 @@ WindowDistances distances_by_windows(const UnfoldedTriangles& surface,
                 "triangles are needles. DiscretizeOptions::delaunay gives better triangles with "
                 "the same distances; DistanceMethod::heat needs no windows",
                 most, surface.triangles()));
+        if (progress && windows % between_reports == 0)
+            progress(fmt::format("{} windows", windows));
         front.step();
     }
     return {front.distances(), windows};

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/progress.h"
 #include "base/types.h"
+#include "shape/geodesics.h"
 #include "shape/unfolded_triangles.h"
 #include "shape/window_queue.h"
 
@@ -42,9 +44,9 @@ struct WindowTrace {
 std::size_t most_windows(Index triangles);
 
 /// The distance of every vertex from the nearest source, by windows, which are stored in `trace` if
-/// given. Throws SolverFailure if there are more than `most` windows.
+/// given. Throws SolverFailure if there are more than `most` windows; what `progress` throws.
 WindowDistances distances_by_windows(const UnfoldedTriangles& surface,
                                      std::span<const Index> sources, std::size_t most,
-                                     WindowTrace* trace = nullptr);
+                                     const Progress& progress = {}, WindowTrace* trace = nullptr);
 
 } // namespace polydec

@@ -2,6 +2,7 @@
 #include "tools/answer.h"
 
 #include "backends/linear/auto_solver.h"
+#include "base/exponent.h"
 #include "examples/paper/console.h"
 #include "system/memory.h"
 #include "tools/messages.h"
@@ -72,7 +73,7 @@ void Log::warn(const std::string& text) {
 std::optional<double> in_range(const std::function<double()>& number) {
     try {
         return number();
-    } catch (const InvalidInput&) {
+    } catch (const OutOfRange&) {
         return std::nullopt;
     }
 }

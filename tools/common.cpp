@@ -25,8 +25,7 @@ namespace {
 /// What was read may have points or lengths alone, or be glued.
 template <class Read>
 Discretization discretize_checked(const MeshArguments& arguments, Read mesh,
-                                  const DiscretizeOptions& options,
-                                  const std::function<void(std::string_view)>& stage) {
+                                  const DiscretizeOptions& options, const Progress& stage) {
     const auto check = [&](bool is_asked, const char* option, const char* remedy) {
         if (is_asked && mesh.dimension() != 2)
             throw InvalidInput(
@@ -198,7 +197,7 @@ void add_engine(CLI::App& command, std::string& engine) {
 
 Discretization load(const MeshArguments& arguments, Log& log,
                     const std::filesystem::path& picture) {
-    const Progress progress;
+    const ProgressLine progress;
     const auto stage = [&](std::string_view what) {
         log.timing.begin(what);
         progress(what);
@@ -254,17 +253,17 @@ std::vector<std::string> FormFacts::beside(const std::string& equation) const {
     return {equation, conditions, in_words(stars)};
 }
 
-Progress::Progress(std::string_view what) : visible_(isatty(STDERR_FILENO) != 0) {
+ProgressLine::ProgressLine(std::string_view what) : visible_(isatty(STDERR_FILENO) != 0) {
     if (!what.empty())
         (*this)(what);
 }
 
-Progress::~Progress() {
+ProgressLine::~ProgressLine() {
     if (visible_)
         console::tell("\r\033[K");
 }
 
-void Progress::operator()(std::string_view what) const {
+void ProgressLine::operator()(std::string_view what) const {
     if (!visible_)
         return;
     console::tell(fmt::format("\r\033[K{} ..", what));

@@ -80,12 +80,12 @@ Discretization load(const MeshArguments& arguments, Log& log,
                     const std::filesystem::path& picture = {});
 
 /// A progress line on stderr; on a terminal only, and erased at the end.
-class Progress {
+class ProgressLine {
 public:
-    explicit Progress(std::string_view what = {});
-    ~Progress();
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
+    explicit ProgressLine(std::string_view what = {});
+    ~ProgressLine();
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
     void operator()(std::string_view what) const;
 
 private:
@@ -95,7 +95,7 @@ private:
 /// The result of work(), which progress names; its errors name the log's mesh file.
 template <class Work>
 auto computed(const Log& log, std::string_view what, Work work) {
-    const Progress progress(what);
+    const ProgressLine progress(what);
     return computed_on(log.mesh, work);
 }
 

@@ -30,7 +30,7 @@ void fill(const FillArguments& arguments) {
 
     Mesh surface, mesh;
     {
-        const Progress progress("read");
+        const ProgressLine progress("read");
         surface = read_joined(arguments.surface, arguments.joining);
         progress(arguments.mesher);
         mesh = tetrahedralize(surface, arguments.options, holes);

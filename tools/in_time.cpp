@@ -48,7 +48,7 @@ private:
     std::string title_;
     double first_, last_;
     Clock::time_point begin_ = Clock::now(), told_ = begin_;
-    Progress progress_;
+    ProgressLine progress_;
 };
 
 /// The steps after which frames are taken, beginning with 0 and ending with the last one.
@@ -124,7 +124,7 @@ Ran march_to_end(Run& run, const March& march, const TimeArguments& arguments,
                     .progress = [&](double time) { (*remaining)(time); },
                     .announce =
                         [&](std::string_view sentence) {
-                            Progress(); // erases its line
+                            ProgressLine(); // erases its line
                             console::tell(fmt::format("polydec: {}: {}\n", march.what,
                                                       told(std::string(sentence))));
                         },

@@ -103,15 +103,11 @@ struct Data {
 void add_bound(Solved& answer, const Discretization& mesh, const FormSpace& space,
                const CellData& conductivity, const std::string& engine, const Vector& f,
                const Vector& flux, const Vector& u) {
-    constexpr Index most_for_l2 = 50'000; // triangles: the count takes longer than all else
     if (mesh.dimension() != 2 || space.side() != Side::primal)
         return;
-    const bool l2 = mesh.pieces().size(2) <= most_for_l2;
-    if (!l2)
-        answer.without_bound = fmt::format("it takes too long above {} triangles", most_for_l2);
     try {
         const auto problem = poisson_problem(mesh, space.conditions(), conductivity, f, flux);
-        answer.bound = poisson_error(problem, u, {.l2 = l2, .linear_solver = engine});
+        answer.bound = poisson_error(problem, u, {.linear_solver = engine});
         for (const std::string& warning : answer.bound->warnings)
             answer.without_bound = warning;
     } catch (const OutOfMemory&) {

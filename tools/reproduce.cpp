@@ -76,7 +76,7 @@ struct Reports {
 };
 
 paper::Report make(const Reproduction& reproduction, paper::Request request) {
-    const Progress progress;
+    const ProgressLine progress;
     request.progress = [&](std::string_view what) {
         progress(fmt::format("{}: {}", reproduction.name, what));
     };

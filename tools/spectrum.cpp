@@ -121,7 +121,7 @@ void run_spectrum(SpectrumArguments arguments) {
     }
     log.timing.begin("solve");
     auto result = computed_on(log.mesh, [&] {
-        const Progress progress;
+        const ProgressLine progress;
         arguments.spectrum.progress = [&](std::string_view what) { progress(what); };
         if (!arguments.certify)
             arguments.spectrum.certification = Certification::waived;
@@ -172,7 +172,7 @@ void run_spectrum_of_shape(SpectrumArguments arguments) {
         return tell(answer, log, arguments.mesh.tell);
     }
     const auto found = computed_on(log.mesh, [&] {
-        const Progress progress;
+        const ProgressLine progress;
         options.progress = [&](std::string_view what) { progress(what); };
         return shape_spectrum(shape.shape, options);
     });

@@ -41,8 +41,8 @@ void tell_written(const ViewArguments& arguments, std::size_t pages, std::size_t
 }
 
 /// Throws InvalidInput for an option that was given besides these, which apply to such a file.
-void require_use(const ViewArguments& arguments, const char* kind,
-                 const std::vector<std::string>& options) {
+void refuse_others(const ViewArguments& arguments, const char* kind,
+                   const std::vector<std::string>& options) {
     for (const CLI::Option* option : arguments.command->get_options())
         if (option->count() > 0 &&
             std::find(options.begin(), options.end(), option->get_name()) == options.end())
@@ -83,8 +83,8 @@ void bind_pages(const ViewArguments& arguments) {
             throw InvalidInput(fmt::format("cannot combine {} with other files: only .html pages "
                                            "can be combined; convert it with `polydec view`",
                                            printable(page.string())));
-    require_use(arguments, "a page that is combined as it is",
-                {"MESH", "PAGES", "--out", "--json", "--max-memory", "--timing"});
+    refuse_others(arguments, "a page that is combined as it is",
+                  {"MESH", "PAGES", "--out", "--json", "--max-memory", "--timing"});
     if (arguments.out.empty())
         throw InvalidInput("combined pages need an output file: add -o NAME.html");
     check_output_file(arguments.out, {".html"});
@@ -106,7 +106,7 @@ void run_view(ViewArguments arguments) {
     const std::string extension = lower_extension(file);
     Page page;
     if (extension == ".vtu" || extension == ".pvtu" || extension == ".pvd") {
-        require_use(
+        refuse_others(
             arguments, "results that are shown as they are",
             {"MESH", "--out", "--up", "--length-unit", "--json", "--max-memory", "--timing"});
         log.timing.begin("read");

@@ -5,6 +5,7 @@
 #include "backends/spectra/found_pairs.h"
 #include "backends/spectra/inertia.h"
 #include "backends/spectra/shifted_solver.h"
+#include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
@@ -335,7 +336,7 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
     State& s = *state_;
     if (count < 1 || count > s.size())
         throw InvalidInput(
-            fmt::format("{} eigenvalues requested: expected 1 to {}", count, s.size()));
+            fmt::format("{} eigenvalues requested: {}", count, expected_numbers(1, s.size())));
     const Index zeros = std::min(s.options.zeros, s.size());
     Index wanted = std::max(count + std::max<Index>(3, count / 10), zeros + 3); // behind a gap
     if (s.pairs.gap_behind(count) >= 0)

@@ -4,6 +4,7 @@
 #include "backends/eigen_solver.h"
 #include "backends/linear_solver.h"
 #include "backends/spectra/pencil.h"
+#include "base/progress.h"
 #include "base/shared.h"
 
 #include <functional>
@@ -27,7 +28,7 @@ struct EigensolverOptions {
     Index zeros = 0; ///< hint: number of eigenvalues known to be zero
     /// Independent M-orthogonal vectors, known to have the eigenvalue zero.
     DenseMatrix kernel = {};
-    std::function<void(std::string_view)> progress = {}; ///< called with a description at each step
+    Progress progress = {}; ///< called with a description at each step
     /// Called whenever there are more eigenvectors, with all found so far as columns in the
     /// solver's own scale; the solver then computes them in parts.
     std::function<void(const DenseMatrix&)> found = {};

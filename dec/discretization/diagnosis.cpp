@@ -121,8 +121,7 @@ bool lacks_numbers(const Diagnosis& found) {
 
 } // namespace
 
-Diagnosis diagnose(const Discretization& discretization,
-                   const std::function<void(std::string_view)>& stage) {
+Diagnosis diagnose(const Discretization& discretization, const Progress& stage) {
     Diagnosis found;
     found.dimension = discretization.dimension();
     if (discretization.ambient_dimension() > 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/progress.h"
 #include "dec/discretization/advice.h"
 #include "dec/discretization/discretization.h"
 #include "dec/forms/cochain.h"
@@ -9,7 +10,6 @@
 #include "meshes/weld.h"
 
 #include <array>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -116,8 +116,9 @@ struct Diagnosis {
     BeforeAndAfter<Index> euler;
     Index components = 0, boundary_components = 0;
     bool orientable = true;
-    UnjoinedBoundary unjoined;                      ///< empty where only lengths are known
-    std::map<std::size_t, Index> vertices_per_cell; ///< merged n-cells by number of vertices
+    UnjoinedBoundary unjoined; ///< empty where only lengths are known
+    std::map<std::size_t, Index>
+        vertices_per_cell;        ///< merged n-cells by number of distinct vertices
     std::optional<double> volume; ///< in the units of the input, if a double can hold it
     DegenerateFacets degenerate;
     MergedPairs merged_pairs;
@@ -132,7 +133,6 @@ struct Diagnosis {
 };
 
 /// Computes the diagnosis. Calls `stage`, if given, as each stage (topology, operators) begins.
-Diagnosis diagnose(const Discretization& discretization,
-                   const std::function<void(std::string_view)>& stage = {});
+Diagnosis diagnose(const Discretization& discretization, const Progress& stage = {});
 
 } // namespace polydec

@@ -74,8 +74,6 @@ void look_at_flat_cells(const CosphericalMerging& merged, const Geometry& given,
     warn_of_jitter(flat, nearly.interior - at.interior, wider, warnings);
 }
 
-using Progress = std::function<void(std::string_view)>;
-
 void begin(const Progress& stage, std::string_view what) {
     if (stage)
         stage(what);

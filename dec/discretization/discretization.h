@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/progress.h"
 #include "base/shared.h"
 #include "dec/forms/cells.h"
 #include "dec/merging/merge.h"
@@ -11,7 +12,6 @@
 #include "meshes/length_mesh.h"
 #include "meshes/mesh.h"
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -220,21 +220,21 @@ private:
 /// give a warning (see find_overlaps). Calls `stage`, if given, as each stage (complex, volumes,
 /// merge, stars) begins. Throws InvalidInput, naming the cell or vertex, for unusable input.
 Discretization discretize(Mesh mesh, const DiscretizeOptions& options = {},
-                          const std::function<void(std::string_view)>& stage = {});
+                          const Progress& stage = {});
 
 /// The same from lengths alone; nothing is left out as untidy. Functions that need points (de Rham
 /// maps, flats, sharps, vector fields, centers of cells, drawings) throw InvalidInput for the
 /// result, and so does to_input for dual 0-forms after flips; everything else works as on any mesh.
 /// Throws like check of a LengthMesh, SimplicialComplex, SimplexMetric and circumcentric_volumes.
 Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options = {},
-                          const std::function<void(std::string_view)>& stage = {});
+                          const Progress& stage = {});
 
 /// The quotient of a glued mesh, measured by lengths and merged across the seams, with the places,
 /// tags and groups of its box. Forms, fields and expressions are evaluated where the simplices lie
 /// in the box, and pictures show the box. Flipped edges cross the simplices of the box: after flips
 /// only lengths are known, with a warning. Throws like the other overloads.
 Discretization discretize(const PeriodicMesh& given, const DiscretizeOptions& options = {},
-                          const std::function<void(std::string_view)>& stage = {});
+                          const Progress& stage = {});
 
 /// Vertices of a k-cell of complex(), ascending, by their numbers in the input, as in messages and
 /// files; vertices added by splits are numbered after the input's.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/progress.h"
 #include "examples/plots/svg_plot.h"
 #include "io/json_writer.h"
 #include "io/pictures/svg_drawing.h"
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -49,7 +49,7 @@ struct Report {
 struct Request {
     int levels = 0;                    ///< refinements; 0: the figure's own default
     std::filesystem::path meshes = {}; ///< a folder of mesh files, for those that survey one
-    std::function<void(std::string_view)> progress = {}; ///< called with each step; may be empty
+    Progress progress = {};            ///< called with each step; may be empty
 };
 
 /// Observed order: log2 of the ratio of the last two errors over log2 of the ratio of their sizes.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
 #include "io/matrices/matrix_market.h"
 #include "io/matrices/parse_matrix_market.h"
 #include "io/scanner.h"
@@ -76,8 +77,8 @@ Index read_size(Scanner& scanner, std::string_view what) {
 Index read_place(Scanner& scanner, Index size, std::string_view what) {
     const auto place = scanner.integer(what);
     if (place < 1 || place > size)
-        scanner.fail(fmt::format("{} {} is out of range; expected 1 to {}; correct the line", what,
-                                 place, size));
+        scanner.fail(fmt::format("{} {} is out of range; {}; correct the line", what, place,
+                                 expected_numbers(1, size)));
     return static_cast<Index>(place - 1);
 }
 

@@ -13,7 +13,7 @@ namespace polydec {
 
 namespace {
 
-using Run = RecordTable::Run;
+using Stretch = RecordTable::Stretch;
 
 constexpr std::int64_t integer_bytes = 4, real_bytes = 8;
 
@@ -158,9 +158,9 @@ private:
             refuse_layout(file_, "the file ends within a block");
     }
 
-    void add_nodes(const Run& numbers, const Run& points) {
-        layout_.nodes->runs.push_back(numbers);
-        layout_.points.runs.push_back(points);
+    void add_nodes(const Stretch& numbers, const Stretch& points) {
+        layout_.nodes->stretches.push_back(numbers);
+        layout_.points.stretches.push_back(points);
     }
 
     NumberType number_type() const {
@@ -198,13 +198,13 @@ private:
         format_->major_version == 4 ? read_new_elements() : read_old_elements();
     }
 
-    void add_cells(const GmshKind& kind, NumberType type, const Run& run) {
+    void add_cells(const GmshKind& kind, NumberType type, const Stretch& stretch) {
         if (kind.nodes > kind.corners)
             refuse_layout(file_, "there are cells of second or higher order");
         auto& table = cells_[kind.dimension][kind.corners];
         if (table.fields.empty())
             table = table_of(type, kind.corners);
-        table.runs.push_back(run);
+        table.stretches.push_back(stretch);
     }
 
     void read_new_elements() {

@@ -12,9 +12,9 @@ namespace polydec {
 
 namespace {
 
-/// So many records of a run, from one on, into the matrix from this row on.
+/// So many records of a stretch, from one on, into the matrix from this row on.
 void read_records(const RecordTable& table, const PartialFile& file, std::endian order,
-                  const RecordTable::Run& records, DenseMatrix& rows, Eigen::Index row) {
+                  const RecordTable::Stretch& records, DenseMatrix& rows, Eigen::Index row) {
     const std::int64_t bytes = (records.count - 1) * records.stride + table.reach();
     const std::string text = file.read(records.begin, records.begin + bytes);
     if (std::ssize(text) < bytes)
@@ -28,8 +28,8 @@ void read_records(const RecordTable& table, const PartialFile& file, std::endian
 }
 
 void check_places(const PartialFile& file, const RecordTable& table) {
-    for (const auto& run : table.runs)
-        if (run.begin + (run.count - 1) * run.stride + table.reach() > file.size)
+    for (const auto& stretch : table.stretches)
+        if (stretch.begin + (stretch.count - 1) * stretch.stride + table.reach() > file.size)
             refuse_layout(file, "the file ends within its records");
 }
 
@@ -48,8 +48,8 @@ std::optional<MeshLayout> layout_of(const PartialFile& file) {
 
 std::int64_t RecordTable::count() const {
     std::int64_t sum = 0;
-    for (const Run& run : runs)
-        sum += run.count;
+    for (const Stretch& stretch : stretches)
+        sum += stretch.count;
     return sum;
 }
 
@@ -72,16 +72,16 @@ DenseMatrix rows_of(const RecordTable& table, const PartialFile& file, std::endi
                     std::int64_t begin, std::int64_t end) {
     constexpr std::int64_t bytes_at_once = 4 << 20;
     DenseMatrix rows(end - begin, static_cast<Eigen::Index>(table.fields.size()));
-    std::int64_t first = 0; // record of a run
-    for (const RecordTable::Run& run : table.runs) {
-        const std::int64_t last = std::min(end, first + run.count);
-        const std::int64_t at_once = std::max<std::int64_t>(1, bytes_at_once / run.stride);
+    std::int64_t first = 0; // record of a stretch
+    for (const RecordTable::Stretch& stretch : table.stretches) {
+        const std::int64_t last = std::min(end, first + stretch.count);
+        const std::int64_t at_once = std::max<std::int64_t>(1, bytes_at_once / stretch.stride);
         for (std::int64_t at = std::max(begin, first); at < last; at += at_once)
-            read_records(
-                table, file, order,
-                {std::min(at_once, last - at), run.begin + (at - first) * run.stride, run.stride},
-                rows, at - begin);
-        first += run.count;
+            read_records(table, file, order,
+                         {std::min(at_once, last - at),
+                          stretch.begin + (at - first) * stretch.stride, stretch.stride},
+                         rows, at - begin);
+        first += stretch.count;
     }
     return rows;
 }

@@ -13,20 +13,20 @@
 
 namespace polydec {
 
-/// Records of a binary file with the same fields, in runs of constant stride.
+/// Records of a binary file with the same fields, in stretches of constant stride.
 struct RecordTable {
     struct Field {
         std::int64_t offset = 0; ///< in the record
         NumberType type = NumberType::float64;
     };
-    struct Run {
+    struct Stretch {
         std::int64_t count = 0;  ///< of records
         std::int64_t begin = 0;  ///< byte of the file
         std::int64_t stride = 0; ///< bytes from one record to the next
     };
 
     std::vector<Field> fields;
-    std::vector<Run> runs = {};
+    std::vector<Stretch> stretches = {};
 
     std::int64_t count() const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/pdm.h"
 
+#include "base/checks.h"
 #include "io/byte_order.h"
 #include "io/meshes/mesh_files.h"
 #include "io/meshes/readers.h"
@@ -142,9 +143,9 @@ std::vector<std::int64_t> PdmReader::cells(std::int64_t begin, std::int64_t end)
         result[i] = is_wide ? little<std::int64_t>(bytes, i * sizeof(std::int64_t))
                             : little<std::int32_t>(bytes, i * sizeof(std::int32_t));
         if (result[i] < 0 || result[i] >= layout_.vertices)
-            fail(fmt::format("cell {} has vertex {}; expected a number from 0 to {}",
+            fail(fmt::format("cell {} has vertex {}; {}",
                              begin + static_cast<std::int64_t>(i) / corners, result[i],
-                             layout_.vertices - 1));
+                             expected_numbers(0, layout_.vertices - 1)));
     }
     return result;
 }

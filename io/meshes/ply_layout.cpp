@@ -30,7 +30,7 @@ RecordTable points_of(const PartialFile& file, const PlyElement& element, std::i
             refuse_layout(file, "vertices lack coordinates");
         table.fields.push_back({offsets[place], element.properties[place].type});
     }
-    table.runs = {{element.count, begin, offsets.back()}};
+    table.stretches = {{element.count, begin, offsets.back()}};
     return table;
 }
 
@@ -44,8 +44,8 @@ void add_faces(MeshLayout& layout, const PlyElement& element, std::int64_t begin
     layout.cells = table_of(list.type, corners);
     for (auto& field : layout.cells.fields)
         field.offset += first;
-    layout.cells.runs = {{element.count, begin, offsets.back()}};
-    layout.expected.push_back({{{{length, list.length_type}}, layout.cells.runs}, corners, 0});
+    layout.cells.stretches = {{element.count, begin, offsets.back()}};
+    layout.expected.push_back({{{{length, list.length_type}}, layout.cells.stretches}, corners, 0});
 }
 
 void check_lists(const PartialFile& file, const PlyElement& element) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
+#include "base/listed.h"
 #include "io/meshes/readers.h"
 #include "io/scanner.h"
 
@@ -94,9 +96,11 @@ private:
 
     [[noreturn]] void fail_range(const Scanner& place, std::int64_t number) const {
         const char* back = number < 0 ? " counted back from here" : "";
-        place.fail(fmt::format("vertex number {} is out of range; expected {} to {}{}; correct the "
-                               "index or add the vertex",
-                               number, number < 0 ? -vertices() : 1, number < 0 ? -1 : vertices(),
+        place.fail(fmt::format("vertex number {} is out of range; {}{}; correct the index or add "
+                               "the vertex",
+                               number,
+                               number < 0 ? expected_numbers(-vertices(), -1)
+                                          : expected_numbers(1, vertices()),
                                back));
     }
 

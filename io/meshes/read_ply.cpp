@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
 #include "io/meshes/cell_lists.h"
 #include "io/meshes/ply_header.h"
 #include "io/meshes/readers.h"
@@ -142,9 +143,9 @@ private:
     void read_corner(const PlyProperty& property, const char* what, Index cell) {
         const double value = source_.value(property.type);
         if (!(value >= 0.0 && value < vertices_) || value != std::floor(value))
-            source_.fail(fmt::format("{} {} has the vertex number {}; expected 0 to {}; correct "
-                                     "the index or add the vertex",
-                                     what, cell, value, vertices_ - 1));
+            source_.fail(fmt::format("{} {} has the vertex number {}; {}; correct the index or add "
+                                     "the vertex",
+                                     what, cell, value, expected_numbers(0, vertices_ - 1)));
         corners_.push_back(static_cast<Index>(value));
     }
 

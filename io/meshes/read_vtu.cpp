@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
 #include "io/meshes/readers.h"
 #include "io/meshes/vtk_cells.h"
 #include "io/meshes/vtu_file.h"
@@ -56,10 +57,10 @@ private:
         const auto most = static_cast<double>(points.size() / 3);
         for (const double corner : corners) {
             if (vtu_.pieces() > 1 && !(corner >= 0 && corner < most))
-                place_of(text).fail(fmt::format("a cell of piece {} has the vertex number {}; "
-                                                "expected 0 to {}; correct the index or add the "
-                                                "vertex",
-                                                piece, corner, most - 1));
+                place_of(text).fail(fmt::format(
+                    "a cell of piece {} has the vertex number {}; {}; correct the index or add the "
+                    "vertex",
+                    piece, corner, expected_numbers(0, std::ssize(points) / 3 - 1)));
             arrays_.corners.push_back(before + corner);
         }
         for (const double end : ends)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/vtk_cells.h"
 
+#include "base/checks.h"
 #include "io/meshes/cell_lists.h"
 #include "io/meshes/readers.h"
 
@@ -163,9 +164,9 @@ private:
     Index vertex_at(std::size_t place, std::size_t cell) const {
         const double value = arrays_.corners[place];
         if (!(value >= 0.0 && value < vertices_) || value != std::floor(value))
-            place_.fail(fmt::format("cell {} has the vertex number {}; expected 0 to {}; correct "
-                                    "the index or add the vertex",
-                                    cell, value, vertices_ - 1));
+            place_.fail(fmt::format("cell {} has the vertex number {}; {}; correct the index or "
+                                    "add the vertex",
+                                    cell, value, expected_numbers(0, vertices_ - 1)));
         return static_cast<Index>(value);
     }
 

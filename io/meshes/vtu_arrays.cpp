@@ -82,15 +82,18 @@ public:
         }
     }
 
-    /// How many bytes a compressed array has, by what stands in front of it.
+    /// How many bytes the array has, by what stands in front of it.
     double promised() const {
+        if (!encoding_.is_compressed)
+            return static_cast<double>(size_);
         return (static_cast<double>(blocks_) - 1) * static_cast<double>(size_) +
                static_cast<double>(last_size_ == 0 ? size_ : last_size_);
     }
 
-    /// How many bytes the rest of the file can inflate to.
+    /// How many bytes the rest of the file can give.
     double capacity() const {
-        return most_inflated_per_byte * static_cast<double>(source_.remaining());
+        return (encoding_.is_compressed ? most_inflated_per_byte : 1) *
+               static_cast<double>(source_.remaining());
     }
 
     std::string bytes() { return encoding_.is_compressed ? inflated() : source_.read(size_); }
@@ -154,29 +157,25 @@ Scanner place_of(const VtuText& array, const SourceFile& file) {
     return place;
 }
 
-/// A small stream can inflate to a thousand times its size, and a small file tell of any numbers.
-void check_promise(const VtuText& array, const ArrayDecoder& decoder, std::size_t each,
-                   const Scanner& place) {
-    const double promised = decoder.promised();
-    if (array.numbers && promised != *array.numbers * static_cast<double>(each))
-        place.fail(fmt::format(
-            "the compressed array {} announces {:.0f} bytes; expected {:.0f}, from the numbers of "
-            "points, cells and corners of its piece; export it again",
-            quote_word(array.name()), promised, *array.numbers * static_cast<double>(each)));
-    if (promised > decoder.capacity())
-        place.fail(
-            fmt::format("the compressed array {} announces {:.0f} bytes; expected at most {:.0f}, "
-                        "the capacity of the rest of the file; export it again, it seems cut off",
-                        quote_word(array.name()), promised, decoder.capacity()));
-}
-
-std::vector<double> checked(std::vector<double> values, const VtuText& array,
-                            const Scanner& place) {
-    if (array.numbers && static_cast<double>(values.size()) != *array.numbers)
+void check_count(double numbers, const VtuText& array, const Scanner& place) {
+    if (array.numbers && numbers != *array.numbers)
         place.fail(fmt::format("the array {} has {} numbers; expected {:.0f}, from the numbers of "
                                "points, cells and corners of its piece; export it again",
-                               quote_word(array.name()), values.size(), *array.numbers));
-    return values;
+                               quote_word(array.name()), numbers, *array.numbers));
+}
+
+/// How many bytes an array needs, by what stands in front of it: a small stream can inflate to a
+/// thousand times its size, and a small file tell of any numbers.
+double memory_of(const ArrayDecoder& decoder, const VtuText& array, const Scanner& place) {
+    const double promised = decoder.promised();
+    const auto each = static_cast<double>(size_of(type_of(array, place)));
+    check_count(promised / each, array, place);
+    if (promised > decoder.capacity())
+        place.fail(fmt::format(
+            "the array {} announces {:.0f} bytes; expected at most {:.0f}, the capacity "
+            "of the rest of the file; export it again, it seems cut off",
+            quote_word(array.name()), promised, decoder.capacity()));
+    return promised * (1 + static_cast<double>(sizeof(double)) / each);
 }
 
 /// The bytes of an array that is not text.
@@ -230,22 +229,22 @@ double check_vtu_array(const VtuText& array, const VtuEncoding& encoding, const 
     if (!encoding.is_compressed || array.format() == "ascii")
         return 0;
     const Scanner place = place_of(array, file);
-    const auto each = size_of(type_of(array, place));
-    const ArrayDecoder decoder = decoder_of(array, encoding, place);
-    check_promise(array, decoder, each, place);
-    return decoder.promised() *
-           (1 + static_cast<double>(sizeof(double)) / static_cast<double>(each));
+    return memory_of(decoder_of(array, encoding, place), array, place);
 }
 
 std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding,
                                const SourceFile& file) {
     const Scanner place = place_of(array, file);
     const auto type = type_of(array, place);
-    if (array.format() == "ascii")
-        return checked(values_from_text(place), array, place);
-    check_memory(check_vtu_array(array, encoding, file),
+    if (array.format() == "ascii") {
+        auto values = values_from_text(place);
+        check_count(static_cast<double>(values.size()), array, place);
+        return values;
+    }
+    ArrayDecoder decoder = decoder_of(array, encoding, place);
+    check_memory(memory_of(decoder, array, place),
                  fmt::format("{}: the array {}", file.name, quote_word(array.name())));
-    const auto bytes = decoder_of(array, encoding, place).bytes();
+    const auto bytes = decoder.bytes();
     const auto each = size_of(type);
     if (bytes.size() % each != 0)
         place.fail(fmt::format(
@@ -254,7 +253,7 @@ std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding
     std::vector<double> values(bytes.size() / each);
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = value_at(bytes.data() + i * each, type, encoding.order);
-    return checked(std::move(values), array, place);
+    return values;
 }
 
 } // namespace polydec

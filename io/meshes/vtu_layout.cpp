@@ -31,7 +31,7 @@ public:
         if (bytes > file_.size - header - width || bytes % table.reach() != 0 ||
             (array.numbers && static_cast<double>(bytes) != *array.numbers * each))
             refuse_layout(file_, "an array does not have the announced length");
-        table.runs = {{bytes / table.reach(), header + width, table.reach()}};
+        table.stretches = {{bytes / table.reach(), header + width, table.reach()}};
         return table;
     }
 

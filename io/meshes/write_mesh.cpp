@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
 #include "base/errors.h"
 #include "io/byte_order.h"
 #include "io/meshes/mesh_files.h"
@@ -38,8 +39,8 @@ void check_simplices(const Path& path, const Mesh& mesh) {
         for (const Index vertex : mesh.simplices.row(cell))
             if (vertex < 0 || vertex >= mesh.points.rows())
                 refuse_writing(path,
-                               fmt::format("cell {} has the vertex {}; expected 0 to {}", cell,
-                                           vertex, mesh.points.rows() - 1),
+                               fmt::format("cell {} has the vertex {}; {}", cell, vertex,
+                                           expected_numbers(0, mesh.points.rows() - 1)),
                                {.degree = mesh.dimension(),
                                 .cells = {static_cast<Index>(cell)},
                                 .vertices = {vertex}});

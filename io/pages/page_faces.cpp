@@ -43,7 +43,7 @@ std::span<const Index> corners_of(const VtuGrid& grid, Index cell) {
 /// The faces of all 3-cells of a grid, as often as they are met.
 std::vector<Ring> rings_of_solids(const VtuGrid& grid) {
     std::vector<Ring> rings;
-    std::size_t faces_begin = 0;
+    std::int64_t faces_begin = 0;
     for (Index cell = 0; cell < std::ssize(grid.types); ++cell) {
         const auto corners = corners_of(grid, cell);
         if (grid.types[cell] == VtuCell::tetra)
@@ -52,16 +52,13 @@ std::vector<Ring> rings_of_solids(const VtuGrid& grid) {
         if (grid.types[cell] == VtuCell::hexahedron)
             for (const auto& [a, b, c, d] : hexahedron_faces)
                 rings.push_back({{corners[a], corners[b], corners[c], corners[d]}, cell});
+        const std::int64_t faces_end = grid.face_offsets[cell];
         if (grid.types[cell] == VtuCell::polyhedron) {
-            const Index* next = grid.faces.data() + faces_begin;
-            for (Index left = *next++; left > 0; --left) {
-                const Index size = *next++;
-                rings.push_back({{next, next + size}, cell});
-                next += size;
-            }
+            const auto faces = polyhedron_faces(grid.faces, faces_begin, faces_end);
+            for (const auto& face : faces.value())
+                rings.push_back({{face.begin(), face.end()}, cell});
         }
-        if (grid.face_offsets[cell] >= 0)
-            faces_begin = static_cast<std::size_t>(grid.face_offsets[cell]);
+        faces_begin = std::max(faces_begin, faces_end);
     }
     return rings;
 }

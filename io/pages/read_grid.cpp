@@ -2,6 +2,7 @@
 #include "io/meshes/readers.h"
 #include "io/meshes/vtu_file.h"
 #include "io/pages/page.h"
+#include "io/pictures/vtu_solids.h"
 #include "io/scanner.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace polydec {
 
@@ -57,7 +59,7 @@ public:
         for (std::size_t cell = 0; cell < types_.size(); begin = ends_[cell++]) {
             if (ends_[cell] < begin || ends_[cell] > static_cast<Index>(corners_.size()))
                 refuse(cell, "has corners that do not exist");
-            const auto corners = points_of(corners_, begin, ends_[cell]);
+            const auto corners = points_of(std::span(corners_).subspan(begin, ends_[cell] - begin));
             if (types_[cell] == 42)
                 faces_begin = add_faces(cell, faces_begin);
             else
@@ -89,9 +91,9 @@ private:
         return result;
     }
 
-    /// The corners that stand between two places of a list, by their numbers in the grid.
-    std::vector<Index> points_of(const std::vector<Index>& list, Index begin, Index end) const {
-        std::vector<Index> corners(list.begin() + begin, list.begin() + end);
+    /// Corners by their numbers in the grid.
+    std::vector<Index> points_of(std::span<const Index> own) const {
+        std::vector<Index> corners(own.begin(), own.end());
         for (Index& corner : corners)
             corner += first_;
         return corners;
@@ -130,16 +132,12 @@ private:
     /// Returns where the faces of the cell end.
     Index add_faces(std::size_t cell, Index begin) {
         const Index end = cell < face_ends_.size() ? face_ends_[cell] : -1;
-        if (end <= begin || end > static_cast<Index>(faces_.size()))
+        const auto own = polyhedron_faces(faces_, begin, end);
+        if (!own)
             refuse(cell, "has faces that do not exist");
         std::vector<std::vector<Index>> faces;
-        for (Index at = begin + 1; at < end;) {
-            const Index size = faces_[at++];
-            if (size < 3 || size > end - at)
-                refuse(cell, "has faces that do not exist");
-            faces.push_back(points_of(faces_, at, at + size));
-            at += size;
-        }
+        for (const auto& face : *own)
+            faces.push_back(points_of(face));
         add_polyhedron(grid_, faces);
         return end;
     }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/pictures/vtu.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "io/base64.h"
+#include "io/pictures/vtu_solids.h"
 #include "io/source_file.h"
 #include "io/xml_text.h"
 #include "system/atomic_file.h"
@@ -107,35 +109,25 @@ private:
 
     void check_corner(std::size_t cell, Index corner) const {
         if (corner < 0 || corner >= grid_.points.rows())
-            refuse("cell {} has the point {}; expected 0 to {}", cell, corner,
-                   grid_.points.rows() - 1);
+            refuse("cell {} has the point {}; {}", cell, corner,
+                   expected_numbers(0, grid_.points.rows() - 1));
     }
 
     void check_faces(std::size_t cell, std::int64_t begin) const {
-        const auto all = static_cast<std::int64_t>(grid_.faces.size());
-        const auto end = grid_.face_offsets[cell];
-        auto next = begin + 1;
-        const auto count = begin < end && end <= all ? face_number(begin) : Index{-1};
-        bool fits = count >= 0;
-        for (Index face = 0; face < count && fits; ++face) {
-            const auto corners = next < end ? face_number(next) : Index{-1};
-            fits = corners >= 3 && next + corners < end;
-            for (Index i = 1; i <= corners && fits; ++i)
-                check_corner(cell, face_number(next + i));
-            next += fits ? 1 + std::int64_t{corners} : 0;
-        }
-        if (!fits || next != end)
+        const auto faces = polyhedron_faces(grid_.faces, begin, grid_.face_offsets[cell]);
+        if (!faces)
             refuse("the faces of polyhedron {} do not fit together; append it with add_polyhedron, "
                    "with at least 3 corners a face",
                    cell);
+        for (const auto& face : *faces)
+            for (const Index corner : face)
+                check_corner(cell, corner);
     }
 
     template <typename... Args>
     [[noreturn]] void refuse(fmt::format_string<Args...> text, Args&&... args) const {
         refuse_writing(path_, fmt::format(text, std::forward<Args>(args)...));
     }
-
-    Index face_number(std::int64_t place) const { return grid_.faces[place]; }
 
     /// Without a number of entries any will do.
     void check_arrays(const std::vector<VtuArray>& arrays, std::optional<std::size_t> count,

@@ -68,4 +68,21 @@ bool add_simple_solid(VtuGrid& grid, const Faces& faces) {
     return true;
 }
 
+std::optional<std::vector<std::span<const Index>>>
+polyhedron_faces(std::span<const Index> list, std::int64_t begin, std::int64_t end) {
+    if (begin < 0 || begin >= end || end > std::ssize(list))
+        return std::nullopt;
+    std::vector<std::span<const Index>> faces;
+    for (std::int64_t at = begin + 1; at < end;) {
+        const Index corners = list[at++];
+        if (corners < 3 || corners > end - at)
+            return std::nullopt;
+        faces.push_back(list.subspan(at, corners));
+        at += corners;
+    }
+    if (std::ssize(faces) != list[begin])
+        return std::nullopt;
+    return faces;
+}
+
 } // namespace polydec

@@ -4,6 +4,9 @@
 #include "io/pictures/vtu.h"
 
 #include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace polydec {
@@ -17,5 +20,10 @@ inline constexpr std::array<std::array<int, 4>, 6> hexahedron_faces{
 /// Appends a solid, given by its outward faces, as a tetrahedron or hexahedron; returns false and
 /// appends nothing if it is neither.
 bool add_simple_solid(VtuGrid& grid, const std::vector<std::vector<Index>>& faces);
+
+/// The faces of a polyhedron, by their corners, from the entries [begin, end) of a list like
+/// VtuGrid::faces; none if these are not a number of faces and as many faces of 3 or more corners.
+std::optional<std::vector<std::span<const Index>>>
+polyhedron_faces(std::span<const Index> list, std::int64_t begin, std::int64_t end);
 
 } // namespace polydec

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/tetgen/tetgen_input.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "base/listed.h"
 #include "base/lists.h"
@@ -43,8 +44,8 @@ void check_corners(const Mesh& surface) {
         for (int j = 0; j < 3; ++j) {
             const Index corner = given(f, j);
             if (corner < 0 || corner >= surface.points.rows())
-                refuse(fmt::format("mesher: facet {} has the corner {}; expected 0 to {}", f,
-                                   corner, surface.points.rows() - 1),
+                refuse(fmt::format("mesher: facet {} has the corner {}; {}", f, corner,
+                                   expected_numbers(0, surface.points.rows() - 1)),
                        given, f);
             if (corner == given(f, (j + 1) % 3))
                 refuse(fmt::format("mesher: facet {} has the corner {} twice", facet_name(given, f),

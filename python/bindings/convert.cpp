@@ -112,7 +112,7 @@ std::shared_ptr<py::object> shared(const py::object& function) {
             }};
 }
 
-std::function<void(std::string_view)> listener(const py::object& function) {
+Progress listener(const py::object& function) {
     return [kept = shared(function)](std::string_view what) {
         locked([&] {
             check_signals();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/progress.h"
 #include "base/solve_report.h"
 #include "base/types.h"
 #include "dec/forms/cochain.h"
 #include "solvers/sources/boundary_forms.h"
 
 #include <cxxabi.h>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <pybind11/functional.h>
@@ -147,7 +147,7 @@ std::shared_ptr<py::object> shared(const py::object& function);
 
 /// Tells a function of Python's what is being done, if there is one, and lets Ctrl-C end it. May
 /// be called, copied and destroyed without the interpreter's lock.
-std::function<void(std::string_view)> listener(const py::object& function);
+Progress listener(const py::object& function);
 
 /// Lets Ctrl-C end what is being done. To be called with or without the interpreter's lock.
 void check_signals();

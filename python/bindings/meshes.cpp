@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
 #include "io/meshes/cell_lists.h"
 #include "io/meshes/mesh_files.h"
 #include "io/meshes/vtk_cells.h"
@@ -54,8 +55,8 @@ Mesh mesh_of_cells(Points points, const std::vector<CellBlock>& blocks) {
                 if (corner < 0 || corner >= points.rows())
                     throw InvalidInput("cell " + std::to_string(cell) + " of dimension " +
                                            std::to_string(dimension) + " has the vertex " +
-                                           std::to_string(corner) + "; expected 0 to " +
-                                           std::to_string(points.rows() - 1),
+                                           std::to_string(corner) + "; " +
+                                           expected_numbers(0, points.rows() - 1),
                                        {.degree = dimension,
                                         .cells = {static_cast<Index>(cell)},
                                         .vertices = {corner}});

@@ -52,11 +52,11 @@ py::tuple count_of(const Discretization& mesh, const FormSpace& space, const Cel
 }
 
 py::dict error_of(const Discretization& mesh, const FormSpace& space, const CellData& conductivity,
-                  const Vector& f, const Vector& flux, const Vector& u, bool l2,
+                  const Vector& f, const Vector& flux, const Vector& u, Index l2_limit,
                   const std::string& linear_solver) {
     PoissonError error = unlocked([&] {
         return poisson_error(poisson_problem(mesh, space.conditions(), conductivity, f, flux), u,
-                             {.l2 = l2, .linear_solver = linear_solver});
+                             {.l2_limit = l2_limit, .linear_solver = linear_solver});
     });
     warn(error.warnings);
     return py::dict(py::arg("energy") = error.energy,

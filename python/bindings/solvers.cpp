@@ -73,7 +73,8 @@ void add_distance(py::module_& module) {
                 chosen<DistanceMethod>("method", method,
                                        {{name(DistanceMethod::exact), DistanceMethod::exact},
                                         {name(DistanceMethod::heat), DistanceMethod::heat}});
-            return guarded<GeodesicDistance>(mesh, GeodesicOptions{by, time_scale, engine});
+            return guarded<GeodesicDistance>(
+                mesh, GeodesicOptions{by, time_scale, engine, listener(py::none())});
         }))
         .def("to", [](Solver& self, const std::vector<Index>& sources) {
             Distance found =
@@ -95,7 +96,7 @@ void add_paths(py::module_& module) {
     using Paths = Guarded<SurfacePaths>;
     py::class_<Paths>(module, "SurfacePaths")
         .def(py::init([](const Discretization& mesh, const std::vector<Index>& sources) {
-            return guarded<SurfacePaths>(mesh, sources);
+            return guarded<SurfacePaths>(mesh, sources, listener(py::none()));
         }))
         .def("path",
              [](Paths& self, Index vertex) {

@@ -208,7 +208,7 @@ def _problem(complex: CellsLike, f: Form | Values, flux: Values, essential: Any,
 
 def poisson_error(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,
                   flux: Values = 0.0, *, essential: Any = None, robin: Values | None = None,
-                  conductivity: CellNumbers | None = None, l2: bool = True,
+                  conductivity: CellNumbers | None = None, l2_limit: int = 50_000,
                   engine: str = "auto") -> PoissonError:
     """A proved bound of the error of any approximate solution u of ``-div kappa grad u = f``.
 
@@ -221,8 +221,8 @@ def poisson_error(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,
         Values at the vertices, including boundary values.
     f, flux, essential, robin, conductivity, engine
         As for `PoissonSolver` and its `solve`.
-    l2 : bool
-        Whether to compute `l2`, the most expensive part.
+    l2_limit : int
+        Largest number of simplices for which `l2`, the most expensive part, is computed; 0: never.
 
     Examples
     --------
@@ -235,7 +235,7 @@ def poisson_error(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,
     True
     """
     problem, (given,) = _problem(complex, f, flux, essential, robin, conductivity, u=u)
-    return PoissonError(**_core.poisson_error(*problem, given, l2, engine))
+    return PoissonError(**_core.poisson_error(*problem, given, l2_limit, engine))
 
 
 def goal_interval(complex: CellsLike, u: Form | Values, f: Form | Values = 0.0,

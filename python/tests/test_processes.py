@@ -150,6 +150,13 @@ def test_interrupted_steps(square):
     assert is_interrupted(lambda: waves.march(1e9 * waves.time_step))
 
 
+def test_interrupted_distances():
+    """They take half a minute each."""
+    sphere = polydec.discretize(polydec.meshes.icosphere(200), star="circumcentric")
+    assert is_interrupted(lambda: polydec.geodesic_distance(sphere, 0), 2)
+    assert is_interrupted(lambda: polydec.SurfacePaths(sphere, 0), 2)
+
+
 def test_interrupted_stage():
     mesh = polydec.meshes.grid(200, 200)
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "backends/spectra/found_pairs.h"
+#include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "complex/homology.h"
@@ -137,8 +138,12 @@ Spectrum coexact_spectrum(const FormSpace& space, const SpectrumOptions& options
     const auto betti = betti_numbers(complex);
     const Index size = space.size(), all_coexact = coexact_forms(complex, betti, k);
     if (options.count < 1 || options.count > all_coexact)
-        throw InvalidInput(fmt::format("{} coexact {}-forms requested: expected 1 to {}",
-                                       options.count, k, all_coexact));
+        throw InvalidInput(
+            fmt::format("{} coexact {}-forms requested: {}{}", options.count, k,
+                        expected_numbers(1, all_coexact),
+                        all_coexact > 0 ? ""
+                                        : ", because d maps all forms of this space to 0; choose a "
+                                          "smaller degree or other conditions"));
     SpectrumOptions all = options;
     all.count = betti[k] + 2 * options.count + 10;
     if (all.count > size / 2)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backends/spectra/certified_eigensolver.h"
+#include "base/progress.h"
 #include "dec/boundary/form_space.h"
 
 #include <optional>
@@ -13,7 +14,7 @@ struct SpectrumOptions {
     std::string linear_solver = "auto";
     std::string eigen_solver = "auto"; ///< or the name of an engine
     Certification certification = Certification::required;
-    std::function<void(std::string_view)> progress = {}; ///< called with a description at each step
+    Progress progress = {}; ///< called with a description at each step
     /// Called whenever there are more vectors, with the vectors found so far, in the solver's own
     /// scale, so that the caller can save them (see Checkpoint). `start` resumes from the vectors
     /// of an earlier run. The certificate is computed anew, so the result is correct whatever these

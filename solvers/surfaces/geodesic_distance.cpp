@@ -191,12 +191,13 @@ const char* name(DistanceMethod method) {
 struct GeodesicDistance::Parts {
     Triangles surface;
     Vector lengths;
+    Progress progress;
     std::optional<HeatDistance> heat = {};
 };
 
 GeodesicDistance::GeodesicDistance(const Triangles& surface, const Vector& lengths,
                                    const GeodesicOptions& options)
-    : parts_(std::make_shared<Parts>(Parts{surface, lengths})) {
+    : parts_(std::make_shared<Parts>(Parts{surface, lengths, options.progress})) {
     check_lengths(surface, lengths);
     if (options.method == DistanceMethod::heat) {
         parts_->heat.emplace(surface, lengths, options);
@@ -223,9 +224,9 @@ GeodesicDistance::GeodesicDistance(const Discretization& discretization,
 }
 
 Distance GeodesicDistance::to(std::span<const Index> sources) const {
-    const Vector distance = parts_->heat
-                                ? parts_->heat->to(sources)
-                                : exact_distance(parts_->surface, parts_->lengths, sources);
+    const Vector distance =
+        parts_->heat ? parts_->heat->to(sources)
+                     : exact_distance(parts_->surface, parts_->lengths, sources, parts_->progress);
     const auto raised = static_cast<Index>((distance.array() < 0).count());
     Distance result{form_in_input_units(distance.cwiseMax(0), unit_, 1, "distances"), raised,
                     warnings_};

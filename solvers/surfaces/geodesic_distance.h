@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/progress.h"
 #include "base/shared.h"
 #include "complex/surfaces/glued_surface.h"
 #include "dec/discretization/discretization.h"
 #include "meshes/level_sets.h"
+#include "shape/geodesics.h"
 
 #include <span>
 #include <string>
@@ -23,6 +25,7 @@ struct GeodesicOptions {
     DistanceMethod method = DistanceMethod::exact;
     double time_scale = 4;              ///< diffusion time over the squared mean edge length
     std::string linear_solver = "auto"; ///< of the heat method
+    Progress progress = {};             ///< of the exact method
 };
 
 /// Distances of vertices, and the number of values raised to 0.
@@ -96,7 +99,8 @@ class SurfacePaths {
 public:
     /// From 0-cells of complex(). Throws InvalidInput if the mesh is not a surface or has lengths
     /// only; for a 0-cell created by splits; and like exact_distance.
-    SurfacePaths(const Discretization& mesh, std::span<const Index> sources);
+    SurfacePaths(const Discretization& mesh, std::span<const Index> sources,
+                 const Progress& progress = {});
 
     /// Throws InvalidInput for a vertex that is not in the input.
     SurfacePath from(Index vertex) const;

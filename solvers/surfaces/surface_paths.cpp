@@ -30,10 +30,10 @@ struct SurfacePaths::Parts {
     Triangles surface;
     ShortestPaths paths;
 
-    Parts(const Discretization& given, std::span<const Index> sources)
+    Parts(const Discretization& given, std::span<const Index> sources, const Progress& progress)
         : mesh(given),
           surface(triangles_of(given)),
-          paths(surface, given.input_geometry().volumes().primal(1), sources) {}
+          paths(surface, given.input_geometry().volumes().primal(1), sources, progress) {}
 
     /// The point of the tail of a half-edge, as a row; in the unit of the mesh.
     Eigen::RowVectorXd place(Index halfedge) const {
@@ -49,8 +49,9 @@ struct SurfacePaths::Parts {
     }
 };
 
-SurfacePaths::SurfacePaths(const Discretization& mesh, std::span<const Index> sources)
-    : parts_(std::make_shared<Parts>(mesh, sources)) {}
+SurfacePaths::SurfacePaths(const Discretization& mesh, std::span<const Index> sources,
+                           const Progress& progress)
+    : parts_(std::make_shared<Parts>(mesh, sources, progress)) {}
 
 SurfacePath SurfacePaths::from(Index vertex) const {
     const Parts& parts = *parts_;

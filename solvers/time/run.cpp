@@ -51,8 +51,8 @@ std::string in_words(const StepPlan& plan, double seconds) {
 
 } // namespace
 
-TimeListener announcing(const Run& run, const std::vector<double>& times,
-                        std::function<void(std::string_view)> announce, TimeListener progress) {
+TimeListener announcing(const Run& run, const std::vector<double>& times, Progress announce,
+                        TimeListener progress) {
     struct Measured {
         double time;
         Clock::time_point at;

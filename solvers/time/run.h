@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backends/integrator.h"
+#include "base/progress.h"
 #include "dec/discretization/fingerprint.h"
 #include "dec/forms/cochain.h"
 
@@ -66,7 +67,7 @@ public:
 /// steps; if more than ten seconds are left, it calls `announce` once, with a sentence about the
 /// whole march: number and length of steps, what limits them, the estimated time, the memory that
 /// the program has taken, and the option that changes the steps. Every call also calls `progress`.
-TimeListener announcing(const Run& run, const std::vector<double>& times,
-                        std::function<void(std::string_view)> announce, TimeListener progress = {});
+TimeListener announcing(const Run& run, const std::vector<double>& times, Progress announce,
+                        TimeListener progress = {});
 
 } // namespace polydec

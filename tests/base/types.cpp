@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.h"
+#include "base/exponent.h"
 #include "tests/support/test.h"
 
 #include <complex>
@@ -82,12 +84,21 @@ TEST(Vector, is_moved_out_of_eigens_without_a_copy) {
     EXPECT_EQ(assigned.data(), place);
 }
 
+TEST(ScaledNumber, out_of_range_is_an_error_of_its_own) {
+    EXPECT_EQ(ScaledNumber({0.5, 3}).in_range("a square"), 4);
+    EXPECT_THROW(ScaledNumber({1, 5000}).in_range("a square"), OutOfRange);
+    EXPECT_THROW(ScaledNumber({1, -5000}).in_range("a square"), OutOfRange);
+    EXPECT_THROW(in_input_units(Vector{{1}}, 0x1p1000, 2, "areas"), OutOfRange);
+}
+
 TEST(checks, say_what_is_asked_for_and_what_there_is) {
     EXPECT_NO_THROW(check_number("degree", 0, 0, 3));
     EXPECT_NO_THROW(check_number("degree", 3, 0, 3));
     EXPECT_REFUSED(check_number("degree", 4, 0, 3), "degree 4", "0", "3");
     EXPECT_REFUSED(check_number("degree", -1, 0, 3), "degree -1", "0", "3");
     EXPECT_REFUSED(check_number("2-cell", 0, 0, -1), "2-cell 0", "none");
+    EXPECT_EQ(expected_numbers(1, 1), "expected 1 to 1");
+    EXPECT_EQ(expected_numbers(1, 0), "there are none");
     EXPECT_NO_THROW(check_as_many("labels", 3, 3));
     EXPECT_REFUSED(check_as_many("labels", 3, 4), "3 labels", "4");
 }

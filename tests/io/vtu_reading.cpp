@@ -281,30 +281,8 @@ TEST(VtuReading, DamagedArraysAreNamed) {
                       "a.vtu:25", "block 0", "compressed", "zlib");
 }
 
-TEST(VtuReading, CompressedArraysInflateToWhatTheirPieceTells) {
-    struct Array {
-        const char* name;
-        const char* found;
-        const char* expected;
-    };
-    for (auto variant : variants()) {
-        if (!variant.is_compressed)
-            continue;
-        for (const auto& [name, found, expected] :
-             {Array{"Points", "128 bytes", "expected 120"},
-              Array{"connectivity", "96 bytes", "expected 88"},
-              Array{"offsets", "16 bytes", "expected 12"}, Array{"types", "4 bytes", "expected 3"},
-              Array{"gmsh:physical", "8 bytes", "expected 6"}}) {
-            variant.longer = name;
-            EXPECT_UNREADABLE("a.vtu", grid(variant), "a.vtu:", name, found, expected);
-        }
-    }
-}
-
 TEST(VtuReading, ArraysHaveTheNumbersThatTheirPieceTells) {
-    for (auto variant : variants()) {
-        if (variant.is_compressed)
-            continue;
+    for (auto variant : variants())
         for (const auto& [name, wanted] : {std::pair("Points", 15),
                                            {"connectivity", 11},
                                            {"offsets", 3},
@@ -315,7 +293,6 @@ TEST(VtuReading, ArraysHaveTheNumbersThatTheirPieceTells) {
                               fmt::format("{} numbers", wanted + 1),
                               fmt::format("expected {}", wanted));
         }
-    }
 }
 
 TEST(VtuReading, NothingIsInflatedForAPromiseThatIsTooLarge) {
@@ -325,7 +302,7 @@ TEST(VtuReading, NothingIsInflatedForAPromiseThatIsTooLarge) {
     const auto text = replaced(grid({Place::in_line, std::endian::little, true, true}),
                                "NumberOfComponents=\"3\" format=\"binary\">\n",
                                "NumberOfComponents=\"3\" format=\"binary\">\n" + base64(header));
-    EXPECT_UNREADABLE("a.vtu", text, "a.vtu:", "Points", "2199023255552 bytes", "expected 120");
+    EXPECT_UNREADABLE("a.vtu", text, "a.vtu:", "Points", "274877906944 numbers", "expected 15");
     const auto spaced = replaced(grid({Place::in_line, std::endian::little, true, true}),
                                  "NumberOfPoints=\"5\"", "NumberOfPoints=\"   5\"");
     EXPECT_EQ(parse_mesh({"a.vtu", spaced}).points.rows(), 5);
@@ -340,9 +317,9 @@ TEST(VtuReading, ClaimsOfGiantPiecesAreRefusedBeforeAnythingIsInflated) {
     damaged[damaged.find(points) + std::string(points).size() + 120] = '/';
     EXPECT_UNREADABLE("a.vtu", damaged, "a.vtu:", "block");
     EXPECT_UNREADABLE("a.vtu", replaced(damaged, "OfCells=\"3", "OfCells=\"" + giant),
-                      "a.vtu:", "offsets", "12 bytes", "expected 4398046511104");
+                      "a.vtu:", "offsets", "3 numbers", "expected 1099511627776");
     EXPECT_UNREADABLE("a.vtu", replaced(damaged, "OfPoints=\"5", "OfPoints=\"" + giant),
-                      "a.vtu:", "Points", "120 bytes", "expected 26388279066624");
+                      "a.vtu:", "Points", "15 numbers", "expected 3298534883328");
 
     // what stands in front of the array agrees, but no file of this size holds so much
     const auto header = bytes_of_all<std::uint64_t>(

@@ -90,6 +90,22 @@ TEST(VtuSolids, PolygonsHaveTheTypeOfTheirNumberOfCorners) {
     EXPECT_EQ(grid.types, (std::vector{VtuCell::triangle, VtuCell::quad, VtuCell::polygon}));
 }
 
+TEST(VtuSolids, FacesOfPolyhedraFitTogether) {
+    const std::vector<Index> list{9, 2, 3, 0, 1, 2, 4, 3, 4, 5, 6};
+    const auto faces = polyhedron_faces(list, 1, 11);
+    ASSERT_TRUE(faces);
+    ASSERT_EQ(faces->size(), 2);
+    EXPECT_TRUE(std::ranges::equal((*faces)[0], std::vector{0, 1, 2}));
+    EXPECT_TRUE(std::ranges::equal((*faces)[1], std::vector{3, 4, 5, 6}));
+    // another number of faces, too few corners, the end of the list, nothing, and before the list
+    EXPECT_FALSE(polyhedron_faces(std::vector<Index>{1, 3, 0, 1, 2, 3, 3, 4, 5}, 0, 9));
+    EXPECT_FALSE(polyhedron_faces(std::vector<Index>{1, 2, 0, 1}, 0, 4));
+    EXPECT_FALSE(polyhedron_faces(list, 1, 10));
+    EXPECT_FALSE(polyhedron_faces(list, 1, 12));
+    EXPECT_FALSE(polyhedron_faces(list, 1, 1));
+    EXPECT_FALSE(polyhedron_faces(list, -1, 3));
+}
+
 TEST(VtuSolids, WhatIsWrittenIsReadAsItIs) {
     VtuGrid grid;
     grid.points = Points::Random(8, 3);

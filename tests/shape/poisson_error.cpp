@@ -70,7 +70,7 @@ TEST(PoissonError, is_between_the_true_one_and_a_little_more) {
         }
         const PoissonProblem same = problem_of(sample, fine, fine_f);
         const Vector reference = galerkin(same, coarse);
-        const double off = poisson_error(same, reference, {.l2 = false}).energy;
+        const double off = poisson_error(same, reference, {.l2_limit = 0}).energy;
         const auto [energy, mass] = squared_difference(same, coarse, reference);
         // Galerkin's errors are orthogonal
         EXPECT_GE(error.energy, std::sqrt(energy)) << sample.name;
@@ -119,7 +119,7 @@ TEST(PoissonError, of_a_cube_of_tetrahedra_is_above_that_against_a_finer_one) {
     const PoissonProblem coarse = torsion(kuhn(3, 3)), fine = torsion(kuhn(3, 12));
     const auto squared_size = [](const PoissonProblem& problem, double& bound) {
         const Vector u = galerkin(problem, Vector::Zero(problem.shape.pieces.size(0)));
-        const PoissonError error = poisson_error(problem, u, {.l2 = false});
+        const PoissonError error = poisson_error(problem, u, {.l2_limit = 0});
         bound = error.energy;
         return error.size * error.size;
     };
@@ -194,7 +194,7 @@ TEST(PoissonError, is_compared_with_the_gradient_alone) {
     for (const double alpha : {0.5, 2.0, 1e3}) {
         problem.shape.conditions = {BoundaryCondition::robin, {}, {alpha}};
         const Vector shifted = u.array() + 7;
-        EXPECT_NEAR(poisson_error(problem, shifted, {.l2 = false}).size, size, 1e-12 * size);
+        EXPECT_NEAR(poisson_error(problem, shifted, {.l2_limit = 0}).size, size, 1e-12 * size);
     }
 }
 
@@ -251,6 +251,20 @@ TEST(PoissonError, of_separate_simplices_without_given_values_is_that_of_the_res
         EXPECT_LE(error.energy, 2 * error.oscillation);
         EXPECT_LE(*error.l2, error.energy);
     }
+}
+
+TEST(PoissonError, of_L2_is_known_up_to_a_limit) {
+    const PoissonProblem problem{unmerged(kuhn(2, 4)), DenseMatrix::Ones(32, 1), {}};
+    const Vector u = Vector::Zero(25);
+    const PoissonError below = poisson_error(problem, u, {.l2_limit = 32}),
+                       above = poisson_error(problem, u, {.l2_limit = 31}),
+                       never = poisson_error(problem, u, {.l2_limit = 0});
+    EXPECT_TRUE(below.l2);
+    EXPECT_TRUE(below.warnings.empty() && never.warnings.empty());
+    EXPECT_FALSE(above.l2 || never.l2);
+    ASSERT_EQ(above.warnings.size(), 1);
+    EXPECT_SAYS(above.warnings[0], "L2", "above 31 simplices");
+    EXPECT_EQ(above.energy, below.energy);
 }
 
 TEST(PoissonError, of_L2_is_known_of_any_few_simplices_by_any_engine) {

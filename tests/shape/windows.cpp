@@ -49,6 +49,21 @@ TEST(Windows, begin_once_at_a_source_that_is_given_twice) {
     EXPECT_EQ(of({3, 9, 3}), of({3, 9}));
 }
 
+TEST(Windows, end_with_what_the_listener_throws) {
+    const MeasuredSurface sphere = measured(icosphere(4));
+    const std::vector<Index> sources{0};
+    std::vector<std::string> heard;
+    const Progress stop = [&](std::string_view what) {
+        heard.emplace_back(what);
+        throw std::runtime_error("enough");
+    };
+    EXPECT_THROW(exact_distance(sphere.surface, sphere.lengths, sources, stop), std::runtime_error);
+    EXPECT_THROW(ShortestPaths(sphere.surface, sphere.lengths, sources, stop), std::runtime_error);
+    EXPECT_THROW(GeodesicDistance(sphere.surface, sphere.lengths, {.progress = stop}).to(sources),
+                 std::runtime_error);
+    EXPECT_EQ(heard, std::vector<std::string>(3, "0 windows"));
+}
+
 TEST(Windows, beyond_the_most_are_refused) {
     const MeasuredSurface sphere = measured(icosphere(4));
     const std::size_t needed = windows(sphere, most_windows(320)).windows;

@@ -212,6 +212,11 @@ TEST(WaveErrors, name_what_is_wrong) {
     EXPECT_SAYS(refused_heat(-1), "backward-euler", "fixed_step is -1");
     EXPECT_REFUSED(coexact_spectrum({{mesh.complex(), mesh.volumes()}, Side::dual, 0}),
                    "forms are dual", "primal forms", "coexact dual forms");
+    const Cells cells(mesh.complex(), mesh.stars());
+    EXPECT_REFUSED(coexact_spectrum({cells, Side::primal, 2}, {.count = 1}), "coexact 2-forms",
+                   "there are none", "smaller degree");
+    EXPECT_REFUSED(coexact_spectrum({cells, Side::primal, 0}, {.count = 25}), "coexact 0-forms",
+                   "expected 1 to 24");
 }
 
 } // namespace polydec::test::in_waves_in_cavities

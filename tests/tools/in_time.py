@@ -306,6 +306,18 @@ class InTime(TestCase):
                 self.assertIn("--until", self.fail_with(1, *line, wrong))
         self.fail_with(1, *heat, "--resume")
 
+    def test_a_norm_that_is_no_number_is_told_apart_from_one_out_of_range(self):
+        """A triangle with two negative duals, whose values are all given, beside a hexagon."""
+        around = [(math.cos(k * math.pi / 3), math.sin(k * math.pi / 3)) for k in range(6)]
+        points = [(0, 0), *around, (100, 9), (0, 10), (-100, 9)]
+        cells = [*((0, k + 1, (k + 1) % 6 + 1) for k in range(6)), (7, 8, 9)]
+        self.write("apart.nsc", f"2 2 {len(points)} {len(cells)}\n" +
+                   "".join("%r %r\n" % each for each in points) +
+                   "".join("%d %d %d\n" % each for each in cells))
+        heat = ("heat", "apart.nsc", "--side", "primal", "--star", "circumcentric", "--initial", "x",
+                "--essential-where", 1, "--boundary-values", "x", "--until", .1, "--time-step", .05)
+        self.assertSays(self.fail_with(2, *heat), "squared norm", "0-cells", "negative duals")
+
     def test_a_long_run_says_in_a_file_too_what_it_will_do(self):
         sphere = self.generate("icosphere", "--frequency", 20)
         begin, end = "polydec: {}: ", "; about [0-9,]+ (min|h|days|years){}, .*B of memory; {} .*"

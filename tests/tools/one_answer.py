@@ -304,6 +304,20 @@ class OneAnswer(TestCase):
             self.check(self.write(name, text))
         self.check_that_some_warn_and_some_refuse()
 
+    def test_of_errors_with_and_without_l2(self):
+        """The library knows up to which size the error in L2 is proved."""
+        for cells, left_out in ((8, False), (159, True)):
+            path = self.generate("grid", "--nx", cells, "--ny", cells)
+            answer = self.ask("poisson", path, "--side", "primal", "--rhs", 1)
+            mesh = polydec.discretize(path)
+            u = polydec.poisson(mesh, 1.0).values
+            found = of_python(lambda: (polydec.poisson_error(mesh, u, 1.0), 0))
+            bound = answer["error_bound"]
+            for name in ("energy", "averaged_gradient", "size", "oscillation", "l2"):
+                self.assertEqual(differences(bound[name], getattr(found.numbers, name), zero=1e-12), [])
+            self.assertEqual(bound["l2"] is None, left_out)
+            self.assertEqual(found.warnings, [answer["without_error_bound"]] if left_out else [])
+
     def test_other_questions_have_other_answers(self):
         path = command.golden("folded_rect.off")
         mesh = polydec.discretize(path)

@@ -35,7 +35,7 @@ public:
 
 private:
     Ranks ranks_;
-    Progress progress_;
+    ProgressLine progress_;
 };
 
 /// A log whose stages also count what this rank sends to others.
