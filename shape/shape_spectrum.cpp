@@ -182,13 +182,16 @@ void Enclosing::warn() {
     const double top = result_.upper[options_.count - 1] / ratio_;
     if (const auto too_large = lower_.beyond(top); !too_large.empty())
         result_.warnings.push_back(warning_of_large(shape_, too_large, top, lower_.limit()));
-    const Vector wide = widths(result_);
-    const auto rough = (wide.array() > options_.width).count();
-    if (options_.width > 0 && rough > 0)
-        result_.warnings.push_back(
+}
+
+void warn_of_widths(ShapeSpectrum& spectrum, double width) {
+    const Vector wide = widths(spectrum);
+    const auto rough = (wide.array() > width).count();
+    if (width > 0 && rough > 0)
+        spectrum.warnings.push_back(
             fmt::format("{} of {} enclosures are wider than the requested relative width {:.3g}, "
                         "the widest {:.3g}: refine the mesh",
-                        rough, options_.count, options_.width, wide.maxCoeff()));
+                        rough, wide.size(), width, wide.maxCoeff()));
 }
 
 /// Bisects as many of these simplices, those in front first, as leave at most `most`. Not all may
@@ -212,6 +215,9 @@ ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
     const int n = shape.pieces.dimension();
     const Index vertices = shape.pieces.size(0), simplices = shape.pieces.size(n);
     bool full = simplices >= options.max_triangles;
+    // the best of all rounds: many small simplices may widen an enclosure by rounding
+    Vector lower = Vector::Zero(options.count),
+           upper = Vector::Constant(options.count, std::numeric_limits<double>::infinity());
     for (;;) {
         Enclosing enclosing(shape, options);
         auto marked =
@@ -219,6 +225,8 @@ ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
         if (full || marked.empty()) {
             marked.clear();
             ShapeSpectrum result = enclosing.enclose();
+            result.lower = lower = lower.cwiseMax(result.lower);
+            result.upper = upper = upper.cwiseMin(result.upper);
             if (!full && widths(result).maxCoeff() > options.width)
                 marked = enclosing.marked();
             if (marked.empty()) {
@@ -226,6 +234,7 @@ ShapeSpectrum enclosed(Shape shape, const ShapeSpectrumOptions& options) {
                     result.modes = DenseMatrix(result.modes.topRows(vertices));
                     result.edge_modes = {};
                 }
+                warn_of_widths(result, options.width);
                 return result;
             }
         }

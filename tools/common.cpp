@@ -134,9 +134,10 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, std::option
         "mesh file: .off .obj .ply .stl .mesh .msh .node .ele .vtk .vtu .nsc .pdm, or .nsl (edge "
         "lengths); divides polygons, hexahedra, ..; curved cells by corners");
     command
-        .add_option(
-            "--centers", arguments.centers,
-            "NAME\tcircumcenters (default), or centroids (positive duals, less exact, no merging)")
+        .add_option("--centers", arguments.centers,
+                    "NAME\tcircumcenters (default), or centroids: positive duals, no merging, and "
+                    "errors that "
+                    "need not shrink in degrees 1 .. n-1")
         ->check(one_of({"circumcenters", "centroids"}));
     auto* groups =
         command.add_flag("--keep-groups", arguments.keep_groups,
@@ -236,7 +237,9 @@ std::string in_words(const ChosenStars& stars) {
     if (stars.kind == StarKind::hybrid)
         return fmt::format("hybrid stars, Galerkin's on {:.3g} % of the cells",
                            100 * stars.galerkin_share());
-    return fmt::format("{} stars", name(stars.kind));
+    const bool is_mixed = stars.kind == StarKind::galerkin && stars.stars.dimension() > 1 &&
+                          stars.stars[0].is_diagonal();
+    return fmt::format("{} stars{}", name(stars.kind), is_mixed ? ", diagonal for functions" : "");
 }
 
 void FormFacts::write_form(JsonWriter& json) const {

@@ -159,9 +159,9 @@ std::vector<std::string> warning_of_negative_duals(const Cells& cells, int k,
     const auto count = cells.stars()[k].negatives().size();
     if (count == 0)
         return {};
-    return {
-        fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay there): {}",
-                    count, k, count == 1 ? "has" : "have", consequence)};
+    return {fmt::format("{} of the {}-cells {} a negative dual (not Delaunay there, or a center "
+                        "beyond the boundary): {}",
+                        count, k, count == 1 ? "has" : "have", consequence)};
 }
 
 void warn_of_hybrid_stars(const SimplicialComplex& input, const Vector& lengths,

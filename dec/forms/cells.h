@@ -30,8 +30,8 @@ public:
     int dimension() const { return complex_.dimension(); }
     Index size(int k) const { return complex_.size(k); } ///< number of k-cells
 
-    /// Volumes of the cells and of their duals: of a mesh those between circumcenters, whatever its
-    /// stars; circumcentric stars without material are ratios of these.
+    /// Volumes of the cells and of their duals: of a mesh those between its centers, by default
+    /// circumcenters, whatever its stars; circumcentric stars without material are ratios of these.
     const CellVolumes& volumes() const& { return volumes_; }
     CellVolumes volumes() && { return volumes_; }
 

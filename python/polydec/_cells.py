@@ -130,7 +130,8 @@ class Cells:
     def dual_volumes(self, k: int) -> Floats:
         """Signed (n-k)-volumes of the duals of the k-cells: a view of the stored array.
 
-        The duals of a mesh lie between circumcenters, whatever its stars and materials.
+        The duals of a mesh lie between the centers of `discretize`, by default circumcenters,
+        whatever its stars and materials.
         """
         return self._cells.dual_volumes(k)
 
@@ -191,7 +192,9 @@ class Cells:
         return self._cells.laplacian(side, k)
 
     def stiffness(self, k: int) -> Any:
-        """Stiffness matrix ``star(k) * laplacian(k)`` of primal k-forms: symmetric and sparse."""
+        """Stiffness matrix ``star(k) * laplacian(k)`` of primal k-forms: symmetric and sparse.
+
+        Raises InvalidInput where it would invert a star that is a matrix."""
         return self._cells.stiffness(k)
 
     def dual_boundary_derivative(self, j: int) -> Any:

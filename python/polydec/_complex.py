@@ -52,7 +52,7 @@ class Complex(Cells):
     """A mesh discretized by `discretize`: its cells, merged where they are cospherical.
 
     All members of `Cells` refer to the merged cells. Values of primal 0-forms are at `points`,
-    values of other forms at `centers`.
+    those of dual 0-forms at `dual_sites()`.
 
     Attributes
     ----------
@@ -148,7 +148,9 @@ class Complex(Cells):
 
     @property
     def star_kind(self) -> str:
-        """Kind of the stars: "circumcentric", "galerkin", "hybrid", "barycentric" or "own"."""
+        """Kind of the stars: "circumcentric", "galerkin", "hybrid", "barycentric" or "own".
+
+        Where "automatic" took Galerkin's, the star of functions is a diagonal between centroids."""
         return self._mesh.star_kind
 
     def boundary_vertices(self) -> Integers:
@@ -312,10 +314,11 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
         Whether simplices of different tags may become one cell.
     star : {"automatic", "circumcentric", "galerkin", "hybrid", "barycentric"}
         Kind of the Hodge stars. "automatic" takes circumcentric stars if they are positive, as on
-        every mesh that is Delaunay after merging, and another positive kind otherwise; see
-        `star_kind`.
+        Delaunay meshes without right or obtuse angles opposite the boundary, and another positive
+        kind otherwise; see `star_kind`.
     centers : {"circumcenters", "centroids"}
-        Centers that duals connect; with centroids nothing is merged.
+        Centers that duals connect; with centroids nothing is merged, and stars are barycentric:
+        in degrees 1 .. n-1 errors need not shrink.
     refine : float, optional
         First bisects simplices until no edge is longer. Parts keep tags and values.
     progress : callable, optional

@@ -18,7 +18,8 @@ class HodgeParts:
 
     The inner product is that of the free values: it differs from that of all cells only where
     values of dual forms are fixed and the star is a matrix.
-    ``potential.d()`` is the exact part; ``copotential.d()`` is the star of the coexact part.
+    ``potential.d()`` is the exact part and ``copotential.d()`` the star of the coexact part, at
+    cells whose values no condition fixes.
     """
 
     exact: Cochain

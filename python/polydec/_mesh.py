@@ -242,7 +242,8 @@ def read_mesh(path: Path) -> Mesh:
 def write_mesh(path: Path, mesh: Mesh) -> None:
     """Writes a mesh; the extension gives the format: .nsc, .pdm, .mesh, .off, .obj, .ply or .stl.
 
-    Numbers read back exactly, except from STL. Only .nsc and .pdm hold every mesh; only
+    Numbers read back exactly, except from STL; .off, .obj and .ply
+    add z = 0 to points of the plane. Only .nsc and .pdm hold every mesh; only
     .pdm and MEDIT keep tags.
 
     Raises

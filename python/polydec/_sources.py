@@ -75,7 +75,7 @@ class PoissonSolver:
     complex : Cells, or a mesh as `discretize` takes it
     degree, side
         Degree and side of the forms; by default primal 0-forms, with values at vertices. Dual
-        0-forms have values at the circumcenters of n-cells.
+        0-forms have values at ``complex.dual_sites()``.
     essential : bool or array of bool or callable or str or list of str
         Boundary facets with given u (Dirichlet); for forms, given tangential parts of u and
         delta u. All, none, or one mark per (n-1)-cell; by default all, or none if `robin` is given.

@@ -51,7 +51,7 @@ public:
     /// conditions; naming the cells, if star_(n-2) or star_(n-1) is not positive, where facets with
     /// a known pressure may have no dual; naming the facet, for FlowBoundary::open, which leaves a
     /// slow flow undetermined; and if a component has flows around holes or between facets with
-    /// known pressure, and no wall without slip that holds them back.
+    /// known pressure, and no no-slip wall that resists them.
     explicit StokesSolver(const Cells& cells, const StokesOptions& options = {});
 
     /// `force` is the flux of f, a primal (n-1)-form. Data on other cells are ignored. Throws

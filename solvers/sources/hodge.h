@@ -13,9 +13,9 @@ namespace polydec {
 /// space fixes values of dual forms: the inverse of a part of a matrix is no part of its inverse.
 struct HodgeParts {
     Cochain exact, coexact, harmonic;
+    // where the space fixes no values:
     Cochain potential;   ///< on the same side, degree k-1: d potential = exact
-    Cochain copotential; ///< on the other side, degree n-k-1: d copotential = star coexact, if the
-                         ///< space fixes no values
+    Cochain copotential; ///< on the other side, degree n-k-1: d copotential = star coexact
 };
 
 /// Decomposes the forms of a space with one factorization per part. The normal equations of d have

@@ -44,11 +44,11 @@ struct PoissonSolution {
 /// flux together and inverts no star. With stars that are matrices it is the mixed method of finite
 /// element exterior calculus; for k = n, the method of Raviart and Thomas.
 ///
-/// With circumcentric stars, primal functions on triangles are linear finite elements, also after
-/// merging. The boundary value of a dual function stands at the circumcenter of its facet. If the
-/// dual edge to that point has length 0, the cell takes that value, and the balance of the cell
-/// gives the flux. If star_(n-1) is a matrix, values stand at centroids (see dual_sites), and a
-/// linear u is reproduced exactly on every flat mesh.
+/// With circumcentric stars, primal functions on triangles have the stiffness of linear elements,
+/// also after merging; the load is f times the dual area. The boundary value of a dual function
+/// stands at the circumcenter of its facet. If the dual edge to that point has length 0, the cell
+/// takes that value, and the balance of the cell gives the flux. If star_(n-1) is a matrix, values
+/// stand at centroids (see dual_sites), and a linear u is reproduced exactly on every flat mesh.
 ///
 /// Source: Arnold, Falk, Winther 2006, sec. 7 and 8; Raviart, Thomas 1977.
 /// Copies share the factorization; use them from one thread at a time.

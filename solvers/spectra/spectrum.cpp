@@ -45,11 +45,12 @@ std::vector<std::string> warning_of_negative_values(const Spectrum& spectrum,
             duals += stars[j].negatives().size();
     if (negative == 0 || duals == 0)
         return {};
-    return {fmt::format("{} of the eigenvalues {} negative and spurious: {} next to these forms {} "
-                        "a negative dual (the mesh is not Delaunay there); use {}",
-                        negative, negative == 1 ? "is" : "are",
-                        duals == 1 ? "1 cell" : fmt::format("{} cells", duals),
-                        duals == 1 ? "has" : "have", positive_stars(n))};
+    return {
+        fmt::format("{} of the eigenvalues {} negative and spurious: {} next to these forms {} "
+                    "a negative dual (not Delaunay there, or a center beyond the boundary); use {}",
+                    negative, negative == 1 ? "is" : "are",
+                    duals == 1 ? "1 cell" : fmt::format("{} cells", duals),
+                    duals == 1 ? "has" : "have", positive_stars(n))};
 }
 
 /// Linear functions enlarge the mass of a triangle by up to the eigenvalue times the sum of its

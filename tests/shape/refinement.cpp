@@ -322,6 +322,9 @@ TEST(Adaptive, ends_where_rounding_hides_the_smallest_eigenvalue) {
                                                         if (++calls > 2000)
                                                             throw std::runtime_error("no end");
                                                     }});
+            const auto unrefined = shape_spectrum(box, {.count = 1, .level = level});
+            EXPECT_LE(found.upper[0], unrefined.upper[0]);
+            EXPECT_GE(found.lower[0], unrefined.lower[0]);
             EXPECT_LE(found.lower[0], 2 * n * alpha);
             EXPECT_GE(found.upper[0], 2 * n * alpha * (1 - 1e-5));
             EXPECT_FALSE(found.warnings.empty());
