@@ -35,14 +35,12 @@ const std::vector<Sample>& samples();
 /// The one of a name.
 const Sample& sample(const std::string& name);
 
-/// A form of one value for each cell that would carry it.
-Cochain form(const Sample& s, Side side, int degree);
-
 /// What comes of a call: `refused` with InvalidInput, `accepted`, or another error.
 std::string outcome(const std::function<void()>& call);
 
 /// What goes into one call. One of the inputs, counted in the order in which they are asked for,
-/// may be of another size than is asked for, or a form with a value that is no number.
+/// may be of another size than is asked for, a degree that there is not, or a form with a value
+/// that is no number.
 class Inputs {
 public:
     enum class Flaw { none, fewer, more, wider, not_finite };
@@ -64,19 +62,23 @@ public:
     SparseMatrix operator_matrix(Eigen::Index rows, Eigen::Index columns) {
         return matrix(rows, columns).sparseView();
     }
+    /// Two inputs: the degree, without values where it is flawed, and the values.
     Cochain form(const Sample& s, Side side, int degree);
     Cochain form_on(const CellComplex& complex, Side side, int degree);
     Chain chain(const Sample& s, Side side, int degree);
     /// One of the degrees from `least` to `beyond` more than the dimension, k; a flawed one is just
-    /// outside of these, or far.
-    int degree(const Sample& s, int k, int least = 0, int beyond = 0);
+    /// outside of these, or farther: how far, differs from sample to sample and degree to degree.
+    int degree(const Sample& s, int k, int least = 0, int beyond = 0) {
+        return degree_of(s.n(), k, least, beyond);
+    }
     template <class Item>
     std::vector<Item> list(Eigen::Index size, Item item) {
         return std::vector<Item>(static_cast<std::size_t>(matrix(size, 1).size()), item);
     }
 
 private:
-    Flaw next();
+    Flaw next(bool may_be_not_finite = false);
+    int degree_of(int n, int k, int least = 0, int beyond = 0);
 
     int which_ = -1, asked_ = 0;
     Flaw flaw_ = Flaw::none;

@@ -10,6 +10,12 @@ namespace polydec::test {
 namespace {
 
 void ask_of_complexes(const Asking& ask, const Sample& s, int k) {
+    ask("cells of a degree", [&](Inputs& in) {
+        return fit(s.P().coface_counts(in.degree(s, k)).size() == std::size_t(s.size(k)) &&
+                   s.K().simplices(in.degree(s, k)).rows() == s.K().size(k) &&
+                   (k == 0 || s.K().face(in.degree(s, k, 1), 0, 0) >= 0) &&
+                   (k == s.n() || s.P().canceled(in.degree(s, k, 0, -1)).size() < 9));
+    });
     ask("coboundary", [&](Inputs& in) {
         return fit(SparseMatrix(s.P().coboundary(in.degree(s, k, -1)).cast<double>()),
                    s.size(k + 1), s.size(k));
@@ -66,6 +72,7 @@ void ask_of_merged_cells(const Asking& ask, const Sample& s, int k) {
     });
     ask("vertices of merged cells", [&](Inputs& in) {
         return fit(!s.mesh.merging().vertices(in.degree(s, k), 0).empty() &&
+                   !s.mesh.merging().carriers(in.degree(s, k)).empty() &&
                    !cell_vertices(s.mesh, in.degree(s, k), 0).empty());
     });
     ask("unmerged",
@@ -112,26 +119,31 @@ void ask_of_operators(const Asking& ask, const Sample& s, int k) {
         [&](Inputs& in) { return fit(star(s.mesh, in.degree(s, k)).diagonal(), s.size(k)); });
     ask("inverse star",
         [&](Inputs& in) { return fit(star(s.V(), in.degree(s, k)).inverse(), s.size(k)); });
+    ask("stars", [&](Inputs& in) {
+        return fit(s.mesh.stars()[in.degree(s, k)].matrix(), s.size(k), s.size(k));
+    });
     ask("star of values", [&](Inputs& in) {
         return fit(star(s.V(), in.degree(s, k)) * in.vector(s.size(k)), s.size(k));
     });
     ask("inverse star of values", [&](Inputs& in) {
         return fit(star(s.V(), in.degree(s, k)).solve(in.vector(s.size(k))), s.size(k));
     });
-    ask("codifferential", [&](Inputs& in) {
-        return fit(codifferential(s.mesh, in.degree(s, k)), s.size(k - 1), s.size(k));
-    });
-    ask("dual_codifferential", [&](Inputs& in) {
-        return fit(dual_codifferential(s.mesh, in.degree(s, n - k)), s.size(k + 1), s.size(k));
-    });
-    ask("laplacian",
-        [&](Inputs& in) { return fit(laplacian(s.mesh, in.degree(s, k)), s.size(k), s.size(k)); });
-    ask("symmetric_laplacian", [&](Inputs& in) {
-        return fit(symmetric_laplacian(s.mesh, in.degree(s, k)), s.size(k), s.size(k));
-    });
-    ask("dual_laplacian", [&](Inputs& in) {
-        return fit(dual_laplacian(s.mesh, in.degree(s, n - k)), s.size(k), s.size(k));
-    });
+    const auto ask_operator = [&](const char* name, Index rows, auto make) {
+        ask(name, [&](Inputs& in) {
+            const auto A = make(in);
+            return fit(A, rows, s.size(k)) + fit(A * in.vector(s.size(k)), rows);
+        });
+    };
+    ask_operator("codifferential", s.size(k - 1),
+                 [&](Inputs& in) { return codifferential(s.mesh, in.degree(s, k)); });
+    ask_operator("dual_codifferential", s.size(k + 1),
+                 [&](Inputs& in) { return dual_codifferential(s.mesh, in.degree(s, n - k)); });
+    ask_operator("laplacian", s.size(k),
+                 [&](Inputs& in) { return laplacian(s.mesh, in.degree(s, k)); });
+    ask_operator("symmetric_laplacian", s.size(k),
+                 [&](Inputs& in) { return symmetric_laplacian(s.mesh, in.degree(s, k)); });
+    ask_operator("dual_laplacian", s.size(k),
+                 [&](Inputs& in) { return dual_laplacian(s.mesh, in.degree(s, n - k)); });
     ask("symmetric_laplacian_diagonal", [&](Inputs& in) {
         return fit(symmetric_laplacian(s.mesh, in.degree(s, k)).diagonal(), s.size(k));
     });
@@ -148,22 +160,6 @@ void ask_of_operators(const Asking& ask, const Sample& s, int k) {
         return fit(Operator::derivative(s.P(), in.degree(s, k, 0, 1) - 1).transposed() *
                        in.vector(s.size(k)),
                    s.size(k - 1));
-    });
-    ask("apply_codifferential", [&](Inputs& in) {
-        return fit(codifferential(s.mesh, in.degree(s, k)) * in.vector(s.size(k)), s.size(k - 1));
-    });
-    ask("apply_dual_codifferential", [&](Inputs& in) {
-        return fit(dual_codifferential(s.mesh, in.degree(s, n - k)) * in.vector(s.size(k)),
-                   s.size(k + 1));
-    });
-    ask("apply_laplacian", [&](Inputs& in) {
-        return fit(laplacian(s.mesh, in.degree(s, k)) * in.vector(s.size(k)), s.size(k));
-    });
-    ask("apply_symmetric_laplacian", [&](Inputs& in) {
-        return fit(symmetric_laplacian(s.mesh, in.degree(s, k)) * in.vector(s.size(k)), s.size(k));
-    });
-    ask("apply_dual_laplacian", [&](Inputs& in) {
-        return fit(dual_laplacian(s.mesh, in.degree(s, n - k)) * in.vector(s.size(k)), s.size(k));
     });
     ask("Operator::weights", [&](Inputs& in) {
         const auto weights = Operator::weights(in.vector(s.size(k)));
@@ -191,6 +187,7 @@ void ask_of_operators(const Asking& ask, const Sample& s, int k) {
 void ask_of_forms(const Asking& ask, const Sample& s, Side side, int j) {
     const Side other = side == Side::primal ? Side::dual : Side::primal;
     const int n = s.n();
+    const Asking ask_of_primal{ask.where, ask.all_answered && side == Side::primal};
     const auto form = [&](Inputs& in) { return in.form(s, side, j); };
 
     ask("multiple", [&](Inputs& in) {
@@ -213,12 +210,14 @@ void ask_of_forms(const Asking& ask, const Sample& s, Side side, int j) {
     ask("to_merged", [&](Inputs& in) {
         return fit(to_merged(s.mesh, in.form_on(s.K(), side, j)), s.P(), side, j);
     });
-    ask("on_pieces",
-        [&](Inputs& in) { return fit(on_pieces(s.mesh, form(in)), s.pieces(), side, j); });
+    ask_of_primal("on_pieces", [&](Inputs& in) {
+        return fit(on_pieces(s.mesh, form(in)), s.pieces(), side, j);
+    });
     ask("on_cells", [&](Inputs& in) {
         return fit(on_cells(s.mesh, in.form_on(s.pieces(), side, j)), s.P(), side, j);
     });
-    ask("lifted", [&](Inputs& in) { return fit(lifted(s.mesh, form(in)), s.K(), side, j); });
+    ask_of_primal("lifted",
+                  [&](Inputs& in) { return fit(lifted(s.mesh, form(in)), s.K(), side, j); });
     ask("consistency", [&](Inputs& in) {
         return fit(consistency(s.mesh, in.form_on(s.pieces(), Side::dual, j)).worst);
     });
@@ -269,15 +268,23 @@ void ask_of_transfers(const Asking& ask, const Sample& s, int k) {
         [&](Inputs&) { return fit(s.mesh.merged().lift()[k], s.pieces().size(k), s.size(k)); });
     ask("passage there", [&](Inputs& in) {
         const auto& passage = s.mesh.passage();
-        const int degree = in.degree(s, k);
-        return fit(passage.forth(degree, in.vector(s.K().size(k))), s.pieces().size(k)) +
-               fit(passage.matrix(degree), s.pieces().size(k), s.K().size(k));
+        return fit(passage.forth(in.degree(s, k), in.vector(s.K().size(k))), s.pieces().size(k)) +
+               fit(passage.matrix(in.degree(s, k)), s.pieces().size(k), s.K().size(k));
     });
     ask("passage back", [&](Inputs& in) {
         const auto& passage = s.mesh.passage();
-        const int degree = in.degree(s, k);
-        return fit(passage.back(degree, in.vector(s.pieces().size(k))), s.K().size(k)) +
-               fit(passage.matrix_back(degree), s.K().size(k), s.pieces().size(k));
+        return fit(passage.back(in.degree(s, k), in.vector(s.pieces().size(k))), s.K().size(k)) +
+               fit(passage.matrix_back(in.degree(s, k)), s.K().size(k), s.pieces().size(k));
+    });
+    if (s.mesh.passage().is_identity())
+        return;
+    ask("FlipHistory", [&](Inputs& in) {
+        const auto& history = s.mesh.passage().flips().history;
+        const Index before = s.K().size(k), after = s.pieces().size(k);
+        return fit(history.carry(in.degree(s, k), in.vector(before)), after) +
+               fit(history.carry_back(in.degree(s, k), in.vector(after)), before) +
+               fit(history.matrix(in.degree(s, k)), after, before) +
+               fit(history.matrix_back(in.degree(s, k)), before, after);
     });
 }
 
@@ -291,7 +298,7 @@ TEST(doors, of_complexes_and_forms_answer_rightly_or_refuse) {
             ask_of_operators({where, all}, s, k);
             ask_of_transfers({where, all}, s, k);
             ask_of_forms({where, all}, s, Side::primal, k);
-            ask_of_forms({where}, s, Side::dual, k);
+            ask_of_forms({where, all}, s, Side::dual, k);
         }
     }
 }

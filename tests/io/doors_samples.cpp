@@ -63,10 +63,6 @@ const Sample& sample(const std::string& name) {
     throw std::out_of_range(name);
 }
 
-Cochain form(const Sample& s, Side side, int degree) {
-    return {side, degree, Vector::Ones(s.P().size(side == Side::primal ? degree : s.n() - degree))};
-}
-
 std::string outcome(const std::function<void()>& call) {
     try {
         call();
@@ -80,8 +76,8 @@ std::string outcome(const std::function<void()>& call) {
     return "accepted";
 }
 
-Inputs::Flaw Inputs::next() {
-    const bool here = asked_++ == which_ && flaw_ != Flaw::not_finite;
+Inputs::Flaw Inputs::next(bool may_be_not_finite) {
+    const bool here = asked_++ == which_ && (may_be_not_finite || flaw_ != Flaw::not_finite);
     flawed_ = flawed_ || here;
     return here ? flaw_ : Flaw::none;
 }
@@ -103,6 +99,9 @@ Cochain Inputs::form(const Sample& s, Side side, int degree) {
 }
 
 Cochain Inputs::form_on(const CellComplex& complex, Side side, int degree) {
+    const int given = degree_of(complex.dimension(), degree);
+    if (given != degree)
+        return {side, given, Vector()};
     const int k = side == Side::primal ? degree : complex.dimension() - degree;
     const bool spoiled = asked_ == which_ && flaw_ == Flaw::not_finite && complex.size(k) > 0;
     Cochain result{side, degree, vector(complex.size(k))};
@@ -113,15 +112,25 @@ Cochain Inputs::form_on(const CellComplex& complex, Side side, int degree) {
 }
 
 Chain Inputs::chain(const Sample& s, Side side, int degree) {
-    return {side, degree, form(s, side, degree).values};
+    const Cochain w = form(s, side, degree);
+    return {w.side, w.degree, w.values};
 }
 
-int Inputs::degree(const Sample& s, int k, int least, int beyond) {
-    const Flaw flaw = next();
-    return flaw == Flaw::none    ? k
-           : flaw == Flaw::fewer ? least - 1
-           : flaw == Flaw::more  ? s.n() + beyond + 1
-                                 : 1000;
+int Inputs::degree_of(int n, int k, int least, int beyond) {
+    const int most = n + beyond, turn = (n + k) % 3;
+    using Numbers = std::numeric_limits<int>;
+    switch (next(true)) {
+    case Flaw::fewer:
+        return least - 1;
+    case Flaw::more:
+        return most + 1;
+    case Flaw::wider:
+        return std::array{most + 2, 1000, Numbers::max() / 2}[turn];
+    case Flaw::not_finite:
+        return std::array{least - 2, -1000, Numbers::min() / 2}[turn];
+    default:
+        return k;
+    }
 }
 
 std::string fit(const DenseMatrix& found, Eigen::Index rows, Eigen::Index columns) {
@@ -198,7 +207,7 @@ TEST(doors, that_answer_wrongly_or_do_not_look_are_found) {
                   const auto w = in.form(s, Side::primal, 0);
                   return fit(w.values.size() == s.size(0) && w.values.size() > 0 ? 1.0 : NAN);
               }).back(),
-              "input 0 with flaw 4: accepted");
+              "input 1 with flaw 4: accepted");
 }
 
 } // namespace polydec::test

@@ -2,7 +2,6 @@
 //
 // Cells that there are not, values for another number of cells, volumes of another mesh, matrices
 // for vectors and references to temporaries: each is refused, or does not compile.
-#include "complex/blocks.h"
 #include "dec/metric/subsets.h"
 #include "tests/io/doors.h"
 #include "tests/io/support.h"
@@ -89,11 +88,6 @@ TEST(doors, values_of_another_number_than_the_cells_are_refused) {
                     EXPECT_EQ(outcome([&] { relative.extend(k, x); }), "refused");
                 }
             }
-        EXPECT_EQ(outcome([&] {
-                      join_blocks(s.K(), std::vector<bool>(1),
-                                  [](int, Index, Index, Index) { return true; });
-                  }),
-                  "refused");
         EXPECT_EQ(outcome([&] { subsets(n, -1); }), "refused");
         EXPECT_EQ(outcome([&] { subsets(-1, 0); }), "refused");
     }
@@ -136,7 +130,7 @@ TEST(doors, a_matrix_is_no_vector) {
     const DenseMatrix three = DenseMatrix::Ones(size, 3);
     EXPECT_EQ(outcome([&] { check(s.P(), Cochain{Side::primal, 0, three}); }), "refused");
     EXPECT_EQ(outcome([&] { check(s.P(), Chain{Side::primal, 0, three}); }), "refused");
-    Cochain w = form(s, Side::primal, 0);
+    Cochain w{Side::primal, 0, Vector::Ones(size)};
     EXPECT_EQ(outcome([&] { w.values = three; }), "refused");
     EXPECT_EQ(outcome([&] { laplacian(s.cells(), 0) * three; }), "refused");
     EXPECT_EQ(outcome([&] { with_conductivity(s.mesh, Side::primal, three); }), "refused");

@@ -78,14 +78,18 @@ void ask_of_solvers_for_forms(const Asking& ask, const Sample& s, Side side, int
             spectrum({s.mesh, side, in.degree(s, j), conditions_of(s, in)}, {.count = 1});
         return fit(found.modes, s.size(k), 1) + fit(found.eigenvalues, 1);
     });
+    if (side == Side::dual || j == n)
+        return;
     ask("coexact_spectrum", [&](Inputs& in) {
         const auto found =
-            coexact_spectrum({s.cells(), Side::primal, in.degree(s, j)}, {.count = 1});
+            coexact_spectrum({s.cells(), side, in.degree(s, j, 0, -1)}, {.count = 1});
         return fit(found.modes, s.size(j), 1);
     });
+    ask("stable_step", [&](Inputs& in) {
+        return fit(stable_step({s.mesh, side, in.degree(s, j, 0, -1)}) > 0);
+    });
     ask("Waves", [&](Inputs& in) {
-        const int degree = in.degree(s, j);
-        Waves waves({s.mesh, Side::primal, degree}, in.vector(s.size(j)),
+        Waves waves({s.mesh, side, in.degree(s, j, 0, -1)}, in.vector(s.size(j)),
                     {.B = in.vector(s.size(j + 1))});
         waves.advance();
         return fit(waves.form(0).values, s.size(j)) + fit(waves.form(1).values, s.size(j + 1)) +
@@ -163,7 +167,7 @@ void ask_of_pictures(const Asking& ask, const Sample& s, int k) {
     });
     ask("add_cochain", [&](Inputs& in) {
         VtuGrid grid = draw_cells(s.P(), s.mesh.points(), k);
-        add_cochain(grid, s.P(), k, "a", in.vector(s.size(k)));
+        add_cochain(grid, s.P(), in.degree(s, k), "a", in.vector(s.size(k)));
         return fit(grid.point_data.size() + grid.cell_data.size() == 1);
     });
     ask("polygon_mesh", [&](Inputs&) { return fit(polygon_mesh(s.mesh).points.allFinite()); });
@@ -187,7 +191,7 @@ TEST(doors, of_solvers_surfaces_and_pictures_answer_rightly_or_refuse) {
             const auto where = s.name + ", degree " + std::to_string(k);
             ask_of_pictures({where}, s, k);
             for (const Side side : {Side::primal, Side::dual})
-                ask_of_solvers_for_forms({where + ", " + name(side)}, s, side, k);
+                ask_of_solvers_for_forms({where + ", " + name(side), all}, s, side, k);
         }
     }
 }
