@@ -161,15 +161,6 @@ TEST(Gmsh, TheMarkOfTheOrderIsNotAllThatIsRead) {
     }
 }
 
-TEST(Gmsh, LinesMayEndInThreeWays) {
-    for (const auto& variant : {variants[0], variants[3]}) {
-        const auto text = "$Comments\nnot $EndComments\n$EndComments\n" + file_of(variant);
-        const auto mesh = read_from("a.msh", text);
-        EXPECT_TRUE(same(mesh, read_from("a.MSH", with_line_breaks(text, "\r\n"))));
-        EXPECT_TRUE(same(mesh, read_from("a.Msh", with_line_breaks(text, "\r"))));
-    }
-}
-
 TEST(Gmsh, TheFirstOfSeveralGroupsIsTheTagWhateverItsSign) {
     const auto mesh = parse_mesh({"a.msh", new_file(variants[3], {-9, 12})});
     EXPECT_EQ(mesh.tags, (std::vector<Index>{11, 9}));
@@ -226,7 +217,8 @@ TEST(Gmsh, WithoutGroupsThereAreNoTags) {
 
 TEST(Gmsh, QuadranglesAreSplitAndTheirTagsFollow) {
     const auto mesh = read_from(
-        "a.msh", old_start + "$Comments\nanything $EndComment\n$EndComments\n" + square +
+        "a.msh", old_start + "$Comments\nanything $EndComment\nnot $EndComments\n$EndComments\n" +
+                     square +
                      "$Elements\n4\n1 15 2 1 1 1\n2 1 2 1 1 1 2\n3 3 2 8 1 1 2 3 4\n"
                      "4 2 2 -9 1 3 2 1\n$EndElements\n$NodeData\n1\n\"x\"\n$EndNodeData\n");
     EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 3}, {1, 2, 3}, {2, 1, 0}}));

@@ -19,13 +19,6 @@ TEST(Nsc, ReadsEveryDimension) {
     EXPECT_EQ(rows(simplex.simplices), (Cells{{4, 3, 2, 1, 0}}));
 }
 
-TEST(Nsc, LinesMayEndInThreeWays) {
-    const std::string text = "# c\n2 2 3 1\n0 0\n1 0\n0 1\n0 1 2\n";
-    const auto mesh = read_from("a.nsc", text);
-    EXPECT_TRUE(same(mesh, read_from("a.nsc", with_line_breaks(text, "\r\n"))));
-    EXPECT_TRUE(same(mesh, read_from("a.nsc", with_line_breaks(text, "\r"))));
-}
-
 TEST(Nsc, RefusesWhatDoesNotFit) {
     EXPECT_UNREADABLE("a.nsc", "2 3 3 1\n0 0\n1 0\n0 1\n0 1 2\n", "a.nsc:1", "dimension 3",
                       "ambient dimension 2");
@@ -119,13 +112,6 @@ TEST(Medit, SectionsMayComeInAnyOrderAndUnknownOnesAreLeftOut) {
                             "0 1 1\nNormals\n1\n0 0 1\n");
     EXPECT_EQ(mesh.ambient_dimension(), 2);
     EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}}));
-}
-
-TEST(Medit, LinesMayEndInThreeWays) {
-    const std::string text = medit + "# c\nTriangles\n1\n1 2 3 0\n";
-    const auto mesh = read_from("a.mesh", text);
-    EXPECT_TRUE(same(mesh, read_from("a.MESH", with_line_breaks(text, "\r\n"))));
-    EXPECT_TRUE(same(mesh, read_from("a.Mesh", with_line_breaks(text, "\r"))));
 }
 
 TEST(Medit, RefusesWhatDoesNotFit) {

@@ -116,15 +116,6 @@ TEST(Vtk, PolygonsAreSplitAndTheirTagsFollowThatOfLines) {
     }
 }
 
-TEST(Vtk, LinesMayEndInThreeWays) {
-    for (const char* version : {"3.0", "5.1"}) {
-        const auto text = grid(false, version);
-        const auto mesh = read_from("a.vtk", text);
-        EXPECT_TRUE(same(mesh, read_from("a.VTK", with_line_breaks(text, "\r\n"))));
-        EXPECT_TRUE(same(mesh, read_from("a.Vtk", with_line_breaks(text, "\r"))));
-    }
-}
-
 TEST(Vtk, StripsPixelsAndPolylinesBecomeTrianglesQuadsAndEdges) {
     const auto cells = [](const std::string& text) {
         return rows(read_from("a.vtk", text).simplices);

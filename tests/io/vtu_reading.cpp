@@ -230,12 +230,6 @@ TEST(VtuReading, PolyhedraAreRefused) {
     EXPECT_UNREADABLE("a.vtu", written(grid), "a.vtu:11", "cell 1", "polyhedron", "type 42");
 }
 
-TEST(VtuReading, LinesMayEndInThreeWays) {
-    const auto mesh = read_from("a.vtu", grid(as_text));
-    EXPECT_TRUE(same(mesh, read_from("a.VTU", with_line_breaks(grid(as_text), "\r\n"))));
-    EXPECT_TRUE(same(mesh, read_from("a.Vtu", with_line_breaks(grid(as_text), "\r"))));
-}
-
 TEST(VtuReading, RefusesOtherGridsAndEncodings) {
     const auto with = [](const std::string& what, const std::string& by) {
         return replaced(grid(as_text), what, by);
