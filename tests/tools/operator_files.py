@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The files of `polydec operators` hold the numbers of the library to the last bit: those that the
-package for Python has, whose tests hold them against the laws of operators. So the numbers of an
-independent program, which golden_numbers.py finds in the files, are those of the package too."""
+package for Python has. So the numbers of an independent program, which golden_numbers.py finds in the
+files, are those of the package too."""
 import os
 import warnings
 
@@ -12,7 +12,7 @@ import scipy.sparse as sp
 
 import command
 from command import TestCase, golden
-from golden_numbers import TOLERANCE, read_cells
+from golden_numbers import TOLERANCE, compare_spectrum, read_cells, read_expected
 
 
 def pairs_of(faces, simplices):
@@ -23,6 +23,7 @@ def pairs_of(faces, simplices):
 
 class OperatorFiles(TestCase):
     def test_hold_the_numbers_of_the_library(self):
+        wanted = read_expected()
         for mesh in (name for name in os.listdir(command.GOLDEN) if name.endswith((".off", ".nsc"))):
             self.succeed("operators", golden(mesh), "--out", mesh, *TOLERANCE)
             with warnings.catch_warnings():
@@ -32,6 +33,8 @@ class OperatorFiles(TestCase):
                 with self.subTest(mesh, k=k):
                     self.check_cells(mesh, c, k)
                     self.check_numbers(mesh, c, k)
+                    if f"spectrum{k}" in wanted.get(mesh, {}):
+                        self.check_spectrum(mesh, k, wanted[mesh][f"spectrum{k}"])
 
     def cells(self, mesh, name, k):
         return read_cells(self.path(f"{mesh}/{name}_{k}.txt"))
@@ -63,3 +66,10 @@ class OperatorFiles(TestCase):
                 found = found.ravel()
             self.assertEqual(found.shape, matrix.shape, name)
             self.assertEqual(abs(found - matrix).max(), 0, name)
+
+    def check_spectrum(self, mesh, k, wanted):
+        """Also where stars are negative, so that the command has no spectrum."""
+        L = scipy.io.mmread(self.path(f"{mesh}/laplacian_primal_{k}.mtx"))
+        values = np.linalg.eigvals(L.toarray())
+        smallest = values[np.argsort(abs(values))].real[:len(wanted["smallest"])]
+        self.assertFalse(compare_spectrum(wanted, sorted(smallest)))
