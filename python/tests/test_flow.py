@@ -30,21 +30,14 @@ def test_energy_is_kept_or_lost_to_friction(name):
     after = moved(flow, w, 0.3 * flow.exchange_time(w), 5)
     assert np.isclose(flow.energy(after), flow.energy(w), rtol=1e-11)
     assert not near(after, w, 1e-3)
+    c = complex_of(name)
+    if c.dim == 2:
+        assert near(c.star(0) * flow.vorticity(w), flow.circulations(w))
     sticky, w = some_flow(name, viscosity=0.1, no_slip=True)
     small = 1e-3 * sticky.exchange_time(w)
     rate = (sticky.energy(moved(sticky, w, small)) - sticky.energy(w)) / small
     assert rate < 0
     assert np.isclose(sticky.momentum(w) @ sticky.rate(w), -sticky.dissipation(w))
-
-
-@pytest.mark.parametrize("name", ["goldberg", "torus"])
-def test_circulations_cancel(name):
-    flow, w = some_flow(name)
-    assert abs(flow.circulations(w).sum()) < 1e-12 * abs(flow.circulations(w)).sum()
-    c = complex_of(name)
-    assert near(c.star(0) * flow.vorticity(w), flow.circulations(w))
-    assert near(flow.rate(w) @ flow.momentum(w), np.float64(0), 1) # no work, to rounding
-    assert abs(flow.rate(w) @ flow.momentum(w)) < 1e-10 * flow.energy(w)
 
 
 def test_walls_move_fluids():

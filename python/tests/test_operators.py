@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Every operator is what scipy makes of its definition, on every mesh in every degree."""
+"""Every operator is what scipy makes of its definition, on every mesh in every degree. The laws that
+hold are tested in C++, and the numbers in tests/tools/operator_files.py."""
 import numpy as np
 import pytest
 import scipy.sparse as sp
@@ -44,7 +45,7 @@ def test_stars_are_ratios_of_volumes(name, k):
 
 
 @pytest.mark.parametrize("name, k", degrees())
-def test_codifferential_is_the_adjoint_of_d(name, k):
+def test_codifferentials(name, k):
     c = complex_of(name)
     if k == 0:
         assert c.codifferential(0).shape == (0, c.size(0))
@@ -53,52 +54,24 @@ def test_codifferential_is_the_adjoint_of_d(name, k):
         assert near(c.codifferential(k), expected, 4e-16)
     else:
         refused(lambda: c.codifferential(k))
-
-
-@pytest.mark.parametrize("name, k", degrees())
-def test_dual_codifferential(name, k):
-    c = complex_of(name)
-    j = c.dim - k
-    if j > 0 and has_inverse(c, k):
+    if k < c.dim and has_inverse(c, k):
         expected = (-1) ** (k + 1) * sp.diags(c.star(k + 1)) @ c.d(k) @ sp.diags(1 / c.star(k))
-        assert near(c.codifferential(j, "dual"), expected, 4e-16)
+        assert near(c.codifferential(c.dim - k, "dual"), expected, 4e-16)
 
 
 @pytest.mark.parametrize("name, k", degrees())
-def test_laplacian_is_d_delta_and_delta_d(name, k):
+def test_stiffnesses_are_stars_of_laplacians(name, k):
     c = complex_of(name)
     needed = ([k - 1] if k > 0 else []) + ([k] if k < c.dim else [])
-    if not all(has_inverse(c, i) for i in needed):
+    if all(has_inverse(c, i) for i in needed):
+        assert near(c.stiffness(k), sp.diags(c.star(k)) @ c.laplacian(k), 1e-13)
+    else:
         refused(lambda: c.laplacian(k))
-        return
-    expected = sp.csr_matrix((c.size(k), c.size(k)))
-    if k > 0:
-        expected = expected + c.d(k - 1) @ c.codifferential(k)
-    if k < c.dim:
-        expected = expected + c.codifferential(k + 1) @ c.d(k)
-    assert near(c.laplacian(k), expected, 1e-13)
-    assert near(c.stiffness(k), sp.diags(c.star(k)) @ expected, 1e-13)
-    assert near(c.stiffness(k), c.stiffness(k).T, 1e-14)
-    if has_inverse(c, k):
-        dual = sp.diags(c.star(k)) @ expected @ sp.diags(1 / c.star(k))
-        assert near(c.laplacian(c.dim - k, "dual"), dual, 1e-12)
 
 
 @pytest.mark.parametrize("name", MAKERS)
-def test_volumes_fill_the_mesh(name):
+def test_generators_of_homology(name):
     c = complex_of(name)
-    from math import comb
-    whole = c.volumes(c.dim).sum()
-    for k in range(c.dim + 1):
-        assert np.isclose((c.volumes(k) * c.dual_volumes(k)).sum(), comb(c.dim, k) * whole)
-
-
-@pytest.mark.parametrize("name", MAKERS)
-def test_euler_and_betti(name):
-    c = complex_of(name)
-    assert sum((-1) ** k * size for k, size in enumerate(c.shape)) == sum(
-        (-1) ** k * b for k, b in enumerate(c.betti_numbers()))
-    assert c.betti_numbers() == c.input.betti_numbers()
     for k, b in enumerate(c.betti_numbers()):
         cycles = c.homology_generators(k)
         assert cycles.shape == (c.size(k), b)
@@ -106,16 +79,9 @@ def test_euler_and_betti(name):
 
 
 @pytest.mark.parametrize("name, k", degrees())
-def test_merging_is_a_cochain_map(name, k):
+def test_carriers_of_pieces(name, k):
     c = complex_of(name)
-    merging = c.merging
-    diamond = merging.diamond(k).astype(float)
-    assert near((diamond @ merging.lift(k)), sp.identity(c.size(k), format="csr"), 1e-12)
-    if k < c.dim:
-        assert near(merging.diamond(k + 1).astype(float) @ c.pieces.d(k), c.d(k) @ diamond, 0)
-        assert near(c.pieces.d(k) @ merging.lift(k), merging.lift(k + 1) @ c.d(k), 1e-12)
-    assert near(diamond @ c.pieces.volumes(k), diamond @ c.input.volumes(k), 1e-15)
-    dimensions, numbers = merging.carriers(k)
+    dimensions, numbers = c.merging.carriers(k)
     assert len(dimensions) == c.pieces.size(k) and (dimensions >= k).all()
     pieces = dimensions == k
     assert np.isclose(np.bincount(numbers[pieces], c.pieces.volumes(k)[pieces]),

