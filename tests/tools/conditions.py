@@ -2,7 +2,6 @@
 """Conditions by groups of the file, and Robin's."""
 import collections
 import itertools
-import math
 
 from command import TestCase, golden
 from motions import cubes, medit, squares
@@ -194,20 +193,6 @@ class Conditions(TestCase):
         self.assertSays(self.fail_with(2, *ask), "group 5", "merging", "--keep-groups", "--no-merge")
         self.succeed(*ask, "--no-merge")
         self.assertSays(self.fail_with(2, *ask[:-1], 7, "--no-merge"), "group 7", "5 (6 facets)")
-
-    def test_robin_has_solutions_that_are_linear_exactly_on_duals_and_converges_on_primals(self):
-        exact, flux = "1+x", "2*(1+x)+(x>1-1e-9)-(x<1e-9)"
-        errors = []
-        for n in (8, 16, 32):
-            mesh = self.write(f"square{n}.mesh", square(n))
-            ask = ("poisson", mesh, "--rhs", "0", "--robin", 2, "--flux", flux, "--exact", exact)
-            self.assertLess(self.ask(*ask, "--side", "dual")["error"]["max"], 1e-12)
-            errors.append(self.ask(*ask, "--side", "primal")["error"]["l2"])
-        for coarse, fine in zip(errors, errors[1:]):
-            self.assertGreater(math.log2(coarse / fine), 1.9)
-        wrong = self.ask("poisson", self.square, "--rhs", "0", "--robin", 3, "--flux", flux, "--exact",
-                         exact, "--side", "dual")
-        self.assertGreater(wrong["error"]["max"], 0.1)
 
     def test_robin_between_walls_of_given_values(self):
         """-u'' = 0, u(0) = 1, u'(1) + 3 u(1) = 0: u = 1 - 3 x / 4."""

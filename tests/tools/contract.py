@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
 """What programs may rely on: exit codes, JSON, messages."""
-import itertools
-import math
 import os
 import signal
 import subprocess
@@ -111,26 +109,6 @@ class Json(TestCase):
         both = run("spectrum", golden("grid4.nsc"), "--side", "dual", "--degree", 0, "--natural",
                    "--essential-where", "1")
         self.assertEqual(both.code, 1)
-
-    def test_dual_spectra_do_with_centers_on_the_boundary(self):
-        for jitter in (0, 1e-7):
-            points = [(i / 10 + jitter * math.sin(7 * i + 3 * j), j / 10, 0)
-                      for i in range(11) for j in range(11)]
-            triangles = []
-            for i, j in itertools.product(range(10), repeat=2):
-                a, b, middle = 11 * i + j, 11 * i + j + 11, len(points)
-                points.append(((i + .5) / 10, (j + .5) / 10 + jitter * math.cos(i + j), 0))
-                triangles += [(c, d, middle)
-                              for c, d in ((a, b), (b, b + 1), (b + 1, a + 1), (a + 1, a))]
-            crossed = self.write("crossed.off", off(points, triangles))
-            answer = self.ask("spectrum", crossed, *PLAIN, "--side", "dual", "--degree", 0,
-                              "--count", 1)
-            self.assertAlmostEqual(answer["eigenvalues"][0], 19.5774, delta=1e-4)
-            self.assertEqual(answer["warnings"], [])
-            told = self.ask("info", crossed)["laplacians"]
-            self.assertEqual([each["dual_spectrum"] for each in told], ["yes"] * 3)
-            self.assertEqual([each["spectrum"] for each in told], ["yes", "no", "yes"])
-            self.assertEqual(told[2]["matrix"], "no")
 
     def test_a_count_that_cuts_a_cluster_is_certified_behind_it(self):
         # 9.37 comes twice

@@ -67,3 +67,5 @@ class Files(TestCase):
         self.assertTrue(all(warnings), told)
         self.assertEqual([found.groups() for found in warnings],
                          [("1", "2"), ("2", "1"), ("3", "0")])
+        told = self.ask("info", golden("fcc1.nsc"))["laplacians"]
+        self.assertEqual([each["matrix"] for each in told], ["yes", "no", "no", "no"])

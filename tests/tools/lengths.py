@@ -89,13 +89,6 @@ class Lengths(TestCase):
         self.assertIn("dimension 2 given by edge lengths only, volume 16\n",
                       self.succeed("info", self.torus).out)
 
-    def test_spectrum_is_that_of_the_flat_grid(self):
-        for side, degree, copies in (("primal", 0, 1), ("dual", 0, 1), ("primal", 1, 2)):
-            answer = self.ask("spectrum", self.torus, "--side", side, "--degree", degree,
-                              "--count", 5 * copies)
-            for value, wanted in zip(answer["eigenvalues"], [0] * copies + [2] * 4 * copies):
-                self.assertAlmostEqual(value, wanted, delta=1e-10)
-
     def test_poisson_takes_constants_and_files(self):
         values = [math.cos(math.pi / 2 * (vertex // 4)) for vertex in range(16)]
         file = self.write("f.txt", "\n".join(map(repr, values)))

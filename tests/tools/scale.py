@@ -130,15 +130,6 @@ class Scale(TestCase):
                     found = self.answer("poisson", mesh, option, "--side", "primal", "--rhs", "1")
                     self.check(found["max"], solution["max"] * size * size)
 
-    def test_lengths_alone(self):
-        for n in SIDES:
-            options = ["--side", "primal", "--degree", 0, "--count", 3]
-            unit = self.answer("spectrum", self.mesh(n, 1.0, amount=0), *options)["eigenvalues"]
-            for size in EXACT + ROUND:
-                mesh = self.mesh(n, size, lengths_of, "nsl", 0)
-                found = self.answer("spectrum", mesh, *options)["eigenvalues"]
-                self.check(found[2], self.power(unit[2], size, -2), 1e-7)
-
     def test_distances(self):
         unit = self.answer("distance", self.mesh(2, 1.0), "--from", 0)
         for size in EXACT + ROUND:

@@ -60,22 +60,6 @@ class GridPoints(OfTetGen):
                                       "--count", 2, "--natural")["eigenvalues"]
                     self.assertLess(abs(values[0]), 1e-12)
 
-    def test_have_the_spectra_and_linear_functions_of_cubes(self):
-        one = 2 * (1 - math.cos(math.pi / 4))
-        for jitter in (*JITTERS, 3e-5):
-            mesh = self.of_grid(5, jitter)
-            for side, degree, exact in (("dual", 0, [3 * one]), ("primal", 1, [one] * 3),
-                                        ("dual", 1, [2 * one] * 3)):
-                with self.subTest(jitter=jitter, side=side, degree=degree):
-                    found = self.ask("spectrum", mesh, "--side", side, "--degree", degree,
-                                     "--count", len(exact))
-                    self.assertTrue(found["certificate"]["complete"])
-                    for value, wanted in zip(found["eigenvalues"], exact):
-                        self.assertLess(abs(value / wanted - 1), 5 * jitter + 1e-11)
-            found = self.ask("poisson", mesh, "--side", "dual", "--rhs", 0, "--boundary",
-                             "1+x-2*y+z", "--exact", "1+x-2*y+z")
-            self.assertLess(found["error"]["max"], 5 * jitter + 1e-11)
-
     def test_become_cubes_without_the_flat_cells_of_the_hull(self):
         for n in (4, 6):
             for jitter in JITTERS:
@@ -112,11 +96,6 @@ class GridPoints(OfTetGen):
                           for p in points]
                 mesh = self.tetrahedra("points.node", rows_of(points), "-Q")
                 self.assertEqual(self.ask("info", mesh)["vertices_per_cell"], {str(count): 1})
-
-    def test_do_not_where_the_jitter_is_above_the_tolerance(self):
-        for everywhere in (False, True):
-            info = self.ask("info", self.of_grid(4, 1e-2, everywhere), "--peel")
-            self.assertGreater(info["cells"]["merged"][3], 27)
 
 
 def honeycomb(columns, rows):
@@ -220,11 +199,6 @@ class Parts(OfTetGen):
         plan = honeycomb(3, 3)
         for heights in ([0, .02, 1, 1.01], [0, 1e-3, 2e-3]):
             self.check(Part(plan, [len(heights) - 1] * 9, heights), 12)
-
-    def test_do_not_where_the_jitter_is_above_the_tolerance(self):
-        part = Part(honeycomb(3, 3), [2] * 9, [0, .8, 1.5], 1e-2)
-        mesh = self.tetrahedra("part.poly", part.text(), "-pYO0Q")
-        self.assertGreater(self.ask("info", mesh, "--peel")["cells"]["merged"][3], 18)
 
 
 class Flat(Tetrahedra):

@@ -41,13 +41,6 @@ class Stars(TestCase):
         self.assertSays(said, "--star hybrid", "dimension 3", "galerkin", "automatic")
         self.fail_with(1, "spectrum", golden("kuhn3.nsc"), "--star", "own", *ONE_FORMS)
 
-    def test_keep_linear_functions_on_both_sides(self):
-        for side in ("primal", "dual"):
-            answer = self.ask("poisson", self.negative, "--side", side, "--rhs", 0, "--boundary",
-                              "1+2*x-y", "--exact", "1+2*x-y")
-            self.assertEqual(answer["star"]["kind"], "hybrid")
-            self.assertLess(answer["error"]["max"], 1e-12)
-
     def test_are_written_as_matrices(self):
         self.succeed("operators", self.negative, "--out", "plain")
         self.assertIn("array", self.read("plain/star_1.mtx").splitlines()[0])

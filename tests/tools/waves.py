@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The subcommand maxwell, waves of dual forms, and runs and spectra that are stopped and
-resumed."""
+"""The subcommand maxwell, and runs and spectra that are stopped and resumed."""
 import math
 import signal
 
@@ -11,18 +10,6 @@ PULSE = ("--degree", 0, "--initial", "exp(-200*((x-.5)^2+(y-.5)^2))")
 
 
 class Waves(TestCase):
-    def test_waves_of_both_sides_swing_back(self):
-        square = self.generate("grid", "--nx", 32, "--ny", 32)
-        for more in (("--side", "dual"), ("--side", "primal", "--essential-where", 1)):
-            answer = self.ask("wave", square, "--initial", "sin(pi*x)*sin(pi*y)", "--until",
-                              math.sqrt(2) / 2, *more)
-            self.assertEqual(answer["side"], more[1])
-            self.assertAlmostEqual(answer["min"], -1, delta=0.01)
-            self.assertAlmostEqual(answer["relative_energy"], 1, delta=1e-11)
-        free = self.ask("wave", square, "--initial", "sin(pi*x)*sin(pi*y)", "--until",
-                        math.sqrt(2) / 2, "--side", "dual", "--natural")
-        self.assertGreater(abs(free["min"] + 1), 0.1)
-
     def test_of_cells_that_are_all_fixed_every_step_is_stable(self):
         self.succeed("generate", "kuhn", "--cells", 1, "-o", "cube.nsc")
         answer = self.ask("maxwell", "cube.nsc", "--initial", "y;x;0", "--until", 1)
