@@ -93,17 +93,6 @@ TEST(doors, values_of_another_number_than_the_cells_are_refused) {
     }
 }
 
-TEST(doors, waves_and_systems_of_other_sizes_are_refused) {
-    const Sample& s = sample("a sphere");
-    const auto waves = [&](const Vector& E, const Vector& B) {
-        return outcome([&] { Waves({s.cells(), Side::primal, 0}, E, {.B = B}).advance(); });
-    };
-    const Vector E = Vector::Zero(s.P().size(0)), B = Vector::Zero(s.P().size(1)), little(3);
-    EXPECT_EQ(waves(E, B), "accepted");
-    EXPECT_EQ(waves(little, B), "refused");
-    EXPECT_EQ(waves(E, little), "refused");
-}
-
 /// Whatever takes cells takes none with the volumes of others, as there are no such cells.
 TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
     for (const Sample& s : samples()) {
