@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
+#include "tests/support/variable.h"
 
 namespace polydec::test::in_read_mesh {
 
@@ -45,10 +46,8 @@ TEST(RealFiles, OfEveryFolderAreReadWhole) {
 }
 
 TEST(RealFiles, AreMissedWhereThereAreOthers) {
-    const char* before = std::getenv("POLYDEC_TEST_DATA");
-    const std::string kept = before == nullptr ? "" : before;
     const TemporaryFolder folder;
-    ::setenv("POLYDEC_TEST_DATA", folder.path().c_str(), 1);
+    const Variable there_are_others("POLYDEC_TEST_DATA", folder.path().string());
     EXPECT_FALSE(has_test_data());
     EXPECT_EQ(test_datum("a.off"), std::nullopt);
     EXPECT_TRUE(test_data(".").empty());
@@ -60,8 +59,6 @@ TEST(RealFiles, AreMissedWhereThereAreOthers) {
     EXPECT_THROW(test_datum("b.off"), std::runtime_error);
     ::unsetenv("POLYDEC_TEST_DATA");
     EXPECT_FALSE(has_test_data());
-    if (before != nullptr)
-        ::setenv("POLYDEC_TEST_DATA", kept.c_str(), 1);
 }
 
 TEST(ReadMesh, RefusesUnknownExtensions) {

@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "system/child_process.h"
 #include "tests/io/support.h"
+#include "tests/support/variable.h"
 
 namespace polydec::test::in_write_drawing {
 
 const SvgDrawing square{.shapes = {SvgPolygon{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}}};
-
-/// PATH, for as long as it lives.
-class Programs {
-public:
-    explicit Programs(const std::string& folders) : before_(std::getenv("PATH")) {
-        ::setenv("PATH", folders.c_str(), 1);
-    }
-    ~Programs() { ::setenv("PATH", before_.c_str(), 1); }
-    Programs(const Programs&) = delete;
-    Programs& operator=(const Programs&) = delete;
-
-private:
-    std::string before_;
-};
 
 void add_program(const TemporaryFolder& folder, const std::string& name, const std::string& text) {
     std::filesystem::permissions(folder.write(name, "#!/bin/sh\n" + text),
@@ -34,7 +21,7 @@ TEST(WriteDrawing, GoesByTheExtension) {
 
 TEST(WriteDrawing, NamesThePackagesOfMissingPrograms) {
     const TemporaryFolder folder;
-    const Programs none(folder.path().string());
+    const Variable path("PATH", folder.path().string());
     EXPECT_NO_THROW(check_drawing_file("square.svg"));
     for (const char* name : {"square.png", "square.pdf"}) {
         const Words packages{"rsvg-convert", "librsvg2-bin", "cairosvg"};
@@ -49,7 +36,7 @@ TEST(WriteDrawing, NoNameReachesAShell) {
     add_program(programs, "cairosvg", "printf '%s|' \"$@\" > drawing.png\n");
     const std::string odd = "a $(touch b) 'c' -o.png";
     {
-        const Programs only(programs.path().string());
+        const Variable path("PATH", programs.path().string());
         write_drawing(folder.path(odd), square);
     }
     EXPECT_EQ(read_text(folder.path(odd)), "-fpng|-s2|-odrawing.png|drawing.svg|");
@@ -59,7 +46,7 @@ TEST(WriteDrawing, NoNameReachesAShell) {
 TEST(WriteDrawing, AFailureLeavesNothing) {
     const TemporaryFolder programs, folder;
     add_program(programs, "rsvg-convert", "echo no fonts; exit 1\n");
-    const Programs only(programs.path().string());
+    const Variable path("PATH", programs.path().string());
     EXPECT_ERROR(SolverFailure, write_drawing(folder.path("square.pdf"), square), "rsvg-convert",
                  ".svg", "no fonts");
     EXPECT_EQ(folder.names(), std::vector<std::string>());

@@ -3,30 +3,12 @@
 
 #include "system/temporary_folder.h"
 #include "tests/support/test.h"
+#include "tests/support/variable.h"
 
 namespace polydec::test {
 
 /// What is said where the program is not there.
 inline const Words missing{"tetgen", "PATH", "apt-get install tetgen"};
-
-/// A variable of the environment, for a while.
-class Variable {
-public:
-    Variable(const char* name, const std::string& value) : name_(name) {
-        const char* before = std::getenv(name);
-        was_set_ = before != nullptr;
-        before_ = was_set_ ? before : "";
-        ::setenv(name, value.c_str(), 1);
-    }
-    ~Variable() { was_set_ ? ::setenv(name_, before_.c_str(), 1) : ::unsetenv(name_); }
-    Variable(const Variable&) = delete;
-    Variable& operator=(const Variable&) = delete;
-
-private:
-    const char* name_;
-    bool was_set_;
-    std::string before_;
-};
 
 inline bool is_available() {
     const std::vector<EngineInfo> all = engines();
