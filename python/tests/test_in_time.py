@@ -11,20 +11,12 @@ INTEGRATORS = [engine.name for engine in polydec.backends()
                and engine.name not in ("backward-euler", "implicit-midpoint")] # of fixed steps
 
 
-def eigenform(c, k, side):
-    """A mode of Delta that is none of the kernel, and its eigenvalue."""
-    found = polydec.spectrum(c, degree=k, side=side, count=min(6, c.size(k, side)))
-    i = int(np.argmax(found.eigenvalues > 1e-6))
-    return found.modes[:, i], found.eigenvalues[i]
-
-
-@pytest.mark.parametrize("name, k", [("torus", 0), ("torus", 1), ("well_centered", 0),
-                                     ("kuhn", 1), ("segments", 1)])
 @pytest.mark.parametrize("side", ["primal", "dual"])
-def test_modes_decay_at_their_rates(name, k, side):
-    c = complex_of(name)
-    mode, eigenvalue = eigenform(c, k, side)
-    run = polydec.Evolution(c, mode, degree=k, side=side, diffusion=0.5,
+def test_modes_decay_at_their_rates(side):
+    torus = complex_of("torus")
+    found = polydec.spectrum(torus, degree=1, side=side, count=3)
+    mode, eigenvalue = found.modes[:, 2], found.eigenvalues[2] # beside two that are harmonic
+    run = polydec.Evolution(torus, mode, degree=1, side=side, diffusion=0.5,
                             relative_tolerance=1e-8, absolute_tolerance=1e-12)
     assert not run.march(1 / eigenvalue)
     assert near(run.forms[0], np.exp(-0.5) * mode, 1e-6)
