@@ -15,15 +15,6 @@ std::vector<std::string> counting_engines() {
 
 class CountsNegative : public testing::TestWithParam<std::string> {};
 
-TEST_P(CountsNegative, eigenvalues_of_random_symmetric_matrices) {
-    const auto solver = make_linear_solver(GetParam());
-    for (unsigned seed = 1; seed <= 30; ++seed) {
-        const auto A = sparse(random_symmetric(2 + static_cast<Index>(seed % 23), seed));
-        solver->factorize(A, counted());
-        EXPECT_EQ(solver->negative_pivots(), negative_eigenvalues(A)) << "seed " << seed;
-    }
-}
-
 TEST_P(CountsNegative, eigenvalues_of_grid_laplacians_below_every_gap) {
     for (const auto& [m, dimension] : {std::pair{9, 2}, std::pair{5, 3}}) {
         const auto A = grid_laplacian(m, dimension);
@@ -78,10 +69,11 @@ INSTANTIATE_TEST_SUITE_P(engines, CountsNegative, testing::ValuesIn(counting_eng
 RC_GTEST_PROP(inertia, sylvester_counts_what_a_dense_eigensolver_counts, ()) {
     const auto size = *rc::gen::inRange(1, 30);
     const auto seed = *rc::gen::inRange(1u, 99999u);
+    const auto part = *rc::gen::inRange(1, 4); // one of so many entries stays
     DenseMatrix dense = random_symmetric(size, seed);
     for (Eigen::Index j = 0; j < size; ++j)
         for (Eigen::Index i = 0; i < j; ++i)
-            if ((3 * i + 5 * j + seed) % 3 != 0)
+            if ((3 * i + 5 * j + seed) % part != 0)
                 dense(i, j) = dense(j, i) = 0.0;
     const auto A = sparse(dense);
     for (const auto& name : counting_engines()) {

@@ -78,18 +78,11 @@ SparseMatrix convection_diffusion(Index m, double peclet) {
 }
 
 SparseMatrix shifted(const SparseMatrix& A, double shift) {
-    SparseMatrix identity(A.rows(), A.cols());
-    identity.setIdentity();
-    return A - shift * identity;
+    return A - shift * identity(static_cast<Index>(A.rows()));
 }
 
 DenseMatrix random_matrix(Index rows, Index columns, unsigned seed) {
-    std::mt19937 generator(seed);
-    DenseMatrix result(rows, columns);
-    for (Eigen::Index j = 0; j < columns; ++j)
-        for (Eigen::Index i = 0; i < rows; ++i)
-            result(i, j) = generator() / 2147483648.0 - 1.0;
-    return result;
+    return random_vector(rows * columns, seed).reshaped(rows, columns);
 }
 
 DenseMatrix random_symmetric(Index size, unsigned seed) {
