@@ -26,20 +26,12 @@ void expect(const Row& row) {
 }
 
 Shape of_two_materials(int n) {
-    const Mesh mesh = kuhn(2, n);
-    Shape shape = unmerged(mesh);
-    const Pieces& pieces = shape.pieces;
-    shape.conductivity = Vector::Ones(pieces.size(2));
-    shape.density = Vector::Ones(pieces.size(2));
-    for (Index t = 0; t < pieces.size(2); ++t) {
-        double x = 0;
-        for (const Index v : pieces.vertex_numbers(2, t))
-            x += mesh.points(v, 0) / 3;
-        if (x > 0.5) {
-            shape.conductivity[t] = 10;
-            shape.density[t] = 3;
-        }
-    }
+    const auto mesh = discretize(kuhn(2, n), {.criterion = MergeCriterion::none});
+    Shape shape = shape_of(mesh, {BoundaryCondition::natural});
+    const Points centroids = cell_centroids(mesh, 2);
+    const auto is_right = centroids.col(0).array() > 0.5;
+    shape.conductivity = is_right.select(Vector::Constant(mesh.size(2), 10), 1.0);
+    shape.density = is_right.select(Vector::Constant(mesh.size(2), 3), 1.0);
     return shape;
 }
 

@@ -41,8 +41,8 @@ Vector distances_of_cgal(const MeasuredSurface& shape, const Mesh& mesh, Index s
 
 TEST(ExactDistance, is_that_of_cgal) {
     const std::vector<Mesh> meshes{
-        icosphere(3), perturbed(icosphere(3), 0.05, 1), perturbed(torus(24, 12), 0.1, 2),
-        cube(6),      perturbed(grid(15, 15), 0.02, 3), perturbed(uv_sphere(12, 17), 0.03, 4)};
+        icosphere(3),    perturbed(icosphere(3), 0.05, 1), perturbed(torus(24, 12), 0.1, 2),
+        cube_surface(6), perturbed(grid(15, 15), 0.02, 3), perturbed(uv_sphere(12, 17), 0.03, 4)};
     for (const Mesh& mesh : meshes) {
         const MeasuredSurface shape = measured(mesh);
         for (const Index source : {Index(0), shape.surface.vertices() / 3}) {

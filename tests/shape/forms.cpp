@@ -24,24 +24,16 @@ TEST(OneForms, of_a_square_have_the_spectra_of_functions_and_densities) {
 
 TEST(OneForms, of_a_torus_have_everything_twice) {
     const Mesh box = kuhn(2, 6);
-    const Vector right = (Vector(2) << 1, 0).finished(), up = (Vector(2) << 0, 1).finished();
+    const Shape torus = unmerged(periodic(box, {Vector{{1, 0}}, Vector{{0, 1}}}));
     const double first = 4 * pi * pi;
     std::vector<double> truth{0, 0};
     truth.insert(truth.end(), 8, first);
-    expect_narrow(shape_spectrum(unmerged(periodic(box, {right, up})), {.degree = 1, .count = 10}),
-                  truth, 2);
+    expect_narrow(shape_spectrum(torus, {.degree = 1, .count = 10}), truth, 2);
 }
 
 /// Functions 0, 4 pi^2 .. and twisted densities pi^2 .., of Betti number 1.
 TEST(OneForms, of_a_klein_bottle_have_the_densities_first) {
-    const Mesh box = kuhn(2, 8);
-    const Isometry across = [](const Vector& p) {
-        return Vector((Vector(2) << p[0] + 1, p[1]).finished());
-    };
-    const Isometry turned = [](const Vector& p) {
-        return Vector((Vector(2) << 1 - p[0], p[1] + 1).finished());
-    };
-    const Shape shape = unmerged(glue(box, {across, turned}));
+    const Shape shape = glued_bottle(kuhn(2, 8), 1, 1);
     const double one = pi * pi;
     expect_narrow(shape_spectrum(shape, {.degree = 1, .count = 8}),
                   {0, one, one, 4 * one, 4 * one, 4 * one, 4 * one, 5 * one}, 1);
@@ -74,8 +66,7 @@ TEST(Densities, of_a_solid_are_functions_under_exchanged_conditions) {
 TEST(Flips, change_the_mesh_and_not_the_shape) {
     Mesh box = kuhn(2, 8);
     box.points.col(0) += 2 * box.points.col(1);
-    const Vector right = (Vector(2) << 1, 0).finished(), up = (Vector(2) << 2, 1).finished();
-    const Shape sheared = unmerged(periodic(box, {right, up}));
+    const Shape sheared = unmerged(periodic(box, {Vector{{1, 0}}, Vector{{2, 1}}}));
     const FlippedShape grid = flipped(sheared);
     EXPECT_GT(grid.flips, 64);
     const double first = 4 * pi * pi;

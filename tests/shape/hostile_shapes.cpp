@@ -5,7 +5,6 @@
 // POLYDEC_HOSTILE_SHAPES=100000 takes so many.
 #include "shape/poisson_pair.h"
 #include "tests/shape/known_shapes.h"
-#include "tests/shape/shapes.h"
 #include "tests/support/hostile.h"
 
 namespace polydec::test::in_hostile_shapes {
@@ -38,22 +37,18 @@ struct Tallies {
 /// have the mean of two.
 struct Refinement {
     Mesh mesh;
-    std::vector<Simplices> edges; // of the mesh before each step
+    std::vector<SimplicialComplex> before; // each step
 
     explicit Refinement(const Mesh& coarse) : mesh(coarse) {
         for (int step = 0; step < 3; ++step) {
-            edges.push_back(SimplicialComplex(mesh.simplices).simplices(1));
+            before.emplace_back(mesh.simplices);
             mesh = test::divided(mesh);
         }
     }
 
     Vector operator()(Vector values) const {
-        for (const Simplices& of : edges) {
-            const Index before = static_cast<Index>(values.size());
-            values.conservativeResize(before + of.rows());
-            for (Index e = 0; e < of.rows(); ++e)
-                values[before + e] = (values[of(e, 0)] + values[of(e, 1)]) / 2;
-        }
+        for (const SimplicialComplex& pieces : before)
+            values = divided(pieces, values);
         return values;
     }
 };

@@ -40,15 +40,17 @@ Shape unmerged(const PeriodicMesh& mesh) {
     return shape_of(discretize(mesh, {.criterion = MergeCriterion::none}));
 }
 
+Shape glued_bottle(const Mesh& box, double a, double b) {
+    const Isometry across = [a](const Vector& p) { return Vector{{p[0] + a, p[1]}}; };
+    const Isometry turned = [a, b](const Vector& p) { return Vector{{a - p[0], p[1] + b}}; };
+    return unmerged(glue(box, {across, turned}));
+}
+
 BoundaryConditions conditions_of(const Mesh& mesh, const std::vector<PartOfBoundary>& parts) {
-    const auto pieces = SimplicialComplex(mesh.simplices);
-    const int n = pieces.dimension();
-    const auto& facets = pieces.simplices(n - 1);
+    const auto on = discretize(mesh, {.criterion = MergeCriterion::none});
+    const Points centroids = cell_centroids(on, on.dimension() - 1);
     BoundaryConditions conditions;
-    for (Index f = 0; f < facets.rows(); ++f) {
-        Eigen::RowVectorXd centroid = Eigen::RowVectorXd::Zero(mesh.points.cols());
-        for (int i = 0; i < n; ++i)
-            centroid += mesh.points.row(pieces.vertex_number(facets(f, i))) / n;
+    for (const auto& centroid : centroids.rowwise()) {
         conditions.facets.push_back(BoundaryCondition::natural);
         conditions.coefficients.push_back(1);
         for (const PartOfBoundary& part : parts)
@@ -136,9 +138,7 @@ KnownShape random_torus(std::mt19937& random) {
                 values.push_back(value);
         }
     std::sort(values.begin(), values.end());
-    const Vector first = (Vector(2) << a, 0).finished();
-    const Vector second = (Vector(2) << shear * b, b).finished();
-    return {"torus", unmerged(periodic(mesh, {first, second})), values};
+    return {"torus", unmerged(periodic(mesh, {Vector{{a, 0}}, Vector{{shear * b, b}}})), values};
 }
 
 KnownShape klein_bottle(std::mt19937& random, ShapeFunctions functions) {
@@ -146,13 +146,7 @@ KnownShape klein_bottle(std::mt19937& random, ShapeFunctions functions) {
     const double a = uniform(random, 0.7, 1.4), b = uniform(random, 0.7, 1.4);
     Mesh mesh = split_boxes(cells, {a, b});
     shake(mesh, random, cells, {a, b}, 0.2);
-    const Isometry across = [a](const Vector& p) {
-        return Vector((Vector(2) << p[0] + a, p[1]).finished());
-    };
-    const Isometry turned = [a, b](const Vector& p) {
-        return Vector((Vector(2) << a - p[0], p[1] + b).finished());
-    };
-    KnownShape result{"Klein bottle", unmerged(glue(mesh, {across, turned})), {}};
+    KnownShape result{"Klein bottle", glued_bottle(mesh, a, b), {}};
     result.shape.functions = functions;
     const double limit = 2000;
     const bool is_twisted = functions == ShapeFunctions::twisted;
@@ -172,113 +166,15 @@ KnownShape klein_bottle(std::mt19937& random, ShapeFunctions functions) {
 
 KnownShape book(std::mt19937& random, int pages, int cells) {
     const double a = uniform(random, 0.7, 1.4), b = uniform(random, 0.7, 1.4);
-    const Mesh page = kuhn({cells, cells}, {a, b});
-    Mesh mesh;
-    std::map<std::vector<double>, Index> numbers;
-    std::vector<Eigen::RowVector3d> points;
-    std::vector<std::vector<Index>> triangles;
-    for (int p = 0; p < pages; ++p)
-        for (Index t = 0; t < page.simplices.rows(); ++t) {
-            triangles.emplace_back();
-            for (int i = 0; i < 3; ++i) {
-                const auto at = page.points.row(page.simplices(t, i));
-                const double angle = 2 * pi * p / pages;
-                const std::vector<double> key{at[0], at[1], at[0] == 0 ? 0.0 : p};
-                const auto [entry, is_new] =
-                    numbers.emplace(key, static_cast<Index>(points.size()));
-                if (is_new)
-                    points.emplace_back(at[0] * std::cos(angle), at[0] * std::sin(angle), at[1]);
-                triangles.back().push_back(entry->second);
-            }
-        }
-    mesh.points.resize(std::ssize(points), 3);
-    for (Index v = 0; v < std::ssize(points); ++v)
-        mesh.points.row(v) = points[v];
-    mesh.simplices.resize(std::ssize(triangles), 3);
-    for (Index t = 0; t < std::ssize(triangles); ++t)
-        for (int i = 0; i < 3; ++i)
-            mesh.simplices(t, i) = triangles[t][i];
+    std::vector<double> angles;
+    for (int page = 0; page < pages; ++page)
+        angles.push_back(2 * pi * page / pages);
+    const Mesh mesh = book_of(kuhn({cells, cells}, {a, b}), angles);
     const double limit = 2000;
     auto across = interval_eigenvalues(a, 0, 0, limit);
     const auto odd = repeated(interval_eigenvalues(a, infinity, 0, limit), pages - 1);
     across.insert(across.end(), odd.begin(), odd.end());
     return {"book", unmerged(mesh), sums({across, interval_eigenvalues(b, 0, 0, limit)}, limit)};
-}
-
-namespace {
-
-/// Copies of a triangulated part of the plane, each taken to space; points nearer than 1e-9 join.
-Mesh patched(const Mesh& part,
-             const std::vector<std::function<Eigen::RowVector3d(double, double)>>& places) {
-    std::map<std::array<long, 3>, Index> numbers;
-    Mesh mesh;
-    mesh.points.resize(part.points.rows() * std::ssize(places), 3);
-    mesh.simplices.resize(part.simplices.rows() * std::ssize(places), 3);
-    Index triangle = 0, count = 0;
-    for (const auto& place : places)
-        for (Index t = 0; t < part.simplices.rows(); ++t, ++triangle)
-            for (int i = 0; i < 3; ++i) {
-                const auto at = part.points.row(part.simplices(t, i));
-                const Eigen::RowVector3d p = place(at[0], at[1]);
-                const auto [entry, is_new] = numbers.emplace(
-                    std::array<long, 3>{std::lround(p[0] * 1e7), std::lround(p[1] * 1e7),
-                                        std::lround(p[2] * 1e7)},
-                    count);
-                if (is_new)
-                    mesh.points.row(count++) = p;
-                mesh.simplices(triangle, i) = entry->second;
-            }
-    mesh.points.conservativeResize(count, 3);
-    return mesh;
-}
-
-} // namespace
-
-Mesh cube_surface(int n) {
-    std::vector<std::function<Eigen::RowVector3d(double, double)>> places;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const double level : {0.0, 1.0})
-            places.push_back([axis, level](double x, double y) {
-                Eigen::RowVector3d p;
-                p[axis] = level;
-                p[(axis + 1) % 3] = x;
-                p[(axis + 2) % 3] = y;
-                return p;
-            });
-    return patched(kuhn({n, n}), places);
-}
-
-Mesh tetrahedron_surface(int n) {
-    // half of a grid of squares, the other half mirrored to it by hand
-    Mesh half;
-    half.points.resize((n + 1) * (n + 2) / 2, 2);
-    half.simplices.resize(n * n, 3);
-    std::map<std::pair<int, int>, Index> numbers;
-    Index count = 0, triangle = 0;
-    for (int i = 0; i <= n; ++i)
-        for (int j = 0; i + j <= n; ++j) {
-            half.points.row(count) << double(i) / n, double(j) / n;
-            numbers[{i, j}] = count++;
-        }
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; i + j < n; ++j) {
-            half.simplices.row(triangle++) << numbers[{i, j}], numbers[{i + 1, j}],
-                numbers[{i, j + 1}];
-            if (i + j + 1 < n)
-                half.simplices.row(triangle++) << numbers[{i + 1, j}], numbers[{i + 1, j + 1}],
-                    numbers[{i, j + 1}];
-        }
-    const double s = 1 / std::sqrt(8.0);
-    const std::vector<Eigen::RowVector3d> corners{{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}};
-    std::vector<std::function<Eigen::RowVector3d(double, double)>> places;
-    for (int without = 0; without < 4; ++without)
-        places.push_back([corners, without](double x, double y) {
-            const auto& a = corners[(without + 1) % 4];
-            const auto& b = corners[(without + 2) % 4];
-            const auto& c = corners[(without + 3) % 4];
-            return Eigen::RowVector3d(a + x * (b - a) + y * (c - a));
-        });
-    return patched(half, places);
 }
 
 Mesh l_shape(int n) {
@@ -287,15 +183,28 @@ Mesh l_shape(int n) {
 }
 
 Mesh pillow(int n) {
-    const auto side = [n](double sign) { // inner points keep apart
-        return [sign, n](double x, double y) {
-            const bool inner = std::min({x, y, 1 - x, 1 - y}) > 0.5 / n;
-            return Eigen::RowVector3d(sign > 0 ? x : 1 - x, y, inner ? 1e-5 * sign : 0);
-        };
-    };
-    Mesh mesh = patched(kuhn({n, n}), {side(1), side(-1)}); // diagonals are mirrored
+    const Mesh front = kuhn({n, n});
+    Mesh both = united(front, front);
+    const Index count = static_cast<Index>(front.points.rows());
+    both.points.conservativeResize(Eigen::NoChange, 3);
+    both.points.col(0).tail(count) = 1 - front.points.col(0).array(); // diagonals are mirrored
+    for (Index v = 0; v < 2 * count; ++v) {                           // inner points keep apart
+        const double x = both.points(v, 0), y = both.points(v, 1);
+        const bool inner = std::min({x, y, 1 - x, 1 - y}) > 0.5 / n;
+        both.points(v, 2) = !inner ? 0 : v < count ? 1 : -1;
+    }
+    Mesh mesh = weld(std::move(both)).mesh;
     mesh.points.col(2).setZero();
     return mesh;
+}
+
+Vector divided(const Pieces& pieces, const Vector& values) {
+    const Simplices& edges = pieces.simplices(1);
+    Vector result(values.size() + edges.rows());
+    result.head(values.size()) = values;
+    for (Index e = 0; e < edges.rows(); ++e)
+        result[values.size() + e] = (values[edges(e, 0)] + values[edges(e, 1)]) / 2;
+    return result;
 }
 
 Mesh divided(const Mesh& mesh) {

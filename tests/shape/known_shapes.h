@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "tests/support/test.h"
+#include "tests/shape/shapes.h"
 
 namespace polydec::test {
 
@@ -18,6 +18,10 @@ constexpr double pi = 3.14159265358979323846;
 Shape unmerged(const Mesh& mesh,
                const BoundaryConditions& conditions = {BoundaryCondition::natural});
 Shape unmerged(const PeriodicMesh& mesh);
+
+/// The shape of a box of these sides whose left is glued to its right, and its bottom to its top
+/// the other way round.
+Shape glued_bottle(const Mesh& box, double a, double b);
 
 /// Conditions by facet: at facets whose centroid fulfills a predicate these, elsewhere natural.
 struct PartOfBoundary {
@@ -47,10 +51,6 @@ KnownShape klein_bottle(std::mt19937& random, ShapeFunctions functions);
 /// Pages, rectangles that share a side, natural conditions.
 KnownShape book(std::mt19937& random, int pages, int cells);
 
-/// Surfaces: the unit cube's, of n x n squares a side, and the regular tetrahedron's of edge 1.
-Mesh cube_surface(int n);
-Mesh tetrahedron_surface(int n);
-
 /// Three squares of side 1 around the corner of an L, of 2 n^2 triangles each.
 Mesh l_shape(int n);
 
@@ -59,6 +59,9 @@ Mesh pillow(int n);
 
 /// Each triangle divided into four: the same surface.
 Mesh divided(const Mesh& mesh);
+
+/// Values at the vertices of the divided mesh of a function that is linear on triangles.
+Vector divided(const Pieces& pieces, const Vector& values);
 
 /// Expects bounds of as many eigenvalues as there are of both to enclose these, but for a share of
 /// them.

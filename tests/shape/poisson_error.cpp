@@ -3,16 +3,6 @@
 
 namespace polydec::test::in_poisson_error {
 
-/// On the divided mesh.
-Vector divided(const Pieces& pieces, const Vector& values) {
-    const Simplices& edges = pieces.simplices(1);
-    Vector result(values.size() + edges.rows());
-    result.head(values.size()) = values;
-    for (Index e = 0; e < edges.rows(); ++e)
-        result[values.size() + e] = (values[edges(e, 0)] + values[edges(e, 1)]) / 2;
-    return result;
-}
-
 std::vector<Sample> samples() {
     const PartOfBoundary all{is_any, BoundaryCondition::essential},
         left{is_left, BoundaryCondition::essential}, robin{is_any, BoundaryCondition::robin, 2.5},

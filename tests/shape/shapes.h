@@ -14,13 +14,10 @@ struct MeasuredSurface {
 
 inline MeasuredSurface measured(const Mesh& mesh) {
     const SimplicialComplex complex(mesh.simplices);
-    MeasuredSurface result{Triangles(complex), Vector(complex.size(1)), {}};
+    MeasuredSurface result{
+        Triangles(complex), edge_lengths(complex, vertex_points(complex, mesh.points)), {}};
     for (Index v = 0; v < complex.size(0); ++v)
         result.vertices.push_back(complex.vertex_number(v));
-    for (Index e = 0; e < complex.size(1); ++e)
-        result.lengths[e] = (mesh.points.row(result.vertices[complex.simplices(1)(e, 0)]) -
-                             mesh.points.row(result.vertices[complex.simplices(1)(e, 1)]))
-                                .norm();
     return result;
 }
 
@@ -39,40 +36,26 @@ inline Index vertex_at(const MeasuredSurface& shape, const Mesh& mesh, const Eig
     return v;
 }
 
-/// Triangles in space, each divided into n x n by lines along its sides; equal points are one
-/// vertex.
+/// Triangles in space, each divided into n x n by lines along its sides.
 inline Mesh divided(const std::vector<Eigen::Matrix3d>& triangles, int n) {
-    std::map<std::array<long long, 3>, Index> numbers;
-    std::vector<Eigen::Vector3d> points;
-    std::vector<std::array<Index, 3>> simplices;
+    std::vector<Eigen::Matrix3d> parts;
     for (const Eigen::Matrix3d& corners : triangles) {
-        const auto vertex = [&](int i, int j) {
-            const Eigen::Vector3d p =
-                (i * corners.col(0) + j * corners.col(1) + (n - i - j) * corners.col(2)) / n;
-            std::array<long long, 3> key;
-            for (int k = 0; k < 3; ++k)
-                key[k] = std::llround(p[k] * 1e9);
-            const auto [place, is_new] = numbers.emplace(key, static_cast<Index>(points.size()));
-            if (is_new)
-                points.push_back(p);
-            return place->second;
+        const auto add = [&](const std::array<Eigen::Vector2i, 3>& steps) {
+            Eigen::Matrix3d part;
+            for (int i = 0; i < 3; ++i)
+                part.col(i) =
+                    corners * Eigen::Vector3d(steps[i][0], steps[i][1], n - steps[i].sum()) / n;
+            parts.push_back(part);
         };
         for (int i = 0; i < n; ++i)
             for (int j = 0; i + j < n; ++j) {
-                simplices.push_back({vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)});
+                const Eigen::Vector2i at(i, j), right(i + 1, j), up(i, j + 1);
+                add({at, right, up});
                 if (i + j + 1 < n)
-                    simplices.push_back({vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+                    add({right, at + Eigen::Vector2i::Ones(), up});
             }
     }
-    Mesh mesh;
-    mesh.points.resize(static_cast<Index>(points.size()), 3);
-    for (std::size_t v = 0; v < points.size(); ++v)
-        mesh.points.row(static_cast<Index>(v)) = points[v].transpose();
-    mesh.simplices.resize(static_cast<Index>(simplices.size()), 3);
-    for (std::size_t t = 0; t < simplices.size(); ++t)
-        for (int i = 0; i < 3; ++i)
-            mesh.simplices(static_cast<Index>(t), i) = simplices[t][i];
-    return mesh;
+    return welded(parts);
 }
 
 /// The two triangles of a parallelogram with these sides.
@@ -84,8 +67,27 @@ inline void add_parallelogram(std::vector<Eigen::Matrix3d>& triangles, const Eig
     triangles.push_back(lower), triangles.push_back(upper);
 }
 
+/// Adds the faces of a tetrahedron.
+inline void add_tetrahedron(std::vector<Eigen::Matrix3d>& triangles,
+                            const std::array<Eigen::Vector3d, 4>& corners) {
+    for (int omitted = 0; omitted < 4; ++omitted) {
+        triangles.emplace_back();
+        for (int i = 0; i < 3; ++i)
+            triangles.back().col(i) = corners[(omitted + 1 + i) % 4];
+    }
+}
+
+/// The surface of the regular tetrahedron of edge 1.
+inline Mesh tetrahedron_surface(int n) {
+    const double s = 1 / std::sqrt(8.0);
+    std::vector<Eigen::Matrix3d> triangles;
+    add_tetrahedron(triangles, {Eigen::Vector3d(s, s, s), Eigen::Vector3d(s, -s, -s),
+                                Eigen::Vector3d(-s, s, -s), Eigen::Vector3d(-s, -s, s)});
+    return divided(triangles, n);
+}
+
 /// The surface of the unit cube.
-inline Mesh cube(int n) {
+inline Mesh cube_surface(int n) {
     std::vector<Eigen::Matrix3d> triangles;
     for (int axis = 0; axis < 3; ++axis)
         for (int level = 0; level < 2; ++level)
@@ -113,17 +115,10 @@ inline Mesh walls_of_cubes(int n) {
 /// The surfaces of two regular tetrahedra that touch at a vertex, around which the angles are 2 pi.
 inline Mesh touching_tetrahedra() {
     std::vector<Eigen::Matrix3d> triangles;
-    for (const double sign : {1.0, -1.0}) {
-        const std::array<Eigen::Vector3d, 4> corners{
-            Eigen::Vector3d::Zero(), sign * Eigen::Vector3d(1, 1, 0),
-            sign * Eigen::Vector3d(1, 0, 1), sign * Eigen::Vector3d(0, 1, 1)};
-        for (int omitted = 0; omitted < 4; ++omitted) {
-            Eigen::Matrix3d face;
-            for (int i = 0; i < 3; ++i)
-                face.col(i) = corners[(omitted + 1 + i) % 4];
-            triangles.push_back(face);
-        }
-    }
+    for (const double sign : {1.0, -1.0})
+        add_tetrahedron(triangles,
+                        {Eigen::Vector3d::Zero(), sign * Eigen::Vector3d(1, 1, 0),
+                         sign * Eigen::Vector3d(1, 0, 1), sign * Eigen::Vector3d(0, 1, 1)});
     return divided(triangles, 2);
 }
 

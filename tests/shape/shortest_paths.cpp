@@ -5,7 +5,7 @@
 namespace polydec::test::in_shortest_paths {
 
 std::vector<MeasuredSurface> surfaces() {
-    std::vector<MeasuredSurface> all{measured(cube(3)),
+    std::vector<MeasuredSurface> all{measured(cube_surface(3)),
                                      cone(3 * std::numbers::pi, 12, 4),
                                      cone(1.0, 12, 4),
                                      measured(hills(3, 7)),
@@ -83,7 +83,8 @@ std::vector<Eigen::Matrix3d> corners(const Mesh& mesh) {
 TEST(ShortestPaths, know_the_distance_of_every_point_as_a_finer_mesh_has_it) {
     constexpr int n = 4;
     double linear_error = 0;
-    for (const Mesh& mesh : {cube(2), perturbed(torus(9, 6), 0.1, 1), hills(3, 5), moebius(7, 2)}) {
+    for (const Mesh& mesh :
+         {cube_surface(2), perturbed(torus(9, 6), 0.1, 1), hills(3, 5), moebius(7, 2)}) {
         const Mesh fine_mesh = divided(corners(mesh), n);
         const MeasuredSurface coarse = measured(mesh), fine = measured(fine_mesh);
         const Index source = vertex_at(fine, fine_mesh, place(coarse, mesh, 0));
@@ -109,7 +110,7 @@ TEST(ShortestPaths, know_the_distance_of_every_point_as_a_finer_mesh_has_it) {
 }
 
 TEST(ShortestPaths, over_a_cube_cross_an_edge_in_its_middle_and_diagonals_in_thirds) {
-    const Mesh mesh = cube(1);
+    const Mesh mesh = cube_surface(1);
     const MeasuredSurface shape = measured(mesh);
     const Index corner = vertex_at(shape, mesh, Eigen::Vector3d::Zero());
     const ShortestPaths paths(shape.surface, shape.lengths, std::vector<Index>{corner});
@@ -125,7 +126,7 @@ TEST(ShortestPaths, over_a_cube_cross_an_edge_in_its_middle_and_diagonals_in_thi
 }
 
 TEST(ShortestPaths, from_vertices_and_at_places_that_are_none_are_refused) {
-    const MeasuredSurface shape = measured(cube(1));
+    const MeasuredSurface shape = measured(cube_surface(1));
     const ShortestPaths paths(shape.surface, shape.lengths, std::vector<Index>{0});
     EXPECT_THROW(paths.from(8), InvalidInput);
     EXPECT_THROW(paths.from(-1), InvalidInput);

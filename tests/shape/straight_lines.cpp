@@ -160,7 +160,7 @@ std::vector<NamedShape> surfaces() {
     for (const auto& [name, mesh] : meshes())
         if (mesh.simplices.cols() == 3 && mesh.simplices.rows() <= 400)
             result.push_back({name, measured(mesh)});
-    result.push_back({"cube", measured(cube(2))});
+    result.push_back({"cube", measured(cube_surface(2))});
     result.push_back({"walls_of_cubes", measured(walls_of_cubes(2))});
     result.push_back({"touching_tetrahedra", measured(touching_tetrahedra())});
     for (const std::uint64_t seed : {1, 2, 3}) {

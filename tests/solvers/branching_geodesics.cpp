@@ -5,47 +5,12 @@
 
 namespace polydec::test::in_branching_geodesics {
 
-/// Pages of a book, unit squares of n x n cells along one spine, the second axis. Row 0 of
-/// `places` are the distances from the spine, row 1 heights; the pages of vertices are numbered.
-struct Book {
-    Mesh mesh;
-    DenseMatrix places;
-    std::vector<int> page;
-};
-
-Book book(int pages, int n, double shake) {
-    Book result;
-    const Index inside = n * (n + 1); // vertices of a page that are not on the spine
-    const auto number = [&](int page, int i, int j) {
-        return static_cast<Index>(i == 0 ? j : n + 1 + page * inside + (i - 1) * (n + 1) + j);
-    };
-    const Index size = n + 1 + pages * inside;
-    result.mesh.points.resize(size, 3);
-    result.mesh.simplices.resize(pages * 2 * n * n, 3);
-    result.places.resize(2, size);
-    result.page.resize(size);
-    Index t = 0;
-    for (int page = 0; page < pages; ++page) {
-        Random random(7); // all pages alike
-        const double angle = 2 * M_PI * page / pages;
-        for (int i = 0; i <= n; ++i)
-            for (int j = 0; j <= n; ++j) {
-                const bool moves = i > 0 && i < n && j > 0 && j < n;
-                const Vector by = random.direction(2) * (moves ? shake / n : 0);
-                const Index v = number(page, i, j);
-                const double x = double(i) / n + by[0], y = double(j) / n + by[1];
-                result.places.col(v) << x, y;
-                result.page[v] = page;
-                result.mesh.points.row(v) << x * std::cos(angle), y, x * std::sin(angle);
-                if (i == n || j == n)
-                    continue;
-                const Index a = v, b = number(page, i + 1, j), c = number(page, i + 1, j + 1),
-                            d = number(page, i, j + 1);
-                result.mesh.simplices.row(t++) << a, b, c;
-                result.mesh.simplices.row(t++) << a, c, d;
-            }
-    }
-    return result;
+/// Pages of a book, unit squares of n x n cells shaken alike, whose spine is the third axis.
+Mesh book(int pages, int n, double shake) {
+    std::vector<double> angles;
+    for (int page = 0; page < pages; ++page)
+        angles.push_back(2 * M_PI * page / pages);
+    return book_of(shaken_inside(grid(n, n), shake / n), angles);
 }
 
 struct Errors {
@@ -53,19 +18,19 @@ struct Errors {
     double as_on_one_page; ///< of the other pages, if these were the source's own
 };
 
-Errors errors(const Book& book, const GeodesicOptions& options = {}) {
-    const auto mesh = circumcentric(book.mesh);
-    const int n = static_cast<int>(std::lround(std::sqrt(book.mesh.simplices.rows() / 6)));
+Errors errors(const Mesh& book, int n, const GeodesicOptions& options = {}) {
+    const Index inside =
+        n * (n + 1); // vertices of a page that are not on the spine; those are first
     const Index source[] = {static_cast<Index>(n + 1 + (n / 2 - 1) * (n + 1) + n / 4)};
-    const Vector d = heat_distance(mesh, source, options);
-    const Eigen::Vector2d from = book.places.col(source[0]);
+    const Vector d = heat_distance(circumcentric(book), source, options);
+    const Vector from_spine = book.points.leftCols(2).rowwise().norm();
     Errors result{};
     double others = 0, own = 0;
     for (Index v = 0; v < d.size(); ++v) {
-        const double along = book.places(1, v) - from[1], x = book.places(0, v);
-        const double across = std::hypot(along, x + from[0]),
-                     within = std::hypot(along, x - from[0]);
-        if (book.page[v] != book.page[source[0]]) {
+        const double along = book.points(v, 2) - book.points(source[0], 2);
+        const double across = std::hypot(along, from_spine[v] + from_spine[source[0]]),
+                     within = std::hypot(along, from_spine[v] - from_spine[source[0]]);
+        if (v > n + inside) { // on the other pages
             result.across += std::abs(d[v] - across);
             result.as_on_one_page += std::abs(d[v] - within);
             others += 1;
@@ -78,9 +43,8 @@ Errors errors(const Book& book, const GeodesicOptions& options = {}) {
 }
 
 TEST(BranchingGeodesics, cross_the_spine_of_a_book_straight) {
-    ASSERT_NE(refusal([] { GluedSurface(circumcentric(book(3, 4, 0.2).mesh).pieces()); }),
-              "accepted");
-    const auto coarse = errors(book(3, 24, 0.25)), fine = errors(book(3, 48, 0.25));
+    ASSERT_NE(refusal([] { GluedSurface(circumcentric(book(3, 4, 0.2)).pieces()); }), "accepted");
+    const auto coarse = errors(book(3, 24, 0.25), 24), fine = errors(book(3, 48, 0.25), 48);
     EXPECT_LT(fine.across, 0.03);
     EXPECT_LT(fine.within, 0.01);
     EXPECT_GT(std::log2(coarse.across / fine.across), 0.8);
@@ -89,8 +53,7 @@ TEST(BranchingGeodesics, cross_the_spine_of_a_book_straight) {
 }
 
 TEST(BranchingGeodesics, are_equal_on_equal_pages) {
-    const auto pages = book(4, 12, 0.25);
-    const auto mesh = circumcentric(pages.mesh);
+    const auto mesh = circumcentric(book(4, 12, 0.25));
     const Index source[] = {static_cast<Index>(13 + 5)};
     const Vector d = heat_distance(mesh, source);
     const Index inside = 12 * 13;
@@ -103,7 +66,7 @@ TEST(BranchingGeodesics, are_equal_on_equal_pages) {
 
 /// Where no edge has more than two triangles, nothing changes.
 TEST(BranchingGeodesics, are_those_of_glued_triangles_where_these_can_be_glued) {
-    const auto mesh = circumcentric(book(2, 8, 0.25).mesh);
+    const auto mesh = circumcentric(book(2, 8, 0.25));
     const Index source[] = {3};
     const Vector glued =
         heat_distance(GluedSurface(mesh.pieces()), mesh.geometry().volumes().primal(1), source);

@@ -7,16 +7,6 @@ namespace {
 
 constexpr double coefficient = 1.7;
 
-/// Inner points moved at random; the boundary stays that of the unit cube.
-Mesh shaken_inside(Mesh mesh, double amplitude) {
-    const Mesh moved = perturbed(mesh, amplitude, 1);
-    for (Index v = 0; v < mesh.points.rows(); ++v)
-        if ((mesh.points.row(v).array() > 1e-9).all() &&
-            (mesh.points.row(v).array() < 1 - 1e-9).all())
-            mesh.points.row(v) = moved.points.row(v);
-    return mesh;
-}
-
 /// Cubes of which the lowest quarter is pressed together to thin layers.
 Mesh partly_thin(int n, int cells) {
     Mesh mesh = kuhn(n, cells);

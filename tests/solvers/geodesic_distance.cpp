@@ -118,35 +118,46 @@ TEST(GeodesicDistance, of_irregular_triangles_in_the_plane_is_that_of_the_plane)
     EXPECT_GT(order(coarse, fine), 0.8);
 }
 
+constexpr DistanceMethod methods[] = {DistanceMethod::heat, DistanceMethod::exact};
+
+Vector distance(const GluedSample& sample, std::span<const Index> sources, DistanceMethod method) {
+    return geodesic_distance(sample.surface, sample.lengths, sources, {.method = method});
+}
+
+/// By which another order of vertices, for example, may change distances.
+double rounding(DistanceMethod method) {
+    return method == DistanceMethod::heat ? 1e-12 : 1e-13;
+}
+
 TEST(GeodesicDistance, scales_with_the_lengths) {
     const auto sphere = glued(icosphere(12));
-    const Vector d = heat_distance(sphere.surface, sphere.lengths, from_0);
     for (const double scale : {1e-150, 1e-8, 3.0, 1e8, 1e150}) {
-        const Vector scaled = heat_distance(sphere.surface, scale * sphere.lengths, from_0) / scale;
-        EXPECT_LT((scaled - d).cwiseAbs().maxCoeff(), 1e-12);
+        GluedSample scaled = sphere;
+        scaled.lengths *= scale;
+        for (const auto method : methods)
+            EXPECT_WITHIN(distance(scaled, from_0, method) / scale,
+                          distance(sphere, from_0, method),
+                          method == DistanceMethod::heat ? 1e-12 : 1e-14);
         // the time must scale, too: another one gives another error
         const Vector other =
-            heat_distance(sphere.surface, scale * sphere.lengths, from_0, {.time_scale = 2}) /
-            scale;
-        EXPECT_GT((other - d).cwiseAbs().maxCoeff(), 1e-5);
+            heat_distance(scaled.surface, scaled.lengths, from_0, {.time_scale = 2}) / scale;
+        EXPECT_GT((other - distance(sphere, from_0, DistanceMethod::heat)).cwiseAbs().maxCoeff(),
+                  1e-5);
     }
 }
 
 TEST(GeodesicDistance, does_not_depend_on_the_order_of_vertices) {
-    const Mesh mesh = torus(24, 12);
-    const Renumbered other = shuffled(mesh, 7);
-    const auto a = glued(mesh), b = glued(other.mesh);
-    const auto place = std::find(other.vertices.begin(), other.vertices.end(), 0);
-    const Index source[] = {static_cast<Index>(place - other.vertices.begin())};
-    const Vector d = heat_distance(a.surface, a.lengths, from_0);
-    const Vector e = heat_distance(b.surface, b.lengths, source);
-    double difference = 0, unmatched = 0;
-    for (Index v = 0; v < d.size(); ++v) {
-        difference = std::max(difference, std::abs(e[v] - d[other.vertices[v]]));
-        unmatched = std::max(unmatched, std::abs(e[v] - d[v]));
-    }
-    EXPECT_LT(difference, 1e-12);
-    EXPECT_GT(unmatched, 0.1);
+    for (const Mesh& mesh :
+         {torus(24, 12), perturbed(torus(14, 8), 0.1, 3), perturbed(torus(14, 8), 0.1, 4)})
+        for (const auto method : methods) {
+            const Renumbered other = shuffled(mesh, 7);
+            const auto place = std::find(other.vertices.begin(), other.vertices.end(), 0);
+            const Index source[] = {static_cast<Index>(place - other.vertices.begin())};
+            const Vector d = distance(glued(mesh), from_0, method);
+            const Vector e = distance(glued(other.mesh), source, method);
+            EXPECT_WITHIN(e, d(other.vertices), rounding(method));
+            EXPECT_GT((e - d).cwiseAbs().maxCoeff(), 0.1);
+        }
 }
 
 /// How much the distance changes by the reflection x -> -x, which maps the sphere to itself.
@@ -241,14 +252,21 @@ TEST(GeodesicDistance, by_an_engine_that_iterates_is_less_sharp_but_right) {
 TEST(GeodesicDistance, of_each_component_is_its_own) {
     const Mesh one = grid(8, 8);
     const Index n = static_cast<Index>(one.points.rows());
-    const auto a = glued(one);
-    const auto b = glued(united(one, transformed(one, DenseMatrix::Identity(2, 2), 1e-5)));
+    GluedSample both = glued(united(one, one));
+    const Vector lengths = both.lengths;
     const Index sources[] = {0, n};
-    const Vector d = heat_distance(a.surface, a.lengths, from_0);
-    const Vector e = heat_distance(b.surface, b.lengths, sources);
-    EXPECT_LT((e.head(n) - d).cwiseAbs().maxCoeff(), 1e-12);
-    EXPECT_LT((1e5 * e.tail(n) - d).cwiseAbs().maxCoeff(), 1e-10);
-    EXPECT_REFUSED(heat_distance(b.surface, b.lengths, from_0), "source", "vertex 81");
+    for (const auto method : methods)
+        for (const double size : {1.0, 1e-5, 1e-200}) {
+            if (method == DistanceMethod::heat && size < 1e-100)
+                continue; // no number is as small as an area
+            both.lengths << lengths.head(lengths.size() / 2),
+                size * lengths.tail(lengths.size() / 2);
+            const Vector d = distance(glued(one), from_0, method);
+            const Vector e = distance(both, sources, method);
+            EXPECT_WITHIN(e.head(n), d, rounding(method));
+            EXPECT_WITHIN(e.tail(n) / size, d, rounding(method));
+            EXPECT_REFUSED(distance(both, from_0, method), "source", "vertex 81");
+        }
 }
 
 TEST(GeodesicDistance, hardly_depends_on_how_thin_needles_are) {
@@ -268,29 +286,38 @@ TEST(GeodesicDistance, is_refused_where_needles_leave_no_digits) {
 }
 
 TEST(GeodesicDistance, refuses_lengths_of_no_triangles) {
-    const auto torus = flat(2);
-    const auto with = [&](Index e, double length) {
-        Vector lengths = torus.lengths;
-        lengths[e] = length;
-        return refusal([&] { heat_distance(torus.surface, lengths, from_0); });
-    };
-    EXPECT_SAYS(with(4, 0), "edge 4", "vertex 3", "0", "length", "0");
-    EXPECT_SAYS(with(4, -1), "edge 4", "vertex 3", "0", "length", "-1");
-    EXPECT_SAYS(with(4, NAN), "edge 4", "vertex 3", "0", "length", "nan");
-    EXPECT_SAYS(with(4, 1.5), "triangle 3", "vertices 3, 1, 0", "0.7071067811865476", "0.5", "1.5");
-    EXPECT_REFUSED(heat_distance(torus.surface, Vector::Ones(3), from_0), "3 lengths", "12 edges");
-    EXPECT_EQ(with(4, 0.5), "accepted");
+    for (const auto method : methods) {
+        const auto with = [&](Index e, double length) {
+            GluedSample torus = flat(2);
+            torus.lengths[e] = length;
+            return refusal([&] { distance(torus, from_0, method); });
+        };
+        EXPECT_SAYS(with(4, 0), "edge 4", "vertex 3", "0", "length", "0");
+        EXPECT_SAYS(with(4, -1), "edge 4", "vertex 3", "0", "length", "-1");
+        EXPECT_SAYS(with(4, NAN), "edge 4", "vertex 3", "0", "length", "nan");
+        EXPECT_SAYS(with(4, 1.5), "triangle 3", "vertices 3, 1, 0", "0.7071067811865476", "0.5",
+                    "1.5");
+        EXPECT_EQ(with(4, 0.5), "accepted");
+        GluedSample torus = flat(2);
+        torus.lengths = Vector::Ones(3);
+        EXPECT_REFUSED(distance(torus, from_0, method), "3 lengths", "12 edges");
+    }
+    GluedSample square = glued(grid(5, 5));
+    square.lengths.setConstant(std::numeric_limits<double>::max() / 2);
+    EXPECT_REFUSED(distance(square, from_0, DistanceMethod::exact), "vertex", "range");
 }
 
 TEST(GeodesicDistance, refuses_sources_and_times_that_make_no_sense) {
     const auto torus = flat(3);
-    const auto from = [&](std::vector<Index> sources) {
-        return refusal([&] { heat_distance(torus.surface, torus.lengths, sources); });
-    };
-    EXPECT_SAYS(from({9}), "vertex 9", "source", "0", "8");
-    EXPECT_SAYS(from({-1}), "vertex -1", "source", "0", "8");
-    EXPECT_SAYS(from({}), "source", "vertex 0");
-    EXPECT_EQ(from({8}), "accepted");
+    for (const auto method : methods) {
+        const auto from = [&](const std::vector<Index>& sources) {
+            return refusal([&] { distance(torus, sources, method); });
+        };
+        EXPECT_SAYS(from({9}), "vertex 9", "source", "0", "8");
+        EXPECT_SAYS(from({-1}), "vertex -1", "source", "0", "8");
+        EXPECT_SAYS(from({}), "source", "vertex 0");
+        EXPECT_EQ(from({8}), "accepted");
+    }
     const auto with = [&](double time_scale) {
         return refusal([&] {
             heat_distance(torus.surface, torus.lengths, from_0, {.time_scale = time_scale});

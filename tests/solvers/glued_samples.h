@@ -15,12 +15,7 @@ struct GluedSample {
 /// The triangles of a mesh.
 inline GluedSample glued(const Mesh& mesh) {
     const SimplicialComplex complex(mesh.simplices);
-    GluedSample sample{GluedSurface(complex), Vector(complex.size(1)), mesh.points};
-    for (Index e = 0; e < sample.surface.edges(); ++e)
-        sample.lengths[e] = (mesh.points.row(sample.surface.first_vertex(e)) -
-                             mesh.points.row(sample.surface.last_vertex(e)))
-                                .norm();
-    return sample;
+    return {GluedSurface(complex), edge_lengths(complex, mesh.points), mesh.points};
 }
 
 /// A grid with one vertex moved towards its neighbor until this part of their distance is left.

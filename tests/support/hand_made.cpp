@@ -101,6 +101,35 @@ DenseMatrix random_isometry(Index N, unsigned seed) {
     return orthonormal_columns(A);
 }
 
+Mesh welded(const std::vector<Eigen::Matrix3d>& triangles) {
+    const auto count = static_cast<Index>(triangles.size());
+    Mesh soup{Points(3 * count, 3), Simplices(count, 3), {}};
+    for (Index t = 0; t < count; ++t) {
+        soup.points.middleRows<3>(3 * t) = triangles[t].transpose();
+        soup.simplices.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
+    }
+    return weld(std::move(soup)).mesh;
+}
+
+Mesh book_of(const Mesh& page, const std::vector<double>& angles) {
+    std::optional<Mesh> pages;
+    for (const double angle : angles) {
+        DenseMatrix turned(3, 2);
+        turned << std::cos(angle), 0, std::sin(angle), 0, 0, 1;
+        const Mesh copy = transformed(page, turned);
+        pages = pages ? united(*pages, copy) : copy;
+    }
+    return weld(std::move(*pages)).mesh;
+}
+
+Mesh shaken_inside(Mesh mesh, double amplitude, std::uint64_t seed) {
+    const Mesh moved = perturbed(mesh, amplitude, seed);
+    for (Index v = 0; v < mesh.points.rows(); ++v)
+        if (mesh.points.row(v).minCoeff() > 1e-9 && mesh.points.row(v).maxCoeff() < 1 - 1e-9)
+            mesh.points.row(v) = moved.points.row(v);
+    return mesh;
+}
+
 Mesh kite(double up, double down) {
     return made_of({{0, 0}, {2, 0}, {1, up}, {1, -down}}, {{0, 1, 2}, {1, 0, 3}});
 }
@@ -257,15 +286,15 @@ Mesh triangle_soup() {
     return mesh;
 }
 
-Mesh annulus(int segments) {
+Mesh annulus(int segments, int layers) {
     const auto number = [&](const Vector& x) {
         const auto i = static_cast<Index>(std::lround(segments * x[0])) % segments;
-        return 2 * i + static_cast<Index>(std::lround(x[1]));
+        return (layers + 1) * i + static_cast<Index>(std::lround(layers * x[1]));
     };
     const auto place = [](const Vector& x) {
         return Vector((1 + x[1]) * Eigen::Vector2d(std::cos(turn * x[0]), std::sin(turn * x[0])));
     };
-    return glued(grid(segments, 1), 2 * segments, number, place);
+    return glued(grid(segments, layers), (layers + 1) * segments, number, place);
 }
 
 Mesh spherical_ring() {

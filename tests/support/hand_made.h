@@ -3,6 +3,7 @@
 
 #include "meshes/mesh.h"
 
+#include <cstdint>
 #include <functional>
 
 namespace polydec::test {
@@ -25,6 +26,16 @@ Mesh transformed(Mesh mesh, const DenseMatrix& A, double scale = 1.0, double shi
 /// A random rotation or reflection of R^N.
 DenseMatrix random_isometry(Index N, unsigned seed);
 
+/// Triangles in space, a column for each corner; equal points are one vertex.
+Mesh welded(const std::vector<Eigen::Matrix3d>& triangles);
+
+/// Copies of a page in the plane, each turned by an angle about the side on which the first
+/// coordinate is 0, and joined there; that side becomes the third axis.
+Mesh book_of(const Mesh& page, const std::vector<double>& angles);
+
+/// Points within the unit cube moved at random; its boundary stays.
+Mesh shaken_inside(Mesh mesh, double amplitude, std::uint64_t seed = 1);
+
 /// Two triangles on the edge from (0,0) to (2,0), their apices at these heights over (1,0).
 Mesh kite(double up, double down);
 
@@ -43,8 +54,8 @@ Mesh tilted_tetrahedra();      ///< three tetrahedra on one triangle in R^4
 Mesh pinched();                ///< two tetrahedra that share an edge, and a third at a vertex
 Mesh with_isolated_vertices(); ///< a grid whose vertices have the odd numbers
 Mesh triangle_soup();          ///< triangles in R^3 that share nothing
-Mesh annulus(int segments);    ///< a ring of rectangles between two regular polygons
-Mesh spherical_ring();         ///< 8 tetrahedra around a hole, cospherical up to rounding
-Mesh handle_and_cavity();      ///< 23 cospherical 5-simplices with the Euler number of a ball
+Mesh annulus(int segments, int layers = 1); ///< rectangles between the radii 1 and 2
+Mesh spherical_ring();    ///< 8 tetrahedra around a hole, cospherical up to rounding
+Mesh handle_and_cavity(); ///< 23 cospherical 5-simplices with the Euler number of a ball
 
 } // namespace polydec::test
