@@ -80,20 +80,20 @@ std::vector<double> watched(const Experiment& experiment, int half, bool with_la
     return values;
 }
 
-/// What comes back from the layer, as a part of the largest value: the difference from a box so
-/// large that nothing can come back in time.
+/// The largest difference as a part of the largest value.
+double difference(const std::vector<double>& found, const std::vector<double>& wanted) {
+    EXPECT_EQ(found.size(), wanted.size());
+    return relative_difference(Vector(Vector::Map(found.data(), std::ssize(found))),
+                               Vector(Vector::Map(wanted.data(), std::ssize(wanted))));
+}
+
+/// What comes back from the layer: the difference from a box so large that nothing can come back in
+/// time.
 double reflection(const Experiment& experiment) {
     const int layer = static_cast<int>(experiment.layer);
     const int far = 2 * experiment.inner + static_cast<int>(3 * experiment.width);
-    const auto found = watched(experiment, experiment.inner + layer, true);
-    const auto wanted = watched(experiment, far, false);
-    EXPECT_EQ(found.size(), wanted.size());
-    double difference = 0, largest = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        difference = std::max(difference, std::abs(found[i] - wanted[i]));
-        largest = std::max(largest, std::abs(wanted[i]));
-    }
-    return difference / largest;
+    return difference(watched(experiment, experiment.inner + layer, true),
+                      watched(experiment, far, false));
 }
 
 TEST(StretchedLayers, throw_back_less_than_1e4th_of_a_pulse_of_all_directions) {
@@ -152,13 +152,7 @@ double straight_reflection(const std::function<Mesh(int length)>& mesh, double o
         std::sort(values.begin(), values.end()); // vertices are numbered otherwise
         return values;
     };
-    const auto found = low_values(static_cast<int>(height + width), true);
-    const auto wanted = low_values(60, false);
-    EXPECT_EQ(found.size(), wanted.size());
-    double difference = 0;
-    for (std::size_t i = 0; i < found.size(); ++i)
-        difference = std::max(difference, std::abs(found[i] - wanted[i]));
-    return difference / wanted.back();
+    return difference(low_values(static_cast<int>(height + width), true), low_values(60, false));
 }
 
 TEST(ConductingLayers, throw_back_less_than_1e4th_of_what_comes_straight_on_octahedra) {

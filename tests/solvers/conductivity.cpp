@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "meshes/delaunay.h"
 #include "tests/solvers/cases.h"
 
 namespace polydec::test::in_conductivity {
@@ -58,20 +57,6 @@ double error_of_solution(const Discretization& mesh, const Vector& conductivity,
     return relative_difference(Vector(d * u), Vector(d * v));
 }
 
-class Conductivity : public OverMeshes {};
-
-TEST_P(Conductivity, weighs_every_simplex_as_if_it_were_alone) {
-    const Mesh& input = mesh_named(GetParam());
-    for (const auto& merge : merges) {
-        const auto mesh = circumcentric(input, merge);
-        const Vector kappa = random_conductivity(mesh, 5);
-        const DenseMatrix A = sum_over_simplices(mesh, on_simplices(mesh, kappa));
-        EXPECT_LE(error_of_solution(mesh, kappa, A), 1e-9) << int(merge.criterion);
-    }
-}
-
-POLYDEC_OVER_MESHES(Conductivity);
-
 /// The stiffness matrix of linear finite elements on triangles of the plane or in space.
 DenseMatrix finite_elements(const Discretization& mesh, const Vector& conductivity) {
     const auto& K = mesh.input();
@@ -92,30 +77,23 @@ DenseMatrix finite_elements(const Discretization& mesh, const Vector& conductivi
     return A;
 }
 
-std::vector<Mesh> random_triangulations() {
-    std::vector<Mesh> result{grid(7, 5), hexagons(5), uv_sphere(8, 5),
-                             perturbed(torus(9, 6), 0.05, 1)};
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-        result.push_back(perturbed(grid(6, 6), 0.05, seed)); // obtuse, far from Delaunay
-        Random random(seed);
-        Points points(40, 2);
-        points.topRows(4) << 0, 0, 0, 1, 1, 0, 1, 1;
-        for (Index i = 4; i < points.rows(); ++i)
-            points.row(i) = random.point(2).transpose();
-        result.push_back(delaunay_in_cube(points, 0.1, seed));
+class Conductivity : public OverMeshes {};
+
+TEST_P(Conductivity, weighs_every_simplex_as_if_it_were_alone_and_triangles_as_finite_elements) {
+    const Mesh& input = mesh_named(GetParam());
+    for (const auto& merge : merges) {
+        const auto mesh = circumcentric(input, merge);
+        const Vector kappa = random_conductivity(mesh, 5), of_pieces = on_simplices(mesh, kappa);
+        EXPECT_LE(error_of_solution(mesh, kappa, sum_over_simplices(mesh, of_pieces)), 1e-9)
+            << int(merge.criterion);
+        if (mesh.dimension() == 2) {
+            EXPECT_LE(error_of_solution(mesh, kappa, finite_elements(mesh, of_pieces)), 1e-10)
+                << int(merge.criterion);
+        }
     }
-    return result;
 }
 
-TEST(TrianglesWithConductivity, are_linear_finite_elements) {
-    for (const auto& input : random_triangulations())
-        for (const auto& merge : merges) {
-            const auto mesh = circumcentric(input, merge);
-            const Vector kappa = random_conductivity(mesh, 3);
-            const auto A = finite_elements(mesh, on_simplices(mesh, kappa));
-            EXPECT_LE(error_of_solution(mesh, kappa, A), 1e-10);
-        }
-}
+POLYDEC_OVER_MESHES(Conductivity);
 
 /// A trapezoid, two triangles on one circle, inside a ring of eight triangles.
 Mesh trapezoid_in_ring() {
@@ -152,27 +130,6 @@ TEST(ConcyclicEdges, between_different_conductivities_conduct) {
     const Vector known{
         {21.946478616632547, 35.40093594432815, 31.920829238841744, 25.678205826116056}};
     EXPECT_CLOSE(Vector(u.head(4)), known, 1e-13);
-}
-
-TEST(ConductivityLayers, are_exact_as_resistances_in_series) {
-    // two layers of a box, split where cells are: flux 1 needs pressure drops 1/2 and 1/8
-    for (const int n : {1, 2, 3}) {
-        const auto mesh = circumcentric(kuhn(n, 4));
-        const Vector kappa =
-            at(dual_sites(mesh), [](const Vector& p) { return p[0] < 0.5 ? 1 : 4; });
-        const auto ends = essential_where(
-            facet_sites(mesh), [](const Vector& p) { return p[0] < 1e-9 || p[0] > 1 - 1e-9; });
-        for (const Side side : sides) {
-            const auto medium = with_conductivity(mesh, side, CellData::on_cells(kappa));
-            const Vector exact = at(sites(medium, side), [](const Vector& p) {
-                return p[0] < 0.5 ? -p[0] : -0.5 - (p[0] - 0.5) / 4;
-            });
-            const Vector u = solved(PoissonSolver(functions(medium, side, ends)), 0 * exact,
-                                    -0.625 * boundary_sites(medium, side).col(0))
-                                 .form.values;
-            EXPECT_WITHIN(u, exact, 1e-12) << "n = " << n << name(side);
-        }
-    }
 }
 
 /// Two triangles on the edge from (-1, 0) to (1, 0); the first is obtuse, so its circumcenter is on

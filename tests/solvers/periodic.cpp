@@ -136,29 +136,12 @@ TEST(Glue, makes_the_half_turn_space) {
 
 /// Regular triangles in a sixth of a plane, `rows` of them from `first` edges off the tip.
 Mesh sixth(int first, int rows) {
-    Mesh mesh;
-    std::vector<Eigen::RowVector2d> points;
-    std::vector<Index> row_begin;
-    for (int i = first; i <= first + rows; ++i) {
-        row_begin.push_back(static_cast<Index>(points.size()));
-        for (int j = 0; j <= i; ++j)
-            points.emplace_back(i - 0.5 * j, std::sqrt(0.75) * j);
-    }
-    std::vector<Eigen::Matrix<Index, 1, 3>> triangles;
-    for (int i = 0; i < rows; ++i)
-        for (int j = 0; j <= first + i; ++j) {
-            const Index low = row_begin[i] + j, high = row_begin[i + 1] + j;
-            triangles.emplace_back(low, high, high + 1);
-            if (j < first + i)
-                triangles.emplace_back(low, high + 1, low + 1);
-        }
-    mesh.points.resize(std::ssize(points), 2);
-    mesh.simplices.resize(std::ssize(triangles), 3);
-    for (Index v = 0; v < mesh.points.rows(); ++v)
-        mesh.points.row(v) = points[v];
-    for (Index t = 0; t < mesh.simplices.rows(); ++t)
-        mesh.simplices.row(t) = triangles[t];
-    return mesh;
+    const int size = first + rows;
+    const Mesh squares = grid(size, size, size, size);
+    const SimplicialComplex wedge(
+        without(squares, [=](const Vector& x) { return x[1] > x[0] || x[0] < first; }).simplices);
+    const Mesh mesh{vertex_points(wedge, squares.points), wedge.simplices(2), {}};
+    return transformed(mesh, DenseMatrix{{1, -0.5}, {0, std::sqrt(0.75)}});
 }
 
 TEST(Glue, makes_a_cone_of_a_wedge) {

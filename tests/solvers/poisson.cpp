@@ -58,14 +58,6 @@ TEST(FrankesProblem, has_the_known_errors_on_grids) {
     expect(Side::primal, {0.0182, 0.00428, 0.00105});
 }
 
-TEST(FrankesProblem, converges_with_order_2_on_grids_and_hexagons) {
-    for (const Side side : sides)
-        for (const Case& cells : {Case{"squares", 16, 32}, Case{"hexagons", 16, 32}})
-            EXPECT_NEAR(order(cells, [&](const auto& mesh) { return franke_error(mesh, side); }),
-                        2.0, 0.15)
-                << cells << name(side);
-}
-
 struct Row : Case {
     std::vector<Where> conditions;
     double expected = 2, tolerance = 0.1;
@@ -231,21 +223,6 @@ TEST(ClosedSurface, has_no_use_for_boundary_data) {
     }
 }
 
-TEST(Solutions, do_not_depend_on_the_unit_of_length) {
-    for (const double scale : {1e-8, 1e8})
-        for (const Side side : sides) {
-            const auto solve = [&](double length) {
-                const auto mesh =
-                    circumcentric(transformed(hexagons(6), DenseMatrix::Identity(2, 2), length));
-                return solved(PoissonSolver(functions(mesh, side)),
-                              at(sites(mesh, side) / length, franke_laplacian) / (length * length),
-                              at(boundary_sites(mesh, side) / length, franke))
-                    .form.values;
-            };
-            EXPECT_TRUE(solve(scale).isApprox(solve(1), 1e-10)) << name(side) << ' ' << scale;
-        }
-}
-
 std::string dual_refusal(const Mesh& mesh) {
     return refusal([&] { PoissonSolver(functions(circumcentric(mesh), Side::dual)); });
 }
@@ -301,29 +278,6 @@ TEST(PoissonSolverRefuses, data_that_overflow_with_the_volumes) {
     }
 }
 
-/// How far the solution for a linear function is from it; its values are given where x < 1/2 on the
-/// boundary, what flows out elsewhere.
-double error_of_linear_solution(const Discretization& mesh) {
-    const Vector slope = random_vector(3, 8);
-    const auto left =
-        essential_where(cell_centers(mesh, 2), [](const Vector& x) { return x[0] < 0.5; });
-    const Vector exact = sites(mesh, Side::primal) * slope;
-    const auto found = solved(PoissonSolver(functions(mesh, Side::primal, left)), 0 * exact, exact,
-                              outward_normals(mesh) * slope);
-    return (found.form.values - exact).cwiseAbs().maxCoeff();
-}
-
-TEST(PoissonByStars, has_linear_solutions_on_obtuse_tets) {
-    const auto mesh =
-        circumcentric(shaken(kuhn(3, 3), 0.08, 3), {.criterion = MergeCriterion::none});
-    const auto by = [&](StarKind kind) {
-        return error_of_linear_solution(mesh.with_stars(mesh.with_stars(kind).stars()));
-    };
-    EXPECT_LE(by(StarKind::galerkin), 1e-11);
-    EXPECT_LE(by(StarKind::automatic), 1e-11);
-    EXPECT_GT(by(StarKind::barycentric), 1e-3);
-}
-
 TEST(PoissonByStars, makes_the_star_of_conductivities) {
     const auto mesh = discretize(shaken(kuhn(3, 2), 0.25, 3));
     ASSERT_EQ(mesh.chosen_stars().kind, StarKind::galerkin);
@@ -345,14 +299,6 @@ TEST(PoissonByStars, makes_the_star_of_conductivities) {
         EXPECT_EQ(solve(made), solve(own));
         EXPECT_GT(relative_difference(solve(made), solve(mesh)), 1e-5);
     }
-}
-
-TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
-    const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.25, 3));
-    const auto stars = mesh.with_stars(mesh.with_stars(StarKind::galerkin).stars());
-    const Vector ones = Vector::Ones(mesh.complex().size(3));
-    EXPECT_REFUSED(with_conductivity(stars, Side::primal, CellData::on_cells(ones)),
-                   "material_star");
 }
 
 } // namespace polydec::test::in_poisson

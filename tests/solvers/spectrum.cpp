@@ -111,30 +111,12 @@ TEST(SpectraOfManyPieces, have_a_zero_for_each_and_for_each_hole) {
                 first = first == 0 ? static_cast<Index>(vectors.cols()) : first;
             };
             const auto found = spectrum({mesh, side, degree}, {.count = count, .found = listen});
-            EXPECT_LE(found.eigenvalues.cwiseAbs().maxCoeff(), 1e-9);
+            EXPECT_LE(found.eigenvalues.cwiseAbs().maxCoeff(), 1e-12);
             EXPECT_TRUE(found.certificate.complete);
             EXPECT_EQ(found.certificate.below_shift, pieces);
             expect_orthonormal_modes(found, star(mesh.volumes(), 0).diagonal());
             EXPECT_GT(first, pieces); // no zero is searched for
         }
-}
-
-TEST_P(Spectra, scale_with_the_inverse_square_of_length) {
-    for (const double scale : {1e-8, 1e8}) {
-        const Mesh mesh = GetParam().make();
-        const auto one = circumcentric(mesh);
-        const DenseMatrix identity =
-            DenseMatrix::Identity(mesh.ambient_dimension(), mesh.ambient_dimension());
-        const auto other = circumcentric(transformed(mesh, identity, scale));
-        for (int k = 0; k <= one.dimension(); ++k) {
-            const Index count = std::min<Index>(12, one.complex().size(k));
-            const Vector a = spectrum({one, Side::primal, k}, {.count = count}).eigenvalues;
-            const auto found = spectrum({other, Side::primal, k}, {.count = count});
-            const Vector b = found.eigenvalues * (scale * scale);
-            EXPECT_WITHIN(a, b, 1e-8 * a.cwiseAbs().maxCoeff()) << k;
-            EXPECT_TRUE(found.certificate.complete);
-        }
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, Spectra,
@@ -171,19 +153,6 @@ TEST(GoldbergSpectrum, is_that_of_the_sphere_to_three_digits) {
                       {{0, 1}, {2.001, 3}, {5.994, 5}});
     expect_multiplets(spectrum({mesh, Side::primal, 1}, {.count = 16}).eigenvalues,
                       {{2.000, 3}, {2.001, 3}, {5.994, 5}, {5.997, 5}});
-}
-
-TEST(TwoSpheres, of_radii_1_and_1e_6_have_their_spectra_in_every_degree) {
-    Mesh small = icosphere(2);
-    small.points *= 1e-6;
-    const auto one = circumcentric(icosphere(2)), both = circumcentric(united(icosphere(2), small));
-    for (int k = 0; k <= 2; ++k) {
-        const Vector alone = spectrum({one, Side::primal, k}, {.count = 6}).eigenvalues;
-        const Vector found = spectrum({both, Side::primal, k}, {.count = 7}).eigenvalues;
-        const Index zeros = k == 1 ? 0 : 1; // harmonic ones of the small sphere
-        for (Index i = zeros; i < 6; ++i)
-            EXPECT_NEAR(found[i + zeros], alone[i], 1e-4) << "k = " << k; // 1e-18 of the largest
-    }
 }
 
 TEST(GradedBoxes, have_spectra_in_every_degree) {

@@ -296,16 +296,6 @@ TEST(Materials, weigh_diagonal_stars_by_the_parts_of_duals) {
     }
 }
 
-TEST(Materials, slow_waves_down) {
-    const auto mesh = circumcentric(kuhn(2, 4));
-    const Vector four = Vector::Constant(mesh.complex().size(2), 4);
-    for (const int k : {0, 1}) {
-        const auto slow = mesh.with_stars(weighted_stars(mesh, k, CellData::on_cells(four)));
-        EXPECT_NEAR(stable_step({slow, Side::primal, k}), 2 * stable_step({mesh, Side::primal, k}),
-                    1e-6);
-    }
-}
-
 TEST(Waves, from_rest_are_told_apart_by_their_spaces) {
     const auto mesh = circumcentric(well_centered(4));
     const auto known = [](const FormSpace& space) {
