@@ -140,30 +140,6 @@ TEST(evolution, constant_forms_grow_with_their_values_on_the_boundary) {
     }
 }
 
-// Backward Euler is another scheme for the same matrices.
-TEST(evolution, heat_without_source_is_that_of_backward_euler_for_all_stars) {
-    for (const Mesh& input : {kuhn(2, 4), kuhn(3, 2), uv_sphere(8, 6)})
-        for (const StarKind kind : {StarKind::circumcentric, StarKind::galerkin}) {
-            const auto mesh = with_stars(input, kind);
-            for (int degree = 0; degree <= mesh.dimension(); ++degree) {
-                Cochain form{Side::primal, degree,
-                             Vector::LinSpaced(mesh.complex().size(degree), -1, 1)};
-                Evolution heat({{.space = {mesh, form.side, form.degree},
-                                 .start = form.values,
-                                 .diffusion = 1}},
-                               {}, {.steps = {.relative_tolerance = 1e-8}});
-                heat.march(0.1);
-                const Cochain start = form;
-                const auto solved = [&](int steps) {
-                    return heated({mesh, Side::primal, degree}, start, 0.1 / steps, steps);
-                };
-                const Cochain coarse = solved(100), fine = solved(200);
-                const Cochain extrapolated = 2 * fine - coarse;
-                EXPECT_LE(norm(mesh, extrapolated - heat.form(0)), 2e-3 * norm(mesh, start));
-            }
-        }
-}
-
 /// Rounding in long steps is no growth.
 TEST(evolution, diffusion_goes_on_for_any_time) {
     for (const Mesh& input : {goldberg(4), kuhn(3, 3), grid(4, 4)}) {

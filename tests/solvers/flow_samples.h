@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "tests/support/test.h"
+#include "tests/solvers/cases.h"
 
 namespace polydec::test {
 
@@ -16,38 +16,10 @@ inline Mesh square(const std::string& shape, int cells, double side = 1) {
     return mesh;
 }
 
-/// Around the origin between the radii 1 and 2, quads.
-inline Mesh ring(int around, int across) {
-    Mesh mesh;
-    mesh.points.resize(around * (across + 1), 2);
-    mesh.simplices.resize(2 * around * across, 3);
-    const auto vertex = [&](int i, int j) { return i % around * (across + 1) + j; };
-    for (int i = 0; i < around; ++i)
-        for (int j = 0; j <= across; ++j) {
-            const double angle = 2 * pi * i / around, radius = 1 + double(j) / across;
-            mesh.points.row(vertex(i, j)) << radius * std::cos(angle), radius * std::sin(angle);
-            if (j == across)
-                continue;
-            const Index first = 2 * (i * across + j);
-            mesh.simplices.row(first) << vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1);
-            mesh.simplices.row(first + 1) << vertex(i, j), vertex(i + 1, j + 1), vertex(i + 1, j);
-        }
-    return mesh;
-}
-
-/// A function at the vertices.
-inline Vector at_vertices(const Discretization& mesh,
-                          const std::function<double(const Vector&)>& function) {
-    Vector values(mesh.complex().size(0));
-    for (Index v = 0; v < values.size(); ++v)
-        values[v] = function(mesh.points().row(v).transpose());
-    return values;
-}
-
 /// The fluxes of the flow with this stream function, n = 2.
 inline Vector flow_of(const Discretization& mesh,
                       const std::function<double(const Vector&)>& stream) {
-    return d(mesh.complex(), {Side::primal, 0, at_vertices(mesh, stream)}).values;
+    return d(mesh.complex(), {Side::primal, 0, at(mesh.points(), stream)}).values;
 }
 
 /// The difference of two flows over the second one, in the norm of the energy.

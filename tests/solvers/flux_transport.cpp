@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/dec/discretized.h"
-#include "tests/solvers/cases.h"
 #include "tests/solvers/flow_samples.h"
 
 namespace polydec::test::in_flux_transport {

@@ -28,20 +28,12 @@ void expect_eigenforms_to_shrink(const CellComplex& complex, const HodgeStars& s
             heated(primal, {Side::primal, k, form}, quick, 1, "implicit-midpoint");
         const double half = quick * values[i] / 2;
         EXPECT_CLOSE(second.values, (1 - half) / (1 + half) * form, 1e-8);
+        Evolution heat({{.space = primal, .start = form, .diffusion = 1}}, {},
+                       {.steps = {.relative_tolerance = 1e-8}});
+        heat.march(quick);
+        const double rest = std::exp(-quick * values[i]);
+        EXPECT_LE((heat.form(0).values - rest * form).norm(), 1e-5 * form.norm());
     }
-}
-
-TEST(HeatByStars, shrinks_eigenforms_on_obtuse_surfaces) {
-    const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, 3));
-    ASSERT_TRUE(says(refusal([&] {
-                         const Vector ones = Vector::Ones(mesh.complex().size(1));
-                         heated({mesh, Side::primal, 1}, {Side::primal, 1, ones}, quick);
-                     }),
-                     {"not positive"}));
-    const auto stars = mesh.with_stars(StarKind::automatic).stars();
-    ASSERT_FALSE(stars[1].is_diagonal());
-    for (const int k : {0, 1})
-        expect_eigenforms_to_shrink(mesh.complex(), stars, k);
 }
 
 TEST(HeatByStars, keeps_conditions_on_the_boundary) {
@@ -79,14 +71,14 @@ TEST(HeatByStars, has_nothing_to_do_where_conditions_fix_all) {
     EXPECT_TRUE(heated(space, {Side::primal, 1, Vector::Ones(3)}, quick).values.isZero(0));
 }
 
-TEST(HeatByStars, shrinks_eigenforms_of_every_degree_by_galerkin) {
+TEST(HeatByStars, shrinks_eigenforms_of_every_degree) {
     for (const Mesh& input :
-         {shaken(grid(5, 5), 0.42, 3), shaken(kuhn(3, 2), 0.3, 3), mesh_named("torus8x6")}) {
-        const auto mesh = circumcentric(input);
-        const auto stars = mesh.with_stars(StarKind::galerkin).stars();
-        for (int k = 0; k <= mesh.dimension(); ++k)
-            expect_eigenforms_to_shrink(mesh.complex(), stars, k);
-    }
+         {shaken(grid(5, 5), 0.42, 3), shaken(kuhn(3, 2), 0.3, 3), mesh_named("torus8x6")})
+        for (const StarKind kind : {StarKind::galerkin, StarKind::automatic}) {
+            const auto mesh = circumcentric(input).with_stars(kind);
+            for (int k = 0; k <= mesh.dimension(); ++k)
+                expect_eigenforms_to_shrink(mesh.complex(), mesh.stars(), k);
+        }
 }
 
 /// After a time far beyond all others of the mesh nothing but harmonic forms is left.

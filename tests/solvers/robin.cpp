@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "tests/solvers/cases.h"
 #include "tests/solvers/flow_samples.h"
 
 namespace polydec::test::in_robin {
@@ -119,7 +118,7 @@ TEST(Robin, of_a_ring_converges_to_the_closed_form) {
     for (const Side side : sides) {
         std::vector<double> errors;
         for (const int m : {12, 24, 48}) {
-            const auto mesh = circumcentric(ring(6 * m, m));
+            const auto mesh = circumcentric(annulus(6 * m, m));
             const Vector wanted =
                 at(sites(mesh, side), [&](const Vector& x) { return exact(x.norm()); });
             const auto found = solved(PoissonSolver(functions(mesh, side, robin(alpha))),

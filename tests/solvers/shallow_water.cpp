@@ -53,7 +53,7 @@ TEST(ShallowWaters, at_rest_over_any_bottom_stay_at_rest) {
     const auto mesh = circumcentric(goldberg(4));
     ShallowWaterOptions options;
     options.bottom = 0.3 * random_vector(mesh.complex().size(2), 3);
-    options.rotation = at_vertices(mesh, [](const Vector& x) { return x[2]; });
+    options.rotation = at(mesh.points(), [](const Vector& x) { return x[2]; });
     const ShallowWater water(mesh, options);
     const State still{1 - options.bottom.array(), Vector::Zero(mesh.complex().size(1))};
     const State rate = water.rate(still);
@@ -74,7 +74,7 @@ double error_of_wind(const Mesh& sphere) {
     const auto mesh = circumcentric(sphere);
     constexpr double wind = 0.3, omega = 1, gravity = 1;
     ShallowWaterOptions options{.gravity = gravity};
-    options.rotation = at_vertices(mesh, [](const Vector& x) { return 2 * omega * x[2]; });
+    options.rotation = at(mesh.points(), [](const Vector& x) { return 2 * omega * x[2]; });
     const ShallowWater water(mesh, options);
     const Points centers = cell_centers(mesh, 2);
     Vector depth(centers.rows());
