@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/circumsphere.h"
-#include "dec/metric/subsets.h"
 #include "tests/dec/discretized.h"
+#include "tests/dec/products.h"
 
 namespace polydec::test::in_de_rham {
 
@@ -22,29 +22,22 @@ public:
         return [*this](const Vector& x) { return value(x); };
     }
 
-    /// Coefficient at dx_J: sum over p of (-1)^p d/dx_(J_p) of that at J without J_p.
+    /// The sum over the axes of dx_axis ^ the derivative along it.
     SmoothForm d() const {
-        struct Term {
-            Index J, I, axis;
-            double sign;
-        };
-        std::vector<Term> terms;
-        const auto lower = subsets(static_cast<int>(N_), k_);
-        const auto upper = subsets(static_cast<int>(N_), k_ + 1);
-        for (std::size_t J = 0; J < upper.size(); ++J)
-            for (int p = 0; p <= k_; ++p) {
-                auto rest = upper[J];
-                rest.erase(rest.begin() + p);
-                const auto I = std::lower_bound(lower.begin(), lower.end(), rest) - lower.begin();
-                terms.push_back({static_cast<Index>(J), static_cast<Index>(I), upper[J][p],
-                                 p % 2 == 0 ? 1.0 : -1.0});
-            }
-        return [*this, terms, size = upper.size()](const Vector& x) {
+        std::vector<DenseMatrix> products; // with dx_axis, of forms with one coefficient
+        for (Index axis = 0; axis < N_; ++axis) {
+            auto& product = products.emplace_back(coefficients(N_, k_ + 1), random_.rows());
+            for (Index I = 0; I < random_.rows(); ++I)
+                product.col(I) = exterior_product(N_, 1, Vector::Unit(N_, axis), k_,
+                                                  Vector::Unit(random_.rows(), I));
+        }
+        return [*this, products](const Vector& x) {
             const Vector a = 2 * linear(1) * x, b = 3 * (linear(2) * x).array().square();
-            Vector result = Vector::Zero(static_cast<Index>(size));
-            for (const auto& [J, I, axis, sign] : terms)
-                result[J] += sign * (linear(0)(I, axis) + a[I] * linear(1)(I, axis) +
-                                     b[I] * linear(2)(I, axis));
+            Vector result = Vector::Zero(products.front().rows());
+            for (Index axis = 0; axis < N_; ++axis)
+                result +=
+                    products[axis] * (linear(0).col(axis) + a.cwiseProduct(linear(1).col(axis)) +
+                                      b.cwiseProduct(linear(2).col(axis)));
             return result;
         };
     }
@@ -62,11 +55,12 @@ private:
 class DeRham : public OverMeshes {};
 
 TEST_P(DeRham, satisfies_stokes_theorem) {
-    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+    for_flipped_and_not(GetParam(), [](const Discretization& mesh) {
         for (int k = 0; k < mesh.dimension(); ++k) {
             const CubicForm w(space(mesh), k, 7 + k);
             const Cochain left = d(mesh.complex(), de_rham(mesh, k, w.form(), 3));
-            EXPECT_CLOSE(left.values, de_rham(mesh, k + 1, w.d(), 3).values, 1e-12) << "k = " << k;
+            EXPECT_CLOSE(left.values, de_rham(mesh, k + 1, w.d(), 3).values, allowed_rounding(mesh))
+                << "k = " << k;
         }
     });
 }
@@ -84,8 +78,8 @@ TEST_P(DeRham, gives_the_exact_integrals_of_quadratic_forms) {
     }
 }
 
-/// Cells of K, by degree, that no facet with other than two cofaces has as a face.
-std::vector<std::vector<bool>> interior(const SimplicialComplex& K) {
+/// Pieces, by degree, that no facet with other than two cofaces has as a face.
+std::vector<std::vector<bool>> interior(const Pieces& K) {
     const int n = K.dimension();
     std::vector<std::vector<bool>> inside;
     for (int k = 0; k <= n; ++k)
@@ -107,57 +101,35 @@ double dual_stokes_defect(const Discretization& mesh, int j, double sign) {
     Vector right = dual_de_rham(mesh, j + 1, w.d(), 3).values;
     // where everything inside is degenerate, the cells at the boundary tell what size there is
     const double scale = right.cwiseAbs().maxCoeff();
-    const auto inside = interior(mesh.input());
+    const auto inside = interior(mesh.pieces());
     const auto& carriers = mesh.merging().carriers(k);
-    for (Index s = 0; s < mesh.input().size(k); ++s)
+    for (Index s = 0; s < mesh.pieces().size(k); ++s)
         if (!inside[k][s] && carriers[s].dimension == k)
             left[carriers[s].cell] = right[carriers[s].cell] = 0;
     return (left - right).cwiseAbs().maxCoeff() / scale;
 }
 
 TEST_P(DeRham, on_duals_satisfies_stokes_theorem_off_the_boundary) {
-    for_merged_and_not(GetParam(), [&](const Discretization& mesh) {
+    for_flipped_and_not(GetParam(), [&](const Discretization& mesh) {
         // a bent cell has several duals, and their means are no boundary of anything
         const bool bent =
-            !is_flat(mesh_named(GetParam())) &&
+            mesh.passage().is_identity() && !is_flat(mesh_named(GetParam())) &&
             mesh.complex().size(mesh.dimension()) < mesh.input().size(mesh.dimension());
         if (bent || !mesh.input().orientable())
             return;
         // a 5-simplex has 720 flags a degree; the first and the last degree are enough there
         const int step = mesh.dimension() < 5 ? 1 : mesh.dimension() - 1;
         for (int j = 0; j < mesh.dimension(); j += step)
-            EXPECT_LE(dual_stokes_defect(mesh, j, 1), 1e-12) << "j = " << j;
+            EXPECT_LE(dual_stokes_defect(mesh, j, 1), allowed_rounding(mesh)) << "j = " << j;
     });
 }
 
-/// Sign of the permutation (I, complement of I), and the complement's place among the subsets.
-struct Complement {
-    double sign;
-    Index place;
-};
-
-Complement complement(int n, const std::vector<int>& I) {
-    const int k = static_cast<int>(I.size());
-    std::vector<int> rest;
-    int swaps = 0;
-    for (int axis = 0; axis < n; ++axis)
-        if (!std::binary_search(I.begin(), I.end(), axis))
-            rest.push_back(axis);
-        else
-            swaps += static_cast<int>(rest.size());
-    const auto all = subsets(n, n - k);
-    return {swaps % 2 == 0 ? 1.0 : -1.0,
-            static_cast<Index>(std::lower_bound(all.begin(), all.end(), rest) - all.begin())};
-}
-
-/// The Hodge star of a constant k-form on R^n: dx_I goes to sign(I, I') dx_I'.
+/// The Hodge star of a constant k-form on R^n: its coefficient at dx_J is what the product with
+/// dx_J has at dx_1 ^ .. ^ dx_n.
 Vector smooth_star(int n, int k, const Vector& coefficient) {
     Vector result(coefficient.size());
-    const auto all = subsets(n, k);
-    for (std::size_t I = 0; I < all.size(); ++I) {
-        const auto [sign, place] = complement(n, all[I]);
-        result[place] = sign * coefficient[I];
-    }
+    for (Index J = 0; J < result.size(); ++J)
+        result[J] = exterior_product(n, k, coefficient, n - k, Vector::Unit(result.size(), J))[0];
     return result;
 }
 
@@ -288,6 +260,12 @@ TEST(DeRhamBroken, with_the_other_sign_dual_stokes_theorem_fails) {
         for (int j = 0; j <= highest; ++j)
             EXPECT_GT(dual_stokes_defect(discretized(name, MergeCriterion::none), j, -1), 1e-3)
                 << name << ", j = " << j;
+    for (const auto& name : {"uv_sphere7x5", "torus9x5", "hex4"})
+        for (int j = 0; j < 2; ++j)
+            EXPECT_GT(
+                dual_stokes_defect(discretized(name, MergeCriterion::none, Delaunay::flips), j, -1),
+                1e-3)
+                << name << ", j = " << j << ", flipped";
 }
 
 /// How far the integrals of a constant 1-form along dual edges from center to center are from the

@@ -6,24 +6,53 @@
 namespace polydec::test {
 
 /// A mesh of the family made ready for calculus, once: merged, or as the simplices that it has;
-/// with circumcentric stars.
+/// with circumcentric stars. Surfaces whose edges are to flip are shaken first.
 inline const Discretization& discretized(const std::string& name,
-                                         MergeCriterion criterion = MergeCriterion::dual_length) {
-    static std::map<std::pair<std::string, MergeCriterion>, std::unique_ptr<Discretization>> made;
-    auto& entry = made[{name, criterion}];
+                                         MergeCriterion criterion = MergeCriterion::dual_length,
+                                         Delaunay delaunay = Delaunay::off) {
+    static std::map<std::tuple<std::string, MergeCriterion, Delaunay>,
+                    std::unique_ptr<Discretization>>
+        made;
+    auto& entry = made[{name, criterion, delaunay}];
     if (!entry)
         entry = std::make_unique<Discretization>(
-            circumcentric(mesh_named(name), {criterion, tolerance}));
+            delaunay == Delaunay::off
+                ? circumcentric(mesh_named(name), {criterion, tolerance})
+                : circumcentric(shaken(mesh_named(name), 0.25, 7),
+                                {.criterion = criterion, .delaunay = delaunay}));
     return *entry;
 }
 
 /// Calls law(mesh) for the merged mesh and for its simplices.
 template <class Law>
-void for_merged_and_not(const std::string& name, Law law) {
+void for_merged_and_not(const std::string& name, Law law, Delaunay delaunay = Delaunay::off) {
     for (const auto criterion : {MergeCriterion::dual_length, MergeCriterion::none}) {
         SCOPED_TRACE(criterion == MergeCriterion::none ? "simplices" : "merged");
-        law(discretized(name, criterion));
+        law(discretized(name, criterion, delaunay));
     }
+}
+
+/// The same with edges that are flipped, and split or not, if the mesh is a surface.
+template <class Law>
+void for_flipped(const std::string& name, Law law) {
+    const auto surfaces = names_of_surfaces();
+    if (std::find(surfaces.begin(), surfaces.end(), name) == surfaces.end())
+        return;
+    for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
+        SCOPED_TRACE(delaunay == Delaunay::flips ? "flips" : "splits");
+        for_merged_and_not(name, law, delaunay);
+    }
+}
+
+template <class Law>
+void for_flipped_and_not(const std::string& name, Law law) {
+    for_merged_and_not(name, law);
+    for_flipped(name, law);
+}
+
+/// The error that rounding may leave: flips carry it on.
+inline double allowed_rounding(const Discretization& mesh) {
+    return mesh.passage().is_identity() ? 1e-12 : 1e-9;
 }
 
 /// The orientation of each n-simplex of a full-dimensional mesh against that of R^n: 1 or -1.
@@ -78,40 +107,9 @@ inline Mesh fan_without_dual() {
     return made_of(points, triangles);
 }
 
-/// Fixture of laws on surfaces whose edges are flipped, and split or not.
-class OverFlippedSurfaces : public testing::TestWithParam<std::tuple<std::string, Delaunay>> {};
-
-inline std::string
-with_delaunay(const testing::TestParamInfo<std::tuple<std::string, Delaunay>>& instance) {
-    const auto& [name, delaunay] = instance.param;
-    return name + (delaunay == Delaunay::flips ? "_flips" : "_splits");
-}
-
-#define POLYDEC_OVER_FLIPPED_SURFACES(suite)                                                       \
-    INSTANTIATE_TEST_SUITE_P(                                                                      \
-        Family, suite,                                                                             \
-        testing::Combine(testing::ValuesIn(names_of_surfaces()),                                   \
-                         testing::Values(Delaunay::flips, Delaunay::flips_and_splits)),            \
-        with_delaunay)
-
-/// Vectors at cells of unbent curves and surfaces: the sharp is adjoint to the dpp flat.
-inline void expect_adjoint_to_the_dpp_flat(const Discretization& mesh, double difference) {
-    const int n = mesh.dimension();
-    const auto N = static_cast<Index>(mesh.points().cols());
-    const Cochain a{Side::primal, 1, random_vector(mesh.complex().size(1), 7)};
-    const DenseMatrix X =
-        random_vector(mesh.complex().size(n) * N, 8).reshaped(mesh.complex().size(n), N);
-    const Vector products = sharp_pd(mesh, a).cwiseProduct(X).rowwise().sum();
-    const Vector by_cell = products.cwiseProduct(mesh.volumes().primal(n));
-    EXPECT_NEAR(inner_product({mesh.complex(), mesh.volumes()}, a, flat(mesh, Flat::dpp, X)),
-                by_cell.sum(), difference * by_cell.cwiseAbs().sum());
-}
-
 /// Whether facets have a cell on each side at most, and orientations of cells agree across them.
 inline bool is_two_sided(const Discretization& mesh) {
-    const auto& counts = mesh.complex().coface_counts(mesh.dimension() - 1);
-    return mesh.input().orientable() &&
-           std::all_of(counts.begin(), counts.end(), [](Index count) { return count <= 2; });
+    return mesh.input().orientable() && !branches(mesh.complex());
 }
 
 /// How many entries of stars of all degrees are not.

@@ -12,13 +12,18 @@ protected:
         const auto rows = mesh.points().rows(), columns = mesh.points().cols();
         return random_vector(static_cast<Index>(rows * columns), seed).reshaped(rows, columns);
     }
+    /// Functions have no upwind transport at vertices from splits.
+    static int first_degree(const Discretization& mesh, Sampling sampling) {
+        const bool is_split = mesh.pieces().size(0) > mesh.input().size(0);
+        return is_split && sampling == Sampling::upwind ? 1 : 0;
+    }
 };
 
 TEST_P(LieDerivatives, without_a_matrix_do_what_the_matrices_do) {
-    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+    for_flipped_and_not(GetParam(), [](const Discretization& mesh) {
         const Points field = random_field(mesh, 7), other = random_field(mesh, 8);
         for (const auto sampling : {Sampling::centered, Sampling::upwind})
-            for (int k = 0; k <= mesh.dimension(); ++k) {
+            for (int k = first_degree(mesh, sampling); k <= mesh.dimension(); ++k) {
                 const LieDerivative along(mesh, k, sampling);
                 const Cochain a = random_form(mesh.complex(), Side::primal, k, 3);
                 const SparseMatrix L = lie_derivative(mesh, field, k, sampling);
@@ -36,9 +41,9 @@ TEST_P(LieDerivatives, without_a_matrix_do_what_the_matrices_do) {
 }
 
 TEST_P(LieDerivatives, let_in_what_the_matrix_of_inflow_lets_in) {
-    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+    for_flipped_and_not(GetParam(), [](const Discretization& mesh) {
         const Points field = random_field(mesh, 7);
-        for (int k = 0; k <= mesh.dimension(); ++k) {
+        for (int k = first_degree(mesh, Sampling::upwind); k <= mesh.dimension(); ++k) {
             const Cochain g = random_form(mesh.complex(), Side::primal, k, 3);
             const LieDerivative along(mesh, k, Sampling::upwind);
             EXPECT_CLOSE(along.inflow(field, g).values, inflow(mesh, field, k) * g.values, rounding)
@@ -48,19 +53,6 @@ TEST_P(LieDerivatives, let_in_what_the_matrix_of_inflow_lets_in) {
 }
 
 POLYDEC_OVER_MESHES(LieDerivatives);
-
-TEST(LieDerivativesAfterFlips, do_what_the_matrices_do) {
-    const auto mesh = discretize(perturbed(grid(5, 4), 0.08, 5), {.delaunay = Delaunay::flips});
-    const Points field = random_vector(static_cast<Index>(mesh.points().size()), 7)
-                             .reshaped(mesh.points().rows(), mesh.points().cols());
-    for (int k = 0; k <= 2; ++k) {
-        const Cochain a = random_form(mesh.complex(), Side::primal, k, 3);
-        const LieDerivative along(mesh, k, Sampling::upwind);
-        EXPECT_CLOSE(along(field, a).values,
-                     lie_derivative(mesh, field, k, Sampling::upwind) * a.values, rounding)
-            << k;
-    }
-}
 
 /// Functions keep their range in an upwind step of the largest size; vertices from splits have no
 /// such step.

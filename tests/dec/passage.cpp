@@ -6,8 +6,7 @@ namespace polydec::test::in_passage {
 
 constexpr double rounding = 1e-11;
 
-/// What holds of forms on simplices and merged cells holds after flips and splits as well.
-class AfterFlips : public OverFlippedSurfaces {
+class AfterFlips : public testing::TestWithParam<std::tuple<std::string, Delaunay>> {
 protected:
     Discretization mesh() const {
         const auto& [name, delaunay] = GetParam();
@@ -18,29 +17,6 @@ protected:
         return {side, degree, random_vector(mesh.complex().size(k), seed)};
     }
 };
-
-TEST_P(AfterFlips, products_of_primal_forms_keep_the_rule_of_Leibniz) {
-    const auto mesh = this->mesh();
-    const auto& P = mesh.complex();
-    for (const auto weights : {WedgeWeights::uniform, WedgeWeights::circumcentric})
-        for (int k = 0; k < 2; ++k)
-            for (int l = 0; k + l < 2; ++l) {
-                const auto a = random(mesh, Side::primal, k, 3),
-                           b = random(mesh, Side::primal, l, 4);
-                const Vector left = d(P, wedge(mesh, a, b, weights)).values;
-                const Vector right =
-                    wedge(mesh, d(P, a), b, weights).values +
-                    (k % 2 == 0 ? 1 : -1) * wedge(mesh, a, d(P, b), weights).values;
-                const bool has_rule = weights == WedgeWeights::uniform;
-                if (has_rule) {
-                    EXPECT_LT(relative_difference(left, right), rounding) << k << ", " << l;
-                }
-                const Vector turned = wedge(mesh, b, a, weights).values;
-                EXPECT_LT(relative_difference(turned, (k * l % 2 == 0 ? 1 : -1) *
-                                                          wedge(mesh, a, b, weights).values),
-                          rounding);
-            }
-}
 
 TEST_P(AfterFlips, a_product_with_forms_of_the_triangles_before_flips_would_break_it) {
     // what was computed before flips were carried: sizes may agree, and the rule does not
@@ -165,48 +141,6 @@ TEST_P(AfterFlips, operators_are_carried_to_the_input_and_back) {
     }
 }
 
-TEST_P(AfterFlips, Lie_derivatives_commute_with_d_and_are_Cartans) {
-    const auto mesh = this->mesh();
-    const Points field = mesh.points().array().sin();
-    for (const auto sampling : {Sampling::centered, Sampling::upwind})
-        for (int k = 0; k < 2; ++k) {
-            const SparseMatrix d = mesh.complex().coboundary(k).cast<double>();
-            const auto L = [&](int degree) {
-                return lie_derivative(mesh, field, degree, sampling);
-            };
-            const auto i = [&](int degree) {
-                return interior_product(mesh, field, degree, sampling);
-            };
-            if (sampling == Sampling::centered) {
-                EXPECT_LT(relative_difference(SparseMatrix(L(k + 1) * d), d * L(k)), 1e-10) << k;
-                SparseMatrix cartan = i(k + 1) * d;
-                if (k > 0) {
-                    const SparseMatrix lower = mesh.complex().coboundary(k - 1).cast<double>();
-                    cartan += SparseMatrix(lower * i(k));
-                }
-                EXPECT_LT(relative_difference(L(k), cartan), 1e-10) << k;
-            }
-            EXPECT_EQ(inflow(mesh, field, k).rows(), mesh.complex().size(k));
-        }
-}
-
-TEST_P(AfterFlips, flats_of_gradients_are_differentials_and_sharps_bring_them_back) {
-    // of linear functions in space: their differential is the flat of a constant field
-    const auto mesh = this->mesh();
-    const auto N = mesh.points().cols();
-    const Vector gradient = Vector::LinSpaced(N, 1, 2);
-    const Points field = gradient.transpose().replicate(mesh.points().rows(), 1);
-    const Vector u = mesh.points() * gradient;
-    const Cochain du = d(mesh.complex(), Cochain{Side::primal, 0, u});
-    for (const Flat kind : {Flat::ppp, Flat::pdp})
-        EXPECT_LT(relative_difference(flat(mesh, kind, field).values, du.values), rounding);
-    if (N > 2 || !star(mesh.input_geometry().volumes(), 0).zeros().empty())
-        return;
-    const DenseMatrix again = sharp_pp(mesh, du);
-    for (Index v = 0; v < mesh.points().rows(); ++v)
-        EXPECT_LT((again.row(v) - field.row(v)).norm(), 1e-7) << "vertex " << v;
-}
-
 TEST_P(AfterFlips, pieces_are_not_taken_for_straight_ones) {
     const auto mesh = this->mesh();
     if (!mesh.passage().is_identity())
@@ -240,7 +174,15 @@ TEST(WithoutFlips, the_passage_takes_cochains_of_the_simplices_alone) {
     EXPECT_THROW(passage.matrix_back(-1), InvalidInput);
 }
 
-POLYDEC_OVER_FLIPPED_SURFACES(AfterFlips);
+INSTANTIATE_TEST_SUITE_P(Family, AfterFlips,
+                         testing::Combine(testing::ValuesIn(names_of_surfaces()),
+                                          testing::Values(Delaunay::flips,
+                                                          Delaunay::flips_and_splits)),
+                         [](const auto& instance) {
+                             const bool is_split =
+                                 std::get<1>(instance.param) == Delaunay::flips_and_splits;
+                             return std::get<0>(instance.param) + (is_split ? "_splits" : "_flips");
+                         });
 
 TEST(NoFlips, leave_tags_points_and_boxes_as_they_are) {
     Mesh mesh = well_centered(4);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "dec/metric/overlaps.h"
 #include "tests/dec/discretized.h"
 
 namespace polydec::test::in_passage_fields {
@@ -12,139 +11,6 @@ constexpr std::array dual_kinds{Flat::ppd, Flat::pdd, Flat::dpd};
 DenseMatrix sampled(const Discretization& mesh, Flat kind, const SmoothForm& field) {
     return test::sampled(is_at_cells(kind) ? cell_centroids(mesh, 2) : mesh.points(), field);
 }
-
-/// Vector fields on surfaces whose edges were flipped.
-class FieldsAfterFlips : public OverFlippedSurfaces {
-protected:
-    Discretization mesh(MergeCriterion criterion = MergeCriterion::dual_length) const {
-        const auto& [name, delaunay] = GetParam();
-        return circumcentric(shaken(mesh_named(name), 0.25, 7),
-                             {.criterion = criterion, .delaunay = delaunay});
-    }
-};
-
-TEST_P(FieldsAfterFlips, that_are_constant_have_their_circulations_as_flats) {
-    const auto mesh = this->mesh();
-    const SmoothForm X = random_constant(mesh);
-    const Vector primal = de_rham(mesh, 1, circulation_form(X)).values;
-    const Vector dual = dual_de_rham(mesh, 1, circulation_form(X)).values;
-    for (const Flat kind : primal_kinds)
-        if (kind != Flat::dpp || star(mesh.volumes(), 1).zeros().empty()) {
-            EXPECT_CLOSE(flat(mesh, kind, sampled(mesh, kind, X)).values, primal, rounding)
-                << int(kind);
-        }
-    for (const Flat kind : dual_kinds)
-        EXPECT_CLOSE(flat(mesh, kind, sampled(mesh, kind, X)).values, dual, rounding) << int(kind);
-}
-
-TEST_P(FieldsAfterFlips, that_are_linear_have_their_circulations_as_flats_from_vertices) {
-    const auto mesh = this->mesh();
-    const SmoothForm X = linear_field(space(mesh), 3);
-    EXPECT_CLOSE(flat(mesh, Flat::ppp, sampled(mesh, Flat::ppp, X)).values,
-                 de_rham(mesh, 1, circulation_form(X)).values, rounding);
-    EXPECT_CLOSE(flat(mesh, Flat::ppd, sampled(mesh, Flat::ppd, X)).values,
-                 dual_de_rham(mesh, 1, circulation_form(X)).values, rounding);
-}
-
-/// Facets of pieces, and their vertices, that have pieces on both sides all around.
-std::array<std::vector<bool>, 2> interior(const Discretization& mesh) {
-    const auto& K = mesh.pieces();
-    std::array<std::vector<bool>, 2> inside{std::vector<bool>(K.size(0), true),
-                                            std::vector<bool>(K.size(1), true)};
-    const Cofaces cofaces(K, 2);
-    for (Index e = 0; e < K.size(1); ++e)
-        if (cofaces.of(e).size() != 2) {
-            inside[1][e] = false;
-            for (int i = 0; i < 2; ++i)
-                inside[0][K.face(1, e, i)] = false;
-        }
-    return inside;
-}
-
-/// How far d R(w), times a sign, is from R(dw) on dual cells off the boundary: of a function for
-/// j = 0, of a linear field's circulation for j = 1.
-double stokes_defect(const Discretization& mesh, int j, double sign) {
-    const auto N = space(mesh);
-    const DenseMatrix A = random_vector(N * N, 3).reshaped(N, N);
-    const SmoothForm function = function_form([&](const Vector& x) { return x.dot(A * x); });
-    const SmoothForm gradient = [&](const Vector& x) { return Vector((A + A.transpose()) * x); };
-    const SmoothForm field = [&](const Vector& x) { return Vector(A * x); };
-    const SmoothForm rotation = [&](const Vector&) {
-        std::vector<double> rows;
-        for (Index a = 0; a < N; ++a)
-            for (Index b = a + 1; b < N; ++b)
-                rows.push_back(A(b, a) - A(a, b));
-        return Vector(Eigen::Map<const Vector>(rows.data(), Eigen::Index(rows.size())));
-    };
-    const Cochain w = dual_de_rham(mesh, j, j == 0 ? function : field);
-    const Cochain dw = dual_de_rham(mesh, j + 1, j == 0 ? gradient : rotation);
-    Vector left = sign * d(mesh.complex(), w).values, right = dw.values;
-    const double scale = right.cwiseAbs().maxCoeff();
-    const auto inside = interior(mesh);
-    const auto& carriers = mesh.merging().carriers(1 - j);
-    for (std::size_t s = 0; s < carriers.size(); ++s)
-        if (!inside[1 - j][s] && carriers[s].dimension == 1 - j)
-            left[carriers[s].cell] = right[carriers[s].cell] = 0;
-    return (left - right).cwiseAbs().maxCoeff() / scale;
-}
-
-TEST_P(FieldsAfterFlips, have_dual_integrals_that_keep_the_theorem_of_Stokes) {
-    for (const auto criterion : {MergeCriterion::none, MergeCriterion::dual_length}) {
-        const auto mesh = this->mesh(criterion);
-        if (!mesh.input().orientable())
-            return;
-        for (int j = 0; j < 2; ++j)
-            EXPECT_LE(stokes_defect(mesh, j, 1), rounding) << j << " " << int(criterion);
-    }
-}
-
-/// Whether the surface is flat with its points in a plane: not where shaking has folded it.
-bool is_flat_surface(const Discretization& mesh) {
-    return mesh.points().cols() == 2 &&
-           find_overlaps(mesh.input(), mesh.input_points()).folded.empty();
-}
-
-TEST_P(FieldsAfterFlips, that_are_constant_come_back_from_sharps_where_the_surface_is_flat) {
-    const auto mesh = this->mesh();
-    if (!is_flat_surface(mesh))
-        return;
-    const Vector X = random_constant(mesh)(Vector::Zero(2));
-    const auto difference = [&](const DenseMatrix& rows) {
-        return (rows.rowwise() - X.transpose()).cwiseAbs().maxCoeff();
-    };
-    EXPECT_LE(difference(sharp_pd(mesh, de_rham(mesh, 1, constant_form(X)))), 1e-7);
-    // fluxes are meant as the cells are oriented
-    const Vector turned{{-X[1], X[0]}};
-    DenseMatrix of_fluxes = flux_sharp(mesh, de_rham(mesh, 1, constant_form(turned)));
-    const Vector areas = de_rham(mesh, 2, constant_form(Vector::Ones(1))).values;
-    of_fluxes = areas.cwiseSign().asDiagonal() * of_fluxes;
-    EXPECT_LE(difference(of_fluxes), 1e-7);
-}
-
-TEST_P(FieldsAfterFlips, at_cells_are_adjoint_to_the_dpp_flat_where_the_surface_is_flat) {
-    const auto mesh = this->mesh();
-    if (!is_flat_surface(mesh) || !star(mesh.volumes(), 1).zeros().empty())
-        return;
-    expect_adjoint_to_the_dpp_flat(mesh, 1e-7);
-}
-
-TEST_P(FieldsAfterFlips, at_triangles_have_the_circulations_that_they_are_made_of) {
-    // of a function that is linear in space, whatever the surface, loops and spikes included
-    const auto mesh = this->mesh(MergeCriterion::none);
-    const Vector gradient = random_constant(mesh)(Vector::Zero(mesh.points().cols()));
-    const Cochain du = d(mesh.complex(), {Side::primal, 0, mesh.points() * gradient});
-    const DenseMatrix X = sharp_pd(mesh, du);
-    const auto& K = mesh.pieces();
-    for (Index t = 0; t < K.size(2); ++t)
-        for (int i = 0; i < 3; ++i) {
-            const Index e = K.face(2, t, i);
-            const Vector edge = mesh.points().row(K.simplices(1)(e, 1)).transpose() -
-                                mesh.points().row(K.simplices(1)(e, 0)).transpose();
-            EXPECT_NEAR(X.row(t).dot(edge), du.values[e], 1e-7) << "triangle " << t;
-        }
-}
-
-POLYDEC_OVER_FLIPPED_SURFACES(FieldsAfterFlips);
 
 constexpr double slope = 2.3;
 
@@ -198,17 +64,6 @@ TEST(OnAFoldedSheetBroken, combinations_of_the_corners_lie_beside_the_surface) {
             off_the_fold(cell_centroids(sheet, k), combinations(K, k, middles, bent.points())),
             0.01);
     }
-}
-
-TEST(StokesAfterFlipsBroken, with_the_other_sign_fails) {
-    for (const auto& name : {"uv_sphere7x5", "torus9x5", "hex4"})
-        for (int j = 0; j < 2; ++j)
-            EXPECT_GT(stokes_defect(circumcentric(shaken(mesh_named(name), 0.25, 7),
-                                                  {.criterion = MergeCriterion::none,
-                                                   .delaunay = Delaunay::flips}),
-                                    j, -1),
-                      1e-3)
-                << name << j;
 }
 
 /// A round sphere in slanted triangles.
