@@ -134,20 +134,6 @@ TEST(CornersOfAnyCell, are_refused_by_name_where_the_boundary_is_no_simple_circl
     }
 }
 
-TEST(Corners, of_a_plane_polygon_give_its_area) {
-    const auto& mesh = merged("hexagons5");
-    for (Index F = 0; F < mesh.P().size(2); ++F) {
-        const auto walk = corners(mesh.merging(), F);
-        double area = 0;
-        for (std::size_t i = 0; i < walk.size(); ++i) {
-            const auto p = mesh.points.row(walk[i]),
-                       q = mesh.points.row(walk[(i + 1) % walk.size()]);
-            area += (p[0] * q[1] - p[1] * q[0]) / 2;
-        }
-        EXPECT_NEAR(area, mesh.volumes.primal(2)[F], 1e-14);
-    }
-}
-
 TEST(Corners, start_with_the_smallest_edge) {
     const auto& mesh = merged("grid4");
     for (Index F = 0; F < mesh.P().size(2); ++F) {

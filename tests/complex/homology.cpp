@@ -105,6 +105,7 @@ TEST(Generators, of_one_sided_cells_may_run_twice) {
     IncidenceMatrix d0(1, 1), d1(1, 1);
     d1.insert(0, 0) = 2;
     const CellComplex plane({d0, d1});
+    EXPECT_EQ(betti_numbers(plane), (std::vector<Index>{1, 0, 0}));
     EXPECT_EQ(homology_generators(plane, 0).cols(), 1);
     EXPECT_EQ(homology_generators(plane, 1).cols(), 0);
     EXPECT_EQ(homology_generators(plane, 2).cols(), 0);

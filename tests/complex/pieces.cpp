@@ -88,15 +88,7 @@ TEST(OrderedSurfaces, of_few_triangles_are_in_order) {
 TEST(OrderedSurfaces, stay_in_order_whatever_is_flipped) {
     for (const auto& name : names_of_surfaces()) {
         GluedSurface surface(merged(name).K());
-        std::mt19937 random(3);
-        for (int step = 0; step < 200; ++step) {
-            const auto e = static_cast<Index>(random() % std::size_t(surface.edges()));
-            if (!surface.can_flip(e))
-                continue;
-            if (!surface.is_coherent(e))
-                surface.reverse(GluedSurface::triangle(surface.halfedges(e)[0]));
-            surface.flip(e);
-        }
+        flip_at_random(surface, 3);
         expect_same(surface);
     }
 }

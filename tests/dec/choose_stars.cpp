@@ -114,10 +114,7 @@ double flux_defect(const Discretization& mesh, const HodgeStars& stars, const Po
                         integrate(mesh.input(), mesh.points(), 1,
                                   constant_form(Eigen::Vector2d(-slope[1], slope[0])));
     const Vector p = places * slope;
-    const Points middles =
-        mesh.merging().diamond(1).cast<double>().cwiseAbs() *
-        DenseMatrix(combinations(mesh.pieces(), 1, Points::Constant(mesh.pieces().size(1), 2, 0.5),
-                                 mesh.points()));
+    const Points middles = cell_centers(mesh, 1);
     const SparseMatrix cofaces = SparseMatrix(derivative(mesh.complex(), 1).transpose());
     const Vector of_orientation = cofaces * Vector::Ones(cofaces.cols());
     Vector differences = cofaces * p;

@@ -1,27 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/lift.h"
-#include "tests/support/test.h"
+#include "tests/dec/discretized.h"
 
 namespace polydec::test::in_golden_calculus {
 
+void expect_sizes(const Json& expected, const Vector& values, const std::string& key) {
+    EXPECT_GOLDEN(expected.at("norm"), values.norm()) << key;
+    EXPECT_GOLDEN(expected.at("abs_sum"), values.cwiseAbs().sum()) << key;
+}
+
 class GoldenCalculus : public OverGoldenForms {
 protected:
-    void expect_cochain(const std::string& key, const Form& form, int k) const {
-        const Vector w = on_merged_cells(mesh(), k, form);
-        const auto& form_numbers = numbers().at(key);
-        EXPECT_GOLDEN(form_numbers.at("norm"), w.norm()) << key;
-        EXPECT_GOLDEN(form_numbers.at("abs_sum"), w.cwiseAbs().sum()) << key;
-        if (form_numbers.contains("d_norm")) {
-            EXPECT_GOLDEN(form_numbers.at("d_norm"), (derivative(mesh().P(), k) * w).norm()) << key;
+    Cochain form(const Form& smooth, int k) const {
+        return {Side::primal, k, on_merged_cells(mesh(), k, smooth)};
+    }
+
+    /// The function sin(1 + i) at vertex i.
+    Cochain function() const {
+        Vector values(mesh().P().size(0));
+        for (Index v = 0; v < values.size(); ++v)
+            values[v] = std::sin(1.0 + mesh().K().vertex_number(v));
+        return {Side::primal, 0, values};
+    }
+
+    void expect_cochain(const std::string& key, const Form& smooth, int k) const {
+        const Vector w = form(smooth, k).values;
+        const auto& expected = numbers().at(key);
+        expect_sizes(expected, w, key);
+        if (expected.contains("d_norm")) {
+            EXPECT_GOLDEN(expected.at("d_norm"), (derivative(mesh().P(), k) * w).norm()) << key;
         }
-        EXPECT_GOLDEN(form_numbers.at("star_square"),
+        EXPECT_GOLDEN(expected.at("star_square"),
                       w.dot(star(mesh().volumes, k).diagonal().cwiseProduct(w)))
             << key;
     }
 
-    void expect_lift(const std::string& key, const Vector& lifted) const {
-        EXPECT_GOLDEN(numbers().at(key).at("norm"), lifted.norm()) << key;
-        EXPECT_GOLDEN(numbers().at(key).at("abs_sum"), lifted.cwiseAbs().sum()) << key;
+    void expect_product(const std::string& key, const Cochain& a, const Cochain& b) const {
+        const Vector found = wedge(discretized(stem(GetParam())), a, b).values;
+        const auto& expected = numbers().at(key);
+        expect_sizes(expected, found, key);
+        if (expected.contains("total")) {
+            EXPECT_GOLDEN(expected.at("total"), found.sum()) << key;
+        }
     }
 };
 
@@ -40,10 +60,20 @@ TEST_P(GoldenCalculus, integrals_of_the_test_forms) {
 
 TEST_P(GoldenCalculus, lifts_of_the_test_forms) {
     const auto S = commuting_lift(mesh().merging(), mesh().geometry());
-    const Vector a = on_merged_cells(mesh(), 1, alpha);
-    expect_lift("lift1_alpha", S[1] * a);
-    expect_lift("lift2_eta", S[2] * on_merged_cells(mesh(), 2, eta));
-    expect_lift("lift2_d_alpha", S[2] * (derivative(mesh().P(), 1) * a));
+    const Vector a = form(alpha, 1).values;
+    expect_sizes(numbers().at("lift1_alpha"), S[1] * a, "alpha");
+    expect_sizes(numbers().at("lift2_eta"), S[2] * form(eta, 2).values, "eta");
+    expect_sizes(numbers().at("lift2_d_alpha"), S[2] * (derivative(mesh().P(), 1) * a), "d alpha");
+}
+
+TEST_P(GoldenCalculus, products_of_the_test_forms) {
+    const auto a = form(alpha, 1), b = form(beta, 1), e = form(eta, 2);
+    expect_product("wedge_alpha_beta", a, b);
+    expect_product("wedge_f_alpha", function(), a);
+    if (mesh().n() >= 3)
+        expect_product("wedge_alpha_eta", a, e);
+    if (mesh().n() >= 4)
+        expect_product("wedge_eta_eta", e, e);
 }
 
 TEST_P(GoldenCalculus, stars_by_vertices) {

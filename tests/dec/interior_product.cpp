@@ -6,12 +6,21 @@ namespace polydec::test::in_interior_product {
 
 constexpr double rounding = 1e-11;
 
-/// i_X and L_X of a complex with one sampling, by degree.
+/// i_X and L_X on a mesh with one sampling, by degree. The field must outlive it.
 struct Transport {
     std::string name;
-    const CellComplex& complex;
-    std::function<SparseMatrix(int)> interior, lie;
-    std::function<SparseMatrix(int)> inflow; ///< empty matrices for centered sampling
+    const Discretization& mesh;
+    const Points& field;
+    Sampling sampling;
+    const CellComplex& complex = mesh.complex();
+
+    SparseMatrix interior(int k) const { return interior_product(mesh, field, k, sampling); }
+    SparseMatrix lie(int k) const { return lie_derivative(mesh, field, k, sampling); }
+    /// An empty matrix for centered sampling.
+    SparseMatrix inflow(int k) const {
+        return sampling == Sampling::upwind ? polydec::inflow(mesh, field, k)
+                                            : SparseMatrix(complex.size(k), complex.size(k));
+    }
 
     /// 1 for each k-cell with inflow or a face with it, 0 elsewhere.
     Vector inflow_marks(int k) const {
@@ -36,25 +45,11 @@ const Discretization& simplices(const std::string& mesh_name) {
 
 /// On simplices and on merged cells, centered and upwind. field must outlive the result.
 std::vector<Transport> transports(const std::string& mesh_name, const Points& field) {
-    std::vector<Transport> result;
-    for (const auto sampling : {Sampling::centered, Sampling::upwind})
-        for (const auto* mesh : {&simplices(mesh_name), &discretized(mesh_name)}) {
-            const std::string what = mesh == &discretized(mesh_name) ? "merged" : "simplices";
-            const bool is_upwind = sampling == Sampling::upwind;
-            result.push_back({what + (is_upwind ? ", upwind" : ", centered"), mesh->complex(),
-                              [mesh, &field, sampling](int k) {
-                                  return interior_product(*mesh, field, k, sampling);
-                              },
-                              [mesh, &field, sampling](int k) {
-                                  return lie_derivative(*mesh, field, k, sampling);
-                              },
-                              [mesh, &field, is_upwind](int k) {
-                                  const auto size = mesh->complex().size(k);
-                                  return is_upwind ? inflow(*mesh, field, k)
-                                                   : SparseMatrix(size, size);
-                              }});
-        }
-    return result;
+    const auto &fine = simplices(mesh_name), &merged = discretized(mesh_name);
+    return {{"simplices, centered", fine, field, Sampling::centered},
+            {"merged, centered", merged, field, Sampling::centered},
+            {"simplices, upwind", fine, field, Sampling::upwind},
+            {"merged, upwind", merged, field, Sampling::upwind}};
 }
 
 DenseMatrix random_matrix(Index rows, Index columns, unsigned seed) {
@@ -75,10 +70,8 @@ protected:
         return field;
     }
 
-    Vector on_cells_of(const Transport& transport, int k, const Vector& values) const {
-        return &transport.complex == &simplices(GetParam()).complex()
-                   ? values
-                   : on_merged_cells(mesh(), k, values);
+    static Vector on_cells_of(const Transport& transport, int k, const Vector& values) {
+        return to_merged(transport.mesh, {Side::primal, k, values}).values;
     }
 
     Vector integrals(const Transport& transport, int k, const Form& form) const {
@@ -253,7 +246,7 @@ TEST_P(InteriorProducts, upwind_transport_functions_within_their_range) {
         return;
     for (const auto& transport : transports(GetParam(), field)) {
         const SparseMatrix L = transport.lie(0);
-        if (transport.name.ends_with("upwind")) {
+        if (transport.sampling == Sampling::upwind) {
             EXPECT_LE(worst_weight(L), rounding) << transport.name;
             EXPECT_LE(overshoot(L), rounding) << transport.name;
         } else {

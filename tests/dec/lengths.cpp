@@ -2,7 +2,7 @@
 #include "dec/merging/lift.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/dual_parts.h"
-#include "tests/support/test.h"
+#include "tests/dec/discretized.h"
 
 namespace polydec::test::in_lengths {
 
@@ -158,44 +158,13 @@ TEST_P(Lengths, disturbed_give_other_duals_that_do_not_go_with_the_volumes_befor
 
 POLYDEC_OVER_MESHES(Lengths);
 
-/// Edges of the n-torus of N^n cubes of side h, each split like Kuhn's: it has no flat place in
-/// R^m, m < 2n, but lengths.
-struct FlatTorus {
-    SimplicialComplex K;
-    Vector lengths;
-};
-
-Simplices torus_simplices(int n, int N) {
-    std::vector<int> order(n);
-    std::vector<Index> numbers;
-    const auto cells = static_cast<Index>(std::lround(std::pow(N, n)));
-    for (Index cell = 0; cell < cells; ++cell) {
-        std::iota(order.begin(), order.end(), 0);
-        do {
-            Index corner = cell;
-            numbers.push_back(corner);
-            for (const int axis : order) {
-                const auto step = static_cast<Index>(std::lround(std::pow(N, axis)));
-                corner += corner / step % N == N - 1 ? step * (1 - N) : step;
-                numbers.push_back(corner);
-            }
-        } while (std::next_permutation(order.begin(), order.end()));
-    }
-    return Eigen::Map<const Simplices>(numbers.data(), static_cast<Index>(numbers.size()) / (n + 1),
-                                       n + 1);
-}
-
-FlatTorus flat_torus(int n, int N, double h) {
-    SimplicialComplex K(torus_simplices(n, N));
-    Vector lengths(K.size(1));
-    for (Index e = 0; e < K.size(1); ++e) {
-        int axes = 0;
-        Index a = K.simplices(1)(e, 0), b = K.simplices(1)(e, 1);
-        for (int axis = 0; axis < n; ++axis, a /= N, b /= N)
-            axes += a % N == b % N ? 0 : 1;
-        lengths[e] = h * std::sqrt(axes);
-    }
-    return {std::move(K), std::move(lengths)};
+/// The n-torus of N^n cubes of side h, each split like Kuhn's: it has no flat place in R^m, m < 2n,
+/// but lengths.
+LengthMesh flat_torus(int n, int N, double h) {
+    std::vector<Vector> steps = unit_translations(n, n);
+    for (Vector& step : steps)
+        step *= N * h;
+    return periodic(kuhn(std::vector(n, N), std::vector(n, N * h)), steps).quotient;
 }
 
 /// Eigenvalues of the periodic grid: sums over the axes of (2 - 2 cos(2 pi j / N)) / h^2, each
@@ -214,19 +183,14 @@ Vector eigenvalues_of_grid(int n, int N, double h, int k) {
 
 TEST(FlatTori, known_by_lengths_alone_merge_to_cubes_with_the_spectrum_of_the_grid) {
     for (const auto& [n, N, h] : {std::tuple{2, 5, 0.5}, {3, 3, 2.0}, {4, 3, 1.0}}) {
-        const auto torus = flat_torus(n, N, h);
-        const SimplexMetric metric(torus.K, torus.lengths);
-        const auto input = circumcentric_volumes(torus.K, metric);
-        const auto result = merge_cospherical({torus.K, metric, input});
-        const auto& P = result.merging.merged();
-        const auto volumes = merged_volumes(result.merging, input);
+        const auto torus = circumcentric(flat_torus(n, N, h));
         for (int k = 0; k <= n; ++k) {
-            ASSERT_EQ(P.size(k), std::lround(binomial(n, k) * std::pow(N, n)));
+            ASSERT_EQ(torus.size(k), std::lround(binomial(n, k) * std::pow(N, n)));
             const double entry = std::pow(h, n - 2 * k);
-            EXPECT_LE((star(volumes, k).diagonal().array() / entry - 1).abs().maxCoeff(), 1e-13);
-            if (P.size(k) > 100)
+            EXPECT_LE((star(torus, k).diagonal().array() / entry - 1).abs().maxCoeff(), 1e-13);
+            if (torus.size(k) > 100)
                 continue; // dense matrices
-            const DenseMatrix A = symmetric_laplacian({P, volumes}, k).matrix() / entry;
+            const DenseMatrix A = symmetric_laplacian(torus, k).matrix() / entry;
             const Vector found = Eigen::SelfAdjointEigenSolver<DenseMatrix>(A).eigenvalues();
             const Vector expected = eigenvalues_of_grid(n, N, h, k);
             EXPECT_WITHIN(found, expected, 1e-13 * expected.maxCoeff());
@@ -235,15 +199,13 @@ TEST(FlatTori, known_by_lengths_alone_merge_to_cubes_with_the_spectrum_of_the_gr
 }
 
 TEST(FlatToriBroken, with_one_edge_too_long_keep_simplices_and_lose_the_spectrum) {
-    auto torus = flat_torus(2, 5, 1);
-    torus.lengths[0] *= 1.01;
-    const SimplexMetric metric(torus.K, torus.lengths);
-    const auto input = circumcentric_volumes(torus.K, metric);
-    const auto result = merge_cospherical({torus.K, metric, input});
-    const auto& P = result.merging.merged();
-    EXPECT_EQ(P.size(2), 27); // the two squares beside the edge stay split
-    const auto volumes = merged_volumes(result.merging, input);
-    const DenseMatrix A = symmetric_laplacian({P, volumes}, 0).matrix();
+    LengthMesh lengths = flat_torus(2, 5, 1);
+    Index side = 0;
+    lengths.lengths.minCoeff(&side);
+    lengths.lengths[side] *= 1.01;
+    const auto torus = circumcentric(lengths);
+    EXPECT_EQ(torus.size(2), 27); // the two squares beside the edge stay split
+    const DenseMatrix A = symmetric_laplacian(torus, 0).matrix();
     const Vector found = Eigen::SelfAdjointEigenSolver<DenseMatrix>(A).eigenvalues();
     EXPECT_GT((found - eigenvalues_of_grid(2, 5, 1, 0)).cwiseAbs().maxCoeff(), 1e-3);
 }

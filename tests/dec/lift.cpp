@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "dec/merging/lift.h"
-
-#include "tests/dec/products.h"
+#include "tests/dec/discretized.h"
 
 namespace polydec::test::in_lift {
 
 class Lifts : public OverMeshes {
 protected:
-    const std::vector<SparseMatrix>& S() const { return lift_of(GetParam()); }
+    const std::vector<SparseMatrix>& S() const { return discretized(GetParam()).merged().lift(); }
 };
 
 SparseMatrix diamond(const Merged& mesh, int k) {
     return mesh.merging().diamond(k).cast<double>();
+}
+
+/// The way back of Schier's paper: each piece has its fraction of the cell's value, removed
+/// simplices 0.
+SparseMatrix by_fraction(const Merged& mesh, int k) {
+    return primal_to_input(mesh.merging(), mesh.input_volumes, k);
 }
 
 double commutation_defect(const Merged& mesh, const SparseMatrix& upper, const SparseMatrix& lower,

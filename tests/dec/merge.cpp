@@ -104,11 +104,6 @@ TEST_P(Merges, by_angle_find_the_same_cells_on_exact_input) {
 
 POLYDEC_OVER_MESHES(Merges);
 
-TEST(Merge, leaves_well_centered_meshes_as_they_are) {
-    const auto& mesh = merged("wellcentred4");
-    EXPECT_EQ(mesh.P().size(2), mesh.K().size(2));
-}
-
 TEST(Merge, finds_squares_perturbed_less_than_the_tolerance_and_no_others) {
     const Mesh mesh = mesh_named("almost_squares");
     EXPECT_EQ(make_merged(mesh, {MergeCriterion::dual_length, 1e-4}).P().size(2), 16);
@@ -119,12 +114,6 @@ TEST(Merge, default_tolerance_finds_cubes_with_six_digits) {
     Mesh mesh = kuhn(3, 3);
     mesh.points = (1e6 * mesh.points.array()).round() * 1e-6;
     EXPECT_EQ(make_merged(mesh, MergeOptions{}).P().size(3), 27);
-}
-
-TEST(Merge, unites_a_rectangle_though_it_is_folded_along_its_diagonal) {
-    const auto& mesh = merged("folded_rect");
-    EXPECT_EQ(mesh.P().size(2), 1);
-    EXPECT_EQ(mesh.P().size(1), 4);
 }
 
 TEST(Merge, never_crosses_branching_facets_even_if_their_dual_is_zero) {
@@ -140,24 +129,6 @@ TEST(Merge, never_crosses_branching_facets_even_if_their_dual_is_zero) {
     Mesh rectangle = book;
     rectangle.simplices.conservativeResize(2, Eigen::NoChange);
     EXPECT_EQ(make_merged(rectangle).P().size(2), 1) << "two of them do merge";
-}
-
-TEST(Merge, reports_zero_boundary_duals_and_removes_none) {
-    const auto& mesh = merged("fcc1");
-    EXPECT_EQ(mesh.result.degenerate.boundary, 24);
-    EXPECT_EQ(mesh.result.degenerate.interior, 4);
-    Index boundary = 0;
-    for (const Index count : mesh.P().coface_counts(2))
-        boundary += count == 1;
-    EXPECT_EQ(boundary, 24);
-    EXPECT_EQ(star(mesh.volumes, 2).zeros().size(), 24U);
-    EXPECT_GT(merged("hex4").result.degenerate.boundary, 0);
-}
-
-TEST(Merge, of_the_spike_keeps_the_edge_with_the_same_cell_on_both_sides) {
-    const auto& mesh = merged("spike");
-    EXPECT_EQ(mesh.P().size(2), 2);
-    EXPECT_EQ(betti_numbers(mesh.P()), (std::vector<Index>{1, 0, 1}));
 }
 
 TEST(MergeByAngle, misfires_on_slivers_whose_dual_edge_is_long) {

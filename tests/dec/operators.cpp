@@ -33,19 +33,28 @@ TEST_P(Operators, dual_derivative_has_the_sign_of_its_degree) {
         }
 }
 
-TEST_P(Operators, laplacian_is_d_delta_plus_delta_d) {
+TEST_P(Operators, laplacians_are_d_delta_plus_delta_d_on_cells_and_on_duals) {
     for_invertible(mesh(), [&](const Metric& m, int k) {
-        SparseMatrix expected(m.complex.size(k), m.complex.size(k));
-        if (k > 0)
-            expected +=
-                product(derivative(m.complex, k - 1), codifferential({m.complex, m.volumes}, k));
-        if (k < mesh().n())
-            expected +=
-                product(codifferential({m.complex, m.volumes}, k + 1), derivative(m.complex, k));
-        const SparseMatrix L = laplacian({m.complex, m.volumes}, k);
-        EXPECT_CLOSE(L, expected, rounding);
-        if (largest(L) > 0) {
-            EXPECT_GT(relative_difference(L, -expected), 1) << "with the sign flipped";
+        const Cells cells(m.complex, m.volumes);
+        for (const Side side : {Side::primal, Side::dual}) {
+            const bool is_primal = side == Side::primal;
+            const int n = mesh().n(), degree = is_primal ? k : n - k;
+            const auto d = [&](int j) {
+                return is_primal ? derivative(m.complex, j) : dual_derivative(m.complex, j);
+            };
+            const auto delta = [&](int j) -> SparseMatrix {
+                return is_primal ? codifferential(cells, j) : dual_codifferential(cells, j);
+            };
+            SparseMatrix expected(m.complex.size(k), m.complex.size(k));
+            if (degree > 0)
+                expected += product(d(degree - 1), delta(degree));
+            if (degree < n)
+                expected += product(delta(degree + 1), d(degree));
+            const SparseMatrix L = is_primal ? laplacian(cells, k) : dual_laplacian(cells, degree);
+            EXPECT_CLOSE(L, expected, rounding) << name(side);
+            if (largest(L) > 0) {
+                EXPECT_GT(relative_difference(L, -expected), 1) << "with the sign flipped";
+            }
         }
     });
 }
@@ -66,20 +75,6 @@ TEST_P(Operators, dual_laplacian_is_similar_by_the_star) {
         const SparseMatrix similar = star(m.volumes, k).diagonal().asDiagonal() * L *
                                      star(m.volumes, k).inverse().asDiagonal();
         EXPECT_CLOSE(dual, similar, rounding);
-    });
-}
-
-TEST_P(Operators, dual_laplacian_is_d_delta_plus_delta_d_on_duals) {
-    for_invertible(mesh(), [&](const Metric& m, int k) {
-        const int j = mesh().n() - k;
-        SparseMatrix expected(m.complex.size(k), m.complex.size(k));
-        if (j > 0)
-            expected += product(dual_derivative(m.complex, j - 1),
-                                dual_codifferential({m.complex, m.volumes}, j));
-        if (j < mesh().n())
-            expected += product(dual_codifferential({m.complex, m.volumes}, j + 1),
-                                dual_derivative(m.complex, j));
-        EXPECT_CLOSE(dual_laplacian({m.complex, m.volumes}, j), expected, rounding);
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/dual_parts.h"
 #include "tests/dec/discretized.h"
+#include "tests/dec/products.h"
 
 namespace polydec::test::in_passage {
 
@@ -11,10 +12,6 @@ protected:
     Discretization mesh() const {
         const auto& [name, delaunay] = GetParam();
         return discretize(shaken(mesh_named(name), 0.25, 7), {.delaunay = delaunay});
-    }
-    Cochain random(const Discretization& mesh, Side side, int degree, unsigned seed) const {
-        const int k = cell_degree(mesh.complex(), side, degree);
-        return {side, degree, random_vector(mesh.complex().size(k), seed)};
     }
 };
 
@@ -55,7 +52,7 @@ TEST_P(AfterFlips, forms_do_not_depend_on_numbers) {
 
 TEST_P(AfterFlips, dual_forms_go_back_by_maps_that_commute_with_d) {
     const auto mesh = this->mesh();
-    const auto w = random(mesh, Side::dual, 1, 5);
+    const auto w = random_form(mesh.complex(), Side::dual, 1, 5);
     const Vector there = to_input(mesh, d(mesh.complex(), w)).values;
     EXPECT_LT(relative_difference(there, d(mesh.input(), to_input(mesh, w)).values), rounding);
 }
@@ -64,7 +61,7 @@ TEST_P(AfterFlips, dual_forms_are_paired_with_primal_ones_as_before) {
     const auto mesh = this->mesh();
     for (int degree = 1; degree <= 2; ++degree) {
         const int k = 2 - degree;
-        const auto w = random(mesh, Side::dual, degree, 6);
+        const auto w = random_form(mesh.complex(), Side::dual, degree, 6);
         const Cochain a{Side::primal, k, random_vector(mesh.input().size(k), 7)};
         const double there = w.values.dot(to_merged(mesh, a).values);
         EXPECT_NEAR(to_input(mesh, w).values.dot(a.values), there,
@@ -119,7 +116,8 @@ TEST_P(AfterFlips, products_of_dual_forms_keep_their_sign_in_either_order) {
     const auto mesh = this->mesh();
     if (!star(mesh.volumes(), 0).zeros().empty() || !star(mesh.volumes(), 1).zeros().empty())
         return;
-    const auto a = random(mesh, Side::dual, 1, 10), b = random(mesh, Side::dual, 1, 11);
+    const auto a = random_form(mesh.complex(), Side::dual, 1, 10),
+               b = random_form(mesh.complex(), Side::dual, 1, 11);
     EXPECT_LT(relative_difference(dual_wedge(mesh, a, b).values, -dual_wedge(mesh, b, a).values),
               1e-9);
 }

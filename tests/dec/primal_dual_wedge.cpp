@@ -48,7 +48,8 @@ double integral_error(const Merged& mesh, const Metric& metric, int k) {
     const auto form = [&](const Vector& c) -> Cochain {
         const Vector values = integrate(mesh.K(), mesh.points, k, constant_form(c));
         const bool on_simplices = &metric.complex == &mesh.K();
-        return {Side::primal, k, on_simplices ? values : on_merged_cells(mesh, k, values)};
+        return {Side::primal, k,
+                on_simplices ? values : Vector(primal_to_merged(mesh.merging(), k) * values)};
     };
     const Vector terms =
         primal_dual_wedge(metric.complex, form(a), star({metric.complex, metric.volumes}, form(b)));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/dec/products.h"
 
-#include "dec/merging/lift.h"
 #include "dec/metric/subsets.h"
 
 namespace polydec::test {
@@ -13,22 +12,6 @@ Index position(const std::vector<std::vector<int>>& lists, const std::vector<int
 }
 
 } // namespace
-
-const std::vector<SparseMatrix>& lift_of(const std::string& name) {
-    static std::map<std::string, std::vector<SparseMatrix>> made;
-    auto& entry = made[name];
-    if (entry.empty()) {
-        const auto& mesh = merged(name);
-        entry = commuting_lift(mesh.merging(), mesh.geometry());
-    }
-    return entry;
-}
-
-SparseMatrix by_fraction(const Merged& mesh, int k) {
-    return mesh.input_volumes.primal(k).asDiagonal() *
-           SparseMatrix(mesh.merging().diamond(k).cast<double>().transpose()) *
-           mesh.volumes.primal(k).cwiseInverse().asDiagonal();
-}
 
 Cochain random_form(const CellComplex& complex, Side side, int degree, unsigned seed) {
     return {side, degree, random_vector(complex.size(cell_degree(complex, side, degree)), seed)};
@@ -64,10 +47,6 @@ Vector contraction(const Vector& x, int k, const Vector& a) {
             result[position(to, rest)] += (p % 2 == 0 ? 1 : -1) * x[from[I][p]] * a[I];
         }
     return result;
-}
-
-Vector on_merged_cells(const Merged& mesh, int k, const Vector& values) {
-    return mesh.merging().diamond(k).cast<double>() * values;
 }
 
 } // namespace polydec::test

@@ -5,13 +5,6 @@
 
 namespace polydec::test {
 
-/// The commuting lift of a mesh of the family, made once.
-const std::vector<SparseMatrix>& lift_of(const std::string& name);
-
-/// The way back of Schier's paper: each piece has its fraction of the cell's value, removed
-/// simplices 0.
-SparseMatrix by_fraction(const Merged& mesh, int k);
-
 /// A cochain with random values, the same for the same seed.
 Cochain random_form(const CellComplex& complex, Side side, int degree, unsigned seed);
 
@@ -20,8 +13,5 @@ Vector exterior_product(Index N, int k, const Vector& a, int l, const Vector& b)
 
 /// Coefficients of the contraction i_x a of a constant k-form on R^N, k >= 1, with a vector.
 Vector contraction(const Vector& x, int k, const Vector& a);
-
-/// A primal form of the simplices on the merged cells: added over the pieces.
-Vector on_merged_cells(const Merged& mesh, int k, const Vector& values);
 
 } // namespace polydec::test

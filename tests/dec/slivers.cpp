@@ -30,18 +30,9 @@ double off_cubes(const Discretization& mesh, double h) {
     return worst;
 }
 
-/// The integrals over the k-pieces of a constant form: dx_axis, or the one that is its star.
-Vector constant(const Discretization& mesh, int k, int axis) {
-    const auto& simplices = mesh.pieces().simplices(k);
-    Vector values(simplices.rows());
-    for (Index s = 0; s < values.size(); ++s) {
-        const auto edge = [&](int i) {
-            return Eigen::Vector3d(mesh.points().row(simplices(s, i)) -
-                                   mesh.points().row(simplices(s, 0)));
-        };
-        values[s] = k == 1 ? edge(1)[axis] : edge(1).cross(edge(2))[axis] / 2;
-    }
-    return values;
+/// The integrals over the k-pieces of a constant form with one coefficient.
+Vector constant(const Discretization& mesh, int k, int which) {
+    return integrate(mesh.input(), mesh.points(), k, constant_form(Vector::Unit(3, which)));
 }
 
 /// How far the lifts are from giving constant forms back.

@@ -32,6 +32,19 @@ double worst_angle(const Mesh& lines, const Vector& along) {
     return worst;
 }
 
+/// The length of each line.
+std::vector<double> lengths_of(const Mesh& lines) {
+    std::vector<double> result;
+    Index last = -1;
+    for (const auto& ends : lines.simplices.rowwise()) {
+        if (ends[0] != last)
+            result.push_back(0);
+        result.back() += (lines.points.row(ends[1]) - lines.points.row(ends[0])).norm();
+        last = ends[1];
+    }
+    return result;
+}
+
 /// The largest change of the radius along lines around an axis, per length.
 double drift(int cells) {
     const auto mesh = discretize(grid(cells, cells));
@@ -145,16 +158,8 @@ TEST(Streamlines, AreNotShorterThanAsked) {
     });
     const auto shortest = [&](double asked) {
         const auto lines = streamlines(mesh, turning, {.spacing = 0.05, .shortest = asked});
-        double least = 1e300, sum = 0;
-        for (Index i = 0; i < lines.simplices.rows(); ++i) {
-            const auto [tail, head] = std::pair(lines.simplices(i, 0), lines.simplices(i, 1));
-            sum += (lines.points.row(head) - lines.points.row(tail)).norm();
-            if (i + 1 == lines.simplices.rows() || lines.simplices(i + 1, 0) != head) {
-                least = std::min(least, sum);
-                sum = 0;
-            }
-        }
-        return least / 0.05;
+        const auto lengths = lengths_of(lines);
+        return *std::min_element(lengths.begin(), lengths.end()) / 0.05;
     };
     EXPECT_LT(shortest(0), 1);
     for (const double asked : {1, 2, 5})
@@ -167,13 +172,8 @@ TEST(Streamlines, AreNotLongerThanAsked) {
         const auto wind = sampled(mesh, [](const auto&) { return Vector{{1, 0}}; });
         for (const double asked : {3, 10, 30}) {
             const auto lines = streamlines(mesh, wind, {.spacing = 0.1, .longest = asked});
-            double longest = 0, sum = 0;
-            for (Index i = 0; i < lines.simplices.rows(); ++i) {
-                const auto [tail, head] = std::pair(lines.simplices(i, 0), lines.simplices(i, 1));
-                sum = i > 0 && lines.simplices(i - 1, 1) == tail ? sum : 0;
-                sum += (lines.points.row(head) - lines.points.row(tail)).norm();
-                longest = std::max(longest, sum);
-            }
+            const auto lengths = lengths_of(lines);
+            const double longest = *std::max_element(lengths.begin(), lengths.end());
             EXPECT_NEAR(longest, 0.1 * asked, 1e-9);
         }
     }

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/test.h"
+#include "tests/dec/discretized.h"
 
 namespace polydec::test::in_transfer {
 
 class Transfers : public OverMeshes {
 protected:
-    Transfers() : bundle_(discretize(mesh_named(GetParam()), {.tolerance = tolerance})) {}
-
-    const Discretization& bundle() const { return bundle_; }
-    int n() const { return bundle_.dimension(); }
-
-private:
-    Discretization bundle_;
+    const Discretization& bundle() const { return discretized(GetParam()); }
+    int n() const { return bundle().dimension(); }
 };
 
 constexpr double rounding = 1e-12;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "dec/metric/simplex_geometry.h"
+#include "dec/metric/subsets.h"
 #include "tests/dec/discretized.h"
 
 namespace polydec::test::in_whitney_interpolation {
@@ -9,42 +11,15 @@ protected:
     const Points& points() const { return mesh().points; }
 };
 
-/// Positions of the vertices of k-simplex s in n-simplex t.
-std::vector<Index> positions(const SimplicialComplex& K, int k, Index s, Index t) {
-    const auto& corners = K.simplices(K.dimension());
-    std::vector<Index> result;
-    for (const Index v : K.simplices(k).row(s))
-        for (Index i = 0; i < corners.cols(); ++i)
-            if (corners(t, i) == v)
-                result.push_back(i);
-    return result;
-}
-
-/// All k-simplices that are faces of n-simplex t.
-std::vector<Index> faces(const SimplicialComplex& K, int k, Index t) {
-    std::vector<Index> result{t};
-    for (int i = K.dimension(); i > k; --i) {
-        std::vector<Index> lower;
-        for (const Index s : result)
-            for (int omitted = 0; omitted <= i; ++omitted)
-                lower.push_back(K.face(i, s, omitted));
-        std::sort(lower.begin(), lower.end());
-        lower.erase(std::unique(lower.begin(), lower.end()), lower.end());
-        result = lower;
-    }
-    return result;
-}
-
-/// The integral of the Whitney form, as it is in n-simplex t, over k-face s of t.
+/// The integral of the Whitney form, as it is in n-simplex t, over k-face s of t, which has these
+/// of its corners.
 double integral(const Merged& mesh, const DenseMatrix& multivectors, const Cochain& form, Index t,
-                Index s) {
-    const int k = form.degree;
-    const auto rule = grundmann_moeller(k, 1);
-    const auto places = positions(mesh.K(), k, s, t);
+                Index s, const std::vector<int>& corners) {
+    const auto rule = grundmann_moeller(form.degree, 1);
     double sum = 0;
     for (Index q = 0; q < rule.weights.size(); ++q) {
         Vector barycentric = Vector::Zero(mesh.n() + 1);
-        barycentric(places) = rule.points.row(q).transpose();
+        barycentric(corners) = rule.points.row(q).transpose();
         sum += rule.weights[q] *
                multivectors.row(s).dot(whitney_form(mesh.K(), mesh.points, form, t, barycentric));
     }
@@ -59,9 +34,11 @@ TEST_P(WhitneyInterpolation, integrates_to_the_values_that_are_interpolated) {
         const DenseMatrix simplices = multivectors(K(), points(), k);
         double worst = 0;
         for (Index t = 0; t < K().size(mesh().n()); t += step)
-            for (const Index s : faces(K(), k, t))
-                worst = std::max(
-                    worst, std::abs(integral(mesh(), simplices, form, t, s) - form.values[s]));
+            for (const auto& corners : subsets(mesh().n() + 1, k + 1)) {
+                const Index s = face_at(K(), mesh().n(), t, corners);
+                const double found = integral(mesh(), simplices, form, t, s, corners);
+                worst = std::max(worst, std::abs(found - form.values[s]));
+            }
         EXPECT_LE(worst, 1e-12) << "k = " << k;
     }
 }
@@ -102,8 +79,9 @@ double gradient_defect(const Merged& mesh, const Vector& f, double sign, Index t
     const Cochain df = sign * d(K, {Side::primal, 0, f});
     const Vector gradient = whitney_form(K, mesh.points, df, t, barycentric_point(mesh.n(), t));
     double worst = 0;
-    for (const Index e : faces(K, 1, t)) {
-        const Index tail = K.face(1, e, 1), head = K.face(1, e, 0);
+    for (const auto& ends : subsets(mesh.n() + 1, 2)) {
+        const auto corners = K.simplices(mesh.n()).row(t);
+        const Index tail = corners[ends[0]], head = corners[ends[1]];
         const Vector edge = mesh.points.row(head) - mesh.points.row(tail);
         const double change = f[head] - f[tail];
         worst = std::max(worst, std::abs(edge.dot(gradient) - change));

@@ -7,22 +7,22 @@ namespace polydec::test {
 
 PeriodicMesh diamond(int m) {
     std::map<std::pair<int, int>, Index> numbers;
-    std::vector<std::pair<int, int>> points;
-    std::vector<std::array<Index, 3>> triangles;
+    std::vector<std::vector<double>> points;
+    std::vector<std::vector<Index>> triangles;
     const auto number = [&](int x, int y) {
         const auto [place, is_new] = numbers.emplace(std::pair(x, y), std::ssize(points));
         if (is_new)
-            points.emplace_back(x, y);
+            points.push_back({1.0 * x, 1.0 * y});
         return place->second;
     };
     const auto add = [&](std::array<std::pair<int, int>, 3> corners) {
-        std::array<Index, 3> rows{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (std::abs(corners[i].first) + std::abs(corners[i].second) > m)
+        std::vector<Index> row;
+        for (const auto& [x, y] : corners) {
+            if (std::abs(x) + std::abs(y) > m)
                 return;
-            rows[i] = number(corners[i].first, corners[i].second);
+            row.push_back(number(x, y));
         }
-        triangles.push_back(rows);
+        triangles.push_back(row);
     };
     for (int x = -m; x < m; ++x)
         for (int y = -m; y < m; ++y) {
@@ -35,15 +35,8 @@ PeriodicMesh diamond(int m) {
                 add({a, c, d});
             }
         }
-    Mesh box;
-    box.points.resize(std::ssize(points), 2);
-    box.simplices.resize(std::ssize(triangles), 3);
-    for (std::size_t v = 0; v < points.size(); ++v)
-        box.points.row(static_cast<Index>(v)) << points[v].first, points[v].second;
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        for (int i = 0; i < 3; ++i)
-            box.simplices(static_cast<Index>(t), i) = triangles[t][static_cast<std::size_t>(i)];
-    return periodic(std::move(box), {Vector{{1.0 * m, 1.0 * m}}, Vector{{1.0 * m, -1.0 * m}}});
+    return periodic(made_of(points, triangles),
+                    {Vector{{1.0 * m, 1.0 * m}}, Vector{{1.0 * m, -1.0 * m}}});
 }
 
 PeriodicMesh unit_diamond(int m) {

@@ -27,6 +27,20 @@ GluedSurface moebius_triangle() {
     return GluedSurface(Triangles{{{{0, 1}, {0, 1}, {1, 1}}}});
 }
 
+void flip_at_random(GluedSurface& surface, unsigned seed,
+                    const std::function<void(Index)>& before) {
+    std::mt19937 random(seed);
+    for (Index i = 0; i < 2 * surface.edges(); ++i) {
+        const Index e = static_cast<Index>(random() % static_cast<unsigned>(surface.edges()));
+        if (!surface.can_flip(e))
+            continue;
+        if (!surface.is_coherent(e))
+            surface.reverse(GluedSurface::triangle(surface.halfedges(e)[1]));
+        before(e);
+        surface.flip(e);
+    }
+}
+
 CellComplex cell_complex(const GluedSurface& surface) {
     IncidenceRows edges(surface.edges(), surface.vertices(), surface.edges() * 2);
     for (Index e = 0; e < surface.edges(); ++e) {

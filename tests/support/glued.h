@@ -4,6 +4,7 @@
 #include "complex/surfaces/glued_surface.h"
 #include "meshes/mesh.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,11 @@ GluedSurface square_klein();     ///< the same with one pair of sides turned
 GluedSurface two_sided_plane();  ///< a projective plane of two triangles
 GluedSurface folded_triangle();  ///< two sides of one triangle glued: a cone
 GluedSurface moebius_triangle(); ///< two sides of one triangle glued the other way round
+
+/// Flips edges at random, two for each edge there is as far as they can be flipped; tells each
+/// before.
+void flip_at_random(
+    GluedSurface& surface, unsigned seed, const std::function<void(Index)>& before = [](Index) {});
 
 /// The surface as incidence matrices whose entries are sums of signs: 0 for loops and for a
 /// triangle on both sides of an edge; 2 or -2 for such a triangle on a one-sided surface.

@@ -35,15 +35,6 @@ struct Cells {
     int n;
     Index vertices = 0;
     std::vector<std::vector<Index>> rows = {};
-
-    Mesh mesh() const {
-        Mesh result;
-        result.simplices.resize(static_cast<Index>(rows.size()), n + 1);
-        for (std::size_t t = 0; t < rows.size(); ++t)
-            for (int i = 0; i <= n; ++i)
-                result.simplices(static_cast<Index>(t), i) = rows[t][i];
-        return result;
-    }
 };
 
 std::vector<Index> consecutive(Index first, int count) {
@@ -133,7 +124,7 @@ Mesh hostile_mesh(std::span<const std::uint8_t> bytes) {
         const Cells cells = kind == 0   ? grown(n, choices)
                             : kind == 2 ? soup(n, choices)
                                         : ring(n, choices);
-        mesh = cells.mesh();
+        mesh = made_of({{}}, cells.rows);
         mesh.points = on_a_grid(cells.vertices, N, choices);
     }
     for (double& x : mesh.points.reshaped<Eigen::RowMajor>())

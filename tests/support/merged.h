@@ -2,11 +2,15 @@
 #pragma once
 
 #include "complex/simplicial_complex.h"
+#include "dec/discretization/discretization.h"
 #include "dec/merging/merge.h"
 #include "dec/metric/cell_volumes.h"
 #include "meshes/mesh.h"
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace polydec::test {
 
@@ -43,5 +47,18 @@ struct Metric {
 
 /// K and P.
 std::vector<Metric> both(const Merged& merged);
+
+/// Whether three n-cells or more meet at a facet, where dual 0-forms have no differences.
+inline bool branches(const CellComplex& complex) {
+    const auto& cofaces = complex.coface_counts(complex.dimension() - 1);
+    return std::any_of(cofaces.begin(), cofaces.end(), [](Index cells) { return cells > 2; });
+}
+
+/// The mesh with circumcentric stars, where they are positive and where they are not.
+template <class AnyMesh>
+Discretization circumcentric(AnyMesh mesh, DiscretizeOptions options = {}) {
+    options.star = StarKind::circumcentric;
+    return discretize(std::move(mesh), options);
+}
 
 } // namespace polydec::test

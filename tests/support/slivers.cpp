@@ -39,7 +39,7 @@ Mesh five_to_a_cube(int m, bool fitting) {
         return fitting ? (i + j + k) % 2 : int(noise[(i * m + j) * m + k] > 0);
     };
     const auto is_odd = [](int a) { return ((a ^ a >> 1 ^ a >> 2) & 1) != 0; };
-    std::vector<std::array<Index, 4>> cells;
+    std::vector<std::vector<Index>> cells;
     for (int i = 0; i < m; ++i)
         for (int j = 0; j < m; ++j)
             for (int k = 0; k < m; ++k) {
@@ -52,7 +52,7 @@ Mesh five_to_a_cube(int m, bool fitting) {
                         inner.push_back(corner(a));
                     else
                         cells.push_back({corner(a), corner(a ^ 1), corner(a ^ 2), corner(a ^ 4)});
-                cells.push_back({inner[0], inner[1], inner[2], inner[3]});
+                cells.push_back(inner);
                 const std::array<int, 3> place{i, j, k};
                 for (int axis = 0; axis < 3; ++axis) {
                     std::array<int, 3> next = place;
@@ -62,14 +62,10 @@ Mesh five_to_a_cube(int m, bool fitting) {
                     for (int a = 0; a < 8; ++a)
                         if ((a >> axis & 1) == 1)
                             square.push_back(corner(a));
-                    cells.push_back({square[0], square[1], square[2], square[3]});
+                    cells.push_back(square);
                 }
             }
-    Simplices simplices(cells.size(), 4);
-    for (Index t = 0; t < simplices.rows(); ++t)
-        for (int i = 0; i < 4; ++i)
-            simplices(t, i) = cells[t][i];
-    return {points, simplices, {}};
+    return {points, made_of({{}}, cells).simplices, {}};
 }
 
 Mesh hexagonal_prisms() {
