@@ -25,12 +25,9 @@ TEST(CellComplex, is_made_of_matrices_that_fit) {
     EXPECT_EQ(euler_characteristic(triangle), 1);
 }
 
-TEST(CellComplex, refuses_faces_that_do_not_close_up) {
+TEST(CellComplex, refuses_faces_that_do_not_close_up_and_names_their_degree) {
     EXPECT_REFUSED(CellComplex({triangle_edges, incidences({{1, 1, 1}}, 3)}), "d_1 d_0", "-2",
                    "0-cell 0", "2-cell 0");
-}
-
-TEST(CellComplex, names_the_degree_where_faces_do_not_close_up) {
     const auto d1 = incidences({{0, 0, 0}, {0, 0, 0}}, 3), d2 = incidences({{1, -1}}, 2);
     EXPECT_NO_THROW(CellComplex({triangle_edges, d1, d2}));
     const auto broken = incidences({{1, -1, 1}, {1, -1, 1}}, 3);
@@ -63,24 +60,15 @@ std::string refused_simplices(const std::vector<std::vector<Index>>& tops) {
     return refusal([&] { SimplicialComplex(made_of({{0}}, tops).simplices); });
 }
 
-TEST(SimplicialComplex, refuses_a_repeated_corner) {
+TEST(SimplicialComplex, refuses_by_name_what_is_no_list_of_different_simplices) {
     EXPECT_SAYS(refused_simplices({{0, 1, 2}, {3, 1, 3}}), "cell 1", "corner", "1, 3, 3");
-}
-
-TEST(SimplicialComplex, refuses_a_cell_given_twice_in_whatever_order) {
     EXPECT_SAYS(refused_simplices({{5, 1, 2}, {0, 1, 2}, {2, 5, 1}}), "cells 0", "2",
                 "vertices 1, 2, 5");
-}
-
-TEST(SimplicialComplex, refuses_negative_vertex_numbers) {
     EXPECT_SAYS(refused_simplices({{0, 1, 2}, {1, -2, 2}}), "vertex number -2");
-}
-
-TEST(SimplicialComplex, refuses_to_be_empty) {
-    const Words message{"one simplex", "dimension 1"};
-    EXPECT_REFUSED(SimplicialComplex(Simplices(0, 3)), message);
-    EXPECT_REFUSED(SimplicialComplex(Simplices(0, 0)), message);
-    EXPECT_TRUE(says(refused_simplices({{0}, {1}}), message));
+    const Words is_empty{"one simplex", "dimension 1"};
+    EXPECT_REFUSED(SimplicialComplex(Simplices(0, 3)), is_empty);
+    EXPECT_REFUSED(SimplicialComplex(Simplices(0, 0)), is_empty);
+    EXPECT_TRUE(says(refused_simplices({{0}, {1}}), is_empty));
 }
 
 TEST(SimplicialComplex, counts_used_vertices_alone) {

@@ -66,25 +66,15 @@ TEST(DataOfCells, stay_with_cells_when_others_are_left_out) {
     EXPECT_EQ(by_corners(made, found, [](Index v) { return v; }), expected);
 }
 
-/// A row of squares and triangles, of different sizes.
-PolygonMesh row_of_polygons(Index count) {
-    PolygonMesh result;
-    result.points.resize(2 * (count + 1), 2);
-    for (Index i = 0; i <= count; ++i) {
-        result.points.row(2 * i) << i * i, 0;
-        result.points.row(2 * i + 1) << i * i, 1;
-    }
-    for (Index i = 0; i < count; ++i)
-        for (const auto& corners :
-             i % 2 == 0 ? std::vector<std::vector<Index>>{{2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1}}
-                        : std::vector<std::vector<Index>>{{2 * i, 2 * i + 2, 2 * i + 1},
-                                                          {2 * i + 2, 2 * i + 3, 2 * i + 1}})
-            result.add(corners);
-    return result;
-}
-
 TEST(DataOfCells, are_one_for_each_polygon_that_was_split) {
-    const PolygonMesh polygons = row_of_polygons(4); // 2 squares and 4 triangles
+    PolygonMesh polygons; // a row of rectangles of different sizes, of which two are cut in two
+    polygons.points =
+        made_of({{0, 0}, {0, 1}, {1, 0}, {1, 1}, {4, 0}, {4, 1}, {9, 0}, {9, 1}, {16, 0}, {16, 1}},
+                {{}})
+            .points;
+    for (const auto& corners : std::vector<std::vector<Index>>{
+             {0, 2, 3, 1}, {2, 4, 3}, {4, 5, 3}, {4, 6, 7, 5}, {6, 8, 7}, {8, 9, 7}})
+        polygons.add(corners);
     const auto mesh = discretize(split_polygons(polygons));
     EXPECT_EQ(count_input_cells(mesh), 6);
     ASSERT_EQ(mesh.complex().size(2), 4);

@@ -8,10 +8,6 @@ FacetKinds kinds(const Mesh& mesh) {
     return facet_kinds(bundle.input_geometry(), bundle.options());
 }
 
-std::vector<Index> counts(const FacetKinds& kinds) {
-    return {kinds.well_centered, kinds.delaunay, kinds.non_delaunay, kinds.cospherical};
-}
-
 TEST(Kinds, of_a_pair_go_by_its_angles) {
     EXPECT_EQ(counts(kinds(kite(2, 2))), (std::vector<Index>{1, 0, 0, 0}));
     EXPECT_EQ(counts(kinds(kite(2, 0.9))), (std::vector<Index>{0, 1, 0, 0}));

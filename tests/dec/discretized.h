@@ -125,12 +125,26 @@ inline Index space(const Discretization& mesh) {
     return static_cast<Index>(mesh.points().cols());
 }
 
+inline DenseMatrix random_matrix(Index rows, Index columns, unsigned seed) {
+    return random_vector(rows * columns, seed).reshaped(rows, columns);
+}
+
+/// A vector at each point.
+inline Points random_field(const Discretization& mesh, unsigned seed) {
+    return random_matrix(static_cast<Index>(mesh.points().rows()), space(mesh), seed);
+}
+
+/// Well-centered, Delaunay, not Delaunay, cospherical.
+inline std::vector<Index> counts(const FacetKinds& kinds) {
+    return {kinds.well_centered, kinds.delaunay, kinds.non_delaunay, kinds.cospherical};
+}
+
 /// Vector fields: the same one everywhere, and x -> A x + b, at random.
 inline SmoothForm random_constant(const Discretization& mesh) {
     return constant_form(random_vector(space(mesh), 6));
 }
 inline SmoothForm linear_field(Index N, unsigned seed) {
-    const DenseMatrix A = random_vector(N * N, seed).reshaped(N, N);
+    const DenseMatrix A = random_matrix(N, N, seed);
     const Vector b = random_vector(N, seed + 1);
     return [A, b](const Vector& x) { return Vector(A * x + b); };
 }

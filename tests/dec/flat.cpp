@@ -75,8 +75,7 @@ TEST_P(Flats, of_linear_fields_at_vertices_are_exact) {
 
 TEST_P(Flats, ppp_and_pdp_are_one) {
     const auto& mesh = discretized(GetParam());
-    const DenseMatrix field = random_vector(static_cast<Index>(mesh.points().size()), 9)
-                                  .reshaped(mesh.points().rows(), mesh.points().cols());
+    const DenseMatrix field = random_field(mesh, 9);
     EXPECT_EQ(relative_difference(flat(mesh, Flat::pdp, field).values,
                                   flat(mesh, Flat::ppp, field).values),
               0);
@@ -113,8 +112,7 @@ TEST(FlatsOnBoxes, of_a_field_that_jumps_between_boxes_are_its_circulations_on_d
         const auto& mesh = discretized(name);
         const auto n = mesh.dimension();
         const Points centers = cell_centers(mesh, n);
-        const DenseMatrix field =
-            random_vector(static_cast<Index>(centers.size()), 2).reshaped(centers.rows(), n);
+        const DenseMatrix field = random_matrix(static_cast<Index>(centers.rows()), n, 2);
         const auto of_box = [&](const Vector& x) {
             Index nearest = 0;
             (centers.rowwise() - x.transpose()).rowwise().norm().minCoeff(&nearest);

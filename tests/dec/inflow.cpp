@@ -7,10 +7,7 @@ namespace polydec::test::in_inflow {
 /// Of functions, by a field that flows in and out wherever it likes.
 class Inflow : public OverMeshes {
 protected:
-    Points field() const {
-        const auto rows = mesh().points.rows(), columns = mesh().points.cols();
-        return random_vector(static_cast<Index>(rows * columns), 7).reshaped(rows, columns);
-    }
+    Points field() const { return random_field(simplices(), 7); }
     const Discretization& simplices() const {
         return discretized(GetParam(), MergeCriterion::none);
     }
@@ -154,8 +151,8 @@ TEST(InteriorProductsUpwind, take_the_simplices_nearest_to_the_opposite_of_the_f
     for (const char* name : {"segments4", "grid4", "wellcentred4", "obtuse_planar", "bcc2", "kuhn3",
                              "kuhn4", "icosphere3"}) {
         const auto& mesh = discretized(name, MergeCriterion::none);
-        const Index N = space(mesh), vertices = mesh.complex().size(0);
-        const Points field = random_vector(N * vertices, 8).reshaped(vertices, N);
+        const Index vertices = mesh.complex().size(0);
+        const Points field = random_field(mesh, 8);
         const Vector f = random_vector(vertices, 9);
         const auto seen = seen_along(mesh, field, f);
         Vector sums = 0 * f, volumes = 0 * f, least = Vector::Constant(vertices, INFINITY);

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "tests/dec/discretized.h"
+#include "tests/dec/products.h"
 #include "tests/support/all_sizes.h"
-#include "tests/support/test.h"
 
 namespace polydec::test::in_input_units {
 
 /// One whose coefficients change over a length.
 SmoothForm any_smooth_form(const Discretization& mesh, double size, int k) {
-    const int N = mesh.ambient_dimension();
-    double count = 1;
-    for (int i = 0; i < k; ++i)
-        count = count * (N - i) / (i + 1);
-    return [size, count](const Vector& point) {
-        Vector values(static_cast<Index>(std::lround(count)));
+    return [size, count = binomial(mesh.ambient_dimension(), k)](const Vector& point) {
+        Vector values(count);
         for (Index i = 0; i < values.size(); ++i)
             values[i] = std::sin(1.0 + static_cast<double>(i) + (point / size).sum());
         return values;
@@ -19,13 +16,11 @@ SmoothForm any_smooth_form(const Discretization& mesh, double size, int k) {
 }
 
 Cochain any_form(const Discretization& mesh, Side side, int degree) {
-    const Index size = mesh.complex().size(cell_degree(mesh.complex(), side, degree));
-    return {side, degree, random_vector(size, 5)};
+    return random_form(mesh.complex(), side, degree, 5);
 }
 
 DenseMatrix any_rows(const Discretization& mesh, int k) {
-    const Index rows = mesh.complex().size(k), N = mesh.ambient_dimension();
-    return random_vector(rows * N, 3).reshaped(rows, N);
+    return random_matrix(mesh.complex().size(k), mesh.ambient_dimension(), 3);
 }
 
 Vector in_one(const DenseMatrix& rows) {

@@ -52,16 +52,12 @@ std::vector<Transport> transports(const std::string& mesh_name, const Points& fi
             {"merged, upwind", merged, field, Sampling::upwind}};
 }
 
-DenseMatrix random_matrix(Index rows, Index columns, unsigned seed) {
-    return random_vector(rows * columns, seed).reshaped(rows, columns);
-}
-
 class InteriorProducts : public OverMeshes {
 protected:
     Index N() const { return static_cast<Index>(mesh().points.cols()); }
     bool flat() const { return is_flat(mesh_named(GetParam())); }
 
-    Points random_field() const { return random_matrix(mesh().points.rows(), N(), 7); }
+    Points any_field() const { return random_matrix(mesh().points.rows(), N(), 7); }
 
     /// x -> A x + b at the points.
     Points linear_field(const DenseMatrix& A, const Vector& b) const {
@@ -98,7 +94,7 @@ TEST_P(InteriorProducts, of_constant_forms_with_linear_fields_are_exact_on_flat_
 
 TEST_P(InteriorProducts, of_the_volume_form_are_the_flux_of_the_field) {
     const int n = mesh().n();
-    const Points field = random_field();
+    const Points field = any_field();
     const Vector one = Vector::Ones(1);
     const DenseMatrix facets = multivectors(mesh().K(), mesh().points, n - 1);
     Vector flux(mesh().K().size(n - 1));
@@ -117,7 +113,7 @@ TEST_P(InteriorProducts, of_the_volume_form_are_the_flux_of_the_field) {
 }
 
 TEST_P(InteriorProducts, with_the_derivative_make_lie_derivatives_that_commute_with_it) {
-    const Points field = random_field();
+    const Points field = any_field();
     for (const auto& transport : transports(GetParam(), field))
         for (int k = 0; k < mesh().n(); ++k) {
             const SparseMatrix d = derivative(transport.complex, k);
@@ -131,7 +127,7 @@ TEST_P(InteriorProducts, with_the_derivative_make_lie_derivatives_that_commute_w
 }
 
 TEST_P(InteriorProducts, differentiate_linear_functions_along_the_field) {
-    const Points field = random_field();
+    const Points field = any_field();
     const Vector slope = random_vector(N(), 4);
     for (const auto& transport : transports(GetParam(), field)) {
         if (!flat())
@@ -174,7 +170,7 @@ TEST_P(InteriorProducts, make_exact_lie_derivatives_of_constant_forms_along_line
 /// Upwind transport lets nothing in but what inflow tells, and has another formula.
 TEST_P(InteriorProducts, make_the_centered_lie_derivative_by_cartans_formula) {
     for_flipped_and_not(GetParam(), [](const Discretization& mesh) {
-        const Points field = random_matrix(mesh.points().rows(), space(mesh), 7);
+        const Points field = random_field(mesh, 7);
         const auto interior = [&](int k) {
             return interior_product(mesh, field, k, Sampling::centered);
         };
@@ -194,7 +190,7 @@ TEST_P(InteriorProducts, make_the_centered_lie_derivative_by_cartans_formula) {
 }
 
 TEST_P(InteriorProducts, have_the_ends_of_the_tower_in_their_shapes) {
-    const Points field = random_field();
+    const Points field = any_field();
     const int n = mesh().n();
     for (const auto& transport : transports(GetParam(), field)) {
         EXPECT_EQ(transport.interior(0).rows(), 0);

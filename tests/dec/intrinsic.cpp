@@ -7,8 +7,8 @@ namespace polydec::test::in_intrinsic {
 
 constexpr double rounding = 1e-12;
 
-Discretization flipped(const Mesh& mesh, Delaunay delaunay, double tolerance = 1e-4) {
-    return discretize(mesh, {.tolerance = tolerance, .delaunay = delaunay});
+Discretization flipped(const Mesh& mesh, Delaunay delaunay) {
+    return discretize(mesh, {.delaunay = delaunay});
 }
 
 /// A primal form of the input on the polygons, and back.
@@ -119,9 +119,9 @@ TEST_P(Flipped, carry_forms_there_and_back_by_maps_that_commute_with_d) {
         }
         for (int k = 0; k <= 2; ++k) {
             const SparseMatrix pieces = mesh.merging().diamond(k).cast<double>();
-            SparseMatrix identity(pieces.rows(), pieces.rows());
-            identity.setIdentity();
-            EXPECT_LT(relative_difference(SparseMatrix(pieces * lift[k]), identity), rounding);
+            EXPECT_LT(relative_difference(product(pieces, lift[k]),
+                                          identity(static_cast<Index>(pieces.rows()))),
+                      rounding);
             const Vector w = random_vector(mesh.input().size(k), 5);
             EXPECT_LT(relative_difference(mesh.passage().matrix(k) * w, mesh.passage().forth(k, w)),
                       rounding);

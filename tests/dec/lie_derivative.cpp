@@ -8,10 +8,6 @@ constexpr double rounding = 1e-11;
 
 class LieDerivatives : public OverMeshes {
 protected:
-    static Points random_field(const Discretization& mesh, unsigned seed) {
-        const auto rows = mesh.points().rows(), columns = mesh.points().cols();
-        return random_vector(static_cast<Index>(rows * columns), seed).reshaped(rows, columns);
-    }
     /// Functions have no upwind transport at vertices from splits.
     static int first_degree(const Discretization& mesh, Sampling sampling) {
         const bool is_split = mesh.pieces().size(0) > mesh.input().size(0);

@@ -136,7 +136,7 @@ TEST_P(Sharps, at_polygons_are_adjoint_to_the_dpp_flat) {
             return;
         const Index cells = mesh.complex().size(mesh.dimension()), N = space(mesh);
         const Cochain a{Side::primal, 1, random_vector(mesh.complex().size(1), 7)};
-        const DenseMatrix X = random_vector(cells * N, 8).reshaped(cells, N);
+        const DenseMatrix X = random_matrix(cells, N, 8);
         const Vector products = sharp_pd(mesh, a).cwiseProduct(X).rowwise().sum();
         const Vector by_cell = products.cwiseProduct(mesh.volumes().primal(mesh.dimension()));
         EXPECT_NEAR(inner_product({mesh.complex(), mesh.volumes()}, a, flat(mesh, Flat::dpp, X)),

@@ -11,14 +11,6 @@ protected:
     Merged mesh() const { return make_merged(kuhn(n(), side())); }
 };
 
-/// Off-diagonal entries of row v that are not rounding.
-Index neighbors(const SparseMatrix& L, Index v) {
-    Index count = 0;
-    for (SparseMatrix::InnerIterator entry(L, v); entry; ++entry)
-        count += entry.col() != v && std::abs(entry.value()) > 1e-9;
-    return count;
-}
-
 TEST_P(Stencils, are_those_of_finite_differences_inside_merged_kuhn_grids) {
     const auto grid = mesh();
     const SparseMatrix L = laplacian({grid.P(), grid.volumes}, 0);
@@ -29,7 +21,7 @@ TEST_P(Stencils, are_those_of_finite_differences_inside_merged_kuhn_grids) {
         if (boundary[v])
             continue;
         ++inner;
-        EXPECT_EQ(neighbors(L, v), 2 * n());
+        EXPECT_NEAR(L.row(v).sum() * h * h, 0, 1e-10) << "as many neighbors as the diagonal says";
         for (SparseMatrix::InnerIterator entry(L, v); entry; ++entry) {
             const double distance = (grid.points.row(v) - grid.points.row(entry.col())).norm() / h;
             const double expected = entry.col() == v                ? 2 * n()
