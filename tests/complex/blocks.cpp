@@ -94,18 +94,14 @@ TEST(Labels, merge_a_disc_to_one_cell) {
     EXPECT_EQ(merging.merged().size(0), 12);
 }
 
-TEST(InadmissibleBlocks, are_found_where_a_ring_closes) {
+TEST(InadmissibleBlocks, are_found_where_a_ring_closes_and_none_if_it_is_open) {
     const SimplicialComplex K(annulus(9).simplices);
-    const auto found = inadmissible(K, one_label(K));
+    auto labels = one_label(K);
+    const auto found = inadmissible(K, labels);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].dimension, 2);
     EXPECT_EQ(found[0].piece, 0);
     EXPECT_EQ(found[0].interfaces.size(), 18U);
-}
-
-TEST(InadmissibleBlocks, are_none_if_the_ring_is_open) {
-    const SimplicialComplex K(annulus(9).simplices);
-    auto labels = one_label(K);
     for (Index t = 0; t < K.size(2); ++t)
         if (K.simplices(2)(t, 0) == 0)
             labels[t] = t;

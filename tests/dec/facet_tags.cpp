@@ -26,6 +26,12 @@ Mesh with_facet_tags(Mesh mesh, Index tags, unsigned share) {
     return mesh;
 }
 
+std::vector<Index> sorted_tags(const Mesh& mesh) {
+    auto tags = discretize(mesh, unmerged_cells).facet_tags();
+    std::sort(tags.begin(), tags.end());
+    return tags;
+}
+
 /// Of each facet of the simplices its tag, found one by one.
 std::vector<Index> expected_tags(const SimplicialComplex& complex, const TaggedSimplices& given) {
     const int k = complex.dimension() - 1;
@@ -108,11 +114,7 @@ TEST_P(FacetTagsOf, facets_with_tags_stay_with_them_if_groups_are_kept_apart) {
 
 TEST_P(FacetTagsOf, numbers_of_vertices_and_cells_do_not_matter) {
     const Mesh given = input(4, 2);
-    auto before = discretize(given, unmerged_cells).facet_tags();
-    auto after = discretize(shuffled(given, 3).mesh, unmerged_cells).facet_tags();
-    std::sort(before.begin(), before.end());
-    std::sort(after.begin(), after.end());
-    EXPECT_EQ(before, after);
+    EXPECT_EQ(sorted_tags(given), sorted_tags(shuffled(given, 3).mesh));
 }
 
 POLYDEC_OVER_MESHES(FacetTagsOf);
@@ -144,11 +146,7 @@ TEST(FacetTags, by_the_old_numbers_of_vertices_are_others) {
     const Mesh given = with_facet_tags(mesh_named("kuhn3"), 4, 2);
     Mesh renumbered = shuffled(given, 3).mesh;
     renumbered.facet_tags = given.facet_tags;
-    auto before = discretize(given, unmerged_cells).facet_tags();
-    auto after = discretize(renumbered, unmerged_cells).facet_tags();
-    std::sort(before.begin(), before.end());
-    std::sort(after.begin(), after.end());
-    EXPECT_NE(before, after);
+    EXPECT_NE(sorted_tags(given), sorted_tags(renumbered));
 }
 
 /// A square of two triangles, and its diagonal.
@@ -243,6 +241,7 @@ TEST(FacetTags, and_tags_of_cells_are_one_for_each) {
     std::vector<std::string> warnings;
     EXPECT_REFUSED(tags_of_cells(K, {1}), "1 tags", "cells", "2");
     EXPECT_REFUSED(tags_of_facets(K, {K.simplices(1), {1, 2}}, warnings), "2 tags", "facets", "5");
+    EXPECT_REFUSED(merged_tags(Merging(K), 1, {1, 2}, warnings), "2 tags", "5");
 }
 
 TEST(FacetTags, flips_leave_none) {
@@ -253,12 +252,6 @@ TEST(FacetTags, flips_leave_none) {
     auto options = apart;
     options.delaunay = Delaunay::flips;
     EXPECT_REFUSED(discretize(mesh, options), "flips", "groups");
-}
-
-TEST(FacetTags, are_one_for_each_simplex) {
-    const auto mesh = discretize(square());
-    std::vector<std::string> warnings;
-    EXPECT_REFUSED(merged_tags(mesh.merging(), 1, {1, 2}, warnings), "2 tags", "5");
 }
 
 } // namespace polydec::test::in_facet_tags

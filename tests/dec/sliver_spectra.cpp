@@ -40,14 +40,6 @@ double relative_error(const Vector& found, const Vector& exact) {
                : INFINITY;
 }
 
-TEST(SpectraOfSlivers, begin_with_the_numbers_of_cubes) {
-    const double one = 1; // 2 (1 - cos(pi/3)), of primal 1-forms and dual 2-forms
-    EXPECT_NEAR(exact_eigenvalues(1)[0], one, 1e-15);
-    EXPECT_NEAR(exact_eigenvalues(1)[2], one, 1e-15);
-    EXPECT_NEAR(exact_eigenvalues(3)[0], 3 * one, 1e-15); // dual functions
-    EXPECT_EQ(exact_eigenvalues(1).size(), 3 * m * (m + 1) * (m + 1));
-}
-
 TEST(SpectraOfSlivers, are_those_of_cubes_in_every_degree) {
     for (const double jitter : jitters) {
         const auto mesh = discretize(delaunay_grid(m, jitter));
