@@ -4,6 +4,8 @@
 #include "dec/stars/star.h"
 #include "distributed/petsc_calls.h"
 
+#include <algorithm>
+
 namespace polydec {
 
 namespace {
@@ -36,9 +38,14 @@ OwnedMat transposed_coboundary(const Ranks& ranks, const DistributedCells& cells
     });
 }
 
-OwnedVec inverse_star(const Ranks& ranks, const DistributedCells& cells, int k) {
-    return vector_of(ranks, ranks.together("inverse star",
-                                           [&] { return HodgeStar(cells.volumes, k).inverse(); }));
+/// Own entries; errors tell of the cells of all ranks.
+Vector inverse_star(const Ranks& ranks, const DistributedCells& cells, int k) {
+    const HodgeStar star(cells.volumes, k);
+    auto zeros = ranks.of_all(cells.volumes.numbers(k, star.zeros()));
+    std::sort(zeros.begin(), zeros.end());
+    if (!zeros.empty())
+        refuse_inverse(k, std::move(zeros));
+    return ranks.together("inverse star", [&] { return star.inverse(); });
 }
 
 /// left diag(weights) right.
@@ -63,9 +70,7 @@ OwnedMat weighted_sum(const Ranks& ranks, const DistributedCells& cells, int k,
         require(MatDiagonalScale(sum.get(), weights.upper_left, weights.upper_right), "scaling");
     }
     if (k > 0) {
-        OwnedMat lower = gram_of_rows(ranks, cells, k - 1, ranks.together("inverse star", [&] {
-            return HodgeStar(cells.volumes, k - 1).inverse();
-        }));
+        OwnedMat lower = gram_of_rows(ranks, cells, k - 1, inverse_star(ranks, cells, k - 1));
         require(MatDiagonalScale(lower.get(), weights.lower_left, weights.lower_right), "scaling");
         if (!sum)
             return lower;
@@ -104,7 +109,7 @@ OwnedMat laplacian(const Ranks& ranks, const DistributedCells& cells, Side side,
     check_number("a Laplacian of degree", degree, 0, n);
     const int k = side == Side::primal ? degree : n - degree;
     const OwnedVec stars = star(ranks, cells, k);
-    const OwnedVec inverse = k < n ? inverse_star(ranks, cells, k) : OwnedVec();
+    const OwnedVec inverse = k < n ? vector_of(ranks, inverse_star(ranks, cells, k)) : OwnedVec();
     return side == Side::primal
                ? weighted_sum(ranks, cells, k, {inverse.get(), nullptr, nullptr, stars.get()})
                : weighted_sum(ranks, cells, k, {nullptr, inverse.get(), stars.get(), nullptr});

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <span>
 #include <utility>
 
 namespace polydec {
@@ -48,7 +49,20 @@ void check_symmetric(const SparseMatrix& matrix, int k, Index size) {
         }
 }
 
+std::string first_of(const std::vector<Index>& cells) {
+    constexpr std::size_t most = 5;
+    const std::span first = std::span(cells).first(std::min(cells.size(), most));
+    return fmt::format("{}{}", fmt::join(first, ", "), cells.size() > most ? ", .." : "");
+}
+
 } // namespace
+
+void refuse_inverse(int k, std::vector<Index> cells) {
+    const std::string text = fmt::format("the inverse star of degree {} divides by zero: the duals "
+                                         "of {} {}-cells have no volume (cells {})",
+                                         k, cells.size(), k, first_of(cells));
+    throw InvalidInput(text, {.degree = k, .cells = std::move(cells)});
+}
 
 HodgeStar::HodgeStar(const CellVolumes& volumes, int k) : volumes_(volumes), degree_(k) {
     volumes_.size(k); // throws for an invalid degree
@@ -140,10 +154,7 @@ Vector HodgeStar::solve(const Vector& values) const {
 Vector HodgeStar::measured_inverse() const {
     require_diagonal();
     if (const auto cells = zeros(); !cells.empty())
-        throw InvalidInput(fmt::format("the inverse star of degree {} divides by zero: the duals "
-                                       "of {} {}-cells have no volume (cells {})",
-                                       degree_, cells.size(), degree_, numbers(cells)),
-                           place(cells));
+        refuse_inverse(degree_, volumes_.numbers(degree_, cells));
     return volumes_.ratios(degree_).cwiseInverse();
 }
 
@@ -178,11 +189,7 @@ std::vector<Index> HodgeStar::negatives() const {
 }
 
 std::string HodgeStar::numbers(const std::vector<Index>& cells) const {
-    constexpr std::size_t most = 5;
-    std::vector<Index> first;
-    for (std::size_t i = 0; i < std::min(cells.size(), most); ++i)
-        first.push_back(volumes_.number(degree_, cells[i]));
-    return fmt::format("{}{}", fmt::join(first, ", "), cells.size() > most ? ", .." : "");
+    return first_of(volumes_.numbers(degree_, cells));
 }
 
 Error::Place HodgeStar::place(const std::vector<Index>& cells) const {

@@ -88,6 +88,9 @@ private:
     double unit_ = 1;       // of volumes and matrix
 };
 
+/// Throws the InvalidInput of HodgeStar::inverse for these cells, by CellVolumes::number.
+[[noreturn]] void refuse_inverse(int k, std::vector<Index> cells);
+
 /// The stars of all degrees. Volumes convert implicitly to the diagonal stars made from them.
 class HodgeStars {
 public:

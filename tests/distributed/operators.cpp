@@ -86,6 +86,18 @@ TEST(DistributedOperators, are_those_of_one_process_in_every_degree_on_both_side
     }
 }
 
+TEST(DistributedOperators, that_divide_by_zero_name_cells_of_all_ranks) {
+    const auto ranks = Ranks::all();
+    const Mesh mesh = grid(6, 5); // whose diagonals have no duals
+    const MeshSlice slice = slice_of(ranks, mesh);
+    const auto parts = discretize(ranks, slice, vertex_owners(ranks, slice, Ownership::random),
+                                  {.criterion = MergeCriterion::none});
+    const Discretization whole = circumcentric(mesh, {.criterion = MergeCriterion::none});
+    const auto expected = refusal([&] { star(whole.volumes(), 1).inverse(); });
+    EXPECT_SAYS(expected, "30 1-cells");
+    EXPECT_EQ(refusal([&] { laplacian(ranks, parts.cells, Side::primal, 1); }), expected);
+}
+
 /// What a file holds, read by this rank alone.
 OwnedMat loaded(const std::filesystem::path& path) {
     PetscViewer viewer = nullptr;
