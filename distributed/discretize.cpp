@@ -7,10 +7,15 @@
 #include "dec/merging/flat_simplices.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/geometry.h"
+#include "dec/metric/overlaps.h"
 #include "dec/metric/plane.h"
 #include "dec/stars/star.h"
 #include "distributed/facet_classes.h"
+#include "distributed/number_places.h"
+#include "distributed/orientation.h"
+#include "meshes/boundary_contacts.h"
 #include "meshes/unit_of_length.h"
+#include "meshes/weld.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -30,8 +35,8 @@ double common_unit(const Ranks& ranks, const LocalComplex& local, const Points& 
     return unit_of_length(longest, farthest, n);
 }
 
-/// The points of the whole mesh in the coordinates that vary, if these are n.
-Points in_coordinate_plane(const Ranks& ranks, const Points& points, int n) {
+/// Two opposite corners of the box around the points of the whole mesh.
+Points box_of(const Ranks& ranks, const Points& points) {
     const auto N = points.cols();
     std::vector<double> ends(2 * N, -std::numeric_limits<double>::infinity());
     for (Eigen::Index c = 0; c < N && points.rows() > 0; ++c) {
@@ -42,8 +47,88 @@ Points in_coordinate_plane(const Ranks& ranks, const Points& points, int n) {
     Points corners(2, N);
     for (Eigen::Index c = 0; c < N; ++c)
         corners.col(c) << ends[c], -ends[N + c];
-    const auto axes = varying_coordinates(corners);
-    return std::ssize(axes) == n ? Points(points(Eigen::indexing::all, axes)) : points;
+    return corners;
+}
+
+/// The named simplices of all ranks, which name own ones.
+NamedSimplices of_all(const Ranks& ranks, const NamedSimplices& own, int k) {
+    std::vector<Index> corners;
+    for (const auto& simplex : own.first)
+        corners.insert(corners.end(), simplex.begin(), simplex.end());
+    corners = ranks.of_all(corners);
+    NamedSimplices all{ranks.sum(own.count)};
+    for (auto at = corners.begin(); at != corners.end(); at += k + 1)
+        all.first.emplace_back(at, at + k + 1);
+    std::sort(all.first.begin(), all.first.end());
+    return all;
+}
+
+/// The owner of a facet sees whether it is a fold. Which half of a part is the smaller one is
+/// counted over all ranks; in one-sided parts, which have no halves, each rank goes by what it has.
+void warn_of_overlaps(const Ranks& ranks, const LocalComplex& local,
+                      std::vector<std::string>& list) {
+    const int n = local.dimension();
+    if (local.points.cols() != n)
+        return;
+    const auto look = [&](const std::vector<bool>& against) {
+        return ranks.together("overlaps",
+                              [&] { return find_overlaps(local.complex, local.points, against); });
+    };
+    Overlaps found = look({});
+    if (ranks.any(!found.folded.empty())) {
+        const auto given =
+            ranks.together("overlaps", [&] { return sides(local.complex, local.points); });
+        const auto most = coherent(ranks, local, given);
+        auto against = marks_at(found.folded, local.complex.size(n));
+        for (std::size_t t = 0; t < given.size(); ++t)
+            if (most[t] != 0)
+                against[t] = given[t] != most[t];
+        found = look(against);
+    }
+    const auto named_of_all = [&](int k, std::vector<Index> simplices) {
+        std::erase_if(simplices, [&](Index s) { return !local.owns(ranks, k, s); });
+        return of_all(ranks, named(local.complex, k, simplices), k);
+    };
+    const auto folded = named_of_all(n, found.folded), wound = named_of_all(0, found.wound);
+    warn_of_overlaps(folded, local.degree(n).count, wound, list);
+}
+
+/// Facets of the boundary meet on rank 0, each with the vertex across and the number of its cell.
+void warn_of_unjoined(const Ranks& ranks, const MeshSlice& slice, const LocalComplex& local,
+                      const Points& box, double unit, std::vector<std::string>& list) {
+    const int n = local.dimension();
+    auto parcels = ranks.empty_parcels<GlobalIndex>();
+    ranks.together("boundary", [&] {
+        const auto& counts = local.complex.coface_counts(n - 1);
+        const auto& tops = local.complex.simplices(n);
+        const FaceTable faces = local.complex.faces(n);
+        for (Index t = 0; t < tops.rows(); ++t)
+            for (int across = 0; across <= n; ++across) {
+                const Index f = faces(t, across);
+                if (counts[f] != 1 || !local.owns(ranks, n - 1, f))
+                    continue;
+                for (int i = 0; i <= n; ++i)
+                    if (i != across)
+                        parcels[0].push_back(local.vertices[tops(t, i)]);
+                parcels[0].push_back(local.vertices[tops(t, across)]);
+                parcels[0].push_back(local.degree(n).number[t]);
+            }
+    });
+    const auto arrived = unpacked(ranks.deliver(std::move(parcels)));
+    const Eigen::Map<const GlobalSimplices> rows(arrived.data(), std::ssize(arrived) / (n + 2),
+                                                 n + 2);
+    const GlobalSimplices corners = rows.leftCols(n + 1);
+    const NumberPlaces place({corners.data(), static_cast<std::size_t>(corners.size())});
+    const Points points = points_of(ranks, slice, place.numbers());
+    ranks.together("boundary", [&] {
+        const Simplices placed = corners.unaryExpr([&](GlobalIndex v) { return place(v); });
+        OpenFacets open{placed.leftCols(n)};
+        open.opposite.assign(placed.col(n).begin(), placed.col(n).end());
+        open.cells.assign(rows.col(n + 1).begin(), rows.col(n + 1).end());
+        open.numbers = names_of(place.numbers());
+        const auto found = boundary_contacts(open, in_units(points, unit), weld_length(box));
+        polydec::warn_of_unjoined({found.coincident, found.hanging, found.misfits}, n, list);
+    });
 }
 
 GlobalIndex branching_facets(const Ranks& ranks, const LocalComplex& local) {
@@ -106,7 +191,7 @@ void look_at_flat_cells(const Ranks& ranks, const CellVolumes& volumes, Distribu
 }
 
 std::vector<std::string> warnings_of(const Ranks& ranks, const MeshSlice& slice,
-                                     const LocalComplex& local, double unit) {
+                                     const LocalComplex& local, const Points& box, double unit) {
     std::vector<std::string> list = slice.warnings;
     const GlobalIndex unused = slice.vertices - local.degree(0).count;
     if (list.empty() && unused > 0) // else the reader has told which
@@ -115,6 +200,8 @@ std::vector<std::string> warnings_of(const Ranks& ranks, const MeshSlice& slice,
     warn_of_unit(unit, list);
     warn_of_orientation(local.turned, local.degrees.back().count, local.orientable, list);
     warn_of_branching(branching_facets(ranks, local), list);
+    warn_of_overlaps(ranks, local, list);
+    warn_of_unjoined(ranks, slice, local, box, unit, list);
     return list;
 }
 
@@ -133,8 +220,10 @@ DistributedMesh discretize(const Ranks& ranks, MeshSlice slice, const std::vecto
     if (mesh.unit != 1)
         local.points = in_units(std::move(local.points), mesh.unit);
     mesh.places = local.points;
-    local.points = in_coordinate_plane(ranks, mesh.places, local.dimension());
-    mesh.warnings = warnings_of(ranks, slice, local, mesh.unit);
+    const Points box = box_of(ranks, mesh.places);
+    if (const auto axes = varying_coordinates(box); std::ssize(axes) == local.dimension())
+        local.points = mesh.places(Eigen::indexing::all, axes).eval();
+    mesh.warnings = warnings_of(ranks, slice, local, box, mesh.unit);
     slice = {};
     begin("volumes");
     const auto ambient = static_cast<Index>(local.points.cols());

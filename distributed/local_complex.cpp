@@ -16,16 +16,6 @@ namespace polydec {
 
 namespace {
 
-/// Names of vertices in messages: their numbers in the file, or, where these have more than 31
-/// bits, local ones.
-std::vector<Index> names_of(const std::vector<GlobalIndex>& vertices) {
-    std::vector<Index> names;
-    const bool fit = vertices.empty() || vertices.back() <= std::numeric_limits<Index>::max();
-    for (std::size_t v = 0; v < vertices.size(); ++v)
-        names.push_back(static_cast<Index>(fit ? vertices[v] : static_cast<GlobalIndex>(v)));
-    return names;
-}
-
 /// The complex of the cells; errors tell of cells by their numbers in the file.
 SimplicialComplex complex_of(const Stars& stars) {
     try {
@@ -139,6 +129,14 @@ void number(const Ranks& ranks, const SimplicialComplex& complex,
 }
 
 } // namespace
+
+std::vector<Index> names_of(const std::vector<GlobalIndex>& vertices) {
+    std::vector<Index> names;
+    const bool fit = vertices.empty() || vertices.back() <= std::numeric_limits<Index>::max();
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+        names.push_back(static_cast<Index>(fit ? vertices[v] : static_cast<GlobalIndex>(v)));
+    return names;
+}
 
 Simplices by_local_vertex(const Stars& stars) {
     const NumberPlaces place(stars.vertices);

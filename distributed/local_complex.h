@@ -55,6 +55,10 @@ struct Stars {
     std::vector<GlobalIndex> file_places; ///< number of each cell in the file
 };
 
+/// Names of vertices in messages: their numbers in the file, or, where these have more than 31
+/// bits, local ones.
+std::vector<Index> names_of(const std::vector<GlobalIndex>& vertices);
+
 /// The cells with the places of their vertices.
 Simplices by_local_vertex(const Stars& stars);
 

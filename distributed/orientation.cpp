@@ -29,7 +29,7 @@ struct Vote {
             given = other.given;
         }
     }
-    /// 1 or -1: how its simplices are turned; 0: they stay as they are.
+    /// 1 or -1: how its simplices are turned; 0: in no way.
     int decision() const {
         return one_sided != 0 ? 0 : static_cast<int>(balance == 0 ? given : balance > 0 ? 1 : -1);
     }
@@ -42,7 +42,7 @@ struct LocalParts {
     std::vector<bool> one_sided;
 };
 
-LocalParts parts_of(const LocalComplex& local) {
+LocalParts parts_of(const LocalComplex& local, const std::vector<std::int8_t>& given) {
     const int n = local.dimension();
     const Index size = local.degree(n).size();
     const auto& counts = local.complex.coface_counts(n - 1);
@@ -52,7 +52,7 @@ LocalParts parts_of(const LocalComplex& local) {
     for (Index t = 0; t < size; ++t)
         for (int i = 0; i <= n; ++i) {
             const Index f = local.complex.face(n, t, i);
-            if (counts[f] != 2 || !complete[f])
+            if (counts[f] != 2 || !complete[f] || given[t] == 0)
                 continue;
             const int sign = i % 2 == 0 ? 1 : -1;
             if (met[f] == 0)
@@ -98,19 +98,11 @@ std::vector<int> decide(const Ranks& ranks, const std::vector<Vote>& votes) {
 
 } // namespace
 
-void orient(const Ranks& ranks, const Stars& stars, LocalComplex& local) {
+std::vector<std::int8_t> coherent(const Ranks& ranks, const LocalComplex& local,
+                                  const std::vector<std::int8_t>& given) {
     const int n = local.dimension();
     const auto& tops = local.degree(n);
-    LocalParts parts;
-    std::vector<std::int8_t> given;
-    ranks.together("orientation", [&] {
-        parts = parts_of(local);
-        const Simplices rows = by_local_vertex(stars); // their order is all that matters
-        for (Index t = 0; t < tops.size(); ++t) {
-            const auto row = rows.row(local.complex.input_row(t));
-            given.push_back(static_cast<std::int8_t>(permutation_sign({row.begin(), row.end()})));
-        }
-    });
+    const auto parts = ranks.together("orientation", [&] { return parts_of(local, given); });
     const auto shared = join_parts(ranks, tops.copies, parts.of, parts.signs,
                                    static_cast<Index>(parts.one_sided.size()));
     std::vector<Vote> votes;
@@ -124,15 +116,31 @@ void orient(const Ranks& ranks, const Stars& stars, LocalComplex& local) {
             vote.add({0, agrees, tops.number[t], agrees, 0});
     }
     const auto decisions = decide(ranks, votes);
+    auto signs = parts.signs;
+    for (Index t = 0; t < tops.size(); ++t)
+        signs[t] =
+            static_cast<std::int8_t>(signs[t] * decisions[parts.of[t]] * shared[parts.of[t]].sign);
+    return signs;
+}
+
+void orient(const Ranks& ranks, const Stars& stars, LocalComplex& local) {
+    const int n = local.dimension();
+    std::vector<std::int8_t> given;
+    ranks.together("orientation", [&] {
+        const Simplices rows = by_local_vertex(stars); // their order is all that matters
+        for (Index t = 0; t < rows.rows(); ++t) {
+            const auto row = rows.row(local.complex.input_row(t));
+            given.push_back(static_cast<std::int8_t>(permutation_sign({row.begin(), row.end()})));
+        }
+    });
+    auto orientations = coherent(ranks, local, given);
     GlobalIndex turned = 0;
     bool orientable = true;
-    std::vector<std::int8_t> orientations;
-    for (Index t = 0; t < tops.size(); ++t) {
-        const int part = parts.of[t], decision = decisions[part];
-        const int sign = decision * parts.signs[t] * shared[part].sign;
-        orientations.push_back(static_cast<std::int8_t>(decision == 0 ? given[t] : sign));
-        orientable = orientable && decision != 0;
-        turned += local.owns(ranks, n, t) && orientations.back() != given[t] ? 1 : 0;
+    for (Index t = 0; t < std::ssize(given); ++t) {
+        orientable = orientable && orientations[t] != 0;
+        if (orientations[t] == 0)
+            orientations[t] = given[t];
+        turned += local.owns(ranks, n, t) && orientations[t] != given[t] ? 1 : 0;
     }
     local.turned = ranks.sum(turned);
     local.orientable = !ranks.any(!orientable);

@@ -19,8 +19,16 @@ struct BoundaryContacts {
     Index misfits = 0;                         ///< facets with their centroid in another one
 };
 
-/// Vertices at most `length` apart coincide. The points have a row for each 0-simplex.
-BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Points& points,
-                                   double length);
+/// Facets with one cell: their corners, the vertex of the cell that is not theirs, and a number of
+/// the cell.
+struct OpenFacets {
+    Simplices corners;
+    std::vector<Index> opposite = {}, cells = {};
+    std::vector<Index> numbers = {}; ///< of the vertices, for results; ascending
+};
+OpenFacets open_facets(const SimplicialComplex& complex);
+
+/// Vertices at most `length` apart coincide. The points have a row for each vertex.
+BoundaryContacts boundary_contacts(const OpenFacets& facets, const Points& points, double length);
 
 } // namespace polydec

@@ -278,7 +278,7 @@ Joined join_hanging(Mesh mesh, std::optional<double> length) {
         const Points points = result.mesh.points(
             complex.vertex_numbers(numbers_below(complex.size(0))), Eigen::indexing::all);
         const double within = length ? *length : weld_length(points);
-        const auto nodes = boundary_contacts(complex, points, within);
+        const auto nodes = boundary_contacts(open_facets(complex), points, within);
         if ((nodes.hanging.empty() && nodes.misfits == 0) || !divide(result.mesh, nodes, within))
             break;
     }

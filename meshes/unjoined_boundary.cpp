@@ -13,31 +13,6 @@ namespace polydec {
 
 namespace {
 
-/// Facets with one cell, this cell, and its vertex that is not theirs.
-struct OpenFacets {
-    Simplices corners;
-    std::vector<Index> opposite = {}, cells = {};
-};
-
-OpenFacets open_facets(const SimplicialComplex& complex) {
-    const int n = complex.dimension();
-    const auto& counts = complex.coface_counts(n - 1);
-    OpenFacets result{Simplices(std::count(counts.begin(), counts.end(), 1), n)};
-    if (result.corners.rows() == 0)
-        return result;
-    const FaceTable faces = complex.faces(n);
-    for (Index t = 0; t < complex.size(n); ++t)
-        for (int omitted = 0; omitted <= n; ++omitted) {
-            const Index f = faces(t, omitted);
-            if (counts[f] != 1)
-                continue;
-            result.corners.row(std::ssize(result.opposite)) = complex.simplices(n - 1).row(f);
-            result.opposite.push_back(complex.simplices(n)(t, omitted));
-            result.cells.push_back(t);
-        }
-    return result;
-}
-
 /// Of each vertex of the rows the first vertex at its place; of others, themselves.
 std::vector<Index> first_at_place(const Simplices& rows, const Points& points, double length) {
     const auto vertices = used_vertices(rows);
@@ -82,10 +57,26 @@ OpenFacets single(const OpenFacets& facets, const std::vector<Index>& first) {
 
 } // namespace
 
-BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Points& points,
-                                   double length) {
-    check_as_many("points", points.rows(), complex.size(0));
-    const OpenFacets all = open_facets(complex);
+OpenFacets open_facets(const SimplicialComplex& complex) {
+    const int n = complex.dimension();
+    const auto& counts = complex.coface_counts(n - 1);
+    OpenFacets result{Simplices(std::count(counts.begin(), counts.end(), 1), n)};
+    if (result.corners.rows() > 0)
+        result.numbers = complex.vertex_numbers(numbers_below(complex.size(0)));
+    const FaceTable faces = complex.faces(n);
+    for (Index t = 0; t < complex.size(n) && result.corners.rows() > 0; ++t)
+        for (int omitted = 0; omitted <= n; ++omitted) {
+            const Index f = faces(t, omitted);
+            if (counts[f] != 1)
+                continue;
+            result.corners.row(std::ssize(result.opposite)) = complex.simplices(n - 1).row(f);
+            result.opposite.push_back(complex.simplices(n)(t, omitted));
+            result.cells.push_back(t);
+        }
+    return result;
+}
+
+BoundaryContacts boundary_contacts(const OpenFacets& all, const Points& points, double length) {
     if (all.cells.empty())
         return {};
     const OwnUnits own(points);
@@ -95,11 +86,11 @@ BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Point
     BoundaryContacts result;
     for (Index v = 0; v < std::ssize(first); ++v)
         if (first[v] != v)
-            result.coincident.push_back(complex.vertex_number(v));
+            result.coincident.push_back(all.numbers[v]);
     const OpenFacets open = single(all, first);
-    result.facets = open.corners.unaryExpr([&](Index v) { return complex.vertex_number(v); });
+    result.facets = open.corners.unaryExpr([&](Index v) { return all.numbers[v]; });
     result.in_facets.resize(open.opposite.size());
-    if (complex.dimension() < 2)
+    if (all.corners.cols() < 2)
         return result;
     const auto vertices = used_vertices(open.corners);
     const PointTree tree(own.points(vertices, Eigen::indexing::all));
@@ -119,7 +110,7 @@ BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Point
             i < std::ssize(vertices) && vertices[i] == open.opposite[f])
             of_cell.push_back(i);
         for (const Index i : tree.near(simplex, scaled, of_cell))
-            result.in_facets[f].push_back(complex.vertex_number(vertices[i]));
+            result.in_facets[f].push_back(all.numbers[vertices[i]]);
         result.hanging.insert(result.hanging.end(), result.in_facets[f].begin(),
                               result.in_facets[f].end());
         for (const Index other : tree_of_centroids.near(simplex, scaled, {f}))
@@ -133,7 +124,8 @@ BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Point
 }
 
 UnjoinedBoundary unjoined_boundary(const SimplicialComplex& complex, const Points& points) {
-    auto contacts = boundary_contacts(complex, points, weld_length(points));
+    check_as_many("points", points.rows(), complex.size(0));
+    auto contacts = boundary_contacts(open_facets(complex), points, weld_length(points));
     return {std::move(contacts.coincident), std::move(contacts.hanging), contacts.misfits};
 }
 

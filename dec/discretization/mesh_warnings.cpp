@@ -2,6 +2,7 @@
 #include "dec/discretization/mesh_warnings.h"
 
 #include "base/listed.h"
+#include "base/lists.h"
 #include "dec/metric/overlaps.h"
 
 #include <fmt/format.h>
@@ -55,20 +56,34 @@ void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
                       std::vector<std::string>& warnings) {
     const int n = complex.dimension();
     const auto [folded, wound] = find_overlaps(complex, points);
-    if (!folded.empty())
+    warn_of_overlaps(named(complex, n, folded), complex.size(n), named(complex, 0, wound),
+                     warnings);
+}
+
+NamedSimplices named(const Pieces& complex, int k, const std::vector<Index>& simplices) {
+    NamedSimplices result{std::ssize(simplices)};
+    for (std::size_t i = 0; i < std::min(simplices.size(), most_listed); ++i)
+        result.first.push_back(complex.vertex_numbers(k, simplices[i]));
+    return result;
+}
+
+void warn_of_overlaps(const NamedSimplices& folded, std::int64_t cells, const NamedSimplices& wound,
+                      std::vector<std::string>& warnings) {
+    const auto names = [](const NamedSimplices& of) {
+        return listed(numbers_below(of.first.size()), static_cast<std::size_t>(of.count),
+                      [&](Index i) { return fmt::format("{}", fmt::join(of.first[i], " ")); });
+    };
+    if (folded.count > 0)
         warnings.push_back(
             fmt::format("the mesh is folded: {} of {} cells lie{} over {} neighbors (vertices {}): "
                         "results are for the folded mesh, not for the region that it covers",
-                        folded.size(), complex.size(n), folded.size() == 1 ? "s" : "",
-                        folded.size() == 1 ? "its" : "their", listed(folded, [&](Index t) {
-                            return fmt::format("{}", fmt::join(complex.vertex_numbers(n, t), " "));
-                        })));
-    if (!wound.empty())
+                        folded.count, cells, folded.count == 1 ? "s" : "",
+                        folded.count == 1 ? "its" : "their", names(folded)));
+    if (wound.count > 0)
         warnings.push_back(fmt::format(
             "the mesh overlaps itself: cells around {} lie over each other without a fold (vertex "
             "{}): results are for the mesh as glued, not for the region that it covers",
-            wound.size() == 1 ? "1 vertex" : fmt::format("{} vertices", wound.size()),
-            listed(wound, [&](Index v) { return fmt::format("{}", complex.vertex_number(v)); })));
+            counted(static_cast<std::size_t>(wound.count), "vertex", "vertices"), names(wound)));
 }
 
 void warn_of_unjoined(const UnjoinedBoundary& boundary, int n, std::vector<std::string>& warnings) {

@@ -25,6 +25,17 @@ std::int64_t branching_facets(const CellComplex& complex);
 void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
                       std::vector<std::string>& warnings);
 
+/// Some simplices, of which the first few are named by the numbers of their corners.
+struct NamedSimplices {
+    std::int64_t count = 0;
+    std::vector<std::vector<Index>> first = {};
+};
+NamedSimplices named(const Pieces& complex, int k, const std::vector<Index>& simplices);
+
+/// For the Overlaps of a mesh with so many cells.
+void warn_of_overlaps(const NamedSimplices& folded, std::int64_t cells, const NamedSimplices& wound,
+                      std::vector<std::string>& warnings);
+
 /// For a mesh of dimension n.
 void warn_of_unjoined(const UnjoinedBoundary& boundary, int n, std::vector<std::string>& warnings);
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -125,26 +126,13 @@ void compare_sides(const Pieces& complex, const std::vector<View>& views, Disjoi
     }
 }
 
-/// The smaller half of each part that lies on two sides (of equal halves, the half without the
-/// part's first cell), and the surplus cells at branching facets.
-std::vector<Index> find_folded(const Pieces& complex, const std::vector<View>& views) {
-    const auto cells = static_cast<Index>(views.size());
-    const auto& counts = complex.coface_counts(complex.dimension() - 1);
-    std::array<bool, 2> any{}; // cells with each sign
-    for (Index t = 0; t < cells; ++t)
-        if (views[t].sign != 0)
-            any[views[t].sign == complex.orientation(t) ? 1 : 0] = true;
-    if (complex.orientable() && !(any[0] && any[1]) &&
-        std::none_of(counts.begin(), counts.end(), [](Index count) { return count > 2; }))
-        return {};
-
-    DisjointSets parts(cells);
-    std::vector<bool> folded(views.size(), false);
-    compare_sides(complex, views, parts, folded);
-
+/// Marks the smaller half of each part that lies on two sides: of equal halves, the half without
+/// the part's first cell.
+std::vector<bool> smaller_halves(DisjointSets& parts) {
     // at the root of each part: how many lie as its first cell does, and how many do not
-    std::vector<std::int8_t> first(views.size(), 0);
-    std::vector<std::array<Index, 2>> halves(views.size(), {0, 0});
+    const auto cells = static_cast<Index>(parts.size());
+    std::vector<std::int8_t> first(parts.size(), 0);
+    std::vector<std::array<Index, 2>> halves(parts.size(), {0, 0});
     const auto half = [&](Index t) {
         const auto root = parts.find(t);
         return root.sign == first[root.element] ? 0 : 1;
@@ -155,13 +143,34 @@ std::vector<Index> find_folded(const Pieces& complex, const std::vector<View>& v
             first[root.element] = root.sign;
         ++halves[root.element][half(t)];
     }
-    std::vector<Index> result;
+    std::vector<bool> result(parts.size());
     for (Index t = 0; t < cells; ++t) {
         const auto& [as_first, against] = halves[parts.find(t).element];
-        if (folded[t] || half(t) == (against > as_first ? 0 : 1))
-            result.push_back(t);
+        result[t] = half(t) == (against > as_first ? 0 : 1);
     }
     return result;
+}
+
+/// The smaller half of each part, or what is known of it, and the surplus cells at branching
+/// facets.
+std::vector<Index> find_folded(const Pieces& complex, const std::vector<View>& views,
+                               const std::vector<bool>& against) {
+    const auto cells = static_cast<Index>(views.size());
+    const auto& counts = complex.coface_counts(complex.dimension() - 1);
+    std::array<bool, 2> any{}; // cells with each sign
+    for (Index t = 0; t < cells; ++t)
+        if (views[t].sign != 0)
+            any[views[t].sign == complex.orientation(t) ? 1 : 0] = true;
+    if (against.empty() && complex.orientable() && !(any[0] && any[1]) &&
+        std::none_of(counts.begin(), counts.end(), [](Index count) { return count > 2; }))
+        return {};
+
+    DisjointSets parts(cells);
+    std::vector<bool> folded(views.size(), false);
+    compare_sides(complex, views, parts, folded);
+    const auto halves = against.empty() ? smaller_halves(parts) : against;
+    std::transform(halves.begin(), halves.end(), folded.begin(), folded.begin(), std::logical_or());
+    return marked(folded);
 }
 
 /// Marks the (n-2)-simplices that unfolded cells may surround by more than one turn. They make
@@ -210,7 +219,14 @@ std::vector<Index> find_wound(const Pieces& complex, const Points& points,
 
 } // namespace
 
-Overlaps find_overlaps(const Pieces& complex, const Points& all) {
+std::vector<std::int8_t> sides(const Pieces& complex, const Points& points) {
+    std::vector<std::int8_t> signs;
+    for (const View& view : look_at_all(complex, points))
+        signs.push_back(view.sign);
+    return signs;
+}
+
+Overlaps find_overlaps(const Pieces& complex, const Points& all, const std::vector<bool>& against) {
     check_as_many("points", all.rows(), complex.size(0));
     const auto axes = varying_coordinates(all);
     if (static_cast<int>(axes.size()) != complex.dimension())
@@ -218,7 +234,7 @@ Overlaps find_overlaps(const Pieces& complex, const Points& all) {
     const Points points = all(Eigen::indexing::all, axes);
     Overlaps result;
     const auto views = look_at_all(complex, points);
-    result.folded = find_folded(complex, views);
+    result.folded = find_folded(complex, views, against);
     result.wound = find_wound(complex, points, views, result.folded);
     return result;
 }

@@ -3,6 +3,7 @@
 
 #include "complex/pieces.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace polydec {
@@ -25,6 +26,14 @@ struct Overlaps {
 /// is found. Anything within rounding (a cell that is flat to the last digits) is ignored. Linear
 /// time; products of n lengths must not overflow or underflow. Empty unless n coordinates vary.
 /// Throws InvalidInput unless there is one point per vertex.
-Overlaps find_overlaps(const Pieces& complex, const Points& points);
+///
+/// For a part of a larger complex: `against` marks the simplices that belong to the smaller halves
+/// there.
+Overlaps find_overlaps(const Pieces& complex, const Points& points,
+                       const std::vector<bool>& against = {});
+
+/// The side on which each n-simplex lies: the sign of the determinant of its edges from its first
+/// corner, 0 within rounding. Points have n coordinates.
+std::vector<std::int8_t> sides(const Pieces& complex, const Points& points);
 
 } // namespace polydec

@@ -12,7 +12,7 @@ namespace polydec {
 
 std::vector<Eigen::Index> varying_coordinates(const Points& points) {
     std::vector<Eigen::Index> axes;
-    for (Eigen::Index c = 0; c < points.cols(); ++c)
+    for (Eigen::Index c = 0; c < points.cols() && points.rows() > 0; ++c)
         if ((points.col(c).array() != points(0, c)).any())
             axes.push_back(c);
     return axes;

@@ -96,7 +96,8 @@ void add_shared_arguments(CLI::App& command, SharedArguments& arguments) {
                     "time, not results")
         ->default_str("morton")
         ->transform(enumerator({"morton", "file", "ptscotch"}));
-    refuse_options(command, {"--centers", "--keep-groups", "--peel", "--delaunay"});
+    refuse_options(command, {"--centers", "--keep-groups", "--peel", "--delaunay", "--weld",
+                             "--join-hanging", "--refine"});
 }
 
 SharedProgress::SharedProgress(const Ranks& ranks) : ranks_(ranks) {
