@@ -128,12 +128,14 @@ Mesh tidied(const std::filesystem::path& path) {
 
 MeshSlice read_slice(const Ranks& ranks, const std::filesystem::path& path) {
     const std::string format = lower_extension(path);
-    if (format == ".pdm")
-        return read_pdm_slice(ranks, open_on_all(ranks, path));
     std::string why;
-    if (format == ".ply" || format == ".msh" || format == ".vtu")
-        if (auto slice = read_parts(ranks, open_on_all(ranks, path), why))
-            return *std::move(slice);
+    std::optional<MeshSlice> parts;
+    if (format == ".pdm")
+        parts = read_pdm_slice(ranks, open_on_all(ranks, path));
+    else if (format == ".ply" || format == ".msh" || format == ".vtu")
+        parts = read_parts(ranks, open_on_all(ranks, path), why);
+    if (parts && is_tidy(ranks, *parts, why))
+        return *std::move(parts);
     const auto mesh = ranks.together(
         "read", [&] { return ranks.rank() == 0 ? std::optional(tidied(path)) : std::nullopt; });
     MeshSlice slice = scatter(ranks, mesh);

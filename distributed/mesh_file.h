@@ -10,8 +10,8 @@ namespace polydec {
 /// Collective: the slices of a mesh in a file that all ranks see. For .pdm, and for files with a
 /// MeshLayout (binary .ply, .msh and .vtu of simplices), each rank reads its own bytes, so that no
 /// rank needs memory for the whole mesh. Rank 0 reads and scatters every other file, and files with
-/// cells to be omitted. All but .pdm are tidied as in discretize. Throws like read_mesh, on all
-/// ranks; IoError if they see files of different length.
+/// cells without volume or to be omitted. All are tidied as in discretize. Throws like read_mesh,
+/// on all ranks; IoError if they see files of different length.
 MeshSlice read_slice(const Ranks& ranks, const std::filesystem::path& path);
 
 /// Collective: writes a mesh as .pdm, each rank its part of the bytes. All ranks must see the file,

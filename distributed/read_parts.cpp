@@ -183,8 +183,7 @@ void check_flat_cells(const Ranks& ranks, const MeshSlice& slice, const NumberPl
     own.points = points_of(ranks, slice, here.numbers());
     ranks.together("flat cells", [&] {
         own.simplices = slice.simplices.unaryExpr([&](GlobalIndex vertex) { return here(vertex); });
-        const FlatCells flat = find_flat_cells(own);
-        if (!flat.removable.empty() || !flat.stuck.empty())
+        if (!flat_cells(own).empty())
             throw InvalidInput("some cells have no volume");
     });
 }
@@ -199,7 +198,7 @@ void warn_of_isolated(const Ranks& ranks, MeshSlice& slice, const NumberPlaces& 
             parcels[vertices.rank_of(vertex)].push_back(vertex);
     });
     const auto arrived = ranks.deliver(std::move(parcels));
-    std::vector<Index> isolated;
+    std::vector<GlobalIndex> isolated;
     const GlobalIndex here_isolated = ranks.together("vertices", [&] {
         std::vector<bool> used(slice.points.rows(), false);
         for (const auto& parcel : arrived)
@@ -207,26 +206,13 @@ void warn_of_isolated(const Ranks& ranks, MeshSlice& slice, const NumberPlaces& 
                 used[vertex - first] = true;
         for (std::size_t v = 0; v < used.size() && isolated.size() < most_listed; ++v)
             if (!used[v])
-                isolated.push_back(static_cast<Index>(first + static_cast<GlobalIndex>(v)));
+                isolated.push_back(first + static_cast<GlobalIndex>(v));
         return GlobalIndex{std::count(used.begin(), used.end(), false)};
     });
     const GlobalIndex count = ranks.sum(here_isolated);
     isolated = ranks.of_all(isolated);
     if (count > 0 && ranks.rank() == 0)
         slice.warnings.push_back(isolated_vertices(isolated, static_cast<std::size_t>(count)));
-}
-
-/// Collective: throws InvalidInput where tidy would omit cells or throw: cells with a repeated
-/// corner, on the vertices of another cell, or without volume. Appends a warning about isolated
-/// vertices, as tidy does. Coordinates must be finite, and vertices must exist.
-void check_tidy(const Ranks& ranks, MeshSlice& slice) {
-    check_double_cells(ranks, slice);
-    const NumberPlaces here = ranks.together("vertices", [&] {
-        return NumberPlaces(
-            {slice.simplices.data(), static_cast<std::size_t>(slice.simplices.size())});
-    });
-    check_flat_cells(ranks, slice, here);
-    warn_of_isolated(ranks, slice, here);
 }
 
 MeshSlice slice_from(const Ranks& ranks, const MeshLayout& layout, const PartialFile& file) {
@@ -246,11 +232,26 @@ MeshSlice slice_from(const Ranks& ranks, const MeshLayout& layout, const Partial
         read_cells(others);
     if (ranks.rank() == 0)
         slice.warnings = layout.warnings;
-    check_tidy(ranks, slice);
     return slice;
 }
 
 } // namespace
+
+bool is_tidy(const Ranks& ranks, MeshSlice& slice, std::string& why) {
+    try {
+        check_double_cells(ranks, slice);
+        const NumberPlaces here = ranks.together("vertices", [&] {
+            return NumberPlaces(
+                {slice.simplices.data(), static_cast<std::size_t>(slice.simplices.size())});
+        });
+        check_flat_cells(ranks, slice, here);
+        warn_of_isolated(ranks, slice, here);
+        return true;
+    } catch (const InvalidInput& error) {
+        why = error.what();
+        return false;
+    }
+}
 
 std::optional<MeshSlice> read_parts(const Ranks& ranks, const PartialFile& file, std::string& why) {
     try {

@@ -186,15 +186,16 @@ void check_mesh(const Mesh& mesh) {
     check_vertices("cell", mesh.simplices, mesh.points.rows());
 }
 
-std::string isolated_vertices(const std::vector<Index>& first, std::size_t count) {
+std::string isolated_vertices(const std::vector<std::int64_t>& first, std::size_t count) {
     return fmt::format("{} to no cell, left out of all counts: {}",
                        counted(count, "vertex belongs", "vertices belong"),
-                       listed(first, count, [](Index v) { return fmt::format("{}", v); }));
+                       listed(numbers_below(first.size()), count,
+                              [&](Index i) { return fmt::format("{}", first[i]); }));
 }
 
 void warn_of_isolated_vertices(Mesh& mesh) {
     const auto used = marks_at(mesh.simplices.reshaped(), mesh.points.rows());
-    std::vector<Index> isolated;
+    std::vector<std::int64_t> isolated;
     for (Index v = 0; v < mesh.points.rows(); ++v)
         if (!used[v])
             isolated.push_back(v);

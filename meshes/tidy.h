@@ -4,6 +4,7 @@
 #include "complex/simplicial_complex.h"
 #include "meshes/mesh.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,7 @@ void check_mesh(const Mesh& mesh);
 void warn_of_isolated_vertices(Mesh& mesh);
 
 /// The text of that warning for `count` vertices, given the first ones, up to most_listed.
-std::string isolated_vertices(const std::vector<Index>& first, std::size_t count);
+std::string isolated_vertices(const std::vector<std::int64_t>& first, std::size_t count);
 
 /// The mesh without flat boundary cells, which mesh generators make if boundary points are slightly
 /// off a plane: simplices over nearly collinear or coplanar points of the hull. They lie on no

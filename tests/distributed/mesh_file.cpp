@@ -32,10 +32,11 @@ TEST(MeshFiles, one_of_several_blocks_goes_to_every_rank_and_a_cut_is_told_by_al
     const auto ranks = Ranks::all();
     const CommonFolder folder(ranks);
     Mesh mesh; // of three blocks and a bit
-    mesh.points = Points::NullaryExpr(
-        90000, 3, [](Eigen::Index i, Eigen::Index j) { return static_cast<double>(3 * i + j); });
+    mesh.points = Points::NullaryExpr(90000, 3, [](Eigen::Index i, Eigen::Index j) {
+        return static_cast<double>(j == 0 ? i : i * i % (7 + 4 * j));
+    });
     mesh.simplices = Simplices::NullaryExpr(100000, 3, [](Eigen::Index i, Eigen::Index j) {
-        return static_cast<Index>((i + j) % 90000);
+        return static_cast<Index>((i + j + (i >= 90000 && j == 2 ? 1 : 0)) % 90000);
     });
     const MeshSlice slice = slice_of(ranks, mesh);
     write_slice(ranks, folder / "a.pdm", slice);

@@ -5,6 +5,7 @@
 #include "tests/distributed/binary_files.h"
 #include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
+#include "tests/io/support.h"
 
 namespace polydec::test::in_read_parts {
 
@@ -138,6 +139,13 @@ TEST(ReadParts, leave_to_one_rank_what_has_no_fixed_width_or_is_to_be_tidied) {
         EXPECT_TRUE(expect_like_one_process(ranks, folder / format.file, format.text(unused, {}),
                                             format.file));
     }
+    const auto as_pdm = [&](const Mesh& given) {
+        on_rank_0(ranks, [&] { write_mesh(folder / "given.pdm", given); });
+        return read_text(folder / "given.pdm");
+    };
+    for (const Mesh& untidy : {twice, repeated, flat})
+        EXPECT_FALSE(expect_like_one_process(ranks, folder / "a.pdm", as_pdm(untidy), "a.pdm"));
+    EXPECT_TRUE(expect_like_one_process(ranks, folder / "a.pdm", as_pdm(unused), "a.pdm"));
     on_rank_0(ranks, [&] { write_mesh(folder / "a.ply", mesh); }); // text, which all are told of
     EXPECT_TRUE(read_slice(ranks, folder / "a.ply").warnings.empty());
 }
