@@ -59,12 +59,13 @@ MeshSlice read_pdm_slice(const Ranks& ranks, const PartialFile& file) {
         const PdmLayout& layout = reader.layout();
         const EqualStretches vertices(layout.vertices, ranks.size()),
             cells(layout.cells, ranks.size());
-        MeshSlice slice{layout.vertices, layout.cells, {}, {}};
+        MeshSlice slice{layout.vertices, layout.cells, {}, {}, {}, layout.has_tags};
         slice.points = reader.points(vertices.begin(ranks.rank()), vertices.end(ranks.rank()));
         const auto corners = reader.cells(cells.begin(ranks.rank()), cells.end(ranks.rank()));
         slice.simplices = Eigen::Map<const GlobalSimplices>(
             corners.data(), cells.end(ranks.rank()) - cells.begin(ranks.rank()),
             layout.dimension + 1);
+        slice.tags = reader.tags(cells.begin(ranks.rank()), cells.end(ranks.rank()));
         return slice;
     });
 }
@@ -146,7 +147,7 @@ MeshSlice read_slice(const Ranks& ranks, const std::filesystem::path& path) {
 
 void write_slice(const Ranks& ranks, const std::filesystem::path& path, const MeshSlice& slice) {
     const PdmLayout layout{slice.ambient_dimension(), slice.dimension(), slice.vertices,
-                           slice.cells};
+                           slice.cells, ranks.any(!slice.tags.empty())};
     std::unique_ptr<AtomicFile> file; // of rank 0
     ranks.together("write", [&] {
         if (lower_extension(path) != ".pdm")
@@ -170,7 +171,8 @@ void write_slice(const Ranks& ranks, const std::filesystem::path& path, const Me
             {PdmLayout::header_bytes + first(slice.vertices) * layout.point_bytes(),
              pdm_bytes(slice.points)},
             {layout.cells_begin() + first(slice.cells) * layout.cell_bytes(),
-             pdm_bytes(corners, layout.number_bytes())}};
+             pdm_bytes(corners, layout.number_bytes())},
+            {layout.tags_begin() + 4 * first(slice.cells), pdm_bytes(slice.tags)}};
     });
     const Bytes own = own_blocks(ranks, layout, parts);
     ranks.together("write", [&] {

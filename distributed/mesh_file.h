@@ -14,9 +14,9 @@ namespace polydec {
 /// on all ranks; IoError if they see files of different length.
 MeshSlice read_slice(const Ranks& ranks, const std::filesystem::path& path);
 
-/// Collective: writes a mesh as .pdm, each rank its part of the bytes. All ranks must see the file,
-/// which appears whole or not at all. Throws InvalidInput for another extension, IoError if writing
-/// fails on any rank.
+/// Collective: writes a mesh as .pdm, with its tags, each rank its part of the bytes. All ranks
+/// must see the file, which appears whole or not at all. Throws InvalidInput for another extension,
+/// IoError if writing fails on any rank.
 void write_slice(const Ranks& ranks, const std::filesystem::path& path, const MeshSlice& slice);
 
 } // namespace polydec

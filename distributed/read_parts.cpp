@@ -216,7 +216,7 @@ void warn_of_isolated(const Ranks& ranks, MeshSlice& slice, const NumberPlaces& 
 }
 
 MeshSlice slice_from(const Ranks& ranks, const MeshLayout& layout, const PartialFile& file) {
-    MeshSlice slice{layout.points.count(), layout.cells.count(), {}, {}};
+    MeshSlice slice{layout.points.count(), layout.cells.count(), {}, {}, {}, layout.has_tags};
     slice.points = ranks.together("points", [&] { return own_points(ranks, layout, file); });
     ranks.together("read", [&] { check_expected(ranks, layout, file); });
     const NodeNumbers numbers(ranks, layout, file);

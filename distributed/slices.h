@@ -18,6 +18,8 @@ struct MeshSlice {
     Points points;                          ///< of vertices EqualStretches(vertices, ranks)
     GlobalSimplices simplices;              ///< cells EqualStretches(cells, ranks)
     std::vector<std::string> warnings = {}; ///< of the mesh, on rank 0
+    bool has_tags = false;                  ///< whether cells have groups, see Mesh
+    std::vector<Index> tags = {};           ///< of the cells here; or empty: not read
 
     int ambient_dimension() const { return static_cast<int>(points.cols()); }
     int dimension() const { return static_cast<int>(simplices.cols()) - 1; }

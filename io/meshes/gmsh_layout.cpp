@@ -29,6 +29,7 @@ public:
         if (!has_elements_)
             refuse_layout(file_, "there is no section $Elements");
         take_cells();
+        layout_.has_tags = has_groups_[layout_.dimension()];
         if (const auto more = second_groups_[layout_.dimension()]; more > 0)
             layout_.warnings.push_back(second_groups_warning(more));
         layout_.order = *format_->order;
@@ -220,9 +221,10 @@ private:
             add_cells(block.kind, number_type(), {block.count, place_ + width, stride});
             hop(block.count * stride);
             before += block.count;
+            const auto tags = groups_.tags_of(block.entity_dimension, block.entity);
+            has_groups_[block.kind.dimension] |= tags[0] != 0;
             second_groups_[block.kind.dimension] +=
-                (groups_.tags_of(block.entity_dimension, block.entity).size() - 1) *
-                static_cast<std::size_t>(block.count);
+                (tags.size() - 1) * static_cast<std::size_t>(block.count);
         }
         if (before < section.records)
             refuse_layout(file_, "there are fewer elements than announced");
@@ -235,6 +237,7 @@ private:
             const auto block = read_numbers([&](GmshSource& source) {
                 return read_old_gmsh_element_block(source, elements - before);
             });
+            has_groups_[block.kind.dimension] |= block.tags > 0;
             before += block.count == 1 ? add_single_cells(block, front, elements - before)
                                        : add_block(block);
         }
@@ -315,6 +318,7 @@ private:
 
     /// By dimension and number of corners.
     std::array<std::map<int, RecordTable>, CellLists::most_dimensions> cells_;
+    std::array<bool, CellLists::most_dimensions> has_groups_{};           // by dimension
     std::array<std::size_t, CellLists::most_dimensions> second_groups_{}; // of cells, by dimension
 };
 

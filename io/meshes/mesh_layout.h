@@ -58,6 +58,7 @@ struct MeshLayout {
     std::vector<RecordTable> others = {};   ///< the vertices of cells outside the mesh
     std::vector<Expectation> expected = {}; ///< conditions on the records
     std::vector<std::string> warnings = {};
+    bool has_tags = false; ///< whether cells have groups, which have no layout
 
     int dimension() const { return static_cast<int>(cells.fields.size()) - 1; }
 };

@@ -80,8 +80,10 @@ MeshLayout layout_of(const PartialFile& file, const SourceFile& front, const Vtu
     layout.expected = {{types, type, 0},
                        {ends, static_cast<double>(corners), static_cast<double>(corners)}};
     for (const auto& [section, array, piece] : vtu.arrays())
-        if (section == "CellData" && is_tag_name(array.name()))
+        if (section == "CellData" && is_tag_name(array.name())) {
             arrays.table(array, 1); // has to be there as a whole
+            layout.has_tags = true;
+        }
     return layout;
 }
 

@@ -10,6 +10,7 @@ import os
 import random
 import re
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -114,6 +115,42 @@ def hold_spectrum(commands, ranks, name, mesh):
     for key in ["below_shift", "returned_below_shift", "complete"]:
         expect(one["certificate"][key] == several["certificate"][key],
                f"spectrum {name}: {key} of the certificate")
+
+
+def hold_warnings(commands, folder):
+    """Of a square in two parts that do not share their vertices."""
+    slit = folder / "slit.nsc"
+    slit.write_text("2 2 6 2\n0 0\n1 0\n0 1\n1 0\n1 1\n0 1\n0 1 2\n3 4 5\n")
+    pair = answers(commands, 3, "info", slit)
+    if pair is not None:
+        one, several = (answer["warnings"] for answer in pair)
+        expect(several == one and len(one) == 1, f"warnings of a slit: {several} for {one}")
+
+
+def triangle_with_group():
+    """A .vtu file that ranks read in parts."""
+    arrays = [("Points", "Float64", 3, struct.pack("<9d", 0, 0, 0, 1, 0, 0, 0, 1, 0)),
+              ("connectivity", "Int64", 1, struct.pack("<3q", 0, 1, 2)),
+              ("offsets", "Int64", 1, struct.pack("<q", 3)), ("types", "UInt8", 1, b"\x05"),
+              ("material", "Int32", 1, struct.pack("<i", 7))]
+    tags, data = [], b""
+    for name, kind, count, values in arrays:
+        tags.append(f'<DataArray Name="{name}" type="{kind}" NumberOfComponents="{count}" '
+                    f'format="appended" offset="{len(data)}"/>')
+        data += struct.pack("<Q", len(values)) + values
+    text = ('<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" '
+            'header_type="UInt64"><UnstructuredGrid><Piece NumberOfPoints="3" NumberOfCells="1">'
+            f'<Points>{tags[0]}</Points><Cells>{"".join(tags[1:4])}</Cells><CellData>{tags[4]}'
+            '</CellData></Piece></UnstructuredGrid><AppendedData encoding="raw">_')
+    return text.encode() + data + b"</AppendedData></VTKFile>"
+
+
+def hold_groups(commands, folder):
+    mesh = folder / "group.vtu"
+    mesh.write_bytes(triangle_with_group())
+    done = commands.on(2, "convert", mesh, "-o", folder / "group.pdm")
+    expect(done.code == 0 and says(done.err, "left out the groups of 1 cell", ".vtu"),
+           f"convert with groups: {done.err}")
 
 
 def cells_of(piece):
@@ -296,6 +333,8 @@ def main():
                 hold_spectrum(commands, ranks, mesh, file)
             if turn % 2 == 0:
                 hold_poisson(commands, ranks, mesh, file)
+        hold_warnings(commands, folder)
+        hold_groups(commands, folder)
         hold_files(commands, folder, folder / "cubes.nsc")
         hold_errors(commands, folder, str(folder / "grid.nsc"))
         hold_full_disks(commands, folder)

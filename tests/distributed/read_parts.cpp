@@ -39,7 +39,7 @@ std::string difference(const Outcome& found, const Outcome& expected) {
         return "";
     const MeshSlice &a = *found.slice, &b = *expected.slice;
     if (a.vertices != b.vertices || a.cells != b.cells || a.points != b.points ||
-        a.simplices != b.simplices)
+        a.simplices != b.simplices || a.has_tags != b.has_tags)
         return "other points or cells";
     if (without_fallback(a.warnings) != b.warnings)
         return fmt::format("{} warnings for {}", a.warnings.size(), b.warnings.size());

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "base/listed.h"
 #include "base/printable.h"
 #include "distributed/mesh_file.h"
+#include "io/source_file.h"
 #include "tools/messages.h"
 #include "tools/mpi/commands.h"
 #include "tools/mpi/shared_mesh.h"
 #include "tools/outputs.h"
+
+#include <fmt/format.h>
 
 namespace polydec::tools {
 
@@ -23,6 +27,10 @@ void run_convert(const Ranks& ranks, const ConvertArguments& arguments) {
     const MeshSlice slice =
         computed_on(arguments.mesh, [&] { return read_slice(ranks, arguments.mesh); });
     log.warn(slice.warnings);
+    if (slice.has_tags && !ranks.any(!slice.tags.empty()))
+        log.warn(fmt::format("left out the groups of {}: ranks read no groups in parts of {} files",
+                             counted(static_cast<std::size_t>(slice.cells), "cell", "cells"),
+                             lower_extension(arguments.mesh)));
     log.timing.begin("write");
     write_slice(ranks, arguments.out, slice);
     const std::string out = arguments.out.string();
@@ -52,8 +60,9 @@ void add_convert(CLI::App& app, const Ranks& ranks) {
     command->add_option("-o,--out", arguments->out, "FILE\tthe converted mesh, .pdm")->required();
     add_common_options(*command, arguments->tell);
     command->add_flag("--timing", arguments->tell.timing, "report how long each stage took");
-    command->footer("The file has points and cells as in memory, and a checksum for every MiB. "
-                    "Cells that occur twice or repeat a corner are omitted.\n\nExample:\n"
+    command->footer("The file has points, cells and their groups as in memory, and a checksum for "
+                    "every MiB. Cells that occur twice or repeat a corner are omitted, and so are "
+                    "the groups of .msh and .vtu files that ranks read in parts.\n\nExample:\n"
                     "  polydec-mpi convert engine.msh -o engine.pdm");
 }
 
