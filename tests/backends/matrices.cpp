@@ -130,7 +130,7 @@ Vector dense_eigenvalues(const SparseMatrix& A) {
 }
 
 Index negative_eigenvalues(const SparseMatrix& A) {
-    return static_cast<Index>((dense_eigenvalues(A).array() < 0.0).count());
+    return number_below(dense_eigenvalues(A), 0);
 }
 
 std::vector<double> grid_eigenvalues(Index m, int dimension) {

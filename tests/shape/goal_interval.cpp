@@ -30,12 +30,8 @@ TEST(GoalInterval, is_for_every_shape_of_the_lengths_allowed) {
     const PartOfBoundary left{is_left, BoundaryCondition::essential},
         right{is_right, BoundaryCondition::robin, 3};
     const Mesh mesh = perturbed(kuhn(2, 16), 0.005, 3);
-    const Pieces pieces = unmerged(mesh).pieces;
-    Vector f(pieces.size(0)), values(pieces.size(0));
-    for (Index v = 0; v < f.size(); ++v) {
-        f[v] = f_at(mesh.points.row(pieces.vertex_number(v)));
-        values[v] = mesh.points(pieces.vertex_number(v), 1) - 0.5;
-    }
+    const Points vertices = vertices_of(mesh);
+    const Vector f = f_at(vertices), values = vertices.col(1).array() - 0.5;
     PoissonProblem problem = problem_of({"", mesh, {left, right}, true, 0.7}, mesh, f);
     const DenseMatrix goal = problem.source.array() * problem.source.array() - 1;
     std::mt19937 random(5);

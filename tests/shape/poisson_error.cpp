@@ -41,12 +41,8 @@ std::array<double, 2> squared_difference(const PoissonProblem& problem, const Ve
 TEST(PoissonError, is_between_the_true_one_and_a_little_more) {
     for (const Sample& sample : samples()) {
         const Mesh& mesh = sample.mesh;
-        const Pieces pieces = unmerged(mesh).pieces;
-        Vector f(pieces.size(0)), values(pieces.size(0));
-        for (Index v = 0; v < f.size(); ++v) {
-            f[v] = f_at(mesh.points.row(pieces.vertex_number(v)));
-            values[v] = 0.3 * mesh.points(pieces.vertex_number(v), 0);
-        }
+        const Points vertices = vertices_of(mesh);
+        const Vector f = f_at(vertices), values = 0.3 * vertices.col(0);
         const PoissonProblem problem = problem_of(sample, mesh, f);
         Vector u = galerkin(problem, values);
         const PoissonError error = poisson_error(problem, u);
@@ -167,10 +163,8 @@ TEST(PoissonError, of_a_linear_solution_is_0) {
     const PoissonForms forms(problem.shape, "auto");
     // u = 1 + 2 x - y is linear
     problem.source.setZero();
-    Vector linear(problem.shape.pieces.size(0));
-    for (Index v = 0; v < linear.size(); ++v)
-        linear[v] = 1 + 2 * mesh.points(problem.shape.pieces.vertex_number(v), 0) -
-                    mesh.points(problem.shape.pieces.vertex_number(v), 1);
+    const Points vertices = vertices_of(mesh);
+    const Vector linear = 1 + 2 * vertices.col(0).array() - vertices.col(1).array();
     const PoissonError none = poisson_error(problem, linear);
     EXPECT_LT(none.energy, 1e-12);
     EXPECT_LT(*none.l2, 1e-12);

@@ -13,11 +13,9 @@ TEST(ProvedNumbers, enclose_the_integral_of_a_solution_however_large_its_constan
         const Shape shape = unmerged(mesh, conditions);
         const Pieces& pieces = shape.pieces;
         const PoissonProblem problem{shape, DenseMatrix::Ones(pieces.size(2), 1), {}};
-        Vector u(pieces.size(0));
-        for (Index v = 0; v < u.size(); ++v) {
-            const double x = mesh.points(pieces.vertex_number(v), 0);
-            u[v] = 1 / alpha + x - x * x / 2;
-        }
+        const Points vertices = vertices_of(mesh);
+        const auto x = vertices.col(0).array();
+        const Vector u = 1 / alpha + x - x * x / 2;
         const Enclosed found = goal_interval(problem, u, problem.source);
         const long double integral = 1 / static_cast<long double>(alpha) + 1 / 3.0L;
         EXPECT_LE(found.lower, integral) << alpha;
@@ -35,10 +33,8 @@ TEST(ProvedNumbers, know_an_error_of_one_rounding) {
         const PoissonProblem problem{shape, DenseMatrix::Zero(cells, 1), {}};
         Vector u = Vector::Constant(cells + 1, g);
         Eigen::Index last = 0;
-        mesh.points.col(0).maxCoeff(&last);
-        for (Index v = 0; v <= cells; ++v)
-            if (shape.pieces.vertex_number(v) == last)
-                u[v] = std::nextafter(g, HUGE_VAL);
+        vertices_of(mesh).col(0).maxCoeff(&last);
+        u[last] = std::nextafter(g, HUGE_VAL);
         const double step = std::nextafter(g, HUGE_VAL) - g, energy = step * std::sqrt(cells),
                      l2 = step / std::sqrt(3 * cells);
         const PoissonError error = poisson_error(problem, u);
@@ -57,12 +53,8 @@ TEST(ProvedNumbers, know_a_small_value_beside_large_ones) {
                                                  {is_right, BoundaryCondition::robin, 1e60}});
     const Shape shape = unmerged(mesh, conditions);
     const PoissonProblem problem{shape, DenseMatrix::Zero(2, 1), {}};
-    Vector u(3); // of f = 0 and u(0) = 1 the exact one is 1 - x
-    for (Index v = 0; v < 3; ++v)
-        u[v] = 1 - mesh.points(shape.pieces.vertex_number(v), 0);
-    for (Index v = 0; v < 3; ++v)
-        if (u[v] == 0)
-            u[v] = 1e-12;
+    Vector u = 1 - vertices_of(mesh).col(0).array(); // of f = 0 and u(0) = 1 the exact one is 1 - x
+    std::replace(u.begin(), u.end(), 0.0, 1e-12);
     EXPECT_GE(poisson_error(problem, u, {.l2_limit = 0}).energy, 1e18 * (1 - 1e-14));
 }
 
@@ -73,13 +65,12 @@ TEST(ProvedNumbers, enclose_the_integral_of_a_solution_that_stiff_conditions_kee
         const auto conditions = conditions_of(mesh, {{is_any, BoundaryCondition::robin, alpha}});
         PoissonProblem problem{unmerged(mesh, conditions), DenseMatrix::Zero(8, 1),
                                Vector::Zero(9)};
-        const Pieces& pieces = problem.shape.pieces;
         const long double s = -1 / (static_cast<long double>(alpha) + 2), c = s / alpha;
+        const Points vertices = vertices_of(mesh);
         Vector u(9);
         for (Index v = 0; v < 9; ++v) {
-            const double x = mesh.points(pieces.vertex_number(v), 0);
-            u[v] = static_cast<double>(c + s * x);
-            problem.flow[v] = x == 1 ? -1 : 0;
+            u[v] = static_cast<double>(c + s * vertices(v, 0));
+            problem.flow[v] = vertices(v, 0) == 1 ? -1 : 0;
         }
         const Enclosed found = goal_interval(problem, u, DenseMatrix::Ones(8, 1));
         EXPECT_LE(found.lower, c + s / 2) << alpha;

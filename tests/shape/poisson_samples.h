@@ -24,8 +24,13 @@ inline Eigen::RowVectorXd centroid(const Mesh& mesh, const Pieces& pieces, int k
     return sum;
 }
 
-inline double f_at(const Eigen::RowVectorXd& p) {
-    return 1 + p[0] - 2 * p[p.size() - 1];
+/// A row of coordinates for each.
+inline Points vertices_of(const Mesh& mesh) {
+    return vertex_points(SimplicialComplex(mesh.simplices), mesh.points);
+}
+
+inline Vector f_at(const Points& p) {
+    return 1 + p.col(0).array() - 2 * p.col(p.cols() - 1).array();
 }
 
 inline PoissonProblem problem_of(const Sample& sample, const Mesh& mesh, const Vector& f) {

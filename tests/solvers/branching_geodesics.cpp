@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Distances on surfaces where more than two triangles meet at edges.
-#include "tests/solvers/heat_distance.h"
+#include "tests/solvers/glued_samples.h"
 
 namespace polydec::test::in_branching_geodesics {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "tests/solvers/dense_spectrum.h"
 #include "tests/support/read_golden.h"
+#include "tests/support/test.h"
 
 namespace polydec::test::in_certified_eigensolver {
 

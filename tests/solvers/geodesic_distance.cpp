@@ -2,7 +2,6 @@
 #include "solvers/surfaces/heat_step.h"
 #include "solvers/surfaces/surface_metric.h"
 #include "tests/solvers/glued_samples.h"
-#include "tests/solvers/heat_distance.h"
 
 namespace polydec::test::in_geodesic_distance {
 

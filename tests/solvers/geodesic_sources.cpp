@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/solvers/glued_samples.h"
-#include "tests/solvers/heat_distance.h"
 
 namespace polydec::test::in_geodesic_sources {
 

@@ -89,12 +89,8 @@ Mesh two_triangles() {
     return made_of({{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 1, 2}, {2, 1, 3}});
 }
 
-SimplicialComplex complex_of(const std::vector<std::array<Index, 3>>& triangles) {
-    Simplices rows(triangles.size(), 3);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        for (std::size_t i = 0; i < 3; ++i)
-            rows(static_cast<Index>(t), static_cast<Index>(i)) = triangles[t][i];
-    return SimplicialComplex(rows);
+SimplicialComplex complex_of(std::vector<std::vector<Index>> triangles) {
+    return SimplicialComplex(made_of({{}}, std::move(triangles)).simplices);
 }
 
 Discretization unmerged_grid() {

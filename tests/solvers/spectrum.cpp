@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "tests/solvers/dense_spectrum.h"
 #include "tests/support/scales.h"
+#include "tests/support/test.h"
 
 namespace polydec::test::in_spectrum {
 

@@ -53,6 +53,15 @@ Vector dense_values(const DenseMatrix& A, const DenseMatrix& M) {
         .eigenvalues();
 }
 
+Vector dense_spectrum(const Discretization& mesh, int k) {
+    return dense_values(DenseMatrix(symmetric_laplacian(mesh, k).matrix()),
+                        star(mesh.volumes(), k).diagonal().asDiagonal());
+}
+
+Index number_below(const Vector& values, double shift) {
+    return static_cast<Index>((values.array() < shift).count());
+}
+
 ExtendedVector extended_eigenvalues(const CellComplex& complex, const HodgeStars& stars, int k) {
     return extended_eigenvalues(dense_laplacian(complex, stars, k),
                                 dense_star(stars, k).cast<long double>());

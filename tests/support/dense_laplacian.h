@@ -2,8 +2,7 @@
 #pragma once
 
 #include "base/decompositions.h"
-#include "complex/cell_complex.h"
-#include "dec/stars/star.h"
+#include "dec/discretization/discretization.h"
 #include "tests/support/extended.h"
 
 namespace polydec::test {
@@ -14,6 +13,11 @@ Vector dense_laplacian_of(const CellComplex& complex, const HodgeStars& stars, i
 
 /// All eigenvalues of the Laplacian on k-cells, ascending.
 ExtendedVector extended_eigenvalues(const CellComplex& complex, const HodgeStars& stars, int k);
+
+/// The same from dense matrices of doubles with diagonal stars, and how many values are below a
+/// shift.
+Vector dense_spectrum(const Discretization& mesh, int k);
+Index number_below(const Vector& values, double shift);
 
 struct DenseModes {
     Vector values;     ///< ascending
