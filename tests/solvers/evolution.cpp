@@ -97,19 +97,6 @@ TEST(evolution, steps_are_of_fourth_order_where_diffusion_and_reaction_compete) 
     }
 }
 
-/// Values on the boundary of a form whose derivative vanishes.
-Vector closing(const Discretization& mesh, const Cochain& form) {
-    if (form.side == Side::primal)
-        return form.values;
-    const SparseMatrix B = dual_boundary_derivative(mesh.complex(), form.degree);
-    const Vector open = dual_derivative(mesh.complex(), form.degree) * form.values;
-    Vector result = Vector::Zero(B.cols());
-    for (Index row = 0; row < B.rows(); ++row)
-        for (SparseMatrix::InnerIterator entry(B, row); entry; ++entry)
-            result[entry.col()] = -open[row] / entry.value();
-    return result;
-}
-
 // The twin: without the values on the boundary they do not stay constant.
 TEST(evolution, constant_forms_grow_with_their_values_on_the_boundary) {
     const BoundaryConditions essential{BoundaryCondition::essential};
@@ -117,10 +104,11 @@ TEST(evolution, constant_forms_grow_with_their_values_on_the_boundary) {
         const auto& mesh = Case{pattern}.mesh(4);
         const int n = mesh.dimension();
         for_all_forms(n - 1, [&](Side side, int degree) {
-            const Cochain u = on(mesh, side, degree, [=](const Vector&) {
-                return Vector(Vector::LinSpaced(coefficients(n, degree), 1, 2));
-            });
-            const Vector data = closing(mesh, u);
+            const SmoothForm constant =
+                constant_form(Vector::LinSpaced(coefficients(n, degree), 1, 2));
+            const Cochain u = on(mesh, side, degree, constant);
+            const Vector data =
+                side == Side::primal ? u.values : boundary_de_rham(mesh, degree, constant);
             const auto growth = [](double t) { return 1 + t * t; };
             const auto defect = [&](bool has_data) {
                 Unknown unknown{{mesh, side, degree, essential}, u.values, 1};

@@ -9,12 +9,8 @@ struct Constant {
     int n, degree;
     Vector coefficients;
 
-    SmoothForm form() const {
-        return [c = coefficients](const Vector&) { return c; };
-    }
-    SmoothForm star() const {
-        return [c = euclidean_star(n, degree, coefficients)](const Vector&) { return c; };
-    }
+    SmoothForm form() const { return constant_form(coefficients); }
+    SmoothForm star() const { return constant_form(euclidean_star(n, degree, coefficients)); }
     Cochain on(const Discretization& mesh, Side side) const {
         return side == Side::primal ? de_rham(mesh, degree, form())
                                     : dual_de_rham(mesh, degree, form());

@@ -138,7 +138,7 @@ TEST(Maxwell, energy_is_conserved_over_ten_thousand_steps) {
     waves.advance(10000);
     EXPECT_NEAR(waves.relative_energy().value(), 1, 1e-10);
     // the sum of the squares alone swings
-    const HodgeStars& stars = space.cells().stars();
+    const HodgeStars stars = space.cells().stars();
     const auto squares = [&] {
         const Vector E = waves.form(0).values, B = waves.form(1).values;
         return E.dot(stars[1] * E) + B.dot(stars[2] * B);
