@@ -135,9 +135,7 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, std::option
         "lengths); divides polygons, hexahedra, ..; curved cells by corners");
     command
         .add_option("--centers", arguments.centers,
-                    "NAME\tcircumcenters (default), or centroids: positive duals, no merging, and "
-                    "errors that "
-                    "need not shrink in degrees 1 .. n-1")
+                    "NAME\tcircumcenters (default), or centroids: no merging, barycentric stars")
         ->check(one_of({"circumcenters", "centroids"}));
     auto* groups =
         command.add_flag("--keep-groups", arguments.keep_groups,

@@ -78,7 +78,8 @@ void warn_of_negative(const Ranks& ranks, const DistributedMesh& mesh, Side side
         ranks.sum(static_cast<GlobalIndex>(HodgeStar(mesh.cells.volumes, k).negatives().size()));
     if (count > 0)
         log.warn(
-            fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay there): "
+            fmt::format("{} of the {}-cells {} a negative dual (not Delaunay there, or a center "
+                        "beyond the boundary): "
                         "the solution may be far off there; `polydec poisson` supports other stars",
                         count, k, count == 1 ? "has" : "have"));
 }
