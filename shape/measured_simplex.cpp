@@ -130,7 +130,8 @@ Worst worst_of(const Shape& shape) {
 /// Forms on a simplex, and their factors 1, s and s^2 for eigenvalues s, must be in range.
 void check_size(const Shape& shape) {
     constexpr long double most = 1e250L;
-    for (Index s = 0; s < shape.pieces.size(shape.pieces.dimension()); ++s) {
+    const int n = shape.pieces.dimension();
+    for (Index s = 0; s < shape.pieces.size(n); ++s) {
         const auto simplex = measured_simplex(shape, s);
         const long double kappa = conductivity_of(shape, s), rho = density_of(shape, s),
                           mass = rho * simplex.volume,
@@ -143,7 +144,8 @@ void check_size(const Shape& shape) {
                                 "{:.3g} gives numbers outside the range of double precision: use "
                                 "units in which these are nearer to 1",
                                 name_of(shape, s), std::sqrt(simplex.longest_square),
-                                static_cast<double>(kappa), static_cast<double>(rho)));
+                                static_cast<double>(kappa), static_cast<double>(rho)),
+                    {.degree = n, .cells = {s}, .vertices = shape.pieces.vertex_numbers(n, s)});
     }
 }
 

@@ -39,7 +39,7 @@ const Sample& sample(const std::string& name);
 std::string outcome(const std::function<void()>& call);
 
 /// What goes into one call. One of the inputs, counted in the order in which they are asked for,
-/// may be of another size than is asked for, a degree that there is not, or a form with a value
+/// may be of another size than is asked for, a degree that does not exist, or a form with a value
 /// that is no number.
 class Inputs {
 public:

@@ -156,7 +156,13 @@ TEST(CountBelow, of_numbers_out_of_range_is_refused) {
     const auto check = [](const Shape& shape, const CountBelow& expected, double unit, bool fits) {
         if (!fits) {
             EXPECT_REFUSED(count_below(shape, 50 * unit), "simplex 0", "outside the range");
-            EXPECT_REFUSED(shape_spectrum(shape, {.count = 2}), "simplex 0", "outside the range");
+            try {
+                shape_spectrum(shape, {.count = 2});
+                ADD_FAILURE();
+            } catch (const InvalidInput& error) {
+                EXPECT_SAYS(error.what(), "simplex 0", "outside the range");
+                EXPECT_EQ(error.place().cells, std::vector<Index>{0});
+            }
             return;
         }
         const CountBelow count = count_below(shape, 50 * unit);

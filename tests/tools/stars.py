@@ -103,6 +103,12 @@ class Stars(TestCase):
                         "Galerkin", "100 %")
         said = self.fail_with(2, "info", golden("kuhn3.nsc"), "--star", "hybrid")
         self.assertSays(said, "--star hybrid", "dimension 3", "galerkin", "automatic")
+        solid = self.generate("bcc", "--cells", 2, extension="mesh")
+        mixed = "galerkin stars, diagonal for functions"
+        for star, is_mixed in (("automatic", True), ("galerkin", False)):
+            said = self.succeed("spectrum", solid, "--count", 1, "--star", star).out
+            self.assertIn("galerkin stars", said)
+            self.assertEqual(mixed in said, is_mixed)
 
     def test_are_advised_where_duals_have_no_volume(self):
         for name, options, count in (("fcc1.nsc", (), 24), ("grid4.nsc", ("--no-merge",), 16)):
